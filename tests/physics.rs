@@ -50,10 +50,10 @@ fn number(object: &Value, name: &str) -> f64 {
     object[name].as_f64().unwrap_or_else(|| panic!("no number '{name}' in {object}"))
 }
 
-/// `seen` is `expected` within a relative distance.
+/// `value` is `expected` within a relative distance.
 #[track_caller]
-fn assert_close(seen: f64, expected: f64, within: f64, what: &str) {
-    assert!((seen - expected).abs() <= within * expected.abs(), "{what}: {seen:?}, expected {expected:?}");
+fn assert_close(value: f64, expected: f64, within: f64, what: &str) {
+    assert!((value - expected).abs() <= within * expected.abs(), "{what}: {value:?}, expected {expected:?}");
 }
 
 /// What a run of a changing verb, with `--format json`, changes: property to `(from, to)`, equal for all that have it.

@@ -1,7 +1,7 @@
 //! The command from outside: what it prints, what it writes and what it leaves alone.
 //!
 //! Layout and wording are snapshots in `tests/snapshots`; bytes and numbers are plain assertions. Each test works in a
-//! folder of its own that holds copies of fixtures.
+//! temporary folder with copies of fixtures.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(

@@ -163,7 +163,7 @@ fn a_field_needs_the_same_other_fields_as_its_option() {
         ),
     ] {
         let error_of_call = dir.run(words).usage_error().wrote_nothing().err();
-        let fields = run_request(&dir, &fields).usage_error().wrote_nothing().err();
+        let error_of_request = run_request(&dir, &fields).usage_error().wrote_nothing().err();
         // The sentence of the call, with each option as a field.
         let sentence = error_of_call.trim_start_matches("error: ").trim_end();
         let spelled: Vec<String> = sentence
@@ -173,9 +173,9 @@ fn a_field_needs_the_same_other_fields_as_its_option() {
                 None => word.to_owned(),
             })
             .collect();
-        let fields = fields.replace(": true", "").replace('"', "`");
+        let error_of_request = error_of_request.replace(": true", "").replace('"', "`");
         assert!(sentence.contains(" says nothing without --"), "{words}: {error_of_call}");
-        assert!(fields.trim_end().ends_with(&spelled.join(" ")), "{words}: {fields}");
+        assert!(error_of_request.trim_end().ends_with(&spelled.join(" ")), "{words}: {error_of_request}");
     }
 }
 

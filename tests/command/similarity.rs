@@ -1,4 +1,4 @@
-//! What else of a model follows its size: listed, never changed.
+//! The list of other quantities of a model that follow its size, which no verb changes.
 
 use serde_json::Value;
 

@@ -15,7 +15,7 @@ use serde_json::Value;
 
 use crate::support::TestDir;
 
-/// The request of a dictionary, which has to be one for the verb that is named first.
+/// The request in a JSON object, which must be for the given verb.
 macro_rules! request {
     ($verb:ident, $($json:tt)+) => {
         match $crate::front_end::request_from_json(&serde_json::json!($($json)+)) {
@@ -31,20 +31,20 @@ pub(crate) fn request_from_json(json: &Value) -> Request {
     Request::from_json(json.to_string().as_bytes()).unwrap()
 }
 
-/// The files of a folder in memory, by their names there.
 /// The date of the command's runs.
 pub(crate) const TODAY: &str = "2025-11-26";
 
+/// The files of a folder in memory, by their names in it.
 pub(crate) fn files_in_memory(dir: &TestDir) -> InMemory {
     let mut files = InMemory::from_iter(dir.files());
     files.set_today(TODAY);
     files
 }
 
-/// A model that was changed.
+/// A changed model.
 pub(crate) struct Changed {
     pub(crate) opened: OpenModel,
-    /// Spelled in the words of the command.
+    /// The plan, spelled for the command line.
     pub(crate) plan: Plan,
     /// The new bytes of each changed file, the model first.
     pub(crate) results: Vec<NewFile>,
@@ -59,7 +59,7 @@ pub(crate) struct NewFile {
 }
 
 impl Changed {
-    /// Does `change` to the model that is called `path`.
+    /// Makes `change` in the model at `path`.
     pub(crate) fn new(change: &PreparedChange, path: &Path, files: &InMemory) -> Result<Self, Failure> {
         let opened = change.open(path, files)?;
         let mut plan = change.plan(&opened, files)?;

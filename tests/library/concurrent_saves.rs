@@ -23,11 +23,11 @@ fn command_line(options: &str) -> String {
     format!("human.osim --target-mass 500 --in-place --quiet {options}")
 }
 
-/// Words that run the command under strace, which does `how`. The command's process is in the file `process`.
-fn strace_command(how: &str, call: &str) -> String {
+/// A shell command that runs the call under strace and writes its process id to the file `process`.
+fn strace_command(strace_options: &str, call: &str) -> String {
     let calls = LATER_CALLS.join(",");
     format!(
-        "exec strace -f -qq -o trace -e trace=renameat2,{calls} {how} sh -c 'echo $$ > process; exec \"$COMMAND\" {call}'"
+        "exec strace -f -qq -o trace -e trace=renameat2,{calls} {strace_options} sh -c 'echo $$ > process; exec \"$COMMAND\" {call}'"
     )
 }
 
@@ -161,7 +161,7 @@ fn a_save_survives_a_kill_at_every_later_system_call() {
     assert!(kills >= 4, "{kills}");
 }
 
-/// Where files cannot be exchanged: of a force set and its geometry both change or none.
+/// On a system that cannot exchange files, a force set and its geometry both change or neither.
 #[test]
 fn a_save_into_the_second_of_two_files_restores_the_first() {
     let pair = [

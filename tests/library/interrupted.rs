@@ -62,7 +62,7 @@ fn a_run_without_a_summary_can_be_interrupted() {
     assert!(text.contains("3 models: 1 written, 2 not begun; stopped"), "{text}");
 }
 
-/// A batch system that stops a job, a terminal that closes: as Ctrl-C.
+/// A batch system that stops a job and a terminal that closes work like Ctrl-C.
 #[test]
 fn sigterm_and_sighup_work_like_an_interrupt() {
     for signal in ["-TERM", "-HUP"] {

@@ -149,7 +149,7 @@ fn kill_at_calls(wanted: usize) {
     }
 }
 
-/// Words that run the command under strace, which does `how`.
+/// A shell command that runs the call under strace with these options.
 fn strace_command(strace_options: &str, call: &str) -> String {
     format!("exec strace -f -qq -o trace {strace_options} \"$COMMAND\" {call}")
 }
@@ -165,7 +165,7 @@ impl Run {
             return None;
         }
         let trace = dir.text("trace");
-        let mut largest = BTreeMap::new();
+        let mut most_by_call = BTreeMap::new();
         for (kind, calls) in SYSTEM_CALLS {
             for call in calls {
                 let mut by_thread: BTreeMap<&str, usize> = BTreeMap::new();
@@ -175,10 +175,10 @@ impl Run {
                         *by_thread.entry(thread).or_default() += 1;
                     }
                 }
-                largest.extend(by_thread.into_values().max().map(|largest| ((kind, *call), largest)));
+                most_by_call.extend(by_thread.into_values().max().map(|count| ((kind, *call), count)));
             }
         }
-        Some(largest)
+        Some(most_by_call)
     }
 
     /// The call with `--resume`.
@@ -247,18 +247,18 @@ impl Run {
             let before = dir.files();
             let mut call = self.call.to_owned();
             // After so many kills the run may end, however slow the machine is now.
-            let mut largest = 20.min(wanted);
+            let mut remaining_kills = 20.min(wanted);
             loop {
                 if !self.is_killed(
                     &dir,
                     &call,
-                    if largest > 0 { random.random_duration(duration) } else { NO_KILL },
+                    if remaining_kills > 0 { random.random_duration(duration) } else { NO_KILL },
                 ) {
                     duration = duration * 4 / 5;
                     break;
                 }
                 kills += 1;
-                largest -= 1;
+                remaining_kills -= 1;
                 let after = dir.files();
                 let done = self.check_files(&before, &after, &undisturbed);
                 in_the_middle += usize::from(0 < done && done < self.models);

@@ -103,7 +103,7 @@ fn only_the_named_quantities_are_fitted() {
     assert!(plan["floor_up_m"].is_null(), "{plan}");
 }
 
-/// Spheres with dissipations of their own keep them while the floor alone is fitted.
+/// Spheres keep their different dissipations if only the floor is fitted.
 #[test]
 fn quantities_that_are_not_fitted_stay_unequal() {
     let dir = TestDir::with(&FILES);
@@ -178,7 +178,7 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
     assert!((y - (-0.02 - 0.25)).abs() < 1e-3, "{y}");
 }
 
-/// Slip against a belt, at which alone the horizontal error looks: feet with friction that step in place slip over one.
+/// Only the horizontal error depends on the slip against a belt: feet with friction that step in place slip over it.
 #[test]
 fn a_belt_counts_in_a_fit() {
     let dir = TestDir::with(&FILES);
@@ -335,7 +335,7 @@ fn the_default_pose_of_an_ankle_does_not_matter() {
     }
 }
 
-/// Two trials of one body whose floors differ by 20 mm: contacts are shared, floors are not, in whatever the height is.
+/// Two trials of one body whose floors differ by 20 mm: they share the contacts and not the floor, whether floors or spheres move.
 #[test]
 fn each_trial_has_a_floor_of_its_own() {
     let dir = TestDir::with(&FILES);
