@@ -147,8 +147,8 @@ def verb_file(verb, used):
 
 
 def declared_file(verbs):
-    lines = ["function verb = declared(name)",
-             "%DECLARED What a function of this package takes and gives: options, what comes before them, results.", "", HEADER,
+    lines = ["function verb = verb_declaration(name)",
+             "%VERB_DECLARATION The declaration of a function of this package: its options, positional arguments and results.", "", HEADER,
              "    switch name"]
     for verb in verbs:
         names = [field.name for field in verb.fields if field.group != LEFT_OUT]
@@ -220,7 +220,7 @@ def shape_lines(target, shape):
 
 def shapes_file():
     lines = ["function shape = shapes(result)",
-             "%SHAPES The fields of a result, each with its kind: see completed.m.", "", HEADER, "    switch result"]
+             "%SHAPES The fields of a result, each with its kind: see complete_fields.m.", "", HEADER, "    switch result"]
     results = {result for result in RESULTS.values() if result} | {result for _, result in WITHOUT.values()}
     paths = [RESULT_SCHEMAS / f"{name}.schema.json" for name in sorted(results)]
     for path in [*paths, ROOT / "schemas/failure.schema.json"]:
@@ -262,7 +262,7 @@ def files():
     if idle:
         sys.exit(f"no option says this any more, take it out of dev/matlab_texts.py: {', '.join(sorted(idle))}")
     written[PACKAGE / "Contents.m"] = contents_file(verbs)
-    written[PACKAGE / "+internal/declared.m"] = declared_file(verbs)
+    written[PACKAGE / "+internal/verb_declaration.m"] = declared_file(verbs)
     written[PACKAGE / "+internal/shapes.m"] = shapes_file()
     return written
 

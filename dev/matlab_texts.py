@@ -46,16 +46,16 @@ NO_STANDARD_STREAMS = {
 # Run as they stand by tests/matlab/run_tests.m, in a folder with models of these names.
 EXAMPLES = {
     "add": """
-done = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
-{done.objects.name}""",
+change = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
+{change.objects.name}""",
     "batch": """
-done = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
-{done.output}""",
+change = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
+{change.output}""",
     "check": """
-seen = osimcontact.check({'human.osim', 'emu.osim'});
-for finding = seen(1).findings', disp(finding.message), end""",
+models = osimcontact.check({'human.osim', 'emu.osim'});
+for finding = models(1).findings', disp(finding.message), end""",
     "convert": """
-done = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');""",
+change = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');""",
     "design": """
 sheet = osimcontact.design('radius', 0.032, 'indentation', 0.16, 'mass', 62, 'spheres', 6);
 for figure = sheet.figures', fprintf('%s: %g %s\\n', figure.name, figure.value, figure.unit), end""",
@@ -63,40 +63,40 @@ for figure = sheet.figures', fprintf('%s: %g %s\\n', figure.name, figure.value, 
 fall = osimcontact.drop_test('falisse2022', 'height', 'x0.5');
 plot(fall.series.time_s, fall.series.force_bw)""",
     "explain": """
-known = osimcontact.explain({'C.2', 'stiffness'});
-known(1).formulas.formula""",
+topics = osimcontact.explain({'C.2', 'stiffness'});
+topics(1).formulas.formula""",
     "fit": """
-found = osimcontact.fit('measured.csv', 'radius', 0.01);
-found.stiffness.value""",
+fitted = osimcontact.fit('measured.csv', 'radius', 0.01);
+fitted.stiffness.value""",
     "inspect": """
-seen = osimcontact.inspect({'human.osim', 'emu.osim'});
-[seen.mass_kg]
-seen(1).forces(1).parameters.stiffness""",
+models = osimcontact.inspect({'human.osim', 'emu.osim'});
+[models.mass_kg]
+models(1).forces(1).parameters.stiffness""",
     "motion": """
-seen = osimcontact.motion('walker.osim', 'walk.mot');
-fprintf('%.1f body weights\\n', [seen.feet.peak_n] / seen.weight_n)""",
+walk = osimcontact.motion('walker.osim', 'walk.mot');
+fprintf('%.1f body weights\\n', [walk.feet.peak_n] / walk.weight_n)""",
     "note": """
-done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
+change = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');""",
     "plot": """
-done = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');""",
+change = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');""",
     "presets": """
 preset = osimcontact.presets('falisse2022');
 preset.stiffness""",
     "remove": """
-done = osimcontact.remove('human.osim', 'output', 'bare.osim');""",
+change = osimcontact.remove('human.osim', 'output', 'bare.osim');""",
     "reproduce": """
 paper = osimcontact.reproduce();
 fprintf('%d of %d numbers agree\\n', paper.within_last_digit, paper.numbers)""",
     "rescale": """
-done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
-[done.changes.factor]""",
+change = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
+[change.changes.factor]""",
     "set": """
 factors = struct('stiffness', 'x2', 'dissipation', 1.5);
-done = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');""",
+change = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');""",
     "sweep": """
 grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);
-made = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
-made.models""",
+variants = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
+variants.models""",
     "transfer": """
-done = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');""",
+change = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');""",
 }

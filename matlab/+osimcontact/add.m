@@ -103,8 +103,8 @@ function results = add(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
-%       {done.objects.name}
+%       change = osimcontact.add('no contacts.osim', 'from', 'human.osim', 'output', 'with contacts.osim');
+%       {change.objects.name}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.remove, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

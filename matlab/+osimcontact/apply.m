@@ -12,8 +12,8 @@ function apply(model, planned)
 %   Example (needs OpenSim's bindings for MATLAB):
 %       import org.opensim.modeling.*
 %       model = Model('human.osim');
-%       done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', true);
-%       osimcontact.apply(model, done);
+%       change = osimcontact.rescale('human.osim', 'TargetMass', 500, 'DryRun', true);
+%       osimcontact.apply(model, change);
 %       model.initSystem();
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.design, osimcontact.set.
@@ -28,11 +28,11 @@ function apply(model, planned)
     changes = planned.changes;
     properties = cell(1, numel(changes));
     for i = 1:numel(changes)
-        properties{i} = property_of(model, changes(i));
-        now = value_of(properties{i}, numel(changes(i).to));
-        if any(abs(now - changes(i).from(:)) > 1e-9 * abs(changes(i).from(:))) || any(isnan([now; changes(i).to(:)]))
+        properties{i} = find_property(model, changes(i));
+        current = current_value(properties{i}, numel(changes(i).to));
+        if any(abs(current - changes(i).from(:)) > 1e-9 * abs(changes(i).from(:))) || any(isnan([current; changes(i).to(:)]))
             error('osimcontact:notAsPlanned', '%s: %s is %s in the model, but the plan is for %s. Nothing was changed', ...
-                changes(i).path, changes(i).property, mat2str(now', 17), mat2str(changes(i).from(:)', 17));
+                changes(i).path, changes(i).property, mat2str(current', 17), mat2str(changes(i).from(:)', 17));
         end
     end
     for i = 1:numel(changes)
@@ -47,22 +47,22 @@ function apply(model, planned)
     end
 end
 
-function property = property_of(model, change)
+function property = find_property(model, change)
     try
-        holder = model.getComponent(change.path);
+        owner = model.getComponent(change.path);
         if ~isnan(change.set)
             % The parameters of a HuntCrossleyForce are in a list of its own; the plan counts it from 0, as OpenSim does.
-            sets = holder.updPropertyByName('contact_parameters').updValueAsObject(0);
-            holder = sets.updPropertyByName('objects').updValueAsObject(change.set);
+            sets = owner.updPropertyByName('contact_parameters').updValueAsObject(0);
+            owner = sets.updPropertyByName('objects').updValueAsObject(change.set);
         end
-        property = holder.updPropertyByName(change.property);
+        property = owner.updPropertyByName(change.property);
     catch problem
         error('osimcontact:noComponent', '%s with %s is not in the model: %s. Nothing was changed', change.path, ...
             change.property, problem.message);
     end
 end
 
-function value = value_of(property, count)
+function value = current_value(property, count)
     if count == 3
         value = zeros(3, 1);
         for i = 1:3

@@ -35,8 +35,8 @@ function results = batch(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
-%       {done.output}
+%       change = osimcontact.batch('masses.csv', 'output_dir', 'scaled');
+%       {change.output}
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.fit,

@@ -50,8 +50,8 @@ function results = check(varargin)
 %   empty.
 %
 %   Example:
-%       seen = osimcontact.check({'human.osim', 'emu.osim'});
-%       for finding = seen(1).findings', disp(finding.message), end
+%       models = osimcontact.check({'human.osim', 'emu.osim'});
+%       for finding = models(1).findings', disp(finding.message), end
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.drop_test, osimcontact.motion,
 %   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

@@ -45,7 +45,7 @@ function results = convert(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');
+%       change = osimcontact.convert('human.osim', 'to', 'hunt-crossley', 'output', 'converted.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

@@ -17,8 +17,8 @@ function results = explain(varargin)
 %   or empty.
 %
 %   Example:
-%       known = osimcontact.explain({'C.2', 'stiffness'});
-%       known(1).formulas.formula
+%       topics = osimcontact.explain({'C.2', 'stiffness'});
+%       topics(1).formulas.formula
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
 %   osimcontact.motion, osimcontact.plot, osimcontact.reproduce, osimcontact.presets,

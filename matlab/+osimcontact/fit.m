@@ -73,8 +73,8 @@ function results = fit(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       found = osimcontact.fit('measured.csv', 'radius', 0.01);
-%       found.stiffness.value
+%       fitted = osimcontact.fit('measured.csv', 'radius', 0.01);
+%       fitted.stiffness.value
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch,

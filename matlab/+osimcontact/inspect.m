@@ -44,9 +44,9 @@ function results = inspect(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       seen = osimcontact.inspect({'human.osim', 'emu.osim'});
-%       [seen.mass_kg]
-%       seen(1).forces(1).parameters.stiffness
+%       models = osimcontact.inspect({'human.osim', 'emu.osim'});
+%       [models.mass_kg]
+%       models(1).forces(1).parameters.stiffness
 %
 %   See also osimcontact.sweep, osimcontact.check, osimcontact.drop_test, osimcontact.motion,
 %   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

@@ -41,8 +41,8 @@ function results = motion(varargin)
 %   or empty.
 %
 %   Example:
-%       seen = osimcontact.motion('walker.osim', 'walk.mot');
-%       fprintf('%.1f body weights\n', [seen.feet.peak_n] / seen.weight_n)
+%       walk = osimcontact.motion('walker.osim', 'walk.mot');
+%       fprintf('%.1f body weights\n', [walk.feet.peak_n] / walk.weight_n)
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
 %   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

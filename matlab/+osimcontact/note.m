@@ -41,7 +41,7 @@ function results = note(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');
+%       change = osimcontact.note('human.osim', 'contacts_mass', 62, 'output', 'noted.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.convert, osimcontact.design, osimcontact.set, osimcontact.batch, osimcontact.fit,

@@ -74,7 +74,7 @@ function results = plot(varargin)
 %   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %
 %   Example:
-%       done = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');
+%       change = osimcontact.plot('force', {'human.osim', 'emu.osim'}, 'output', 'force.pdf');
 %
 %   See also osimcontact.sweep, osimcontact.inspect, osimcontact.check, osimcontact.drop_test,
 %   osimcontact.motion, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

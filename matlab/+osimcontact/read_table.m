@@ -8,7 +8,7 @@ function columns = read_table(file, varargin)
 %   osimcontact.read_table(FILE, 'AsTable', true) gives a table; in GNU Octave, which has no tables, the struct of columns.
 %
 %   Example:
-%       done = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
+%       result = osimcontact.plot('force', 'human.osim', 'output', 'force.svg', 'data', 'force.csv');
 %       columns = osimcontact.read_table('force.csv');
 %       fieldnames(columns)
 %
@@ -20,7 +20,7 @@ function columns = read_table(file, varargin)
     end
     closer = onCleanup(@() fclose(stream));
     text = native2unicode(fread(stream, Inf, '*uint8')', 'UTF-8');
-    rows = rows_of(text);
+    rows = split_rows(text);
     widths = cellfun(@numel, rows);
     if isempty(rows) || any(widths ~= widths(1))
         error('osimcontact:unreadable', '%s is not a table: line %d has %d cells, the first has %d', char(file), ...
@@ -38,7 +38,7 @@ function columns = read_table(file, varargin)
         end
     end
     if is_table_wanted(varargin)
-        columns = osimcontact.internal.made_table(columns);
+        columns = osimcontact.internal.to_table(columns);
     end
 end
 
@@ -59,7 +59,7 @@ function is = is_number(text)
     is = isempty(text) || ~isempty(regexp(text, '^[-+]?((\d+\.?\d*|\.\d+)([eE][-+]?\d+)?|inf|nan)$', 'once', 'ignorecase'));
 end
 
-function rows = rows_of(text)
+function rows = split_rows(text)
     % A comma or a line end between quotation marks is part of a cell: both are looked for outside of them.
     text = strrep(text, sprintf('\r\n'), sprintf('\n'));
     if ~isempty(text) && text(end) ~= sprintf('\n')

@@ -35,7 +35,7 @@ function results = remove(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.remove('human.osim', 'output', 'bare.osim');
+%       change = osimcontact.remove('human.osim', 'output', 'bare.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

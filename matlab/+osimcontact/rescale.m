@@ -65,8 +65,8 @@ function results = rescale(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
-%       [done.changes.factor]
+%       change = osimcontact.rescale('human.osim', 'TargetMass', 500, 'output', 'giant.osim');
+%       [change.changes.factor]
 %
 %   See also osimcontact.transfer, osimcontact.add, osimcontact.remove, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

@@ -49,7 +49,7 @@ function results = set(varargin)
 %
 %   Example:
 %       factors = struct('stiffness', 'x2', 'dissipation', 1.5);
-%       done = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');
+%       change = osimcontact.set('human.osim', 'set', factors, 'output', 'stiffer.osim');
 %
 %   See also osimcontact.rescale, osimcontact.transfer, osimcontact.add, osimcontact.remove,
 %   osimcontact.convert, osimcontact.design, osimcontact.note, osimcontact.batch, osimcontact.fit,

@@ -68,8 +68,8 @@ function results = sweep(varargin)
 %
 %   Example:
 %       grid = struct('stiffness', 'x0.1..x10/5', 'dissipation', [0.5 1 2]);
-%       made = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
-%       made.models
+%       variants = osimcontact.sweep('human.osim', 'grid', grid, 'output_dir', 'variants');
+%       variants.models
 %
 %   See also osimcontact.inspect, osimcontact.check, osimcontact.drop_test, osimcontact.motion,
 %   osimcontact.plot, osimcontact.reproduce, osimcontact.presets, osimcontact.explain,

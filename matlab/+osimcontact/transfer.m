@@ -90,7 +90,7 @@ function results = transfer(varargin)
 %   docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, '' or empty.
 %
 %   Example:
-%       done = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');
+%       change = osimcontact.transfer('emu.osim', 'from', 'falisse2022', 'output', 'emu as human.osim');
 %
 %   See also osimcontact.rescale, osimcontact.add, osimcontact.remove, osimcontact.convert,
 %   osimcontact.design, osimcontact.set, osimcontact.note, osimcontact.batch, osimcontact.fit,

@@ -32,7 +32,7 @@ end
 
 function missing_numbers_are_nan()
     value = osimcontact.internal.json_value('{"model":"m","mass_kg":null,"limbs":null,"forces":[{"parameters":{"a":1},"set":null},{"parameters":{"b":null}}]}');
-    full = osimcontact.internal.completed({value}, {osimcontact.internal.shapes('inspection')});
+    full = osimcontact.internal.complete_fields({value}, {osimcontact.internal.shapes('inspection')});
     must(isnan(full.mass_kg) && isnan(full.gravity_m_s2) && isnan(full.contacts_mass_kg.value), 'numbers are not NaN');
     must(ischar(full.name) && isempty(full.name) && strcmp(full.model, 'm'), 'texts are not empty');
     must(isstruct(full.limbs) && isempty(full.limbs) && isfield(full.limbs, 'side'), 'a list has lost its fields');
@@ -96,7 +96,7 @@ function columns_of_results()
     failure = osimcontact.internal.shapes('failure');
     shape = osimcontact.internal.shapes('change');
     shape.error = {failure.error};
-    columns = osimcontact.internal.as_columns(osimcontact.internal.completed(full, {shape}), shape);
+    columns = osimcontact.internal.as_columns(osimcontact.internal.complete_fields(full, {shape}), shape);
     must(isequal(columns.findings, [1; 1]) && isequal(columns.error_code, {''; 'x'}), 'findings and errors differ');
     must(isnan(columns.error_line(1)) && columns.error_line(2) == 3, 'lines differ');
 end

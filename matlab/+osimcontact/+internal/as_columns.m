@@ -12,15 +12,15 @@ function columns = as_columns(results, shape, list)
             columns.model = reshape({results.model}, [], 1);
         end
         steps = strsplit(list, '.');
-        known = shape;
+        whole_shape = shape;
         for i = 1:numel(steps)
             if ~isfield(shape, steps{i}) || ischar(shape.(steps{i}))
-                error('osimcontact:usage', 'there is no list ''%s'' in these results, but: %s', list, strjoin(lists_in(known, ''), ', '));
+                error('osimcontact:usage', 'there is no list ''%s'' in these results, but: %s', list, strjoin(list_names(whole_shape, ''), ', '));
             end
             [columns, rows, shape] = entries(columns, rows, shape.(steps{i}), steps{i});
-            if i < numel(steps) && ~isempty(text_of(shape)) && numel(rows) > 0
-                columns.(steps{i}) = reshape({rows.(text_of(shape))}, [], 1);
-            elseif i < numel(steps) && ~isempty(text_of(shape))
+            if i < numel(steps) && ~isempty(first_text_field(shape)) && numel(rows) > 0
+                columns.(steps{i}) = reshape({rows.(first_text_field(shape))}, [], 1);
+            elseif i < numel(steps) && ~isempty(first_text_field(shape))
                 columns.(steps{i}) = cell(0, 1);
             end
         end
@@ -28,7 +28,7 @@ function columns = as_columns(results, shape, list)
             [columns, rows] = samples(columns, rows);
         end
     end
-    columns = with_columns(columns, '', rows, shape);
+    columns = add_columns(columns, '', rows, shape);
 end
 
 function [columns, rows, shape] = entries(columns, rows, kind, name)
@@ -37,25 +37,25 @@ function [columns, rows, shape] = entries(columns, rows, kind, name)
         shape = kind;
         counts = ones(1, numel(rows));
         parts = {rows.(name)};
-        parts(cellfun(@isempty, parts)) = {osimcontact.internal.completed([], kind)};
+        parts(cellfun(@isempty, parts)) = {osimcontact.internal.complete_fields([], kind)};
     else
         shape = kind{1};
         parts = {rows.(name)};
         counts = cellfun(@numel, parts);
         parts = cellfun(@(part) part(:), parts(counts > 0), 'UniformOutput', false);
     end
-    columns = repeated(columns, counts);
+    columns = repeat_rows(columns, counts);
     if isempty(parts)
         % With its fields also where there are none.
-        rows = osimcontact.internal.completed({}, {shape});
+        rows = osimcontact.internal.complete_fields({}, {shape});
     elseif isstruct(kind)
-        rows = osimcontact.internal.same_fields(parts);
+        rows = osimcontact.internal.unify_fields(parts);
     else
         rows = vertcat(parts{:});
     end
 end
 
-function columns = repeated(columns, counts)
+function columns = repeat_rows(columns, counts)
     index = arrayfun(@(i) repmat(i, 1, counts(i)), 1:numel(counts), 'UniformOutput', false);
     index = [index{:}];
     for name = fieldnames(columns)'
@@ -76,11 +76,11 @@ function [columns, rows] = samples(columns, rows)
         numbers = cellfun(@(name) num2cell(rows(i).(name)(:)), names', 'UniformOutput', false);
         parts{i} = cell2struct([numbers{:}], names, 2);
     end
-    columns = repeated(columns, cellfun(@numel, parts));
+    columns = repeat_rows(columns, cellfun(@numel, parts));
     rows = vertcat(parts{:});
 end
 
-function name = text_of(shape)
+function name = first_text_field(shape)
     % What an entry is called: the first text in it.
     names = fieldnames(shape);
     is_text = structfun(@(kind) ischar(kind) && strcmp(kind, 'text'), shape);
@@ -90,43 +90,43 @@ function name = text_of(shape)
     end
 end
 
-function lists = lists_in(shape, before)
+function lists = list_names(shape, prefix)
     lists = {};
     for name = fieldnames(shape)'
         kind = shape.(name{1});
         if iscell(kind)
-            lists = [lists, {[before name{1}]}, lists_in(kind{1}, [before name{1} '.'])]; %#ok<AGROW>
+            lists = [lists, {[prefix name{1}]}, list_names(kind{1}, [prefix name{1} '.'])]; %#ok<AGROW>
         elseif isstruct(kind)
             if is_series(kind)
-                lists{end + 1} = [before name{1}]; %#ok<AGROW>
+                lists{end + 1} = [prefix name{1}]; %#ok<AGROW>
             end
-            lists = [lists, lists_in(kind, [before name{1} '.'])]; %#ok<AGROW>
+            lists = [lists, list_names(kind, [prefix name{1} '.'])]; %#ok<AGROW>
         end
     end
 end
 
-function columns = with_columns(columns, before, rows, shape)
+function columns = add_columns(columns, prefix, rows, shape)
     for name = fieldnames(rows)'
         values = reshape({rows.(name{1})}, [], 1);
-        column = [before name{1}];
+        column = [prefix name{1}];
         kind = 'any';
         if isfield(shape, name{1})
             kind = shape.(name{1});
         end
         if iscell(kind) && strcmp(name{1}, 'error')
             % Of a model that failed there is one.
-            missing = osimcontact.internal.completed([], kind{1});
+            missing = osimcontact.internal.complete_fields([], kind{1});
             values(cellfun(@isempty, values)) = {missing};
-            columns = with_columns(columns, [column '_'], vertcat(values{:}), kind{1});
+            columns = add_columns(columns, [column '_'], vertcat(values{:}), kind{1});
         elseif iscell(kind)
             columns.(column) = cellfun(@numel, values);
         elseif isstruct(kind) && isempty(values)
-            columns = with_columns(columns, [column '_'], repmat(osimcontact.internal.completed([], kind), 0, 1), kind);
+            columns = add_columns(columns, [column '_'], repmat(osimcontact.internal.complete_fields([], kind), 0, 1), kind);
         elseif strcmp(kind, 'map') && isempty(values)
             % Which columns it has, its entries say.
             continue
         elseif isstruct(kind) || strcmp(kind, 'map')
-            columns = with_columns(columns, [column '_'], osimcontact.internal.same_fields(values), kind);
+            columns = add_columns(columns, [column '_'], osimcontact.internal.unify_fields(values), kind);
         else
             columns.(column) = plain_column(values, kind);
         end

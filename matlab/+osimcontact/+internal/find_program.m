@@ -19,16 +19,16 @@ function path = find_program()
     end
     % .../matlab/+osimcontact/+internal/find_program.m
     package = fileparts(fileparts(mfilename('fullpath')));
-    beside = {fileparts(package), fileparts(fileparts(package))};
+    package_folders = {fileparts(package), fileparts(fileparts(package))};
     home = getenv('HOME');
     if ispc
         home = getenv('USERPROFILE');
     end
-    usual = {fullfile(home, '.cargo', 'bin'), fullfile(home, '.local', 'bin'), fullfile(home, 'osim-contact-scale')};
+    usual_folders = {fullfile(home, '.cargo', 'bin'), fullfile(home, '.local', 'bin'), fullfile(home, 'osim-contact-scale')};
     if ~ispc
-        usual = [{'/usr/local/bin', '/opt/homebrew/bin'}, usual];
+        usual_folders = [{'/usr/local/bin', '/opt/homebrew/bin'}, usual_folders];
     end
-    for folder = [beside, strsplit(getenv('PATH'), pathsep()), usual]
+    for folder = [package_folders, strsplit(getenv('PATH'), pathsep()), usual_folders]
         path = fullfile(folder{1}, name);
         if ~isempty(folder{1}) && is_file(path)
             return
@@ -41,6 +41,6 @@ end
 
 function is = is_file(path)
     % exist would also look for the name in MATLAB's own path.
-    found = dir(path);
-    is = isscalar(found) && ~found.isdir;
+    entry = dir(path);
+    is = isscalar(entry) && ~entry.isdir;
 end

@@ -1,5 +1,5 @@
 function value = json_value(text)
-%JSON_VALUE What a line of JSON holds: objects are structs, lists are cells, lists of numbers are columns, null is [].
+%JSON_VALUE The value of a line of JSON: objects are structs, lists are cells, lists of numbers are columns, null is [].
 %   jsondecode is not used: in GNU Octave it changes the last bits of every fifth number, and what it makes of a list
 %   depends on what is in it. str2double and sscanf read numbers exactly.
 
@@ -12,26 +12,26 @@ function value = json_value(text)
     [tokens, begins] = regexp(text, pattern, 'match', 'start');
     % The end is a sign of its own, so that an answer that was cut off is seen.
     tokens{end + 1} = '.';
-    [value, at] = parsed(tokens, [text(begins) '.'], 1);
+    [value, at] = parse(tokens, [text(begins) '.'], 1);
     if at ~= numel(tokens)
-        cut_off(text);
+        refuse_incomplete(text);
     end
 end
 
-function [value, at] = parsed(tokens, signs, at)
+function [value, at] = parse(tokens, signs, at)
     token = tokens{at};
     sign = signs(at);
     at = at + 1;
     if sign == '"'
-        value = unescaped(token(2:end - 1));
+        value = unescape(token(2:end - 1));
     elseif sign == '{'
         value = struct();
         while signs(at) == '"'
             name = field_name(tokens{at}(2:end - 1));
-            [value.(name), at] = parsed(tokens, signs, at + 1);
+            [value.(name), at] = parse(tokens, signs, at + 1);
         end
         if signs(at) ~= '}'
-            cut_off([tokens{:}]);
+            refuse_incomplete([tokens{:}]);
         end
         at = at + 1;
     elseif sign == '['
@@ -41,7 +41,7 @@ function [value, at] = parsed(tokens, signs, at)
         end
         value = cell(0, 1);
         while signs(at) ~= ']'
-            [value{end + 1, 1}, at] = parsed(tokens, signs, at); %#ok<AGROW>
+            [value{end + 1, 1}, at] = parse(tokens, signs, at); %#ok<AGROW>
         end
         at = at + 1;
     elseif sign == 'n'
@@ -53,11 +53,11 @@ function [value, at] = parsed(tokens, signs, at)
     elseif any(sign == '-0123456789')
         value = sscanf(token, '%f');
     else
-        cut_off([tokens{:}]);
+        refuse_incomplete([tokens{:}]);
     end
 end
 
-function cut_off(text)
+function refuse_incomplete(text)
     error('osimcontact:programFailed', 'what the program said is not JSON: %s', text(1:min(end, 200)));
 end
 
@@ -72,7 +72,7 @@ function name = field_name(name)
     end
 end
 
-function text = unescaped(text)
+function text = unescape(text)
     if ~any(text == '\')
         if isempty(text)
             text = '';

@@ -1,36 +1,36 @@
 function results = run_verb(verb, arguments)
-%RUN_VERB Do what a function of this package is asked for: the request, the call, its results or its error.
+%RUN_VERB Run a function of this package: make the request, call the program, return the results or throw the error.
 
-    declared = osimcontact.internal.declared(verb);
-    [request, as_table] = osimcontact.internal.request_of(declared, arguments);
-    [status, out, said] = osimcontact.internal.call_program(request.text, request.input);
+    declaration = osimcontact.internal.verb_declaration(verb);
+    [request, as_table] = osimcontact.internal.make_request(declaration, arguments);
+    [status, output, errors] = osimcontact.internal.call_program(request.text, request.input);
 
     records = {};
-    if declared.gives_json
-        lines = strsplit(out, sprintf('\n'));
+    if declaration.gives_json
+        lines = strsplit(output, sprintf('\n'));
         lines = lines(strncmp(lines, '{', 1));
         records = cellfun(@osimcontact.internal.json_value, lines, 'UniformOutput', false);
     end
     has_failed = cellfun(@(record) isfield(record, 'error'), records);
-    osimcontact.internal.throw_failures(status, said, records, has_failed, ~isempty(request.input));
+    osimcontact.internal.throw_failures(status, errors, records, has_failed, ~isempty(request.input));
 
-    if ~declared.gives_json
-        results = struct('output', char(request.fields.output), 'text', strtrim(out));
+    if ~declaration.gives_json
+        results = struct('output', char(request.fields.output), 'text', strtrim(output));
         shape = struct('output', 'text', 'text', 'text');
     else
-        result = declared.result;
-        if ~isempty(declared.without) && ~isfield(request.fields, declared.without{1})
-            result = declared.without{2};
+        result = declaration.result;
+        if ~isempty(declaration.without) && ~isfield(request.fields, declaration.without{1})
+            result = declaration.without{2};
         end
-        [results, shape] = results_of(records, osimcontact.internal.shapes(result));
-        say_findings(verb, results);
+        [results, shape] = complete_results(records, osimcontact.internal.shapes(result));
+        show_findings(verb, results);
     end
     if ~isequal(as_table, false)
-        results = osimcontact.internal.table_of(results, shape, as_table);
+        results = osimcontact.internal.results_table(results, shape, as_table);
     end
 end
 
-function [results, shape] = results_of(records, shape)
+function [results, shape] = complete_results(records, shape)
     if isfield(shape, 'model')
         failure = osimcontact.internal.shapes('failure');
         shape.error = {failure.error};
@@ -38,15 +38,15 @@ function [results, shape] = results_of(records, shape)
             records{i}.error = {records{i}.error};
         end
     end
-    results = osimcontact.internal.completed(records(:), {shape});
+    results = osimcontact.internal.complete_fields(records(:), {shape});
 end
 
-function say_findings(verb, results)
-    % What changes a model, or finds parameters, says what is to be known of it: once for each code, however many models.
+function show_findings(verb, results)
+    % Shows the findings of a change or a fit: once for each code, however many models have it.
     % A remark is printed; anything else is raised as a warning. Findings of inspect and check are what was asked for.
     list = 'findings';
     if isfield(results, 'warnings')
-        % Of a fitted curve: what the data do not determine, always warnings.
+        % A fitted curve has warnings about parameters that the data do not determine.
         list = 'warnings';
     end
     if any(strcmp(verb, {'inspect', 'check'})) || ~isfield(results, list)
@@ -57,10 +57,10 @@ function say_findings(verb, results)
     is_remark = logical([]);
     for i = 1:numel(results)
         for j = 1:numel(results(i).(list))
-            found = results(i).(list)(j);
-            codes{end + 1} = found.code; %#ok<AGROW>
-            messages{end + 1} = found.message; %#ok<AGROW>
-            is_remark(end + 1) = isfield(found, 'severity') && strcmp(found.severity, 'remark'); %#ok<AGROW>
+            finding = results(i).(list)(j);
+            codes{end + 1} = finding.code; %#ok<AGROW>
+            messages{end + 1} = finding.message; %#ok<AGROW>
+            is_remark(end + 1) = isfield(finding, 'severity') && strcmp(finding.severity, 'remark'); %#ok<AGROW>
             if isfield(results, 'model')
                 messages{end} = [results(i).model ': ' messages{end}];
             end
@@ -69,18 +69,18 @@ function say_findings(verb, results)
     if isempty(codes)
         return
     end
-    % As a row: a loop takes each column, of a list without entries too, if it is one column.
+    % As a row, because a loop takes each column, even that of an empty list.
     for code = reshape(unique(codes, 'stable'), 1, [])
         is_this = strcmp(codes, code{1});
-        of_code = messages(is_this);
+        code_messages = messages(is_this);
         more = '';
-        if numel(of_code) > 1
-            more = sprintf(' (and %d more: see the field %s)', numel(of_code) - 1, list);
+        if numel(code_messages) > 1
+            more = sprintf(' (and %d more: see the field %s)', numel(code_messages) - 1, list);
         end
         if all(is_remark(is_this))
-            fprintf('remark: %s%s\n', of_code{1}, more);
+            fprintf('remark: %s%s\n', code_messages{1}, more);
         else
-            warning(osimcontact.internal.identifier(code{1}), '%s%s', of_code{1}, more);
+            warning(osimcontact.internal.identifier(code{1}), '%s%s', code_messages{1}, more);
         end
     end
 end

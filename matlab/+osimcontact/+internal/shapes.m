@@ -1,5 +1,5 @@
 function shape = shapes(result)
-%SHAPES The fields of a result, each with its kind: see completed.m.
+%SHAPES The fields of a result, each with its kind: see complete_fields.m.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     switch result

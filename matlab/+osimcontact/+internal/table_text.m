@@ -4,9 +4,9 @@ function text = table_text(value, name)
 %   row has the names. Names of columns stay as they are. Names of rows are the column 'model' where there is none.
 %   What is missing is an empty cell: whether one may be empty, the program knows, and says the row and the column.
 
-    [names, cells] = cells_of(value, name);
+    [names, cells] = table_cells(value, name);
     lines = cell(1, size(cells, 1) + 1);
-    lines{1} = line_of(names);
+    lines{1} = csv_line(names);
     for i = 1:size(cells, 1)
         texts = cell(1, numel(names));
         for j = 1:numel(names)
@@ -15,12 +15,12 @@ function text = table_text(value, name)
                 error('osimcontact:usage', '''%s'', row %d, column ''%s'' %s', name, i, names{j}, problem);
             end
         end
-        lines{i + 1} = line_of(texts);
+        lines{i + 1} = csv_line(texts);
     end
     text = strjoin(lines, '');
 end
 
-function [names, cells] = cells_of(value, name)
+function [names, cells] = table_cells(value, name)
     if isa(value, 'table')
         names = reshape(value.Properties.VariableNames, 1, []);
         columns = cellfun(@(column) value.(column), names, 'UniformOutput', false);
@@ -97,6 +97,6 @@ function [text, problem] = cell_text(value)
     end
 end
 
-function line = line_of(texts)
+function line = csv_line(texts)
     line = ['"' strjoin(strrep(texts, '"', '""'), '","') '"' sprintf('\n')];
 end

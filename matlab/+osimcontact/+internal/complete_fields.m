@@ -1,5 +1,5 @@
-function value = completed(value, shape)
-%COMPLETED What a result holds, with every field that its SHAPE has: missing is NaN, '' or empty.
+function value = complete_fields(value, shape)
+%COMPLETE_FIELDS A result with every field of its SHAPE: a missing value becomes NaN, '' or empty.
 %   SHAPE is the name of a kind, a struct for an object, or a struct in a cell for a list of objects: see shapes.m.
 %   So [results.mass_kg] has one number for each result: an empty one would move all that follow to another model.
 
@@ -53,7 +53,7 @@ function value = plain(value, kind)
             if isempty(value)
                 value = cell(0, 1);
             elseif iscell(value) && all(cellfun(@isstruct, value))
-                value = osimcontact.internal.same_fields(value);
+                value = osimcontact.internal.unify_fields(value);
             end
         otherwise
             error('osimcontact:programFailed', 'there is no kind ''%s''', kind);
@@ -71,24 +71,24 @@ end
 
 function value = object(value, shape)
     names = fieldnames(shape);
-    full = struct();
-    known = 0;
+    complete = struct();
+    count = 0;
     for i = 1:numel(names)
         name = names{i};
         if isfield(value, name)
-            known = known + 1;
-            full.(name) = osimcontact.internal.completed(value.(name), shape.(name));
+            count = count + 1;
+            complete.(name) = osimcontact.internal.complete_fields(value.(name), shape.(name));
         else
-            full.(name) = osimcontact.internal.completed([], shape.(name));
+            complete.(name) = osimcontact.internal.complete_fields([], shape.(name));
         end
     end
     % A program that is newer than this package may say more.
-    if isstruct(value) && known < numel(fieldnames(value))
+    if isstruct(value) && count < numel(fieldnames(value))
         for name = setdiff(fieldnames(value), names)'
-            full.(name{1}) = value.(name{1});
+            complete.(name{1}) = value.(name{1});
         end
     end
-    value = full;
+    value = complete;
 end
 
 function list = objects(values, shape)
@@ -97,11 +97,11 @@ function list = objects(values, shape)
         return
     end
     values = cellfun(@(value) object(value, shape), values, 'UniformOutput', false);
-    list = osimcontact.internal.same_fields(values);
+    list = osimcontact.internal.unify_fields(values);
     for name = fieldnames(shape)'
         if strcmp(shape.(name{1}), 'map')
             % The parameters of a force of each class: all have the fields of all.
-            maps = num2cell(osimcontact.internal.same_fields({list.(name{1})}));
+            maps = num2cell(osimcontact.internal.unify_fields({list.(name{1})}));
             [list.(name{1})] = maps{:};
         end
     end

@@ -1,49 +1,49 @@
-function [request, as_table] = request_of(declared, arguments)
-%REQUEST_OF The request that the arguments of a function mean: request.fields, and request.text, which is JSON.
+function [request, as_table] = make_request(declaration, arguments)
+%MAKE_REQUEST The request that the arguments of a function mean: request.fields, and request.text, which is JSON.
 %   A table among the arguments is request.input, as CSV: the program reads it from its standard input.
 
     % One argument more than pairs can have is one that comes before them.
-    names = declared.positional;
-    count = declared.required;
+    names = declaration.positional;
+    count = declaration.required;
     if count < numel(names) && mod(numel(arguments) - count, 2) == 1
         count = count + 1;
     end
     if numel(arguments) < count || mod(numel(arguments) - count, 2) == 1
-        error('osimcontact:usage', 'expected osimcontact.%s(%s): see help osimcontact.%s', declared.name, ...
-            strjoin([names(1:declared.required), {'NAME, VALUE, ...'}], ', '), declared.name);
+        error('osimcontact:usage', 'expected osimcontact.%s(%s): see help osimcontact.%s', declaration.name, ...
+            strjoin([names(1:declaration.required), {'NAME, VALUE, ...'}], ', '), declaration.name);
     end
 
     fields = struct();
     input = '';
     as_table = false;
     for i = 1:count
-        fields = with(fields, names{i}, arguments{i});
+        fields = add_field(fields, names{i}, arguments{i});
     end
     for i = count + 1:2:numel(arguments)
         name = arguments{i};
         if ~is_text(name)
             error('osimcontact:usage', 'argument %d of osimcontact.%s must be the name of an option, as text, but is of class %s', ...
-                i, declared.name, class(name));
+                i, declaration.name, class(name));
         end
-        name = field_name(char(name), declared.options);
+        name = field_name(char(name), declaration.options);
         if strcmp(name, 'as_table')
             if ~is_not_given(arguments{i + 1})
                 as_table = arguments{i + 1};
             end
-        elseif any(strcmp(name, declared.left_out))
+        elseif any(strcmp(name, declaration.left_out))
             error('osimcontact:usage', ['leave out ''%s'': it says how a terminal shows results, and here results are structs. ' ...
-                'See help osimcontact.%s'], char(arguments{i}), declared.name);
+                'See help osimcontact.%s'], char(arguments{i}), declaration.name);
         else
-            fields = with(fields, name, arguments{i + 1});
+            fields = add_field(fields, name, arguments{i + 1});
         end
     end
 
-    if isfield(fields, declared.table) && is_table(fields.(declared.table))
-        input = osimcontact.internal.table_text(fields.(declared.table), declared.table);
-        fields.(declared.table) = '-';
+    if isfield(fields, declaration.table) && is_table(fields.(declaration.table))
+        input = osimcontact.internal.table_text(fields.(declaration.table), declaration.table);
+        fields.(declaration.table) = '-';
     end
-    texts = {['"verb":' osimcontact.internal.json_text(declared.verb, 'verb')]};
-    if declared.gives_json
+    texts = {['"verb":' osimcontact.internal.json_text(declaration.verb, 'verb')]};
+    if declaration.gives_json
         texts{end + 1} = '"format":"json"';
     end
     for name = fieldnames(fields)'
@@ -53,7 +53,7 @@ function [request, as_table] = request_of(declared, arguments)
     request = struct('fields', fields, 'text', ['{' strjoin(texts, ',') '}'], 'input', input);
 end
 
-function fields = with(fields, name, value)
+function fields = add_field(fields, name, value)
     if is_not_given(value)
         return
     end

@@ -1,6 +1,6 @@
-function list = same_fields(values)
-%SAME_FIELDS A cell of structs as one struct array, in which all have the fields of all.
-%   A field that a struct has not is NaN, where the others have a number, '' for a text, and empty otherwise.
+function list = unify_fields(values)
+%UNIFY_FIELDS A cell of structs as one struct array, in which all have the fields of all.
+%   A field that a struct lacks is NaN, where the others have a number, '' for a text, and empty otherwise.
 
     values = values(:);
     names = cellfun(@fieldnames, values, 'UniformOutput', false);
@@ -11,8 +11,8 @@ function list = same_fields(values)
     names = unique(vertcat(names{:}), 'stable');
     for i = 1:numel(names)
         name = names{i};
-        has = cellfun(@(value) isfield(value, name), values);
-        example = values{find(has, 1)}.(name);
+        has_field = cellfun(@(value) isfield(value, name), values);
+        example = values{find(has_field, 1)}.(name);
         if ischar(example)
             missing = '';
         elseif (isnumeric(example) || islogical(example)) && isscalar(example)
@@ -20,7 +20,7 @@ function list = same_fields(values)
         else
             missing = example([]);
         end
-        for j = find(~has)'
+        for j = find(~has_field)'
             values{j}.(name) = missing;
         end
     end

@@ -1,5 +1,5 @@
-function result = made_table(columns)
-%MADE_TABLE A struct of columns as a table of MATLAB. GNU Octave has no tables: there it stays a struct of columns.
+function result = to_table(columns)
+%TO_TABLE A struct of columns as a table of MATLAB. GNU Octave has no tables: there it stays a struct of columns.
 %   Both give a column as result.NAME, so that a script can be the same.
 
     result = columns;

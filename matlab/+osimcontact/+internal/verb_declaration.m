@@ -1,5 +1,5 @@
-function verb = declared(name)
-%DECLARED What a function of this package takes and gives: options, what comes before them, results.
+function verb = verb_declaration(name)
+%VERB_DECLARATION The declaration of a function of this package: its options, positional arguments and results.
 
 % Made by dev/generate_matlab.py from the schemas of requests and results: change those, and run it.
     switch name
