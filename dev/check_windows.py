@@ -111,7 +111,7 @@ class Bench:
         return sorted(path.name for path in (self.folder / name).iterdir())
 
     def like_here(self, output, *words):
-        """The same file as the program of this system writes."""
+        """Checks that Wine's program writes the same file as this system's program."""
         if self.native is None:
             return
         here = self.folder / "here.osim"

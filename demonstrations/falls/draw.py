@@ -21,7 +21,7 @@ UNTIL = 5  # units of √(L/g)
 def draw(rows, folder):
     """Each law with joints locked and free: curves of all sizes, a column for what was done with the contacts."""
     folder.mkdir(parents=True, exist_ok=True)
-    # The same bytes from the same results.
+    # Fixed ids and dates, so that equal results give equal bytes.
     matplotlib.rcParams.update({"svg.hashsalt": "falls", "font.size": 8, "path.simplify_threshold": 0.2})
     for law in [law for law in rows.table["law"].unique() if law != "smooth_frictionless"]:
         for joints in ("locked", "free"):

@@ -1,4 +1,4 @@
-"""The same fall at six sizes: `python demonstrations/falls/falls.py --results FOLDER`
+"""One fall at six sizes: `python demonstrations/falls/falls.py --results FOLDER`
 
 A body of our own (`body.py`), from mouse to giraffe, falls in OpenSim from a tenth of its hip height, with joints locked and free, on
 contacts that were rescaled or left. It also slides (`slide.py`), on contacts rescaled with `--friction` and without it. Made of the

@@ -27,7 +27,7 @@ def draw_all(tables, folder):
     """Every figure whose table is there."""
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.use("svg")
-    # The same bytes from the same tables.
+    # Fixed ids and dates, so that equal tables give equal bytes.
     matplotlib.rcParams.update({"svg.hashsalt": "walker", "font.size": 8, "path.simplify_threshold": 0.2})
     for name, (table, column, title) in MAPS.items():
         if (tables / table).exists():

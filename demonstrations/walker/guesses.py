@@ -57,7 +57,7 @@ def from_file(path):
 
 
 def scaled(series, length):
-    """The same motion of a walker `length` times as long: lengths grow with it, times and speeds with its square root."""
+    """A motion scaled to a walker that is `length` times as long: lengths grow with it, times and speeds with its square root."""
     root = math.sqrt(length)
     ends = {"_m_s": root, "_rad_s": 1 / root, "_s": root, "_m": length}
     copy = series.copy()

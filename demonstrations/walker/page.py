@@ -72,7 +72,7 @@ def by_point(table):
 
 
 def sizes():
-    """The same walk at three lengths."""
+    """The table of one walk at three lengths."""
     table, curves = read("sizes"), read("sizes_curves")
     human = table[table["length"] == 1].iloc[0]
     yield "|length|mass (kg)|contacts|effort|difference|step / l|largest force (body weights)|curves apart|iterations|"

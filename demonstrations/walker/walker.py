@@ -104,7 +104,7 @@ def random(arguments):
 
 
 def sizes(arguments):
-    """The same walk at three lengths."""
+    """Computes one walk at three lengths."""
     rows = contacts.sizes(arguments.results / "models", LENGTHS)
     results = run(arguments, "sizes", rows, walk, {"mesh": MESH, "start": GUESS.name}, [GUESS])
     write_table(results.table, "sizes")
@@ -112,7 +112,7 @@ def sizes(arguments):
         results.series(place).assign(length=row["length"], contacts=row["contacts"]) for place, row in enumerate(rows)
     ]
     pd.concat(curves).to_csv(HERE / "sizes_curves.csv", index=False, float_format="%.6g", lineterminator="\n")
-    # The same search at each size: from the guess that was drawn by hand.
+    # The search at each size begins with the guess that was drawn by hand.
     rescaled = [row for row in rows if row["contacts"] == "rescaled"]
     write_table(run(arguments, "sizes_by_hand", rescaled, walk, {"mesh": MESH, "start": "hand"}).table, "sizes_by_hand")
 

@@ -170,7 +170,7 @@ def report_peak(table, command, library, out):
 
 
 def against_opensim(table, library, folder, command, rounds):
-    """The same library by one Python process, which starts and imports once, and by the command, by turns."""
+    """Times of a library, rescaled by one Python process and by the command, one after the other."""
     python = opensim_python()
     if not python:
         print("  no comparison with OpenSim's API: OPENSIM_PYTHON names no Python that can import opensim")

@@ -1,4 +1,4 @@
-"""The same rescaling with OpenSim's own API: `python rescale_with_opensim.py MODEL OUTPUT TARGET_MASS_KG`, or
+"""Rescales contacts with OpenSim's API, for a comparison of speed: `python rescale_with_opensim.py MODEL OUTPUT TARGET_MASS_KG`, or
 `... FOLDER OUTPUT_FOLDER TARGET_MASS_KG` for all models of a folder.
 
 The script a user would write without this project: load, multiply by the paper's ratios, print. Equations (10), (14),

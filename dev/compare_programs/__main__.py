@@ -120,7 +120,7 @@ class Cases:
                 yield from (line.replace("{base}", base).replace("{option}", name) for name, takes in valued.items() if takes)
 
     def as_json(self, call: str) -> str:
-        """The same call as a request in JSON; empty where that is not possible."""
+        """The call as a request in JSON; empty if JSON cannot express it."""
         verb, *words = shlex.split(call) or [""]
         if verb not in {base.split()[0] for base in self.tables["options"]} or {"&&", "<", ">"}.intersection(words):
             return ""

@@ -84,7 +84,7 @@ def scale(runner, folder, subfolder="."):
 
 
 def in_an_empty_root(program, model, folder):
-    """The same where the file system holds the program and the model, and no other file at all."""
+    """Scales a model in a file system that has only the program and the model."""
     root = folder / "root"
     root.mkdir()
     shutil.copy(program, root / COMMAND)

@@ -44,7 +44,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
 
 
 def build_editable(wheel_directory, config_settings=None, metadata_directory=None):
-    """The same for those who work on it: Python's files stay where they are (PEP 660)."""
+    """Builds an editable wheel: Python's files stay where they are (PEP 660)."""
     _prepare()
     return maturin.build_editable(wheel_directory, config_settings, metadata_directory)
 

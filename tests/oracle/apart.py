@@ -38,7 +38,7 @@ def each(module, jobs):
 
 
 def ask(module, jobs):
-    """The same, with `{"error"}` where OpenSim has refused."""
+    """The results of the jobs, with `{"error"}` for those that OpenSim has refused."""
     jobs = list(jobs)
     if not jobs:
         return []

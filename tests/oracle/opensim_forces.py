@@ -22,7 +22,7 @@ def forces(model, states):
 
 
 def here(job):
-    """The same in this process."""
+    """Computes the forces in this process."""
     import opensim
 
     path, states = job

@@ -30,7 +30,7 @@ def needed(model, times, values, speeds, loads=None):
 
 
 def here(job):
-    """The same in this process."""
+    """Follows the motion in this process."""
     what, path, *rest = job
     return {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here}[what](path, *rest)
 

@@ -21,7 +21,7 @@ def posed(jobs):
 
 
 def here(job):
-    """The same for one model, in this process."""
+    """The standing of one model, computed in this process."""
     import opensim
 
     path, values, alone = job

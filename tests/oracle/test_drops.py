@@ -53,7 +53,7 @@ def with_alpha(animal, kind, alpha, folder):
 
 
 def job(reading, kind, alpha):
-    """The same drop for OpenSim, on half of the spheres: one limb of two, two limbs of four."""
+    """The drop as OpenSim computes it, on half of the spheres: one limb of two, two limbs of four."""
     material = {}
     for force in reading["forces"]:
         for path in force["geometry"]:

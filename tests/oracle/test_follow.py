@@ -132,7 +132,7 @@ def test_a_uniform_factor_scales_every_number_by_its_exponent(path, tmp_path, re
                 place = sphere["path"], None, name
                 check_near(after[place], before[place] * S, place)
 
-    # The same contacts as the generic model's own, scaled by mass.
+    # The contacts are those of the generic model, scaled by mass.
     alone = tmp_path / "by_mass.osim"
     assert command.rescale(path, mass_of(generic) * S**3, alone).status == 0
     for place, value in numbers(readings[alone]).items():

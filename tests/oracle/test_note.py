@@ -98,7 +98,7 @@ def test_what_contacts_were_made_for_is_known_afterwards(path, how, walks):
     saved = noted.with_name(f"{how}.osim")
     assert note_of(saved) == note_of(noted)
     assert contacts_mass(saved) == (pytest.approx(target, rel=DIGITS), "note")
-    # The same call again has nothing to do, also where OpenSim has scaled the bodies.
+    # Repeating the call changes nothing, even if OpenSim has scaled the bodies.
     second = noted.with_name(f"{how}_again.osim")
     outcome = command.rescale(saved, target, second)
     assert outcome.status == 0, outcome

@@ -21,7 +21,7 @@ CHANGES = {
 
 
 def call(verb, fields, path):
-    """The same by the function of the verb."""
+    """The plan of a function of the package."""
     fields = dict(fields)
     if verb == "set":
         return ocs.set(path, **fields["set"])

@@ -54,7 +54,7 @@ def test_a_function_of_a_file(tmp_path, command, table):
     )
     assert command(table, *words)[0] == 0
     assert list(pd.read_csv(tmp_path / "r" / "table.csv")["scaled"]) == [6.0, 6.0]
-    # The same again is refused, and with --resume there is nothing to do.
+    # A second run is refused; with --resume there is nothing to do.
     status, _, err = command(table, *words)
     assert status == 2 and "has results already" in err and len(err.splitlines()) == 1
     assert command(table, *words, "--resume")[0] == 0

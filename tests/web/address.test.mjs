@@ -81,7 +81,7 @@ inChromium("the page works from a server as it does from a folder", { limit: 60_
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.downloads(await user.done("a_patients_name.scaled.osim"));
-  assert.deepEqual(server.asked, ["/osim-contact-scale.html"]);
+  assert.deepEqual(server.requests, ["/osim-contact-scale.html"]);
   assert.deepEqual(user.watched.problems, []);
   await user.context.close();
   await server.end();

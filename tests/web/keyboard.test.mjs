@@ -12,9 +12,9 @@ const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 inChromium("from opening a file to the download, without a pointer", async (user) => {
   const { page } = user;
   await tabTo(user, "Open files…");
-  const asked = page.waitForEvent("filechooser");
+  const chooser = page.waitForEvent("filechooser");
   await page.keyboard.press("Enter");
-  await (await asked).setFiles([{ name: HUMAN.name, mimeType: "text/xml", buffer: HUMAN.bytes }]);
+  await (await chooser).setFiles([{ name: HUMAN.name, mimeType: "text/xml", buffer: HUMAN.bytes }]);
   await user.opened("human.osim");
   // Arrows choose among verbs, and back again.
   await tabTo(user, "Rescale");
@@ -39,8 +39,8 @@ inChromium("from opening a file to the download, without a pointer", async (user
 inChromium("the first key leads past the head of the page", async (user) => {
   await user.page.keyboard.press("Tab");
   assert.equal(await focused(user), "Skip to the content");
-  const seen = await user.page.evaluate(() => document.activeElement.getBoundingClientRect().top >= 0);
-  assert.equal(seen, true);
+  const isVisible = await user.page.evaluate(() => document.activeElement.getBoundingClientRect().top >= 0);
+  assert.equal(isVisible, true);
   await user.page.keyboard.press("Enter");
   assert.equal(await user.page.evaluate(() => document.activeElement.id), "content");
 });

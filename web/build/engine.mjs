@@ -15,7 +15,7 @@ export function buildEngine() {
   run("cargo", [...BINDGEN, "--", MODULE, ENGINE]);
 }
 
-/** What was built last. */
+/** The engine of the last build. */
 export function readEngine() {
   const wasm = join(ENGINE, "osim_web_bg.wasm");
   if (!existsSync(wasm)) {

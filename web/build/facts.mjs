@@ -8,9 +8,9 @@ import { ROOT } from "./paths.mjs";
 /** The version of the workspace. */
 export function version() {
   const text = readFileSync(join(ROOT, "Cargo.toml"), "utf8");
-  const found = /\[workspace\.package\][^[]*?\nversion\s*=\s*"([^"]+)"/.exec(text);
-  if (!found) throw new Error("Cargo.toml: no version in [workspace.package]");
-  return found[1];
+  const match = /\[workspace\.package\][^[]*?\nversion\s*=\s*"([^"]+)"/.exec(text);
+  if (!match) throw new Error("Cargo.toml: no version in [workspace.package]");
+  return match[1];
 }
 
 /** The paper, as CITATION.cff has it. */
@@ -18,9 +18,9 @@ export function paper() {
   const text = readFileSync(join(ROOT, "CITATION.cff"), "utf8");
   const references = text.slice(text.indexOf("\nreferences:"));
   const field = (pattern, what) => {
-    const found = pattern.exec(references);
-    if (!found) throw new Error(`CITATION.cff: no ${what} of the paper`);
-    return found[1].replace(/\s+/g, " ").trim();
+    const match = pattern.exec(references);
+    if (!match) throw new Error(`CITATION.cff: no ${what} of the paper`);
+    return match[1].replace(/\s+/g, " ").trim();
   };
   return {
     title: field(/title:\s*>-\s*\n((?:\s{6,}.+\n)+)/, "title"),

@@ -6,25 +6,25 @@ const UNIT = /,? \[?(kg|m\/s2|m\/s|N\/m2|N\/m|N|m|1\/m|s\/m)(?=$|\s|[:;,(])/;
 const FILES = new Set(["from", "presets", "body_scale_file", "contacts", "geometry", "model"]);
 const LINES = new Set(["body_map", "body_scale", "reference_select"]);
 
-/** A field: what it is called, what it takes, what it is for. */
+/** The declaration of a field: name, label, kind and help. */
 export function field(name, schema, names) {
   const label = names.get(name) ?? (name === "set" ? "new values" : undefined);
   if (!label) throw new Error(`no label for ${name}`);
-  const { help, unit } = described(schema.description, names);
-  const said = help === `${capital(label)}.` ? "" : help;
-  const kind = taken(name, schema);
+  const { help, unit } = helpAndUnit(schema.description, names);
+  const helpText = help === `${capital(label)}.` ? "" : help;
+  const kind = fieldKind(name, schema);
   // A file has no unit, though what is in it may have one.
-  const own = kind.kind === "file" ? undefined : unit;
-  return without({ name, label: capital(label), help: said, unit: own, ...kind, source: SOURCES[name], default: usual(name, schema) });
+  const fieldUnit = kind.kind === "file" ? undefined : unit;
+  return withoutUndefined({ name, label: capital(label), help: helpText, unit: fieldUnit, ...kind, source: SOURCES[name], default: defaultText(name, schema) });
 }
 
-/** What it takes. */
-function taken(name, schema) {
-  const parts = flattened(schema);
+/** The kind of a field, with its choices and limits. */
+function fieldKind(name, schema) {
+  const parts = allParts(schema);
   const types = new Set(parts.flatMap((part) => part.type ?? []));
   const choices = parts.flatMap((part) => part.enum ?? []).filter((text) => typeof text === "string");
   const number = parts.find((part) => [part.type].flat().some((type) => type === "number" || type === "integer"));
-  if (FILES.has(name)) return { kind: "file", ...placed(schema) };
+  if (FILES.has(name)) return { kind: "file", ...fileSource(schema) };
   if (name === "set") return { kind: "map" };
   if (name === "yes") return { kind: "codes" };
   if (LINES.has(name)) return { kind: "lines" };
@@ -38,18 +38,18 @@ function taken(name, schema) {
 }
 
 /** Presets that a description names because they have places; the engine lists those that have numbers. */
-function placed({ description }) {
+function fileSource({ description }) {
   const names = /a preset with places: ([\w, -]+)$/.exec(description)?.[1]?.split(", ");
   return names ? { choices: names.map(choice) } : {};
 }
 
-/** The schema and those that it is made of; a name in bytes is one of a file all the same. */
-function flattened(schema) {
+/** The schema and its parts, without the form of a file name in bytes. */
+function allParts(schema) {
   const parts = (schema.anyOf ?? []).filter((part) => !part.properties?.bytes);
   return [schema, ...parts.flatMap(flattened)];
 }
 
-/** Words and factors of a field that takes them or a number: its pattern is `^(isometric|keep|[xX]…)$`. */
+/** The choices of a field that takes words, factors or numbers: its pattern is `^(isometric|keep|[xX]…)$`. */
 function rule(parts) {
   const pattern = parts.find((part) => part.pattern)?.pattern ?? "";
   const words = pattern.replace(/^\^\(|\)\$$/g, "").split("|").filter((word) => /^\w+$/.test(word));
@@ -61,18 +61,18 @@ function choice(value) {
 }
 
 function limits({ minimum, maximum, exclusiveMinimum, exclusiveMaximum }) {
-  return without({ least: minimum, most: maximum, above: exclusiveMinimum, below: exclusiveMaximum });
+  return withoutUndefined({ least: minimum, most: maximum, above: exclusiveMinimum, below: exclusiveMaximum });
 }
 
 /** The default value, if a form can show it. */
-function usual(name, { default: value }) {
+function defaultText(name, { default: value }) {
   if (Array.isArray(value)) return ALL_UNLESS_TICKED.includes(name) ? "all" : "none";
   if (typeof value === "number") return String(value);
   return typeof value === "string" ? (CHOICE_TEXTS[value] ?? value) : undefined;
 }
 
 /** The description in the words of a page, and the unit in it. */
-function described(description, names) {
+function helpAndUnit(description, names) {
   let text = description.replace(/\s+/g, " ").trim();
   for (const [from, to] of WORDS) text = text.replace(from, to);
   const unit = UNIT.exec(text)?.[1];
@@ -91,6 +91,6 @@ function capital(text) {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-function without(object) {
+function withoutUndefined(object) {
   return Object.fromEntries(Object.entries(object).filter(([, value]) => value !== undefined));
 }

@@ -1,4 +1,4 @@
-// What only the page knows about fields: which it has no use for, which come first, and how the others are grouped.
+// The layout of forms: fields that the page leaves out, fields that come first, and groups of the others.
 
 /** Groups of fields that no form has, by their names in the schemas, with the reason. */
 export const GROUPS_LEFT_OUT = {
@@ -77,23 +77,23 @@ export const GROUPS = {
   "Other": ["class", "strict", "no_note", "yes"],
 };
 
-/** What a list, a text or a file is chosen from. */
+/** The sources of the options of lists, texts and files. */
 export const SOURCES = {
   only: "properties", keep: "properties", select: "forces", exclude: "forces", exclude_body: "bodies", feet: "bodies",
   from: "references", presets: "presets", body_scale_file: "scales", contacts: "tables", geometry: "geometries", model: "models",
 };
 
-/** What holds where nothing is ticked; of all others: none. */
+/** The default of lists in which nothing is ticked; all others have none. */
 export const ALL_UNLESS_TICKED = ["only", "select"];
 
-/** How texts that a field takes are shown. */
+/** Labels of choices. */
 export const CHOICE_TEXTS = {
   smooth: "SmoothSphereHalfSpaceForce", "hunt-crossley": "HuntCrossleyForce",
   isometric: "isometric (R ~ M^1/3)", keep: "keep as it is", follow: "follow the bodies",
   geomean: "geometric mean", min: "smallest", max: "largest", paper: "the paper’s", predsim: "PredSim’s", replace: "place again",
 };
 
-/** Words of descriptions that are about a command line, and what is better here. */
+/** Words of descriptions for the command line, with their replacements for the page. */
 export const WORDS = [
   ["; may be repeated", ""], [", separated by commas", ""], [" (or one, BODY=f)", ": BODY=x,y,z or BODY=f"],
   ["the one that takes its spheres here", "the one that takes its spheres here: toes_r=calcn_r"],

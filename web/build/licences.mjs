@@ -9,13 +9,13 @@ import { run } from "./run.mjs";
 const FILE = join(OUTPUT, "licences.txt");
 const LINE = `\n\n${"=".repeat(80)}\n\n`;
 
-/** Their text; the one of the last build where the engine is not built. */
+/** The text of all licences; with `reuse`, that of the last build. */
 export function licences(reuse) {
-  if (!(reuse && existsSync(FILE))) writeFileSync(FILE, made());
+  if (!(reuse && existsSync(FILE))) writeFileSync(FILE, collectLicences());
   return readFileSync(FILE, "utf8");
 }
 
-function made() {
+function collectLicences() {
   const own = ["LICENSE-MIT", "LICENSE-APACHE"].map((name) => readFileSync(join(ROOT, name), "utf8").trim());
   const engine = run("python3", ["web/build/licences.py"], { capture: true }).trim();
   const scripts = ["fflate", "fzstd", "three"].map((name) => {

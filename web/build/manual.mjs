@@ -1,5 +1,5 @@
-// The manual of the page, for the page itself: docs/page.md as HTML. Its pictures show what the reader has before them; other pages of
-// the manual are named, because a file that was saved alone has nothing beside it.
+// The manual inside the page: docs/page.md as HTML, without its pictures. Links to other pages of the book become their names, because
+// the page may be saved without the book.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";

@@ -16,7 +16,7 @@ function packed(bytes) {
   return inLetters(done.stdout);
 }
 
-/** Nine bytes as eleven letters of 94, of which 94^11 are just enough; `bytesOf` in web/src/engine/unpack.ts reads them. */
+/** Nine bytes as eleven letters of 94, of which 94^11 are just enough; `decode` in web/src/engine/unpack.ts reads them. */
 function inLetters(bytes) {
   let text = "";
   for (let start = 0; start < bytes.length; start += 9) {
@@ -33,7 +33,7 @@ function inLetters(bytes) {
   return text;
 }
 
-/** All that can be printed, from the blank to ~, without <, which could end the element. */
+/** A printable ASCII character from the blank to ~, without <, which could end the element. */
 function letter(digit) {
   const code = 32 + digit;
   return String.fromCharCode(code < 60 ? code : code + 1);

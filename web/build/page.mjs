@@ -1,4 +1,4 @@
-// Puts the page together: markup, styles, script, and the blocks of data.
+// Assembles the page: markup, styles, script, and the blocks of data.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";

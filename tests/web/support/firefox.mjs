@@ -39,10 +39,10 @@ class FirefoxUser {
     Object.assign(this, { browser, page, watched, downloads });
   }
 
-  /** What is shown, is of this kind, and has this name. */
+  /** The visible element of this kind and name. */
   async find(kind, name) {
-    const found = await this.page.waitForFunction(shownAs, { polling: 50 }, kind, name);
-    return found.asElement();
+    const handle = await this.page.waitForFunction(shownAs, { polling: 50 }, kind, name);
+    return handle.asElement();
   }
 
   async click(name) {

@@ -8,16 +8,16 @@ import { PAGE } from "./places.mjs";
 
 const NAME = "/osim-contact-scale.html";
 
-/** Serves the page, or `html` in its place: any static server does. `asked` is what was asked for. */
+/** Serves the page, or `html` in its place: any static server does. `requests` lists the requested addresses. */
 export async function serve(html) {
-  const asked = [];
+  const requests = [];
   const server = createServer((request, response) => {
-    asked.push(request.url);
+    requests.push(request.url);
     if (request.url !== NAME) return response.writeHead(404).end();
     response.writeHead(200, { "Content-Type": "text/html" }).end(html ?? readFileSync(PAGE));
   });
   const port = await listening(server);
-  return { page: `http://127.0.0.1:${port}${NAME}`, asked, end: () => ended(server) };
+  return { page: `http://127.0.0.1:${port}${NAME}`, requests, end: () => ended(server) };
 }
 
 /** Listens for any connection, of any protocol: `reached` is what the first bytes of each were. */

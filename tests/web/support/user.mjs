@@ -64,9 +64,9 @@ export class User {
 
   /** Chooses files by a button that opens the browser's own window. */
   async choose(files, by = this.button("Open files…")) {
-    const asked = this.page.waitForEvent("filechooser");
+    const chooser = this.page.waitForEvent("filechooser");
     await by.click();
-    await (await asked).setFiles(typeof files === "string" ? files : files.map(asPayload));
+    await (await chooser).setFiles(typeof files === "string" ? files : files.map(asPayload));
   }
 
   /** Opens files, and waits until all models among them are there. */

@@ -18,7 +18,7 @@ function preset(user) {
   return user.field("Where the contacts come from").selectOption("falisse2022");
 }
 
-/** The same form for another model, or the same verb again: filled in from an empty form. */
+/** Empties the form and fills it in again, for another model or a second use of the verb. */
 export async function fillIn(user, { title, fill }) {
   await user.verb(title);
   const clear = user.button("Clear the form", user.form);
