@@ -32,7 +32,7 @@ def wait(seconds):
 
 
 def save(saver, model, mark, open_file):
-    """What an editor does."""
+    """Saves as an editor does."""
     if saver == "appended":
         open_file.seek(0, os.SEEK_END)
         open_file.write(mark)

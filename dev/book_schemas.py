@@ -75,7 +75,7 @@ def is_of(schema, kind):
 
 
 def type_of(field, definitions):
-    """In words."""
+    """A type in words."""
     of = reference(field)
     target = definitions.get(of, {}) if of else field.get("items", field)
     if of in SHARED:

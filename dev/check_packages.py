@@ -27,7 +27,7 @@ def cargo(*words, cwd):
 
 
 def packed():
-    """The packages, made afresh."""
+    """Makes the packages again."""
     folder = TARGET / "package"
     shutil.rmtree(folder, ignore_errors=True)
     cargo("publish", "--workspace", "--dry-run", "--no-verify", "--locked", "--allow-dirty", cwd=ROOT)

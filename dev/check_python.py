@@ -48,7 +48,7 @@ def main() -> int:
 
 
 def everywhere(wheel: str, version: str, packages: list[str]) -> bool:
-    """Whether the tests pass with a version of CPython, where it is here."""
+    """Whether the tests pass with a version of CPython, if it is installed."""
     label = f"CPython {version} with {', '.join(packages)}"
     python = interpreter(version)
     if python is None:
@@ -58,7 +58,7 @@ def everywhere(wheel: str, version: str, packages: list[str]) -> bool:
 
 
 def complaints(wheel: str) -> list[str]:
-    """What a wheel lacks, or has too much of."""
+    """Parts that a wheel lacks or should not have."""
     with zipfile.ZipFile(wheel) as archive:
         files = {name: archive.read(name) for name in archive.namelist()}
     result = [f"no {part}" for part in PARTS if not any(part in name for name in files)]

@@ -233,7 +233,7 @@ def goes_on(bench):
 
 
 def one_summary_for_two_runs(bench):
-    """The second finds the first at work: a model comes slowly, through a pipe."""
+    """A second run finds the first one working, because its model comes slowly through a pipe."""
     bench.model("model.osim")
     call = ["-", "--target-mass", "500", "-o", "one.osim", "--summary", "done.csv"]
     first = subprocess.Popen(["wine", str(bench.program), *call], cwd=bench.folder, env=bench.environment,
@@ -271,7 +271,7 @@ def devices(bench):
 
 
 def unit_tests(bench):
-    """Those of files: some are for Windows alone."""
+    """Runs the unit tests of file access, some of which are only for Windows."""
     tests = max(bench.program.parent.glob("deps/osim_library-*.exe"), key=lambda path: path.stat().st_mtime)
     shutil.copy(bench.program.parent / "bcryptprimitives.dll", tests.parent)
     bench.run_ok("wine", tests, "--test-threads=1", program="env", seconds=300)

@@ -1,4 +1,4 @@
-"""What dev/generate_matlab.py says of the verbs beside what the schemas say: how they are called from MATLAB."""
+"""Texts of dev/generate_matlab.py that the schemas do not have: how the verbs are called from MATLAB."""
 
 # The schema in schemas/results/ of what a verb gives; None: it gives no JSON.
 RESULTS = {

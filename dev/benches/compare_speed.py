@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures two builds of the command against each other, by turns: see README.md."""
+"""Compares the speed of two builds of the command, which run alternately: see README.md."""
 
 import argparse
 import os
@@ -57,7 +57,7 @@ def arguments():
 
 
 class Pairs:
-    """Runs both programs by turns, and the old one a second time: what it differs from itself is noise."""
+    """Runs both programs alternately, and the old one twice: its two times differ only by noise."""
 
     def __init__(self, table, programs, count):
         self.table, self.programs, self.count = table, programs, count

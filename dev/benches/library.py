@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Measures the command on a library of 1000 models against a plain copy and against OpenSim's API: see README.md."""
+"""Compares the speed of the command on a library of 1000 models with a plain copy and with OpenSim's API: see README.md."""
 
 import argparse
 import itertools

@@ -1,4 +1,4 @@
-"""What the benchmarks share: building the command, running whole processes, and the table of figures and limits."""
+"""Functions of the benchmarks: they build the command, run whole processes, and print the table of figures and limits."""
 
 import json
 import os

@@ -42,7 +42,7 @@ FIRST = {"batch": "manifest", "drop-test": "subject", "explain": "topics", "fit"
 
 
 def main() -> int:
-    """Does all of it; gives the exit status."""
+    """Compares both programs in all cases and returns the exit status."""
     args = arguments()
     cases = Cases(args.corpus and args.corpus.resolve(), args.old.resolve())
     chosen = [call for call in dict.fromkeys(cases.all()) if call and all(word in call for word in args.only)]
@@ -187,7 +187,7 @@ def number(word: object) -> object:
 
 @dataclass
 class Result:
-    """What came of a case."""
+    """The result of a case."""
 
     call: str
     counts: Counter[str]

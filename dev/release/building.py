@@ -1,4 +1,4 @@
-"""What the builders in this folder share: how the command is built, and how a file that people download is written."""
+"""Functions of the builders in this folder: they build the command and write the files that people download."""
 
 import hashlib
 import os

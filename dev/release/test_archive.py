@@ -75,7 +75,7 @@ def check_scaling(out, before, after):
 
 
 def scale(runner, folder, subfolder="."):
-    """Scales the model in `folder`, which the program sees as `inside`."""
+    """Scales the model in `folder`, which the program sees as `subfolder`."""
     before = (folder / MODEL).read_bytes()
     call = ["--target-mass", "1190", "--format", "json"]
     out = runner([f"{subfolder}/{MODEL}", *call, "-o", f"{subfolder}/scaled.osim"])

@@ -245,7 +245,7 @@ PRINTED = 1e-6  # m
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_the_way_to_the_floor_is_told(added):
+def test_the_way_to_the_floor_is_reported(added):
     """How far the lowest bottom is from the floor where OpenSim starts, and the coordinate with which it stands (test_standing.py: carries)."""
     anatomy = added.of(added.after)
     floor = placing.floor_of(anatomy)["centre"][1]
@@ -302,7 +302,7 @@ def test_what_cannot_be_decided_is_asked(name, text, named, tmp_path):
     assert all(one in outcome.error["message"] for one in (*named, "--body-scale")), outcome.error
 
 
-def test_sources_that_differ_are_told(added_models):
+def test_sources_that_differ_are_reported(added_models):
     """The mesh is taken, and both values are named: 0.231 m to the toes are 41 % more than the reference's, the mesh has 17 %."""
     warnings = [one["message"] for one in added_models["joint_farther_than_the_mesh"].outcome.report["findings"] if one["code"] == "factors-disagree"]
     assert len(warnings) == 2 and all("1.1707" in one and "1.413" in one for one in warnings), warnings

@@ -60,7 +60,7 @@ def test_spelling(what, readings_and_reports):
 
 
 @pytest.mark.parametrize("what", [what for what in TABLE if what.startswith(words.VECTORS)])
-def test_location_and_gravity_are_said_where_they_are_not_what_they_look_like(what, readings_and_reports):
+def test_misleading_locations_and_gravity_are_reported(what, readings_and_reports):
     reading, status, report = readings_and_reports[what]
     if status != 0 or not reading["loads"]:
         return

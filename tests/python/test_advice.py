@@ -62,7 +62,7 @@ def try_call(name, path, arguments):
 
 
 @pytest.mark.parametrize(("name", "arguments"), CALLS)
-def test_what_is_advised_can_be_said(name, arguments):
+def test_advised_calls_are_valid(name, arguments):
     read = 0
     for folder in FOLDERS:
         for path in sorted((FIXTURES / folder).glob("*.osim")):

@@ -54,7 +54,7 @@ def points_on(axes):
 
 
 @pytest.mark.parametrize("kind", FIGURES)
-def test_every_kind_is_drawn_whole(kind):
+def test_every_kind_of_figure_is_drawn_completely(kind):
     figure = figure_of(kind)
     drawn = figure.plot()
     every = [drawn] if len(figure.panels) == 1 else list(drawn)

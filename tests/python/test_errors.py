@@ -22,7 +22,7 @@ def test_line_and_column():
     assert (type(back), str(back), back.__dict__) == (type(error), str(error), error.__dict__)
 
 
-def test_what_has_to_be_said_is_named():
+def test_missing_keywords_are_named():
     with pytest.raises(ocs.NeedsAnswer) as caught:
         ocs.rescale(HUMAN, target_mass=62_000)
     assert caught.value.code == "implausible-mass"

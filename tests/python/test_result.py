@@ -57,7 +57,7 @@ def test_bytes_and_results_are_models_too(human):
     assert ocs.check(from_path).models is not None
 
 
-def test_a_result_and_its_own_model_are_two(human):
+def test_a_result_and_its_model_have_different_names(human):
     """A result has the name of its model: read by name alone, a model would be compared with itself."""
     # By (8) with isometric radii: 1190 / 62 of the mass.
     larger, new = ocs.rescale(human, target_mass=1190), 0.032 * (1190 / 62) ** (1 / 3)

@@ -50,13 +50,13 @@ def test_a_name_that_ends_wrongly_is_a_wrong_call(tmp_path, keyword):
         ("body_scale_file", "", "it is empty, expected the name of a file"),
     ],
 )
-def test_what_was_expected_is_said_in_plain_words(keyword, value, words):
+def test_messages_name_expected_types_in_plain_words(keyword, value, words):
     with pytest.raises(ocs.RequestError, match=words) as caught:
         ocs.rescale(HUMAN, **{"target_mass": 80, keyword: value})
     assert caught.value.keyword == keyword
 
 
-def test_a_set_without_a_property_says_how_one_is_said():
+def test_a_set_without_a_property_explains_how_to_give_one():
     with pytest.raises(ocs.RequestError, match=r'say what to set, as in ocs\.set\("model\.osim", stiffness="x2"\)'):
         ocs.set(HUMAN)
 

@@ -158,7 +158,7 @@ def swept(human):
 
 
 @pytest.mark.parametrize("name", THINGS)
-def test_what_is_shown_is_short(shown_objects, name):
+def test_representations_are_short(shown_objects, name):
     thing = shown_objects(name)
     said = repr(thing)
     assert len(said.splitlines()) <= 10 and len(said) < 2000 and said.startswith("<")

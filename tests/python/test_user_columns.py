@@ -102,7 +102,7 @@ def test_a_column_that_is_not_kept_is_an_error_that_says_how():
         ocs.rescale_many(subjects(masss=62), dry_run=True, keep=[name for name in OWN_COLUMNS if name != "height"])
 
 
-def test_a_name_that_is_nearly_an_option_is_said(caplog):
+def test_a_name_that_is_nearly_an_option_is_reported(caplog):
     with caplog.at_level("INFO", "osim_contact_scale"):
         results = ocs.rescale_many(subjects(target_mas=5), keep=True, dry_run=True)
     assert list(results["target_mas"]) == [5] * 4
@@ -176,7 +176,7 @@ def messages(caplog, table, **call):
     return {record.getMessage(): record.levelname for record in caplog.records if " rows " in record.getMessage()}
 
 
-def test_gaps_are_said_once_for_each_column(caplog):
+def test_gaps_are_reported_once_for_each_column(caplog):
     gaps = subjects(mass=[62, None, None, 62], geometry=[None, None, None, None])
     assert messages(caplog, gaps, keep=True) == {
         "column mass: 2 of 4 rows are empty (NaN): the option is left out there": "WARNING",
@@ -206,7 +206,7 @@ def test_an_error_about_a_row_says_what_is_empty_in_it():
         ocs.rescale_many(table, keep=True, dry_run=True)
 
 
-def test_a_row_with_own_values_alone_is_an_error_and_an_empty_one_is_left_out(caplog):
+def test_a_row_with_only_user_columns_is_an_error_and_an_empty_one_is_left_out(caplog):
     rows = [{"model": HUMAN, "target_mass": 70, "id": 1}, {"model": None, "target_mass": None, "id": 2}]
     with pytest.raises(ocs.RequestError, match=r"1 row is wrong, .*\ntable: row 3, column 'model': empty"):
         ocs.rescale_many(rows, keep=["id"], dry_run=True)

@@ -124,7 +124,7 @@ def keywords_of(name):
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_what_is_said_of_odd_keywords(name, tmp_path, monkeypatch, caplog):
+def test_messages_about_wrong_keywords(name, tmp_path, monkeypatch, caplog):
     monkeypatch.chdir(tmp_path)
     caplog.set_level(logging.INFO, logger="osim_contact_scale")
     for named, keywords in CALLS[name]:
@@ -141,7 +141,7 @@ def test_what_is_said_of_odd_keywords(name, tmp_path, monkeypatch, caplog):
 
 @pytest.mark.parametrize("name", sorted(CALLS.keys() - {"design", "drop_test", "presets"}))
 @pytest.mark.parametrize("source", [None, 12, "-", "", "nowhere.osim", b"", b"<x>", MODEL, [], [1], {"a": 1}, FIXTURES])
-def test_what_is_said_of_odd_models(name, source, tmp_path, monkeypatch):
+def test_messages_about_wrong_models(name, source, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (arguments, keywords), *_ = CALLS[name]
     place = 1 if name in ("plot", "many") else 0
@@ -191,7 +191,7 @@ def test_a_fitted_quantity_may_be_a_text():
     assert set(result.changes["property"]) == {"dissipation"}
 
 
-def test_a_long_text_is_not_said_whole():
+def test_messages_shorten_long_texts():
     error = ocs.RequestError("usage", "begin" + "ä" * 50_000 + "end\n" + "next line")
     assert len(str(error)) < 620
     assert str(error).startswith("beginä") and str(error).endswith("äend\nnext line")
@@ -200,7 +200,7 @@ def test_a_long_text_is_not_said_whole():
     assert len(shown) < 700 and shown.startswith("a.osim:1:2: wrong\n     1 | <<<")
 
 
-def test_what_is_said_of_models():
+def test_messages_about_models():
     models = [FIXTURES, *corpus()[:12]]
     checked = ocs.check(models)
     texts = {text for finding in checked.findings for text in (finding.message, finding.why, finding.advice)}

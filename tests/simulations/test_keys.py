@@ -134,7 +134,7 @@ def test_what_cannot_be_compared_needs_a_version():
     assert prepare_task(simulate.Function(locked, version="1")).identity["version"] == "1"
 
 
-def test_an_edited_module_is_simulated_anew_by_workers_that_live_on(tmp_path, client, monkeypatch):
+def test_running_workers_simulate_an_edited_module_again(tmp_path, client, monkeypatch):
     """Workers of a notebook, or at an address, have the older module in their memory."""
     monkeypatch.syspath_prepend(str(tmp_path))
     rows = models(tmp_path / "models", 1)
