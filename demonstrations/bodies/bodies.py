@@ -36,7 +36,7 @@ def rows(models, folder, names=None, build_names=None):
 
 
 def write(path, rows):
-    """The table, with six digits."""
+    """Writes the table with six digits."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         writer.writeheader()

@@ -84,7 +84,7 @@ def write(original, folder, name, build, contacts):
 
 
 def scale(original, path, build):
-    """By OpenSim's own scaling; the mass (kg) of the original."""
+    """Scales a model with OpenSim and returns the mass of the original, kg."""
     model = opensim.Model(str(original))
     state = model.initSystem()
     mass = model.getTotalMass(state)

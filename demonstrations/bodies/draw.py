@@ -16,7 +16,7 @@ TITLES = {"left": "left behind", "mass": "rescaled by mass only", "places": "tra
 
 
 def draw(rows, folder):
-    """Each model's numbers for each build; its original's as a line."""
+    """Draws the numbers of each model for each build, and those of its original as a line."""
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.rcParams.update({"svg.hashsalt": "bodies", "font.size": 8})
     figure, axes = pyplot.subplots(

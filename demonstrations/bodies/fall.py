@@ -47,7 +47,7 @@ def fall(path, radius_m, build):
 
 
 def _settling_time(series):
-    """Until the force stays near body weight, s; not a number if it does not."""
+    """Time until the force stays near body weight, s; NaN if it does not."""
     times, away = np.array(series["time_s"]), np.abs(np.array(series["force_bw"]) - 1) > SETTLED
     if not away.any():
         return 0.0  # Smoothed forces can carry a body before it touches the ground.

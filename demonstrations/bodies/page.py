@@ -46,7 +46,7 @@ def _range(values, digits=2):
 
 
 def write(path, rows):
-    """Put the table into the page."""
+    """Writes the table into the page."""
     before, after = path.read_text(encoding="utf-8").split(BEGIN)
     lines = "\n".join(block(rows))
     path.write_text(f"{before}{BEGIN}\n{lines}\n\n{END}{after.split(END)[1]}", encoding="utf-8")

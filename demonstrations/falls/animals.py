@@ -30,7 +30,7 @@ CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
 
 def length_ratio(animal: str) -> float:
-    """Of this animal to the reference: geometrically similar bodies of one density."""
+    """Ratio of the lengths of this animal and the reference, which are geometrically similar and of one density."""
     return (ANIMALS[animal] / ANIMALS[REFERENCE]) ** (1 / 3)
 
 
@@ -45,7 +45,7 @@ def time_unit_s(animal: str) -> float:
 
 
 def write_model(folder: Path, animal: str, law: str, contacts: str) -> Path:
-    """Makes the body at its size, and does with its contacts what `contacts` says."""
+    """Writes the body of an animal, with its contacts adapted as `contacts` says."""
     unchanged = folder / f"{animal}_{law}_kept.osim"
     body.make(unchanged, length_ratio(animal), law)
     if animal == REFERENCE or contacts == "kept":

@@ -129,7 +129,7 @@ class Maker:
         self.spheres(parent, bones[-1], f"{girdle}_{side}")
 
     def spheres(self, foot: opensim.Body, bone: Bone, limb: str) -> None:
-        """Of one foot, level at the default pose."""
+        """The spheres of one foot, level at the default pose."""
         for number, (forward, right) in enumerate(SOLE, start=1):
             # The foot leans: seen in its axes, the centre is as far forward and above the sole as upright.
             x = cos(bone.lean) * forward + sin(bone.lean) * RADIUS
@@ -140,7 +140,7 @@ class Maker:
             self.model.addForce(self.contact(f"contact_{name}", sphere))
 
     def contact(self, name: str, sphere: opensim.ContactSphere) -> opensim.Force:
-        """Of the reference, whatever the size."""
+        """The contacts of the reference, for every size."""
         if self.law.startswith("smooth"):
             force = opensim.SmoothSphereHalfSpaceForce(name, sphere, self.floor)
             for key, value in {**CONTACT, **SMOOTHING, "transition_velocity": TRANSITION_VELOCITY}.items():

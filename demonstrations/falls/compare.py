@@ -27,7 +27,7 @@ SLIDES = ("law", "motion", "contacts", "animal", "mass_kg", *MEASURES, *(f"{name
 
 
 def curve(series, name, animal):
-    """One curve of a fall, free of its dimensions; None where there is none."""
+    """One dimensionless curve of a fall; None if the fall has no such curve."""
     if CURVES[name] not in series:
         return None
     values = np.asarray(series[CURVES[name]], dtype=float)
@@ -86,7 +86,7 @@ def slides_compared(done):
 
 
 def write_table(path, rows, columns):
-    """As CSV, with six digits; what is absent is empty."""
+    """Writes a CSV table with six digits; missing values are empty cells."""
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, columns, lineterminator="\n")
         writer.writeheader()

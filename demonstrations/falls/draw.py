@@ -19,7 +19,7 @@ UNTIL = 5  # units of √(L/g)
 
 
 def draw(rows, folder):
-    """Each law with joints locked and free: curves of all sizes, a column for what was done with the contacts."""
+    """Draws curves of all sizes for each law, with joints locked and free; each treatment of the contacts has a column."""
     folder.mkdir(parents=True, exist_ok=True)
     # Fixed ids and dates, so that equal results give equal bytes.
     matplotlib.rcParams.update({"svg.hashsalt": "falls", "font.size": 8, "path.simplify_threshold": 0.2})

@@ -125,7 +125,7 @@ def main():
 
 
 def run(arguments, rows, function, results):
-    """Does what is not done yet; ends the program where one of them failed."""
+    """Simulates all points that have no result yet; ends the program if one of them fails."""
     done = simulate.run(
         rows,
         function,

@@ -97,7 +97,7 @@ def _slides(rows):
 
 
 def _range(values):
-    """In per cent."""
+    """A range in per cent."""
     low, high = (f"{round(100 * value):+d}".replace("+0", "0") for value in (min(values), max(values)))
     return low if low == high else f"{low}..{high}"
 

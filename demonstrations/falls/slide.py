@@ -82,7 +82,7 @@ class Slide:
         return push
 
     def forget(self):
-        """What is found begins here."""
+        """Starts the recording of results again."""
         self.begin, self.along, self.up = self._feet(self.state), 0.0, 0.0
 
     def throw(self, speed):
@@ -124,7 +124,7 @@ class Slide:
         return np.mean([place.get(self.axis) for place in places])
 
     def _force(self, state):
-        """Of the ground on the body, N."""
+        """The force of the ground on the body, N."""
         self.model.realizeDynamics(state)
         return sum(_on_body(contact, state) for contact in self.contacts)
 

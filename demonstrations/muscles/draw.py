@@ -36,7 +36,7 @@ def cases_to_draw(rows):
 
 
 def draw(rows, folder):
-    """Curves of all cases: transferred contacts left, others right; the original in both."""
+    """Draws curves of all cases: transferred contacts left, others right, the original in both."""
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.rcParams.update({"svg.hashsalt": "muscles", "font.size": 8, "path.simplify_threshold": 0.2})
     figure, axes = pyplot.subplots(len(PANELS), 2, figsize=(7.5, 7.2), sharex=True, sharey="row", layout="constrained")

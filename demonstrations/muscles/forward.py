@@ -1,4 +1,4 @@
-"""A solution without its solver: the model from its first state, driven by its controls alone."""
+"""Integrates a solution forward: the model starts at its first state and only its controls drive it."""
 
 import numpy as np
 import opensim
@@ -10,7 +10,7 @@ ANGLES = 0.1  # rad: so far every joint may be off
 
 
 def forward(model, solution, size):
-    """Integrate one step.
+    """Integrates one step.
 
     Parameters
     ----------

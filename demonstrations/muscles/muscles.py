@@ -33,7 +33,7 @@ def cases(masses=MASSES, contacts=None):
 
 
 def solve(arguments):
-    """Search the tracked walks that are not in the table yet."""
+    """Searches the tracked walks that are not in the table yet."""
 
     def start(mass, kind, mesh):
         return "original" if arguments.from_original else "reference" if mesh == MESH else "half"
@@ -102,7 +102,7 @@ def search(moco, results, mass, contacts, mesh, start, most=MOST):
 
 
 def predict(arguments):
-    """Search the predicted walks that are not in the table yet."""
+    """Searches the predicted walks that are not in the table yet."""
 
     def start(mass, kind, mesh):
         return arguments.start or _start(mass, kind, mesh)
@@ -169,7 +169,7 @@ def _rows(series):
 
 
 def read(path):
-    """The rows of a table; none where it is not there."""
+    """The rows of a table; empty if there is no table."""
     if not path.exists():
         return []
     with open(path, newline="", encoding="utf-8") as file:

@@ -100,7 +100,7 @@ def apart(ours, theirs):
 
 
 def write(path, table, curves, predictions, theirs):
-    """Put the tables into the page."""
+    """Writes the tables into the page."""
     text = path.read_text(encoding="utf-8")
     for name, lines in (("muscles", block(table, curves)), ("predictions", predicted(predictions, theirs))):
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"

@@ -1,4 +1,4 @@
-"""Moco's 2-D walker at another mass: `of_mass` makes the models that the study compares.
+"""Moco's 2-D walker at another mass: `scale_to_mass` makes the models that the study compares.
 
 Bodies are geometrically similar, under one gravity: with a factor of mass m, lengths grow with m^(1/3), times with the root of lengths,
 forces with m. OpenSim's own scaling, which its Scale Tool uses, makes the bones, the joints, the masses, and the paths and lengths of
@@ -36,7 +36,7 @@ class Size:
 
 
 def scale_to_mass(original, folder, size):
-    """Write the model at another size: with contacts left, and with contacts from this project's `transfer`, with and without `--friction`.
+    """Writes the model at another size: with old contacts, and with contacts from this project's `transfer`, with and without `--friction`.
 
     Parameters
     ----------
@@ -66,7 +66,7 @@ def scale_to_mass(original, folder, size):
 
 
 def _scaled(original, size):
-    """By OpenSim's own scaling: bodies, joints, masses, paths; not the contacts."""
+    """Scales bodies, joints, masses and paths with OpenSim, but not the contacts."""
     model = opensim.Model(str(original))
     state = model.initSystem()
     factors = opensim.ScaleSet()
@@ -82,7 +82,7 @@ def _scaled(original, size):
 
 
 def _stronger(model, size):
-    """Forces and times of the actuators, which OpenSim's scaling leaves."""
+    """Scales forces and times of the actuators, which OpenSim's scaling does not change."""
     for muscle in _muscles(model):
         muscle.set_max_isometric_force(muscle.get_max_isometric_force() * size.mass)
         muscle.set_max_contraction_velocity(muscle.get_max_contraction_velocity() / size.time)

@@ -1,4 +1,4 @@
-"""One problem solved: `solve` gives numbers, and leaves the solution as a file of OpenSim."""
+"""Solves one problem: `solve` returns numbers and writes the solution as a file of OpenSim."""
 
 import contextlib
 import os
@@ -23,7 +23,7 @@ GRAVITY = 9.80665  # m/s2
 def solve(
     study, model, folder, size, mesh=15, most=400, guess=None, name="solution", terms=(), options="", tolerance=1e-3
 ):
-    """Search the walk.
+    """Searches the walk.
 
     Parameters
     ----------
@@ -82,7 +82,7 @@ def solve(
 
 
 def scaled(solution, target, size):
-    """Write a solution of the original as a guess for another size."""
+    """Writes a solution of the original as a guess for another size."""
     walk = opensim.MocoTrajectory(str(solution))
     walk.setTime(walk.getTimeMat() * size.time)
     for name in walk.getStateNames():
@@ -105,7 +105,7 @@ def _ipopt(options):
 
 
 def _violation(solution):
-    """What IPOPT says last about the constraints, in the units that they have."""
+    """The last violation of the constraints that IPOPT prints, in their units."""
     (line,) = [line for line in solution.read_text().splitlines() if line.startswith("Constraint violation")]
     return float(line.split()[-1])
 

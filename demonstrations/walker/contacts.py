@@ -1,4 +1,4 @@
-"""The contacts of the sweeps, made by this project's own verbs from the walker's model."""
+"""Makes the contacts of the sweeps from the walker's model, with the verbs of this project."""
 
 import model
 import osim_contact_scale as ocs
@@ -44,7 +44,7 @@ def ladder(folder, steps):
 
 
 def middle(path, output):
-    """The contacts of the grid's middle, in the model at this path: written to `made`."""
+    """Writes the contacts of the grid's middle, in the model at this path, to `output`."""
     return ocs.set(str(path), stiffness=f"x{SOFTEST_FACTOR**0.5!r}", dissipation=1.0).write(str(output), force=True)
 
 

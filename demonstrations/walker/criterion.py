@@ -1,4 +1,4 @@
-"""When a search counts as a success, and how sure a share of successes is.
+"""Decides whether a search is a success, and computes the confidence interval of a share of successes.
 
 A solution counts if the solver says so, if searched once more with twice the mesh its effort and its largest force change by less than 2 %,
 and if the walker, driven by its controls alone, stays near it for one step.
@@ -27,7 +27,7 @@ def checked(path, first, series, mesh, max_iterations):
 
 
 def forward(path, series):
-    """The share of the step for which the walker stays near a solution without its solver."""
+    """The share of the step for which a forward simulation stays near a solution."""
     import opensim
     from model import LEG
     from problem import control_name, coordinates, speed_name, torques, value_name

@@ -24,7 +24,7 @@ COLOURS = ("#0072b2", "#000000", "#d55e00")
 
 
 def draw_all(tables, folder):
-    """Every figure whose table is there."""
+    """Draws every figure whose table exists."""
     folder.mkdir(parents=True, exist_ok=True)
     matplotlib.use("svg")
     # Fixed ids and dates, so that equal tables give equal bytes.
@@ -52,7 +52,7 @@ def _save(figure, path):
 
 
 def _sticks(walk, pictures=6):
-    """Half a cycle as stick figures, the right leg darker."""
+    """Draws half a cycle as stick figures, the right leg darker."""
     figure, axis = pyplot.subplots(figsize=(7, 2.6), layout="constrained")
     for number, row in enumerate(np.linspace(0, len(walk) - 1, pictures).round().astype(int)):
         frame = walk.iloc[row]

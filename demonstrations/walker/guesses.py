@@ -1,4 +1,4 @@
-"""Where a search starts: a walk drawn by hand, a random motion, or a solution that was found before."""
+"""Guesses for searches: a walk drawn by hand, a random motion, or an earlier solution."""
 
 import math
 
@@ -67,7 +67,7 @@ def scaled(series, length):
 
 
 def trajectory(solver, series):
-    """The series as Moco takes it."""
+    """The series as a trajectory of Moco."""
     import opensim as osim
 
     guess = solver.createGuess("bounds")
@@ -95,7 +95,7 @@ def _series(time, tilt, joints):
 
 
 def _hip_height(tilt, joints):
-    """Where the hip is when the lowest sphere is a little below the ground."""
+    """The height of the hip at which the lowest sphere is a little below the ground."""
     lowest = []
     for side in SIDES:
         thigh = tilt + joints[f"hip_{side}"]

@@ -1,4 +1,4 @@
-"""What a solution is worth: bounds that it touches, and its cost."""
+"""Judges a solution: the bounds that it touches, and its cost."""
 
 import numpy as np
 from model import GRAVITY, JOINTS, MASS, SIDES, TORQUE

@@ -153,7 +153,7 @@ def _sphere(model, floor, name, side, forward, length):
 
 
 def write(path, length=1.0):
-    """Write the model as OpenSim prints it, and give back the path."""
+    """Writes the model as OpenSim prints it, and returns the path."""
     path.parent.mkdir(parents=True, exist_ok=True)
     build(length).printToXML(str(path))
     return path

@@ -34,7 +34,7 @@ def mesh():
 
 
 def least():
-    """Of each point of the grid the effort that was found from the one good guess, or on the branch where that is more than 1 % less."""
+    """The effort at each point of the grid: from the one good guess, or on the branch if that is more than 1 % less."""
     guess, branch = (read(name).assign(way=name).set_index(["stiffness", "dissipation"]) for name in ("grid", "branch"))
     branch = branch.loc[guess.index]
     cheaper = (branch["converged"] == 1) & ((guess["converged"] == 0) | (branch["effort"] < guess["effort"] / 1.01))
@@ -55,12 +55,12 @@ def least():
 
 
 def effort():
-    """Panel A."""
+    """The table of panel A."""
     yield from _grid(least(), lambda row: f"{row['effort']:.3f}{'*' if row['way'] == 'branch' else ''}")
 
 
 def by_point(table):
-    """Of the searches from random guesses: a row for each point of the grid."""
+    """A row for each point of the grid, about the searches from random guesses."""
     effort_by_index = least().set_index("index")["effort"]
     result = []
     for index, rows in table.groupby("index"):
@@ -96,7 +96,7 @@ def _mpa(row):
 
 
 def _grid(table, cell):
-    """Stiffness down, dissipation across."""
+    """A table with a row for each stiffness and a column for each dissipation."""
     dissipations = sorted(table["dissipation"].unique())
     yield f"|E₁\\* (MPa), k̂|{'|'.join(f'α = {value:g}' for value in dissipations)}|"
     yield "|---" * (1 + len(dissipations)) + "|"
@@ -137,7 +137,7 @@ BLOCKS = {
 
 
 def write(path):
-    """Put the tables into the page."""
+    """Writes the tables into the page."""
     text = path.read_text(encoding="utf-8")
     for name, block in BLOCKS.items():
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"

@@ -121,7 +121,7 @@ def solver(study, mesh, scheme="hermite-simpson", convergence=1e-3, constraints=
 
 @contextlib.contextmanager
 def ipopt_options(is_warm_start=False):
-    """An empty folder with the file of options, in which IPOPT is to be started; `near`: for a guess that is near a solution."""
+    """An empty folder with the file of options, in which IPOPT is to be started; `is_warm_start`: for a guess that is near a solution."""
     before = Path.cwd()
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "ipopt.opt").write_text(IPOPT_OPTIONS + IPOPT_NEAR * is_warm_start)

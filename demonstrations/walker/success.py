@@ -58,7 +58,7 @@ def attempt(path, seed, below=()):
 
 
 def read(table):
-    """The rows that are there."""
+    """The rows of a table; empty if there is no table."""
     path = HERE / f"{table}.csv"
     if not path.exists():
         return []
@@ -77,7 +77,7 @@ def append(table, row):
 
 
 def guesses(arguments):
-    """At each stiffness so many random guesses."""
+    """Searches from random guesses at each stiffness."""
     manifest = Path(contacts.grid(arguments.results / "models", dissipations=(1.0,)).manifest)
     files = in_order(manifest, "stiffness")
     paths = dict(zip(POINTS, (files[0], files[len(files) // 2], files[-1])))

@@ -25,7 +25,7 @@ def version(*more):
 
 
 def walk(path, mesh=30, start="hand", seed=None, length=1.0, double=False, max_iterations=3000):
-    """Search the walk of one model.
+    """Searches the walk of one model.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def walk(path, mesh=30, start="hand", seed=None, length=1.0, double=False, max_i
 
 
 def starting(start, seed=None):
-    """The guess of length factor 1 that `walk` names so."""
+    """The guess that `walk` calls `start`, for the length factor 1."""
     if start == "hand":
         return by_hand()
     return at_random(int(seed)) if start == "random" else from_file(HERE / start)
@@ -129,7 +129,7 @@ def _forces(path, problem, solution, length):
 
 
 def climb(path, rungs, mesh=30, start="hand", seed=None, max_iterations=3000):
-    """Search a walk on the first of several models, and from there on one after the other.
+    """Searches a walk on the first of several models, and from there on one after the other.
 
     Parameters
     ----------

@@ -25,7 +25,7 @@ LEFT_OUT = ("path", "rungs", "file", "sha256", "key", "error", "status")
 
 
 def run(arguments, stage, points, function, settings, files=()):
-    """One stage: all points through the function."""
+    """Runs one stage: the function for all points."""
     results = simulate.run(
         points,
         simulate.Function(function, settings=settings, version=version(*files)),
@@ -83,7 +83,7 @@ def branch(arguments):
 
 
 def steps(values, expected):
-    """From the middle of the values, without it, to the wanted one."""
+    """The values from the middle, which is left out, to the given one."""
     middle, place = len(values) // 2, values.index(expected)
     return values[middle + 1 : place + 1] if place > middle else values[place:middle][::-1]
 
@@ -152,7 +152,7 @@ STAGES = {
 
 
 def main():
-    """Run the stages that are named."""
+    """Runs the stages of the command line."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("stages", nargs="+", choices=[*STAGES, "all"])
     parser.add_argument("--results", type=Path, required=True, help="folder for models and results")

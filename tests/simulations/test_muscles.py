@@ -32,7 +32,7 @@ def written(folder, mass):
     """The two models of a mass."""
     in_study(
         f"import sizes; from pathlib import Path; "
-        f"sizes.of_mass(Path({str(MOCO / '2D_gait.osim')!r}), Path({str(folder)!r}), sizes.Size({mass}))"
+        f"sizes.scale_to_mass(Path({str(MOCO / '2D_gait.osim')!r}), Path({str(folder)!r}), sizes.Size({mass}))"
     )
     return {kind: folder / f"{kind}_{mass:g}.osim" for kind in ("rescaled", "left")}
 
