@@ -1,4 +1,4 @@
-"""What several tests share: models, the command beside the package, and what it prints."""
+"""Fixtures and functions of several tests: models, the command beside the package, and its output."""
 
 import json
 import os

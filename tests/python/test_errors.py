@@ -1,4 +1,4 @@
-"""What goes wrong is an exception with all that is known of it, and never the end of Python."""
+"""Every failure is an exception with code, message and place, and never ends Python."""
 
 import os
 import pickle

@@ -1,4 +1,4 @@
-"""What is made from Rust is up to date, and every function has all that is said of it."""
+"""Generated files are up to date, and every function has complete help."""
 
 import inspect
 import subprocess

@@ -1,4 +1,4 @@
-"""What the compiled half does for Python: Ctrl-C, limits, and what is wrong in words."""
+"""Tests of the compiled half: Ctrl-C, limits, and messages of errors."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""What type checkers know of the equations."""
+"""Types of the equations, as type checkers see them."""
 
 import os
 import subprocess

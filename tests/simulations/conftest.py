@@ -1,4 +1,4 @@
-"""What tests of simulations share: models of ours in a table, and workers that are there for all of them."""
+"""Fixtures of the tests of simulations: a table of our models, and workers for all tests."""
 
 import os
 import shutil

@@ -1,4 +1,4 @@
-"""What the row of a model says where its task raised an error: what, where in the user's code, and of which model."""
+"""The row of a model whose task raised an error: the message, the line of the user's code, and the model."""
 
 import asyncio
 import hashlib

@@ -1,4 +1,4 @@
-"""Where functions cross 0, against what arithmetic says."""
+"""Places where functions cross 0, compared with arithmetic."""
 
 import math
 

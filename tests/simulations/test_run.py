@@ -1,4 +1,4 @@
-"""What `run` makes of a table: rows, values, series, errors, and a process for each model."""
+"""Results of `run`: rows, values, series, errors, and a process for each model."""
 
 import hashlib
 import os
@@ -133,7 +133,7 @@ def test_a_server_that_is_kept_waiting_sees_what_its_copy_wrote(tmp_path, monkey
     loaded = Loaded()
     task = prepare_task(tasks.empty)
     digest = hashlib.sha256(HUMAN.read_bytes()).hexdigest()
-    job = Job("run", "key", str(HUMAN), digest, {}, *task.packed(), loaded.versions, None)
+    job = Job("run", "key", str(HUMAN), digest, {}, *task.pickled(), loaded.versions, None)
     ends = *os.pipe(), *os.pipe()
     outcome = _server._run_in_copy(job, loaded, ends[0], ends[3])
     for end in ends:

@@ -1,4 +1,4 @@
-"""Whatever is killed, nothing that was written is lost, and `resume` ends with the same table."""
+"""After any process is killed, nothing that was written is lost, and `resume` gives the same table."""
 
 import os
 import signal
