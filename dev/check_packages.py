@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What would be published compiles by itself, without the rest of the project. Uploads nothing.
+"""Checks that each published package compiles by itself, without the rest of the project. Uploads nothing.
 
     dev/check_packages.py
 

@@ -1,4 +1,4 @@
-"""Proves that a changed program does what the old one did: the same calls, the same bytes.
+"""Checks that a changed program does what the old one did: equal calls give equal bytes.
 
 Both do each call of `calls.txt` (tables, every model of the fixtures and of the corpus, every option that the old
 program's help names), each example of the docs, and many of these again as JSON for the verb `request`, in a fresh folder

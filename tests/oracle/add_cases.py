@@ -30,7 +30,7 @@ class Case:
         return f"{self.model.stem}{reference}-{self.radius}" + ("-bare" if self.bare else "")
 
     def options(self, reading):
-        """Of the command; `reading` is the reference's."""
+        """Options of the command; `reading` is the reading of the reference."""
         preset = self.reference == PRESET
         options = ["--from", "falisse2022" if preset else self.reference, "--radius", self.radius]
         options += [] if preset else ["--reference-mass", repr(float.fromhex(reading["mass_sum"]))]
@@ -42,7 +42,7 @@ class Case:
 
 
 def corpus_cases():
-    """By name: gait2392, Rajagopal, Moco's 3D walking, SCONE's foot of one piece, and everything else without contacts."""
+    """Cases from the corpus by name: gait2392, Rajagopal, Moco's 3D walking, SCONE's foot of one piece, and everything else without contacts."""
     own = {path.stem: path for path in models.corpus()}
     feet = [path for path in own.values() if b'name="toes_r"' in path.read_bytes()]
     without = [path for path in feet if "without_contacts" in path.name]

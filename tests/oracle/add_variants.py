@@ -80,7 +80,7 @@ def plane(version):
 
 
 def sets(form):
-    """What goes where contacts will be."""
+    """The sets of a model before contacts are added."""
     if form == "no_sets":
         return []
     if form == "two_force_sets":

@@ -24,12 +24,12 @@ class Refused(Exception):
 
 
 def one(module, job):
-    """What one job gave."""
+    """The result of one job."""
     return each(module, [job])[0]
 
 
 def each(module, jobs):
-    """What each job gave, in their order."""
+    """The results of jobs, in their order."""
     answers = ask(module, jobs)
     for answer in answers:
         if isinstance(answer, dict) and answer.keys() == {"error"}:
@@ -72,7 +72,7 @@ def serve():
 
 
 def forked(function, jobs):
-    """What the function makes of each job, in a fork and an empty folder of its own: printing a model, OpenSim writes files."""
+    """The results of a function for each job, in a fork and an empty folder, because OpenSim writes files when it prints a model."""
     with tempfile.TemporaryDirectory() as folder:
         answers = [Path(folder, f"{number}.json") for number in range(len(jobs))]
         running = set()

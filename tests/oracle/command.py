@@ -18,7 +18,7 @@ YES = ("--yes", "implausible-mass", "--yes", "mass-in-pounds", "--yes", "implaus
 
 @dataclass(frozen=True)
 class Outcome:
-    """What one run gave: its exit status, its JSON (None where stdout held none) and what it said on stderr."""
+    """The outcome of one run: its exit status, its JSON (None where stdout held none) and what it said on stderr."""
 
     status: int
     report: dict | None

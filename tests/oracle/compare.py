@@ -159,7 +159,7 @@ def values_are_what_opensim_reads(planned, before, after):
 
 
 def differing_lines(before, after):
-    """What differs between two full prints of a model, as `(property, old, new)`; any other difference fails."""
+    """The differences between two full prints of a model, as `(property, old, new)`; any other difference fails."""
     old, new = before.split("\n"), after.split("\n")
     assert len(old) == len(new), "the models' structures differ"
     element = re.compile(r"\s*<(\w+)>([^<]*)</\1>\s*")

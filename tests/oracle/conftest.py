@@ -1,4 +1,4 @@
-"""What several tests share: OpenSim's readings, made once each, two processes at a time."""
+"""Fixtures of several tests: OpenSim's readings of models, each made once, by two processes at a time."""
 
 import pytest
 

@@ -17,7 +17,7 @@ def force(kind, radius, parameters, x):
 
 
 def resting(total, load, low, high):
-    """Where the increasing function `total` is `load`, between two values, to the last bit but a few."""
+    """The place at which the increasing function `total` equals `load`, between two values, to the last bit but a few."""
     for _ in range(200):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if total(middle) < load else (low, middle)

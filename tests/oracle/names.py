@@ -56,7 +56,7 @@ def naming(seed):
 
 
 def path(style, in_set, name, up="../../"):
-    """How a socket says where something is."""
+    """A path as a socket spells it."""
     whole = f"{in_set}/{name}" if in_set else name
     return {
         "absolute": f"/{whole}",

@@ -1,4 +1,4 @@
-"""What OpenSim knows of the sizes of models at the default pose.
+"""Reads with OpenSim where the parts of models are at the default pose.
 
 Bodies in ground; meshes with the body that shows them and their scale factors; joints with the bodies at both ends and their
 origins in the frames of these; coordinates; spheres and half-spaces in ground.
@@ -10,13 +10,13 @@ from opensim_reads import downcast_frame
 
 
 def anatomies(paths):
-    """What is known of each model, by its path."""
+    """The anatomy of each model, by its path."""
     paths = [str(path) for path in paths]
     return dict(zip(paths, ask("opensim_anatomy", paths), strict=True))
 
 
 def here(path):
-    """What is known of one model, in this process."""
+    """The anatomy of one model, read in this process."""
     import opensim
 
     model = opensim.Model(path)
@@ -65,5 +65,5 @@ def here(path):
 
 
 def origin(rows):
-    """Where a transform has its origin."""
+    """The origin of a transform."""
     return [row[3] for row in rows]

@@ -1,4 +1,4 @@
-"""Where OpenSim has the bodies and meshes of a model at the default pose."""
+"""Places of the bodies and meshes of a model at the default pose, by OpenSim."""
 
 
 def matrix(transform):
@@ -8,7 +8,7 @@ def matrix(transform):
 
 
 def here(path):
-    """What OpenSim says, in this process."""
+    """The places, read in this process."""
     import opensim
 
     model = opensim.Model(path)

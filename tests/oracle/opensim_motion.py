@@ -82,7 +82,7 @@ def follow_here(path, times, values, speeds):
 
 
 def mover(model, state, values, speeds):
-    """What puts a state into a frame of a motion."""
+    """A function that puts a state into a frame of a motion."""
     import opensim
 
     found = list(all_coordinates(model))

@@ -1,4 +1,4 @@
-"""What the real OpenSim reads from models.
+"""Reads models with the real OpenSim.
 
 Each is read in a process of its own, because OpenSim keeps a document's `<defaults>` for every model it loads later.
 Floats are written as `float.hex()`: two readings are equal when their bits are.
@@ -86,7 +86,7 @@ def parts(opensim, model):
 
 
 def geometry(component):
-    """Where a sphere or half-space stands."""
+    """The frame and place of a sphere or half-space."""
     import opensim
 
     location = component.getPropertyByName("location")

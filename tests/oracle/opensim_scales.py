@@ -12,7 +12,7 @@ from apart import one
 
 
 def scaled(job):
-    """What one job gave; the caller's process stays free of OpenSim."""
+    """The result of one job; the caller's process stays free of OpenSim."""
     return one("opensim_scales", job)
 
 

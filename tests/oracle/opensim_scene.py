@@ -1,4 +1,4 @@
-"""Where OpenSim has spheres, joints and floors at the default pose."""
+"""Places of spheres, joints and floors at the default pose, by OpenSim."""
 
 
 def vector(vec):
@@ -7,7 +7,7 @@ def vector(vec):
 
 
 def here(path):
-    """What OpenSim says, in this process."""
+    """The places, read in this process."""
     import opensim
 
     model = opensim.Model(path)

@@ -16,7 +16,7 @@ KINDS = ("SmoothSphereHalfSpaceForce", "HuntCrossleyForce")
 
 
 def shifted(jobs):
-    """What OpenSim finds in the states of each `(model, states)`."""
+    """OpenSim's results in the states of each `(model, states)`."""
     return ask("opensim_shifts", [[str(model), states] for model, states in jobs])
 
 
@@ -31,7 +31,7 @@ def moving(heights, fastest=1.0):
 
 
 def here(job):
-    """What OpenSim finds in the states of one model, in this process."""
+    """OpenSim's results in the states of one model, computed in this process."""
     import opensim
 
     path, states = job

@@ -1,4 +1,4 @@
-"""What of a model follows its size, as the real OpenSim reads it.
+"""Reads with the real OpenSim the numbers of a model that depend on its size.
 
 `here(path)` gives mass and gravity, the longest distance between two joints of each body, and each number by class, object and
 property. Nothing of it is ours but the names of the properties, which are OpenSim's.

@@ -16,7 +16,7 @@ FAR = 1000.0  # m
 
 
 def posed(jobs):
-    """What OpenSim finds for each `(model, coordinates, alone)`."""
+    """OpenSim's results for each `(model, coordinates, alone)`."""
     return ask("opensim_standing", [[str(model), coordinates, alone] for model, coordinates, alone in jobs])
 
 
@@ -59,7 +59,7 @@ def gravity_of(model):
 
 
 def slopes(model, state):
-    """Of each half-space, whose normal is -x of its own frame."""
+    """The slope of each half-space, whose normal is -x of its frame."""
     import opensim
 
     gravity, size = gravity_of(model)

@@ -24,7 +24,7 @@ class Unknown(Exception):
 
 
 def bone(file):
-    """What a mesh shows: its name without folder, ending, case and side."""
+    """The bone of a mesh: its name without folder, ending, case and side."""
     name = file.replace("\\", "/").rsplit("/", 1)[-1].rsplit(".", 1)[0].lower()
     return SIDE.sub("", name)
 
@@ -140,7 +140,7 @@ class Sizes:
         return None if best is None else np.full(3, best[0] / best[1])
 
     def sources(self, body):
-        """What each source says, in their order."""
+        """The values of the sources, in their order."""
         known = [("mesh", self.mesh(body))]
         known.append(("offsets", self.factors_from_offsets(body)[0]) if self.is_copy else ("distance", self.distance(body)))
         return {name: values for name, values in known if values is not None}

@@ -24,7 +24,7 @@ def isometric(mu):
 
 
 def factors(mu, rho, nu=1.0):
-    """What each property is multiplied by."""
+    """The factor of each property."""
     mu, rho, nu = np.float64(mu), np.float64(rho), np.float64(nu)
     return {
         "stiffness": mu * nu / rho**2,

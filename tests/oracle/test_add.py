@@ -42,7 +42,7 @@ def variants(tmp_path_factory):
 
 @dataclass
 class Added:
-    """What came of one case."""
+    """The result of one case."""
 
     case: Case
     before: Path
@@ -92,7 +92,7 @@ def check_near(value, expected, where):
 
 
 def wanted(added, readings):
-    """What the rules give."""
+    """The contacts that the rules give."""
     case, reference = added.case, readings[added.case.reference]
     # A preset has no joints but one of a foot, which no model's sizes can contradict: it is no generic model.
     rule = {
@@ -195,7 +195,7 @@ def pushed(added_models):
 
 @pytest.mark.parametrize("name", ALL)
 def test_spheres_in_the_floor_are_pushed_out(name, added, readings, pushed):
-    """By the law of the paper, as deep as OpenSim has them."""
+    """The depths follow the law of the paper and agree with OpenSim."""
     assert "error" not in pushed[name], pushed[name]
     floor = placing.floor_of(added.of(added.after))["centre"][1]
     found, deep = contacts(readings[added.after]), set()

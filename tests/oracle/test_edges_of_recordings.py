@@ -45,7 +45,7 @@ def tables(draw, folder, count=60):
 
 
 def numbers_of(text):
-    """How many numbers that are not finite are in a table or a model, beside what its header says."""
+    """The count of numbers that are not finite in a table or a model."""
     return len(NOT_FINITE.findall(text))
 
 

@@ -41,7 +41,7 @@ def ours(*arguments):
 
 @cache
 def opensim(path):
-    """What OpenSim says, from a process of its own."""
+    """OpenSim's reading, from a separate process."""
     return one("opensim_feet", str(Path(path).absolute()))
 
 
@@ -68,7 +68,7 @@ def test_bodies_and_bones_are_where_opensim_has_them(path):
 
 @pytest.mark.parametrize("name, text", [*feet_variants.poses(), *feet_variants.meshes()], ids=lambda value: value[:40])
 def test_variants_are_where_opensim_has_them(name, text, tmp_path):
-    """What the corpus has not: each joint class, function, constraint and spelling."""
+    """Variants that the corpus lacks: each joint class, function, constraint and spelling."""
     path = tmp_path / f"{name}.osim"
     path.write_text(text, encoding="utf-8")
     (tmp_path / "Geometry").symlink_to(FIXTURES / "feet/Geometry")

@@ -70,7 +70,7 @@ def test_opensim_makes_of_each_what_the_readme_says(readings):
 
 
 def verdict(file, reading):
-    """In the README's words."""
+    """A verdict in the words of the README."""
     if not reading["loads"]:
         return "refuses"
     if file.endswith(".xml"):

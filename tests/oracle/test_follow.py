@@ -141,7 +141,7 @@ def test_a_uniform_factor_scales_every_number_by_its_exponent(path, tmp_path, re
 
 
 def expected(generic, scaled_reading, factors, rotations):
-    """What the rule and R^T S R give, in NumPy."""
+    """The numbers by the rule and R^T S R, computed in NumPy."""
     mu = mass_of(scaled_reading) / mass_of(generic)
     old, wanted = numbers(generic), {}
     for force, spheres in contacts(generic):

@@ -116,7 +116,7 @@ def value_of(expression, values):
 
 
 def right_hand_side(formula):
-    """What stands behind the sign, without a second equation that defines a symbol of the first."""
+    """The text after the equals sign, without a second equation that defines a symbol of the first."""
     return re.split(r" [=~] ", formula, maxsplit=1)[-1].replace("s_c(x)", "s_c")
 
 

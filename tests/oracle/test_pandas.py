@@ -10,7 +10,7 @@ DOCS = models.FIXTURES.parent / "docs"
 
 
 def look(page, folder):
-    """What the first Python of a page prints in a folder."""
+    """The output of the first Python example of a page, run in a folder."""
     code = (DOCS / page).read_text("utf-8").split("```python\n")[1].split("```")[0]
     (folder / "look.py").write_text(code, encoding="utf-8")
     return subprocess.run(
