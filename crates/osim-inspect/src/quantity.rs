@@ -62,7 +62,7 @@ impl Quantity {
     }
 
     /// With a name of its column in tables of models, in words and without the unit.
-    pub const fn with_column(self, column: &'static str) -> Self {
+    pub(crate) const fn with_column(self, column: &'static str) -> Self {
         Self { column, ..self }
     }
 

@@ -53,7 +53,7 @@ impl Table {
     ///
     /// # Errors
     /// The first row without a finite number.
-    pub fn check_finite(&self, column: &Column) -> Result<(), MotionFault> {
+    pub(crate) fn check_finite(&self, column: &Column) -> Result<(), MotionFault> {
         let first_odd = column.values.iter().position(|value| !value.is_finite());
         match first_odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
             None => Ok(()),

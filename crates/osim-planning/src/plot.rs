@@ -174,7 +174,7 @@ impl ModelFeet {
     ///
     /// # Errors
     /// A number that cannot be read, no force that is chosen, or no feet.
-    pub fn of_selection(name: &str, opened: &OpenModel, selection: &Selection) -> Result<Self, Failure> {
+    fn of_selection(name: &str, opened: &OpenModel, selection: &Selection) -> Result<Self, Failure> {
         let feet = Self::find(name, &opened.model, selection).map_err(|fault| opened.failure(fault))?;
         if feet.feet.is_empty() {
             let why = "there are no feet to draw: the model has no contact sphere that moves, and no body near the ground has \

@@ -26,7 +26,7 @@ impl FindingWithRemedy {
     }
 
     /// With the severity that the table of known contacts gives, and without a remedy: the contacts were published so.
-    pub fn with_published_severity(self, severity: Severity) -> Self {
+    pub(crate) fn with_published_severity(self, severity: Severity) -> Self {
         Self { finding: self.finding.with_severity(severity), remedy: None, is_published: true, ..self }
     }
 

@@ -302,7 +302,7 @@ impl StandingBody {
     }
 
     /// A value of the coordinate, m, rounded to a hundredth of the smallest radius or less.
-    pub fn rounded_coordinate(&self, value_m: f64) -> f64 {
+    fn rounded_coordinate(&self, value_m: f64) -> f64 {
         let smallest = self.bottoms.iter().map(|bottom| bottom.radius_m).fold(1.0, f64::min);
         let decimals = (-(smallest / 100.0).log10().floor()).clamp(2.0, 12.0);
         let unit = 10_f64.powf(decimals);

@@ -116,7 +116,7 @@ impl PendingFile {
     ///
     /// # Errors
     /// The disk is full, or the folder is no longer there.
-    pub fn add_bytes(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
+    pub(crate) fn add_bytes(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
         let written = self.temporary.write_all(bytes);
         written.context(|| self.cannot_write())
     }

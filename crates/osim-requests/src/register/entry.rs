@@ -94,7 +94,7 @@ impl Entry {
         matches!(self.takes, Takes::FileRead | Takes::FileWritten | Takes::Folder)
     }
 
-    pub const fn is_list(&self) -> bool {
+    pub(crate) const fn is_list(&self) -> bool {
         !matches!(self.list, List::One)
     }
 }

@@ -5,7 +5,7 @@ use osim_model::messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode};
 
 /// Findings, one line each: `warning: line 12: message [code]`.
-pub fn finding_lines(findings: &[Finding]) -> String {
+pub(crate) fn finding_lines(findings: &[Finding]) -> String {
     let mut text = String::new();
     for finding in findings {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
