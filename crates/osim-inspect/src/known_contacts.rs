@@ -55,9 +55,7 @@ impl KnownContacts {
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
         let contacts = contacts_of_sets(model, forces)?;
-        let fits = |entry: &Entry, mass: f64, isometric: bool| {
-            EntryAtMass { entry, mass, isometric }.is_of(&contacts, count)
-        };
+        let fits = |entry: &Entry, mass: f64, isometric: bool| entry.is_of(&contacts, count, mass, isometric);
         let under_body = |entry: &'static Entry| {
             let mass = mass_kg?;
             let made_for_kg = entry.made_for_kg * (mass / entry.body_kg());
@@ -128,20 +126,14 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact>
     })
 }
 
-/// The contacts of an entry, scaled to a mass.
-struct EntryAtMass<'e> {
-    entry: &'e Entry,
-    mass: f64,
-    /// Whether radii follow the mass, too.
-    isometric: bool,
-}
-
-impl EntryAtMass<'_> {
-    /// Whether `contacts` are these, if `count` of their spheres share the weight.
-    fn is_of(&self, contacts: &[SetContact], count: Option<f64>) -> bool {
+impl Entry {
+    /// Whether `contacts` are those of the entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
+    /// `isometric`, radii follow the mass, too.
+    fn is_of(&self, contacts: &[SetContact], count: Option<f64>, mass: f64, isometric: bool) -> bool {
+        let mass_ratio = mass / if isometric { self.made_for_kg } else { self.body_kg() };
         let (per_limb, total) =
-            (self.entry.spheres(), contacts.iter().map(|contact| contact.spheres).sum::<usize>());
-        let published = &self.entry.contacts;
+            (self.spheres(), contacts.iter().map(|contact| contact.spheres).sum::<usize>());
+        let published = &self.contacts;
         #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let as_published = per_limb as f64;
         // If limbs are not known, one or two limbs with the published number of spheres are assumed.
@@ -153,14 +145,22 @@ impl EntryAtMass<'_> {
         };
         let share = count / as_published;
         published.iter().all(|published| {
-            let alike = contacts.iter().filter(|contact| self.has_values(contact, published, share));
+            let alike = contacts.iter().filter(|contact| {
+                let radius = contact.radius_m / published.radius_m;
+                self.has_values(contact, published, [mass_ratio, share])
+                    && (!isometric || close(radius * radius * radius, mass_ratio))
+            });
             alike.map(|contact| contact.spheres).sum::<usize>() * per_limb == published.spheres * total
         })
     }
 
-    /// Whether `contact` is the published one, with `share` times as many spheres that carry the weight.
-    fn has_values(&self, contact: &SetContact, published: &PublishedContact, share: f64) -> bool {
-        let mass = self.mass / if self.isometric { self.entry.made_for_kg } else { self.entry.body_kg() };
+    /// Whether `contact` is the published one, with `mass` times its mass on `share` times as many spheres.
+    fn has_values(
+        &self,
+        contact: &SetContact,
+        published: &PublishedContact,
+        [mass, share]: [f64; 2],
+    ) -> bool {
         let radius = contact.radius_m / published.radius_m;
         // (10), (14), (C.2), (C.5), (C.10), and (8).
         let modulus = published.stiffness / EQUAL_SURFACES * mass / (radius * radius * share);
@@ -176,13 +176,12 @@ impl EntryAtMass<'_> {
             && close(contact.dissipation, published.dissipation / radius.sqrt())
             && has_smoothing
             && self.has_friction(contact, radius)
-            && (!self.isometric || close(radius * radius * radius, mass))
     }
 
     /// Whether friction is as published: coefficients have no size; the two speeds can stay, or follow the radius.
     fn has_friction(&self, contact: &SetContact, radius: f64) -> bool {
-        let [r#static, dynamic, viscous] = self.entry.friction;
-        let velocity = self.entry.transition_velocity;
+        let [r#static, dynamic, viscous] = self.friction;
+        let velocity = self.transition_velocity;
         let speeds = [1.0, radius.sqrt()].into_iter().any(|speed| {
             close(contact.friction[2], viscous / speed)
                 && close(contact.transition_velocity, velocity * speed)

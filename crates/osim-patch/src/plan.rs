@@ -97,12 +97,6 @@ impl Masses {
     }
 }
 
-/// Elements that are inserted into one object.
-struct MissingElements {
-    class: Class,
-    elements: Vec<Node>,
-}
-
 /// The operation, as the note has it, of a transfer.
 pub(crate) const TRANSFER: &str = "transfer";
 
@@ -374,7 +368,8 @@ impl Plan {
         let document = self.base_model(model).file(file);
         let tree = document.tree();
         let mut edits = Vec::new();
-        let mut absent: BTreeMap<ElementId, MissingElements> = BTreeMap::new();
+        // Elements that are inserted into one object, and its class.
+        let mut absent: BTreeMap<ElementId, (Class, Vec<Node>)> = BTreeMap::new();
         let numbers = self.changes.iter().map(|change| (&change.slot, change.text()));
         let places = self.moves.iter().map(|place| (&place.slot, place.text()));
         for (slot, text) in numbers.chain(places).filter(|(slot, _)| slot.file == file) {
@@ -382,15 +377,13 @@ impl Plan {
             match &slot.span {
                 Some(span) => edits.push(Edit { span: span.clone(), text }),
                 None => {
-                    let object = absent
-                        .entry(slot.object)
-                        .or_insert(MissingElements { class: slot.class, elements: vec![] });
-                    object.elements.push(Node::leaf(slot.tag, text));
+                    let (_, elements) = absent.entry(slot.object).or_insert((slot.class, vec![]));
+                    elements.push(Node::leaf(slot.tag, text));
                 }
             }
         }
-        for (parent, object) in &absent {
-            edits.extend(insert(tree, *parent, object.class.element_order(), &object.elements));
+        for (parent, (class, elements)) in &absent {
+            edits.extend(insert(tree, *parent, class.element_order(), elements));
         }
         // A geometry set changes together with its force set and gets the same note; a model that was only read none.
         let noted = file == FileId::MAIN

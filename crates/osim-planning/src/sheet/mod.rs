@@ -4,7 +4,6 @@ mod cell;
 
 use std::borrow::Cow;
 
-use csv::StringRecord;
 use osim_requests::values::typed::trimmed;
 
 pub use cell::{cell, from_cell, with_text_mark, without_text_mark};
@@ -68,7 +67,7 @@ impl Sheet {
         let header = reader.headers().map_err(|error| not_text(&error))?;
         let header: Vec<String> = header.iter().map(str::to_owned).collect();
         let mut lines = LineCounter { bytes, at: 0, line: 1 };
-        let (mut rows, mut unequal) = (Vec::new(), UnequalRows::default());
+        let (mut rows, mut unequal) = (Vec::new(), Vec::new());
         for record in reader.records() {
             let record = record.map_err(|error| not_text(&error))?;
             let line = record.position().map_or(0, |position| lines.line_at(position.byte()));
@@ -77,12 +76,13 @@ impl Sheet {
                 continue;
             }
             if record.len() != header.len() {
-                unequal.add(&record, line);
+                let is_comment = record.get(0).is_some_and(|cell| cell.starts_with('#'));
+                unequal.push((line, record.len(), is_comment));
             }
             rows.push(Row { line, cells: record.iter().map(|cell| from_cell(cell).into_owned()).collect() });
         }
-        if let Some(message) = unequal.message(&header, delimiter) {
-            return Err(message);
+        if !unequal.is_empty() {
+            return Err(message_of_unequal_rows(&unequal, &header, delimiter));
         }
         let decimal_commas =
             delimiter == b';' || rows.iter().flat_map(|row| &row.cells).any(|cell| has_decimal_comma(cell));
@@ -126,7 +126,7 @@ impl Sheet {
         }
     }
 
-    pub fn listed_columns(&self) -> String {
+    pub(crate) fn listed_columns(&self) -> String {
         let known: Vec<_> = self.header.iter().map(|cell| format!("'{cell}'")).collect();
         if known.is_empty() { "nothing".to_owned() } else { known.join(", ") }
     }
@@ -216,64 +216,44 @@ fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
 /// Rows of a wrong length that are listed at most.
 const ROWS_LISTED: usize = 20;
 
-/// Rows that have more or fewer cells than the header.
-#[derive(Debug, Default)]
-struct UnequalRows {
-    /// Line, number of cells, and whether the row begins with `#`.
-    rows: Vec<(u64, usize, bool)>,
+/// What to do about rows that have more or fewer cells than the header: of each the line, the number of cells, and whether it begins
+/// with `#`.
+fn message_of_unequal_rows(unequal: &[(u64, usize, bool)], header: &[String], delimiter: u8) -> String {
+    let expected = header.len();
+    let mut rows: Vec<String> = unequal
+        .iter()
+        .take(ROWS_LISTED)
+        .map(|(line, cells, _)| format!("line {line}: {cells} cells"))
+        .collect();
+    if unequal.len() > ROWS_LISTED {
+        rows.push(format!("{} more lines", unequal.len() - ROWS_LISTED));
+    }
+    let (rows, cause) = (rows.join(", "), probable_cause(unequal, header, delimiter));
+    format!("{rows}, expected {expected} as in the first row: {cause}")
 }
 
-impl UnequalRows {
-    fn add(&mut self, record: &StringRecord, line: u64) {
-        let is_comment = record.get(0).is_some_and(|cell| cell.starts_with('#'));
-        self.rows.push((line, record.len(), is_comment));
+fn probable_cause(unequal: &[(u64, usize, bool)], header: &[String], delimiter: u8) -> String {
+    if header.first().is_some_and(|cell| cell.starts_with('#')) {
+        return "the first row begins with #, and it names the columns: leave comments out".to_owned();
     }
-
-    /// The rows and what to do about them; `None` if all rows are as long as the header.
-    fn message(&self, header: &[String], delimiter: u8) -> Option<String> {
-        if self.rows.is_empty() {
-            return None;
-        }
-        let expected = header.len();
-        let mut rows: Vec<String> = self
-            .rows
-            .iter()
-            .take(ROWS_LISTED)
-            .map(|(line, cells, _)| format!("line {line}: {cells} cells"))
-            .collect();
-        if self.rows.len() > ROWS_LISTED {
-            rows.push(format!("{} more lines", self.rows.len() - ROWS_LISTED));
-        }
-        let rows = rows.join(", ");
-        Some(format!(
-            "{rows}, expected {expected} as in the first row: {}",
-            self.probable_cause(header, delimiter)
-        ))
+    if let Some((line, ..)) = unequal.iter().find(|(_, _, is_comment)| *is_comment) {
+        return format!(
+            "line {line} begins with #, and comments are not left out: use a column whose name begins with #"
+        );
     }
-
-    fn probable_cause(&self, header: &[String], delimiter: u8) -> String {
-        if header.first().is_some_and(|cell| cell.starts_with('#')) {
-            return "the first row begins with #, and it names the columns: leave comments out".to_owned();
-        }
-        if let Some((line, ..)) = self.rows.iter().find(|(_, _, is_comment)| *is_comment) {
-            return format!(
-                "line {line} begins with #, and comments are not left out: use a column whose name begins with #"
-            );
-        }
-        let more = match delimiter {
-            b',' => "a number with a decimal comma needs a point instead, or columns that are separated by ;",
-            _ => "a cell that holds the mark between columns needs quotation marks",
-        };
-        if self.rows.iter().any(|(_, cells, _)| *cells > header.len()) {
-            return more.to_owned();
-        }
-        let mark = match delimiter {
-            b',' => "comma",
-            b';' => "semicolon",
-            _ => "tab",
-        };
-        format!("a cell is missing there, write its {mark} also where it is empty")
+    let more = match delimiter {
+        b',' => "a number with a decimal comma needs a point instead, or columns that are separated by ;",
+        _ => "a cell that holds the mark between columns needs quotation marks",
+    };
+    if unequal.iter().any(|(_, cells, _)| *cells > header.len()) {
+        return more.to_owned();
     }
+    let mark = match delimiter {
+        b',' => "comma",
+        b';' => "semicolon",
+        _ => "tab",
+    };
+    format!("a cell is missing there, write its {mark} also where it is empty")
 }
 
 #[cfg(test)]

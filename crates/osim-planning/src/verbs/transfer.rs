@@ -93,10 +93,8 @@ pub(super) fn planner(
         selection: request.choice.selection(),
         masses: request.masses.request(),
         reference,
-        given_for_reference: GivenForReference {
-            spheres: request.reference.reference_spheres.is_some(),
-            gravity: gravity.is_some(),
-        },
+        has_reference_spheres: request.reference.reference_spheres.is_some(),
+        has_reference_gravity: gravity.is_some(),
         generic,
         may_repeat: request.output.may_repeat(),
     }
@@ -195,12 +193,6 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     Ok(())
 }
 
-/// Whether the caller gave these numbers of the reference.
-pub(super) struct GivenForReference {
-    pub(super) spheres: bool,
-    pub(super) gravity: bool,
-}
-
 /// Numbers of spheres that share the weight, in the model and in the reference.
 struct SphereCounts {
     in_model: f64,
@@ -217,7 +209,10 @@ pub(super) struct TransferPlanner {
     pub(super) selection: Selection,
     pub(super) masses: MassRequest,
     pub(super) reference: Reference,
-    given_for_reference: GivenForReference,
+    /// Whether the caller gave the number of spheres of the reference.
+    has_reference_spheres: bool,
+    /// Whether the caller gave the gravity of the reference.
+    has_reference_gravity: bool,
     /// The generic model, if spheres follow their bodies.
     pub(super) generic: Option<GenericModel>,
     pub(super) may_repeat: bool,
@@ -330,7 +325,7 @@ impl TransferPlanner {
             Some(generic) => generic.sphere_count.clone(),
             None => Ok(reference.sphere_count),
         };
-        let no_counts_given = self.counts.spheres.is_none() && !self.given_for_reference.spheres;
+        let no_counts_given = self.counts.spheres.is_none() && !self.has_reference_spheres;
         let alike =
             no_counts_given && generic.is_some_and(|generic| generic.has_same_standing_spheres(model));
         match (in_model, in_reference) {
@@ -352,7 +347,7 @@ impl TransferPlanner {
 
     /// Gravity that the contacts are scaled to. If the caller gave the gravity of the reference, the default is that of the model.
     fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
-        let asked = self.given_for_reference.gravity && self.follow.rule == RuleChoice::Paper;
+        let asked = self.has_reference_gravity && self.follow.rule == RuleChoice::Paper;
         let target = self.scaling.target_gravity.map(Acceleration::get);
         match (target, model.gravity().filter(|&gravity| gravity > 0.0)) {
             (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),

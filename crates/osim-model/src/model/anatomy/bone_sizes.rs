@@ -27,68 +27,60 @@ pub(crate) fn mesh_factors(components: &Components) -> TriplesByBody {
 
 /// The translations of the offset frames and joints on each body, m.
 pub(crate) fn frame_offsets(components: &Components) -> TriplesByBody {
-    let mut reader = OffsetReader::default();
+    let mut offsets = TriplesByBody::new();
     for (id, _) in components.tree.iter() {
         let tag = components.tag(id);
         if tag == "PhysicalOffsetFrame" {
-            reader.read_frame(components, id);
+            read_frame(&mut offsets, components, id);
         } else if tag.ends_with("Joint") {
-            reader.read_joint(components, id);
-            reader.read_old_joint(components, id);
+            read_joint(&mut offsets, components, id);
+            read_old_joint(&mut offsets, components, id);
         }
     }
-    reader.offsets
+    offsets
 }
 
-#[derive(Default)]
-struct OffsetReader {
-    offsets: TriplesByBody,
+/// Adds an offset frame that is fixed to a body directly: OpenSim scales its translation by the factors of that body.
+fn read_frame(offsets: &mut TriplesByBody, components: &Components, frame: ComponentId) {
+    let Some((body, translation)) = offset_on_body(components, frame) else { return };
+    offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
 }
 
-impl OffsetReader {
-    /// Adds an offset frame that is fixed to a body directly: OpenSim scales its translation by the factors of that body.
-    fn read_frame(&mut self, components: &Components, frame: ComponentId) {
-        let Some((body, translation)) = offset_on_body(components, frame) else { return };
-        self.offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
-    }
-
-    /// Adds the offsets of a joint's frames under the name of the joint, so that documents of versions 3 and 4 have the same keys.
-    fn read_joint(&mut self, components: &Components, joint: ComponentId) {
-        for end in ["parent", "child"] {
-            let frame = components
-                .connectee(joint, &format!("{end}_frame"), &[])
-                .and_then(|frame| components.frame(joint, &frame))
-                .and_then(|found| found.component)
-                .filter(|&frame| components.tag(frame) == "PhysicalOffsetFrame");
-            if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(components, frame)) {
-                let key = format!("{} {end}", components.name(joint));
-                self.offsets.entry(body).or_default().insert(key, translation);
-            }
+/// Adds the offsets of a joint's frames under the name of the joint, so that documents of versions 3 and 4 have the same keys.
+fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
+    for end in ["parent", "child"] {
+        let frame = components
+            .connectee(joint, &format!("{end}_frame"), &[])
+            .and_then(|frame| components.frame(joint, &frame))
+            .and_then(|found| found.component)
+            .filter(|&frame| components.tag(frame) == "PhysicalOffsetFrame");
+        if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(components, frame)) {
+            let key = format!("{} {end}", components.name(joint));
+            offsets.entry(body).or_default().insert(key, translation);
         }
     }
+}
 
-    /// Documents of version 3: the joint inside the child body holds both translations.
-    fn read_old_joint(&mut self, components: &Components, joint: ComponentId) {
-        let document = components.doc(joint);
-        let element = components.element(joint);
-        let owner = components.tree.get(joint).and_then(|object| object.parent);
-        let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
-        let name = components.name(joint);
-        if let Some(in_child) = document.triple(element, "location") {
-            self.offsets
-                .entry(components.name(child).into_owned())
-                .or_default()
-                .insert(format!("{name} child"), in_child);
-        }
-        let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
-        let parent =
-            parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
-        if let (Some(parent), Some(in_parent)) = (parent, document.triple(element, "location_in_parent")) {
-            self.offsets
-                .entry(components.name(parent).into_owned())
-                .or_default()
-                .insert(format!("{name} parent"), in_parent);
-        }
+/// Documents of version 3: the joint inside the child body holds both translations.
+fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
+    let document = components.doc(joint);
+    let element = components.element(joint);
+    let owner = components.tree.get(joint).and_then(|object| object.parent);
+    let Some(child) = owner.filter(|&id| components.tag(id) == "Body") else { return };
+    let name = components.name(joint);
+    if let Some(in_child) = document.triple(element, "location") {
+        offsets
+            .entry(components.name(child).into_owned())
+            .or_default()
+            .insert(format!("{name} child"), in_child);
+    }
+    let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
+    let parent = parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
+    if let (Some(parent), Some(in_parent)) = (parent, document.triple(element, "location_in_parent")) {
+        offsets
+            .entry(components.name(parent).into_owned())
+            .or_default()
+            .insert(format!("{name} parent"), in_parent);
     }
 }
 
@@ -212,7 +204,7 @@ impl JointDistances {
 
     /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
     /// If none of these has two joints that are apart, all bodies count; `None` if no body has any.
-    pub fn longest_around_sphere(&self, sphere: &Sphere) -> Option<f64> {
+    fn longest_around_sphere(&self, sphere: &Sphere) -> Option<f64> {
         self.longest_around_body(sphere.body.as_ref()?)
     }
 
