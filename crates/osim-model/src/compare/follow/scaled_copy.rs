@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use super::body_factors::{self, AXIS_NAMES, BonePair};
+use super::body_factors::{AXIS_NAMES, BonePair, bone_pairs};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
 
@@ -77,7 +77,7 @@ pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDi
         let joints = SharedJoints::of(scaled, reference);
         let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
         shared.into_iter().find_map(|body| {
-            let meshes = body_factors::bone_pairs(scaled, reference, body);
+            let meshes = bone_pairs(scaled, reference, body);
             let joints = joints.on(body);
             AXIS_NAMES
                 .iter()

@@ -4,8 +4,8 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use super::body_factors::{
-    self, AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoint, ComparedJoints,
-    FactorSource,
+    AXIS_NAMES, AxisFactor, BodyFactors, BodyIndex, BonePair, ComparedJoint, ComparedJoints, FactorSource,
+    bone_pairs,
 };
 use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
@@ -43,7 +43,7 @@ impl<'a> Sources<'a> {
         distances: Option<&ComparedJoints<'a>>,
     ) -> Self {
         let in_a_copy = distances.is_none();
-        let meshes = body_factors::bone_pairs(scaled, reference, body);
+        let meshes = bone_pairs(scaled, reference, body);
         let distance = distances.and_then(|distances| distances.farthest(body));
         let mut by_source = Vec::new();
         if let Some(given) = given {

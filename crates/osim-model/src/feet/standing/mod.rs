@@ -2,7 +2,6 @@
 //! are where they carry the tree's weight.
 
 mod gaps;
-mod levelled;
 mod lift;
 
 use std::collections::BTreeSet;
@@ -17,8 +16,10 @@ use super::fault::PoseFault;
 use super::vector::angle;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use gaps::{FloorContact, Floors};
-pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
-pub use levelled::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
+pub use gaps::{
+    LevelledSphere, MOST_LEAN_RAD, NotLevelled, RestLaw, RestOnFloor, RestingSphere, SphereOverFloor,
+    levelled_spheres,
+};
 use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};
 
