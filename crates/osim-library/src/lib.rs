@@ -6,10 +6,8 @@
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
-mod digest;
 mod fault;
 mod file_access;
-mod folders;
 mod partial;
 mod paths;
 pub mod report_page;
@@ -20,13 +18,11 @@ mod sweep;
 mod workers;
 mod write;
 
-pub use digest::sha256;
 pub use fault::{Cause, LibraryFault};
-pub use file_access::{read_head, reason};
-pub use folders::{OutputFolders, make_folder_of};
-pub use paths::{folder_of, resolved};
+pub use file_access::{reason, sha256};
+pub use paths::{folder_of, make_folder_of, resolved};
 pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
 pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
-pub use workers::{thread_count, work_in_order};
-pub use write::{PendingFile, WriteMode};
+pub use workers::work_in_order;
+pub use write::{OutputFolders, PendingFile, WriteMode};

@@ -1,7 +1,9 @@
-//! Absolute and relative paths, also of files and folders that do not exist yet.
+//! Absolute and relative paths, also of files and folders that do not exist yet; and makes folders.
 
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
+
+use crate::fault::{Context, LibraryFault};
 
 /// The absolute path without links, `.` and `..`; parts that do not exist yet stay as they are written.
 pub fn resolved(path: &Path) -> PathBuf {
@@ -40,6 +42,18 @@ pub(crate) fn relative_path(from: &Path, to: &Path) -> PathBuf {
 /// The folder of a file: `.` for a bare name.
 pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Makes the folder of `path`, with those above it.
+pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
+    if folder_of(path).is_dir() {
+        return Ok(());
+    }
+    let cannot = || format!("cannot make the folder {}", folder_of(path).display());
+    match resolved(path).parent() {
+        Some(folder) => std::fs::create_dir_all(folder).context(cannot),
+        None => Ok(()),
+    }
 }
 
 /// [`resolved`] for very many paths: it resolves every folder once.

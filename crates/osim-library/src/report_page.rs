@@ -17,10 +17,9 @@ use osim_view::html::{
     GENERATOR, NamedDigest, Page, RowError, RunRow,
 };
 
+use crate::file_access::read_head;
 use crate::run::{ChangedModel, Record, Run};
-use crate::{
-    Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, read_head, reason, resolved,
-};
+use crate::{Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, reason, resolved};
 
 /// A page of this program names its generator in its first bytes, so many at most.
 const HEAD_BYTES: usize = 1024;

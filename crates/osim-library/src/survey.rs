@@ -18,9 +18,8 @@ use osim_view::report::layout::Colour;
 use crate::report_page::{MayReplace, ReportPage, Words};
 use crate::run::PathConflicts;
 use crate::source::MemoryFirst;
-use crate::{
-    Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256, thread_count, work_in_order,
-};
+use crate::workers::{thread_count, work_in_order};
+use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
 
 /// Models and how they are looked at.
 pub struct Survey<'s> {

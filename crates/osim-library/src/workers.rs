@@ -18,7 +18,7 @@ const MOST_WAITING_RESULTS: usize = 512;
 const MOST_THREADS: usize = 64;
 
 /// The number of threads to use: the `asked` one, else one per processor; at most one per item.
-pub fn thread_count(asked: Option<Jobs>, items: usize) -> usize {
+pub(crate) fn thread_count(asked: Option<Jobs>, items: usize) -> usize {
     // Counting the processors takes time: Linux reads three files.
     if items <= 1 {
         return 1;

@@ -4,7 +4,7 @@
 //! file is opened without waiting, the kind of the opened file is checked, and no more is read than a limit that `docs/libraries.md`
 //! names. Pipes and devices are read only if the user named them: [`FileKinds::Streams`].
 //!
-//! `clippy.toml` forbids the other ways to open a file.
+//! `clippy.toml` forbids the other ways to open a file. SHA-256 digests say which bytes a file had.
 #![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "this module opens all files"))]
 
 #[cfg(unix)]
@@ -12,12 +12,14 @@ mod unix;
 #[cfg(windows)]
 mod windows;
 
+use std::ffi::OsStr;
 use std::fmt;
 use std::fs::{File, Metadata, OpenOptions};
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use osim_model::files::FileError;
+use sha2::{Digest, Sha256};
 
 #[cfg(unix)]
 use unix as system;
@@ -129,7 +131,7 @@ pub(crate) fn read_ordinary(path: &Path) -> Result<Vec<u8>, ReadRefusal> {
 ///
 /// # Errors
 /// It is not there, cannot be read, or is not an ordinary file.
-pub fn read_head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
+pub(crate) fn read_head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     let (file, _) = open(path, FileKinds::Ordinary).map_err(into_io_error)?;
     let mut head = Vec::with_capacity(most);
     file.take(most as u64).read_to_end(&mut head)?;
@@ -252,6 +254,26 @@ fn read_to_limit(stream: impl Read, most: u64) -> Result<Vec<u8>, ReadRefusal> {
     let mut bytes = Vec::new();
     stream.take(most + 1).read_to_end(&mut bytes)?;
     if bytes.len() as u64 > most { Err(ReadRefusal::Large(most)) } else { Ok(bytes) }
+}
+
+/// SHA-256 as 64 hexadecimal digits.
+pub fn sha256(bytes: &[u8]) -> String {
+    sha256_of_parts(std::iter::once(bytes))
+}
+
+/// SHA-256 of the bytes of `parts`, one after the other, as 64 hexadecimal digits.
+pub(crate) fn sha256_of_parts<'p>(parts: impl Iterator<Item = &'p [u8]>) -> String {
+    let mut hash = Sha256::new();
+    parts.for_each(|part| hash.update(part));
+    hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The first half of the SHA-256 of a name, which takes less memory than the name.
+pub(crate) type NameDigest = [u8; 16];
+
+pub(crate) fn digest_of_name(name: &OsStr) -> NameDigest {
+    let whole: [u8; 32] = Sha256::digest(name.as_encoded_bytes()).into();
+    std::array::from_fn(|at| whole[at])
 }
 
 #[cfg(test)]

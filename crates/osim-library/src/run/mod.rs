@@ -9,17 +9,165 @@ mod record;
 mod request;
 mod resume;
 mod rows;
-mod start;
 mod summary;
 mod summary_lines;
 mod task;
 mod writing;
+
+use std::path::Path;
+
+use osim_model::files::Failure;
+use osim_requests::options::RunOptions;
+
+use crate::fault::LibraryFault;
+use crate::run::model_job::{ModelJob, RunContext};
+use crate::run::resume::PreviousRun;
+use crate::run::summary::SummaryWriter;
+use crate::workers::{thread_count, work_in_order};
+use crate::write::OutputFolders;
 
 pub use model_job::{Counts, Outcome};
 pub use planned_model::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
 pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
 pub use rows::{CheckedRows, RowReader};
-pub use start::Run;
 pub use task::{Destination, PathConflicts, PathOwner, Task};
 pub use writing::{GeometryResult, ResultBytes, Written};
+
+/// A run whose paths were compared.
+pub struct Run<'r> {
+    request: RunRequest,
+    context: RunContext<'r>,
+    /// Sentences about files of a killed run that were kept as backups.
+    kept_files: Vec<String>,
+}
+
+impl<'r> Run<'r> {
+    /// Compares all paths of a run before anything is written, and keeps only the tasks of its shard, if it has one.
+    ///
+    /// # Errors
+    /// A file would be written that is also read, or that is written for another model.
+    pub fn new(mut request: RunRequest, run: &'r RunOptions) -> Result<Self, LibraryFault> {
+        request.check_paths(run)?;
+        if let Some(shard) = run.shard {
+            request.tasks.retain(|task| match task.row {
+                // A row of a manifest belongs to the shard of its number.
+                Some(row) => shard.has_number(row as u64),
+                None => shard.has_name(task.source.below_folder()),
+            });
+        }
+        let context = RunContext {
+            run,
+            folders: OutputFolders::default(),
+            summary: None,
+            previous: PreviousRun::default(),
+        };
+        Ok(Self { request, context, kept_files: Vec::new() })
+    }
+
+    pub fn request(&self) -> &RunRequest {
+        &self.request
+    }
+
+    /// Reads the summary of an earlier run, if this run resumes it.
+    pub fn read_previous(&mut self) -> Result<(), LibraryFault> {
+        // All rows of a table have the same columns. They are not known if the shard has no row.
+        let column_names =
+            |task: &Task| task.user_columns.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
+        let column_names = self.request.tasks.first().map(column_names);
+        self.context.previous = PreviousRun::read(self.context.run, column_names.as_deref())?;
+        Ok(())
+    }
+
+    /// Whether the run resumes an earlier one.
+    pub fn is_resumed(&self) -> bool {
+        !self.context.previous.is_empty()
+    }
+
+    /// Begins the summary, if one is asked for, and lists the folders that are written into.
+    ///
+    /// # Errors
+    /// The summary cannot be written, or exists already.
+    pub fn begin(&mut self) -> Result<(), LibraryFault> {
+        self.context.summary = SummaryWriter::begin(self.context.run, self.request.force)?;
+        self.context.folders = self.list_folders();
+        self.kept_files = self.context.folders.keep_displaced_files();
+        if let Some(summary) = &self.context.summary {
+            self.request.failures.iter().for_each(|failure| summary.add(&Record::of_failure(failure)));
+        }
+        Ok(())
+    }
+
+    /// Lists every folder that the run writes into.
+    fn list_folders(&self) -> OutputFolders {
+        let (tasks, run) = (&self.request.tasks, self.context.run);
+        let models = tasks.iter().filter_map(Task::output);
+        let geometry = tasks.iter().filter_map(|task| task.geometry_output.as_deref());
+        let beside = [&run.summary, &run.report].into_iter().filter_map(|path| path.as_deref());
+        OutputFolders::list(models.chain(geometry).chain(beside), !run.dry_run)
+    }
+
+    /// Does all tasks on several threads; `report` gets each outcome in the order of the tasks, on this thread.
+    ///
+    /// Every task is reported and has its line in the summary, also those that were not begun, so that a run that was stopped can be
+    /// resumed. A caller stops a run by [`RunFrontEnd::is_interrupted`].
+    ///
+    /// # Errors
+    /// Threads cannot be started.
+    pub fn do_tasks<F: RunFrontEnd>(
+        &self,
+        front_end: &F,
+        mut report: impl FnMut(&Task, Outcome<F::Shown>),
+    ) -> Result<Counts, LibraryFault> {
+        let tasks = &self.request.tasks;
+        let indices: Vec<usize> = (0..tasks.len()).collect();
+        let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
+        let work = |&index: &usize| {
+            let outcome = tasks.get(index).map(|task| self.do_task(front_end, task));
+            let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
+            front_end.task_done(failed);
+            outcome
+        };
+        let each = |&index: &usize, outcome: Option<Outcome<F::Shown>>| {
+            if let (Some(task), Some(outcome)) = (tasks.get(index), outcome) {
+                counts.add(&outcome);
+                if let Some(summary) = &self.context.summary {
+                    summary.add(&outcome.record);
+                }
+                report(task, outcome);
+            }
+            Ok::<(), LibraryFault>(())
+        };
+        work_in_order(&indices, thread_count(self.context.run.jobs, tasks.len()), work, each)?;
+        Ok(counts)
+    }
+
+    fn do_task<F: RunFrontEnd>(&self, front_end: &F, task: &Task) -> Outcome<F::Shown> {
+        if front_end.is_interrupted() {
+            let mut outcome = Outcome::not_begun(task);
+            self.context.previous.keep_earlier_output(&mut outcome.record);
+            return outcome;
+        }
+        ModelJob { context: &self.context, front_end, task }.run()
+    }
+
+    /// Completes the summary, if one is asked for.
+    pub fn finish(self) -> Result<(), LibraryFault> {
+        let RunContext { summary, previous, .. } = self.context;
+        summary.map_or(Ok(()), |summary| summary.finish(previous, &self.request.tasks))
+    }
+
+    /// Sentences about files that a killed run in place left and that were kept as backups.
+    pub fn kept_files(&self) -> &[String] {
+        &self.kept_files
+    }
+
+    /// Models that could not be listed.
+    pub fn failures(&self) -> &[Failure] {
+        &self.request.failures
+    }
+
+    pub fn report(&self) -> Option<&Path> {
+        self.context.run.report.as_deref()
+    }
+}

@@ -7,9 +7,8 @@ use osim_patch::Plan;
 use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
 
-use crate::digest::{sha256, sha256_of_parts};
 use crate::fault::LibraryFault;
-use crate::folders::OutputFolders;
+use crate::file_access::{sha256, sha256_of_parts};
 use crate::run::record::{Record, Status};
 use crate::run::request::{ChangedModel, ModelDetail, RunFrontEnd};
 use crate::run::resume::{PreviousOutcome, PreviousRun};
@@ -17,7 +16,7 @@ use crate::run::summary::SummaryWriter;
 use crate::run::task::{Destination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Disk, Loaded, Origin};
-use crate::write::hard_link_finding;
+use crate::write::{OutputFolders, hard_link_finding};
 
 /// What all models of a run share.
 pub(super) struct RunContext<'r> {

@@ -11,17 +11,16 @@ use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::spell::Speller;
 
-use crate::digest::sha256;
 use crate::fault::{Context, LibraryFault};
 use crate::file_access;
-use crate::folders::OutputFolders;
+use crate::file_access::sha256;
 use crate::run::model_job::changed_files;
 use crate::run::record::{Record, Status};
 use crate::run::request::{ChangedModel, RunRequest};
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Loaded, Origin, Source};
-use crate::write::hard_link_finding;
+use crate::write::{OutputFolders, hard_link_finding};
 
 pub struct PlannedModel {
     source: Source,

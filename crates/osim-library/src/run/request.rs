@@ -75,7 +75,7 @@ impl RunRequest {
     }
 
     /// Whether the run is about one model.
-    pub fn is_for_one_model(&self) -> bool {
+    pub(crate) fn is_for_one_model(&self) -> bool {
         self.tasks.len() + self.failures.len() == 1
     }
 

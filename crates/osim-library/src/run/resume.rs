@@ -11,9 +11,9 @@ use std::sync::Mutex;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use crate::digest::sha256;
 use crate::fault::LibraryFault;
 use crate::file_access;
+use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, folder_of, resolved};
 use crate::run::record::{Record, Status};

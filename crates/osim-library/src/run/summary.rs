@@ -7,9 +7,8 @@ use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use crate::fault::LibraryFault;
-use crate::folders::make_folder_of;
 use crate::partial::PartialFile;
-use crate::paths::{folder_of, relative_path, resolved};
+use crate::paths::{folder_of, make_folder_of, relative_path, resolved};
 use crate::run::record::Record;
 use crate::run::resume::PreviousRun;
 use crate::run::summary_lines::SummaryFormat;

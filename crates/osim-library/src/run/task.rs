@@ -12,8 +12,8 @@ use osim_model::messages::{Input, Phrase, phrase};
 use osim_planning::PreparedChange;
 use osim_requests::options::OutputOptions;
 
-use crate::digest::{self, NameDigest, sha256};
 use crate::fault::LibraryFault;
+use crate::file_access::{NameDigest, digest_of_name, sha256};
 use crate::paths::Resolver;
 use crate::source::{OrdinaryFiles, Source};
 
@@ -114,7 +114,7 @@ impl Destination {
         }
     }
 
-    pub fn of_source(source: &Source, output: &OutputOptions) -> Self {
+    fn of_source(source: &Source, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };
         }
@@ -178,7 +178,7 @@ impl<'p> PathConflicts<'p> {
     }
 
     /// Adds a file that is read for one model, perhaps after other models were written.
-    pub fn add_input_of_model(&mut self, path: impl Into<Cow<'p, Path>>) {
+    pub(crate) fn add_input_of_model(&mut self, path: impl Into<Cow<'p, Path>>) {
         self.count_input(path.into(), 1);
     }
 
@@ -217,7 +217,11 @@ impl<'p> PathConflicts<'p> {
     ///
     /// # Errors
     /// It is changed or read for another model, too.
-    pub fn add_changed_in_place(&mut self, path: &Path, owner: PathOwner<'p>) -> Result<(), LibraryFault> {
+    pub(crate) fn add_changed_in_place(
+        &mut self,
+        path: &Path,
+        owner: PathOwner<'p>,
+    ) -> Result<(), LibraryFault> {
         let real = self.digest_without_case(path);
         if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
             return Err(LibraryFault::new(format!(
@@ -250,7 +254,7 @@ impl<'p> PathConflicts<'p> {
             Ok(text) => text.to_lowercase().into(),
             Err(name) => name,
         };
-        digest::digest_of_name(&name)
+        digest_of_name(&name)
     }
 }
 

@@ -8,7 +8,7 @@ use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
 use crate::fault::LibraryFault;
-use crate::folders::make_folder_of;
+use crate::paths::make_folder_of;
 use crate::run::task::{Destination, Task};
 use crate::source::{Origin, Stamp};
 use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};

@@ -11,9 +11,8 @@ use osim_model::FileId;
 use osim_model::files::{Failure, FileError, Files, ModelFiles};
 use osim_requests::options::SetFiles;
 
-use crate::digest::sha256;
 use crate::fault::{Context, LibraryFault};
-use crate::file_access::{self, FileKinds};
+use crate::file_access::{self, FileKinds, sha256};
 use crate::paths::folder_of;
 use crate::source::sources::Source;
 use crate::source::workbook::workbook_as_csv;

@@ -10,8 +10,8 @@ use osim_model::files::Failure;
 use osim_requests::options::OutputOptions;
 use walkdir::{DirEntry, WalkDir};
 
-use crate::digest::{self, NameDigest};
 use crate::file_access;
+use crate::file_access::{NameDigest, digest_of_name};
 use crate::paths::{Resolver, resolved};
 
 /// The name of a folder of variants ends in this by default. Such folders are not searched for models.
@@ -206,7 +206,7 @@ struct SeenModels {
 impl SeenModels {
     fn insert(&mut self, path: &Path) -> bool {
         let real = if path.as_os_str() == "-" { path.to_owned() } else { self.resolver.resolved(path) };
-        self.files.insert(digest::digest_of_name(real.as_os_str()))
+        self.files.insert(digest_of_name(real.as_os_str()))
     }
 }
 

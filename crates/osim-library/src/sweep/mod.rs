@@ -13,16 +13,15 @@ use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, takes};
 
-use crate::digest::sha256;
 use crate::fault::{Context, LibraryFault};
 use crate::file_access;
-use crate::folders::OutputFolders;
+use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
 use crate::source::{Loaded, Origin, SWEEP_FOLDER_ENDING, Source, Stamp};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
-use crate::write::{PendingFile, WriteMode};
+use crate::write::{OutputFolders, PendingFile, WriteMode};
 
 /// A front end that starts a sweep. Threads of the sweep call its methods.
 pub trait SweepFrontEnd: Sync {
@@ -168,11 +167,16 @@ impl<'s> SweepRun<'s> {
             front_end.variant_done(matches!(made, VariantOutcome::Failed(_)));
             made
         };
-        let mut seen_contacts = SeenContacts::default();
+        // The number of the first variant for each digest of contacts.
+        let mut first_numbers: HashMap<String, usize> = HashMap::new();
         let each = |_: &usize, made: VariantOutcome| -> Result<(), LibraryFault> {
             match made {
                 VariantOutcome::Row { row, number, contacts, earlier, worse } => {
-                    seen_contacts.add(contacts, number, &mut end.same);
+                    let first = *first_numbers.entry(contacts).or_insert(number);
+                    if first != number {
+                        end.same.count += 1;
+                        end.same.first.get_or_insert((number, first));
+                    }
                     end.worse += usize::from(worse);
                     *if earlier { &mut end.earlier } else { &mut end.made } += 1;
                     table.add_bytes(&row)?;
@@ -347,25 +351,6 @@ pub struct SameContacts {
     pub count: usize,
     /// The numbers, from 1, of the first of them and of the variant with equal contacts.
     pub first: Option<(usize, usize)>,
-}
-
-/// The number of the first variant for each digest of contacts.
-#[derive(Debug, Default)]
-struct SeenContacts(HashMap<String, usize>);
-
-impl SeenContacts {
-    /// Adds the variant `number`, from 1, and counts it in `same` if another one has equal contacts.
-    fn add(&mut self, digest: String, number: usize, same: &mut SameContacts) {
-        match self.0.get(&digest) {
-            Some(&earlier) => {
-                same.count += 1;
-                same.first.get_or_insert((number, earlier));
-            }
-            None => {
-                self.0.insert(digest, number);
-            }
-        }
-    }
 }
 
 /// Models in the folder of a sweep that have names like its variants and are not among them.

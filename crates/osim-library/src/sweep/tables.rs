@@ -8,11 +8,11 @@ use std::sync::{Mutex, OnceLock};
 use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
-use crate::digest::{self, NameDigest};
 use crate::fault::{Context, LibraryFault, fault_of_error};
 use crate::file_access;
-use crate::folders::make_folder_of;
+use crate::file_access::{NameDigest, digest_of_name};
 use crate::partial::{PartialFile, end_of_lines};
+use crate::paths::make_folder_of;
 
 pub(super) struct SweepTables<'p> {
     folder: &'p Path,
@@ -232,7 +232,7 @@ fn is_sweep_table(table: &Path) -> bool {
 /// A digest of a file's name and the digest of its bytes.
 fn digest_of_file(file: &str, sha256: &str) -> NameDigest {
     // No name has a slash.
-    digest::digest_of_name(format!("{sha256}/{file}").as_ref())
+    digest_of_name(format!("{sha256}/{file}").as_ref())
 }
 
 /// Calls `each` with file and digest of every line of a table, if it exists.

@@ -12,8 +12,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{NamedTempFile, TempPath};
 
-use crate::digest::sha256_of_parts;
 use crate::file_access;
+use crate::file_access::sha256_of_parts;
 use crate::write::replace::backup_names;
 use crate::write::temporary;
 
