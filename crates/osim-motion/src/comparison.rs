@@ -4,8 +4,7 @@ use std::collections::HashMap;
 
 use osim_model::{DVec3, ForceId};
 
-use crate::states::ContactStates;
-use crate::wrench::Wrench;
+use crate::states::{ContactStates, Wrench};
 
 /// How far the forces of a model are from those that plates measured, over the frames in which both are known.
 #[derive(Debug, Clone, Copy, PartialEq)]

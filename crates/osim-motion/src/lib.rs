@@ -21,7 +21,6 @@ mod sole;
 mod states;
 mod summary;
 mod table;
-mod wrench;
 
 pub use crate::comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
@@ -32,10 +31,9 @@ pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};
 pub use crate::plates::{ExternalLoad, ExternalLoads, Plate};
 pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;
-pub use crate::states::{Belt, ContactState, ContactStates, StatesError};
+pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, StatesError, Wrench};
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
 pub use crate::table::{AngleUnit, Column, Gap, MotionFault, Table};
-pub use crate::wrench::{CentreOfPressure, Wrench};
 
 /// The example of the README compiles.
 #[cfg(doctest)]

@@ -5,8 +5,7 @@ use osim_model::Side;
 use crate::comparison::percentile;
 use crate::feet::{Foot, OFF_BW, ON_BW};
 use crate::plates::Plate;
-use crate::states::{ContactState, ContactStates};
-use crate::wrench::Wrench;
+use crate::states::{ContactState, ContactStates, Wrench};
 
 /// How it is known which foot a plate measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

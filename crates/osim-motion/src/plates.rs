@@ -2,8 +2,8 @@
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
+use crate::states::Wrench;
 use crate::table::{Column, MotionFault, Table};
-use crate::wrench::Wrench;
 
 /// A force plate with everything that it measured.
 #[derive(Debug, Clone, PartialEq)]

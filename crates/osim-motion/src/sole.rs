@@ -5,9 +5,8 @@ use osim_model::{DVec3, Model, Side};
 
 use crate::feet::ON_BW;
 use crate::pair::TouchedSurface;
-use crate::states::ContactStates;
+use crate::states::{ContactStates, Wrench};
 use crate::summary::FootSummary;
-use crate::wrench::Wrench;
 
 /// If the middles of the left and the right spheres are closer than this, it is not known what is right, m.
 const LEAST_APART_M: f64 = 1e-3;

@@ -8,8 +8,7 @@ use osim_model::DVec3;
 use crate::comparison::{Comparison, ComparisonPlane, percentile};
 use crate::feet::{Foot, ON_BW, Stance, strides};
 use crate::plate_assignment::MeasuredForces;
-use crate::states::{ContactState, ContactStates};
-use crate::wrench::{CentreOfPressure, Wrench};
+use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 
 /// One sphere along a recording.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,8 +8,7 @@ use crate::feet::{Foot, ON_BW};
 use crate::plate_assignment::MeasuredForces;
 use crate::recording::Recording;
 use crate::sole::down_in_bodies;
-use crate::states::{ContactState, ContactStates, StatesError};
-use crate::wrench::Wrench;
+use crate::states::{ContactState, ContactStates, StatesError, Wrench};
 
 /// One trial: the contacts of each foot in the frames in which the plates give its force.
 #[derive(Debug, Clone, PartialEq)]
