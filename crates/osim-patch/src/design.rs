@@ -11,12 +11,11 @@ use osim_model::{
 };
 
 use crate::builder::{NewValue, PlanBuilder, change_composite};
-use crate::change::ChangedBy;
+use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
-use crate::scaling::property_factor;
 
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -48,7 +48,6 @@ mod plan;
 mod radii;
 mod rescale;
 mod rules;
-mod scaling;
 mod set;
 mod transfer;
 

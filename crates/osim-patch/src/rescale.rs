@@ -9,10 +9,10 @@ use osim_model::{
 };
 
 use crate::builder::{NewValue, PlanBuilder};
+use crate::change::{GravityChange, property_factor};
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
-use crate::scaling::{GravityChange, property_factor};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const RESCALE_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";

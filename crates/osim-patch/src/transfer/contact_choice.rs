@@ -8,8 +8,8 @@ use osim_model::{
 };
 
 use crate::builder::{NewValue, PlanBuilder};
+use crate::change::{predsim_factor, property_factor};
 use crate::radii::Radii;
-use crate::scaling::{predsim_factor, property_factor};
 use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
 
 /// Two dimensionless contacts this close (relative) are one.

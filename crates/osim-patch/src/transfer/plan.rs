@@ -9,12 +9,11 @@ use osim_model::{
 };
 
 use crate::builder::{NewValue, PlanBuilder, change_composite};
-use crate::change::ChangedBy;
+use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
-use crate::scaling::{GravityChange, predsim_factor, property_factor};
 use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 

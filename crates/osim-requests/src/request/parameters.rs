@@ -5,12 +5,12 @@ use std::path::PathBuf;
 use contact_scaling::fit::Branch;
 use serde::{Deserialize, Serialize};
 
-use super::motion::AngleChoice;
 use crate::fault::Relation;
 use crate::options::{
     AnswerOptions, ColumnOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions,
     RunOptions, SetFiles, WantedOptions,
 };
+use crate::request::inspect::AngleChoice;
 use crate::values::serial::choices;
 use crate::values::{ContactOnset, Count, Positive, Speed, path};
 

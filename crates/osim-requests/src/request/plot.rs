@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use osim_model::messages::{Input, Phrase, phrase};
 use serde::{Deserialize, Serialize};
 
-use super::motion::AngleChoice;
 use crate::fault::{Relation, RequestFault};
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
+use crate::request::inspect::AngleChoice;
 use crate::request::knowledge::no_fig1;
 use crate::values::serial::{self, choices};
 use crate::values::{Acceleration, Dpi, FigureWidth, FontSize, Grid, Kilograms, Span, path};

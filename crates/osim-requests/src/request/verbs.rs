@@ -10,10 +10,9 @@ use crate::fault::{Relation, RequestFault};
 use crate::options::{AnswerOptions, OutputOptions, RunOptions};
 use crate::request::add::{AddRequest, TransferRequest};
 use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
-use crate::request::inspect::{CheckRequest, InspectRequest, NoteRequest};
+use crate::request::inspect::{CheckRequest, DropTestRequest, InspectRequest, MotionRequest, NoteRequest};
 use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest};
 use crate::request::library::{BatchRequest, SweepRequest};
-use crate::request::motion::{DropTestRequest, MotionRequest};
 use crate::request::parameters::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
 

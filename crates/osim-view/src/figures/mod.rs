@@ -17,16 +17,14 @@ mod curves;
 mod draw;
 mod feet;
 mod heat;
-mod indentations;
 mod motion;
 pub mod paper;
 
 pub use axes::{AxisUnits, units_for, weights_in_words};
-pub use curves::{drops, force, impact_loops, loops, state};
+pub(crate) use curves::count_above_axis;
+pub use curves::{Indentations, drops, force, impact_loops, indentations, loops, state};
 pub use draw::{data_csv, draw, draw_feet, draw_motion, failure_of_plot, paper_of, svg};
 pub(crate) use feet::feet_svg;
 pub(crate) use feet::names_of_missing_meshes;
 pub use feet::{feet, feet_remarks};
 pub use heat::heat;
-pub(crate) use indentations::count_above_axis;
-pub use indentations::{State as Indentations, indentations};
