@@ -1,13 +1,110 @@
-//! What each verb does when it is called: read, plan, write, report.
+//! What each verb does when it is called: read, plan, write, report. [`call`] finds the verb.
 
-mod calculators;
+mod answers;
 mod change;
 mod completions;
-mod dispatch;
-mod lookups;
 mod motion;
 mod plot;
 mod survey;
 mod sweep;
 
-pub(crate) use dispatch::call;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, bail};
+use osim_library::Disk;
+use osim_model::files::{CompanionPaths, Files};
+use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
+
+use crate::args::{Call, OwnVerb, RequestArgs};
+use crate::exit::Exit;
+use crate::session::{self, Language, Session};
+
+/// Runs the verb.
+///
+/// # Errors
+/// Wrong usage, found before anything was written.
+pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
+    match call {
+        Call::WithoutVerb(Request::Rescale(request)) => change::rescale(*request, true, session),
+        Call::WithoutVerb(request) | Call::Request(request) => ask(request, session),
+        Call::Own(OwnVerb::Request(args)) => ask(read_request(&args, session)?, session),
+        Call::Own(OwnVerb::Completions(args)) => completions::run(&args, session),
+        Call::Own(OwnVerb::Man(args)) => completions::manual(&args, session),
+        // Answered by clap.
+        Call::Own(OwnVerb::Help(_) | OwnVerb::Version) => Ok(Exit::Done),
+    }
+}
+
+fn ask(request: Request, session: &mut Session) -> Result<Exit> {
+    match request {
+        Request::Rescale(request) => change::rescale(*request, false, session),
+        Request::Design(request) if request.models.is_empty() => answers::design(&request, session),
+        Request::Fit(request) if !request.is_of_motion() => answers::fit(&request, session),
+        changing @ (Request::Transfer(_)
+        | Request::Add(_)
+        | Request::Convert(_)
+        | Request::Remove(_)
+        | Request::Design(_)
+        | Request::Set(_)
+        | Request::Fit(_)
+        | Request::Note(_)) => change::change_models(changing, session),
+        Request::Batch(request) => change::run_batch(&request, session),
+        Request::Sweep(request) => {
+            let exit = sweep::run(&request, session)?;
+            if !request.quiet {
+                let SweepRequest { model, choice, masses, .. } = &*request;
+                session::remark_unmatched(
+                    model.as_deref(),
+                    CompanionPaths::default(),
+                    choice,
+                    masses,
+                    session,
+                )?;
+            }
+            Ok(exit)
+        }
+        Request::Inspect(request) => survey::inspect(&request, false, session),
+        Request::Check(request) => survey::check(&request, session),
+        Request::DropTest(request) => {
+            let exit = answers::drop_test(&request, session)?;
+            let DropTestRequest { subject, compare, choice, masses, set_files, .. } = &*request;
+            let models = subject.iter().chain(compare).map(PathBuf::as_path);
+            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
+            Ok(exit)
+        }
+        Request::Motion(request) => motion::run(&request, session),
+        Request::Plot(request) => {
+            let exit = plot::run(&request, session)?;
+            let PlotRequest { models, choice, masses, set_files, .. } = &*request;
+            let models = models.iter().map(PathBuf::as_path);
+            session::remark_unmatched(models, set_files.companion_paths(), choice, masses, session)?;
+            Ok(exit)
+        }
+        Request::Reproduce(request) => answers::reproduce(&request, session),
+        Request::Presets(request) => answers::presets(&request, session),
+        Request::Explain(request) => answers::explain(&request, session),
+    }
+}
+
+/// The name of standard input.
+const STDIN: &str = "-";
+
+/// Reads a request from a file or standard input. From now on the session names options as the caller does: as fields of
+/// requests, or as arguments of the function that made the request.
+///
+/// # Errors
+/// The file cannot be read, or holds no request that makes sense.
+fn read_request(args: &RequestArgs, session: &mut Session) -> Result<Request> {
+    session.words = session::of_request(args.words);
+    session.terminal.never_break();
+    let is_stdin = args.file == Path::new(STDIN);
+    let shown = if is_stdin { "standard input".into() } else { args.file.to_string_lossy().into_owned() };
+    let bytes = Disk.read(&args.file).with_context(|| shown.clone())?;
+    let request = Request::from_json(&bytes).map_err(|fault| session.usage(&fault));
+    // Who called a function knows of no file.
+    let request = if args.words == Language::Matlab { request? } else { request.with_context(|| shown)? };
+    if is_stdin && let Some(field) = request.option_that_reads(&args.file) {
+        bail!("`{field}` is standard input, where the request itself was: put the request into a file");
+    }
+    Ok(request)
+}

@@ -1,29 +1,32 @@
-//! `design`, `drop-test`, `fit` and `reproduce`: verbs that compute and change no file.
+//! `design`, `drop-test`, `fit`, `reproduce`, `explain` and `presets`: verbs that print an answer and change no file.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, bail};
+use anyhow::{Result, anyhow, bail};
 use contact_plots::Paper;
 use osim_library::{Disk, PendingFile, WriteMode, make_folder_of};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, Verb};
-use osim_planning::{design_sheet, run_drop_test, run_fit};
+use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_requests::options::Format;
 use osim_requests::{
-    DesignRequest, DropTestRequest, FitRequest, PlotKind, PlotRequest, ReproduceRequest, RequestError,
-    SeriesFormat,
+    DesignRequest, DropTestRequest, ExplainRequest, FitRequest, PlotKind, PlotRequest, PresetsRequest,
+    ReproduceRequest, RequestError, SeriesFormat,
 };
 use osim_view::figures;
+use osim_view::report::explain::{Letters, answer};
 use osim_view::report::json::{FailureRecord, line};
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 use osim_view::report::results::{
-    DropRecord, FitRecord, design_sheet_text, drop_chart, drop_csv, drop_text, fit_text,
+    DropRecord, FitRecord, PresetRecord, design_sheet_text, drop_chart, drop_csv, drop_text, fit_text,
+    preset_text,
 };
 
 use crate::exit::Exit;
 use crate::session::Session;
+use crate::terminal::Terminal;
 
 /// Calculates and prints.
 ///
@@ -108,7 +111,7 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
 ///
 /// # Errors
 /// A file that is there already, or a folder that cannot be written.
-pub(crate) fn run(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
+pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
     let record = match ReproductionRecord::new(session.words) {
         Ok(record) => record,
@@ -167,4 +170,37 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
         prepared.push(PendingFile::new(path, text.as_bytes(), None, mode).map_err(refused)?);
     }
     prepared.into_iter().try_for_each(PendingFile::commit).map_err(refused)
+}
+
+// `explain`: equations, quantities, and the codes of findings and errors.
+
+/// Explains what is named; alone, lists everything.
+///
+/// # Errors
+/// Something that is neither an equation nor a code.
+pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
+    let words = session.words;
+    let letters = if Terminal::shows_unicode() { Letters::Unicode } else { Letters::Ascii };
+    let shown = answer(request, letters, words).map_err(|unknown| anyhow!(unknown.message(words)))?;
+    session.terminal.print_as(&shown, request.format == Format::Json)?;
+    Ok(Exit::Done)
+}
+
+// `presets`: published contacts, and the user's own.
+
+/// Lists presets, or shows one.
+///
+/// # Errors
+/// A file of presets that cannot be read, or an unknown name.
+pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
+    let presets = find_presets(request, &Disk).map_err(|fault| session.usage(&fault))?;
+    for (index, preset) in presets.iter().enumerate() {
+        let text = match request.format {
+            Format::Json => line(&PresetRecord::from(preset)),
+            _ if index == 0 => preset_text(preset),
+            _ => format!("\n{}", preset_text(preset)),
+        };
+        session.terminal.print_as(&text, request.format == Format::Json)?;
+    }
+    Ok(Exit::Done)
 }
