@@ -46,7 +46,7 @@ function fileSource({ description }) {
 /** The schema and its parts, without the form of a file name in bytes. */
 function allParts(schema) {
   const parts = (schema.anyOf ?? []).filter((part) => !part.properties?.bytes);
-  return [schema, ...parts.flatMap(flattened)];
+  return [schema, ...parts.flatMap(allParts)];
 }
 
 /** The choices of a field that takes words, factors or numbers: its pattern is `^(isometric|keep|[xX]…)$`. */
