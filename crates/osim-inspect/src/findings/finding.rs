@@ -91,7 +91,7 @@ impl<'f> FindingIndex<'f> {
         self.findings.get(*at)
     }
 
-    /// The same finding as `one`, else, if `one` is about depth, the first finding about another depth.
+    /// The finding that says what `one` says, else, if `one` is about depth, the first finding about another depth.
     pub fn find_same_or_other_depth(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
         let depths = DEPTHS.iter().filter(|code| **code != one.code() && DEPTHS.contains(&one.code()));
         let first = || self.findings.get(*depths.filter_map(|code| self.by_code.get(code)).min()?);

@@ -174,7 +174,7 @@ pub struct ObjectRecord {
 pub struct RecordingErrorsRecord {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
-    /// The same on what was not fitted.
+    /// Root mean square along the normal in frames that were not fitted, body weights.
     pub held_out_vertical_rms_bw: Option<f64>,
     /// Root mean square across the normal, body weights.
     pub horizontal_rms_bw: f64,

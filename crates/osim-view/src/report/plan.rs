@@ -34,7 +34,7 @@ pub fn text(plan: &Plan, model: &str, output: &str) -> String {
     text
 }
 
-/// The same in one line, for a run over many models.
+/// A plan in one line, for a run over many models.
 pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
         format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
@@ -54,7 +54,7 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
 
 /// Names of objects that are listed, before they are counted: a row is one line.
 const NAMED: usize = 3;
-/// The same in a table that has more columns.
+/// Names of objects that are listed in a table that has more columns.
 const NAMED_IN_ROW: usize = 2;
 
 /// Whole objects, one row for each class.

@@ -102,7 +102,7 @@ pub struct FormulaRecord {
     pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,
-    /// The same in ASCII.
+    /// The formula in ASCII.
     pub ascii: String,
     /// Unit of the result; `1` for a pure number, empty where nothing is computed.
     pub unit: &'static str,
@@ -114,7 +114,7 @@ pub struct FormulaRecord {
 pub struct SymbolRecord {
     /// The symbol in Unicode.
     pub symbol: &'static str,
-    /// The same in ASCII.
+    /// The symbol in ASCII.
     pub ascii: String,
     /// What it means.
     pub meaning: String,

@@ -39,7 +39,7 @@ pub struct MotionRecord {
     pub weight_n: f64,
     /// The mean force over whole strides, N, of the model.
     pub stride_mean_n: Option<f64>,
-    /// The same of the plates: what the subject weighs.
+    /// The mean force of the plates over whole strides, N: what the subject weighs.
     pub measured_stride_mean_n: Option<f64>,
     /// The part of whole strides in which more than one foot stands.
     pub double_support: Option<f64>,
@@ -93,7 +93,7 @@ pub struct MotionFootRecord {
     pub spheres: Vec<MotionSphereRecord>,
     /// How far the model's centre of pressure is ahead of the plates' along the foot, m: the mean over frames.
     pub cop_ahead_m: Option<f64>,
-    /// The same to the right.
+    /// How far the model's centre of pressure is to the right of the plates', m: the mean over frames.
     pub cop_right_m: Option<f64>,
     /// Beside the plates.
     pub comparison: Option<MotionComparisonRecord>,
@@ -159,11 +159,11 @@ pub struct MotionComparisonRecord {
     pub frames: usize,
     /// Root mean square of the difference along the normal of the floor, N.
     pub normal_rms_n: f64,
-    /// The same in body weights.
+    /// Root mean square of the difference along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
     /// Root mean square of the difference across the normal, N.
     pub horizontal_rms_n: f64,
-    /// The same in body weights.
+    /// Root mean square of the difference across the normal, body weights.
     pub horizontal_rms_bw: f64,
     /// The model's largest force along the normal in these frames, N.
     pub peak_n: f64,

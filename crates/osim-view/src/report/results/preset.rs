@@ -41,7 +41,7 @@ pub struct PresetRecord {
     pub hertz_smoothing: Option<f64>,
     /// OpenSim's `hunt_crossley_smoothing`, s/m.
     pub hunt_crossley_smoothing: Option<f64>,
-    /// The same without dimensions.
+    /// These contacts without dimensions.
     pub dimensionless: DimensionlessRecord,
 }
 
