@@ -84,6 +84,6 @@ function files(session: Session, source: Source, heading?: string): Option[] {
 function presets(session: Session): Option[] {
   return session.presets.value.map(({ name, file }) => {
     const option = { value: name, text: name, heading: "Presets" };
-    return file === undefined ? option : { ...option, along: { presets: file } };
+    return file === undefined ? option : { ...option, alsoSets: { presets: file } };
   });
 }
