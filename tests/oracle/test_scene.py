@@ -27,7 +27,7 @@ OWN_FRAME = {"v20303_bouncing_block.osim", "v30000_bouncing_block.osim"}
 @cache
 def scene(path):
     """The feet of a model."""
-    run = subprocess.run([command.example("scene"), str(path)], capture_output=True, text=True, check=False)
+    run = subprocess.run([command.example("foot_view"), str(path)], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     return [json.loads(line) for line in run.stdout.splitlines()]
 
