@@ -208,7 +208,9 @@ fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRow
 
 /// What `rows` finds wrong with rows: line, column and message of each.
 fn wrong(request: &BatchRequest, table: &str, folder: &Path) -> Vec<(Option<usize>, Option<usize>, String)> {
-    let CheckedRows::Wrong(wrong) = rows(request, table, folder).unwrap() else { panic!("nothing is wrong") };
+    let CheckedRows::Invalid(wrong) = rows(request, table, folder).unwrap() else {
+        panic!("nothing is wrong")
+    };
     assert!(wrong.iter().all(|failure| failure.model.to_string() == "table"), "{wrong:?}");
     wrong.into_iter().map(|failure| (failure.line, failure.column, failure.message.to_string())).collect()
 }

@@ -20,7 +20,7 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 use crate::files::RequestFiles;
-use crate::guard::{dictionary, fields_of, guarded};
+use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
 /// A record and its text.
@@ -43,7 +43,7 @@ fn unexpected(request: &Request) -> Problem {
 /// `design` without a model: the quantities, and their text.
 #[pyfunction]
 pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Answer<'py>> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let sheet = guarded(py, || Ok(design_sheet(&request!(Design, fields))?))?;
     Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet)))
 }
@@ -55,9 +55,10 @@ pub(crate) fn drop_test<'py>(
     fields: &Bound<'py, PyDict>,
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyAny>, String, Vec<String>)> {
-    let fields = fields_of(fields)?;
-    let drop =
-        guarded(py, || Ok(run_drop_test(&request!(DropTest, fields), &RequestFiles::given(&memory, true))?))?;
+    let fields = request_fields(fields)?;
+    let drop = guarded(py, || {
+        Ok(run_drop_test(&request!(DropTest, fields), &RequestFiles::from_python(&memory, true))?)
+    })?;
     let mismatches = drop.mismatches.iter();
     let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
     Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop), remarks))
@@ -70,10 +71,10 @@ pub(crate) fn motion<'py>(
     fields: &Bound<'py, PyDict>,
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyAny>, String, Bound<'py, PyDict>)> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let (result, remarks) = guarded(py, || {
         let request = request!(Motion, fields);
-        let result = run_motion(&request, &RequestFiles::given(&memory, true))?;
+        let result = run_motion(&request, &RequestFiles::from_python(&memory, true))?;
         let remarks = result.remarks(&request);
         Ok((result, remarks))
     })?;
@@ -96,17 +97,18 @@ pub(crate) fn fit<'py>(
     fields: &Bound<'py, PyDict>,
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<Answer<'py>> {
-    let fields = fields_of(fields)?;
-    let fit = guarded(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::given(&memory, true))?))?;
+    let fields = request_fields(fields)?;
+    let fit =
+        guarded(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::from_python(&memory, true))?))?;
     Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords)))
 }
 
 /// `presets`: each with its text.
 #[pyfunction]
 pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Vec<Answer<'py>>> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let presets = guarded(py, || {
-        Ok(find_presets(&request!(Presets, fields), &RequestFiles::given(&BTreeMap::new(), true))?)
+        Ok(find_presets(&request!(Presets, fields), &RequestFiles::from_python(&BTreeMap::new(), true))?)
     })?;
     presets
         .iter()
@@ -114,19 +116,19 @@ pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyRe
         .collect()
 }
 
-/// `explain`: the text, and one JSON object per line with the same.
+/// `explain`: the text for people, and its content as one JSON object per line.
 #[pyfunction]
 pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     guarded(py, || {
-        let said = |format: Option<&str>| {
+        let explanation = |format: Option<&str>| {
             let mut fields: Map<String, Value> = fields.clone();
             fields.extend(format.map(|format| ("format".to_owned(), format.into())));
             let request = request!(Explain, fields);
             answer(&request, Letters::Unicode, &PythonWords)
                 .map_err(|unknown| Problem::general("RequestError", "usage", unknown.message(&PythonWords)))
         };
-        Ok((said(None)?, said(Some("json"))?))
+        Ok((explanation(None)?, explanation(Some("json"))?))
     })
 }
 
@@ -141,6 +143,6 @@ pub(crate) fn reproduce<'py>(py: Python<'py>) -> PyResult<Answer<'py>> {
 /// The SI unit of each property by OpenSim's name, and of `location`; "" where it has none.
 #[pyfunction]
 pub(crate) fn units() -> BTreeMap<&'static str, &'static str> {
-    let own = Property::ALL.iter().map(|property| (property.name(), property.unit()));
-    own.chain([("location", "m")]).collect()
+    let properties = Property::ALL.iter().map(|property| (property.name(), property.unit()));
+    properties.chain([("location", "m")]).collect()
 }

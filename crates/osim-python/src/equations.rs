@@ -8,7 +8,7 @@ use pyo3::types::PyByteArray;
 use crate::guard::guarded;
 use crate::problem::Problem;
 use crate::scaling::{
-    Failure, MEAN_SQUARE_RADIUS, OF_SPHERES, Parameter, RULES, all, continuation_steps, rule,
+    Failure, MEAN_SQUARE_RADIUS, OF_SPHERES, Parameter, RULES, all, continuation_steps, rule_by_name,
 };
 
 /// Where the place of an element goes in a message; only Python knows the shapes of its arrays.
@@ -55,7 +55,7 @@ pub(crate) fn equation<'py>(
 ) -> PyResult<Given<Bound<'py, PyByteArray>>> {
     let values = guarded(py, || {
         let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
-        let Some(rule) = rule(rule_name.unwrap_or(OPENSIM)) else { return Err(no_rule(rule_name)) };
+        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else { return Err(no_rule(rule_name)) };
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         Ok(function.values(rule, &columns))

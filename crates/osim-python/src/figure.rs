@@ -16,7 +16,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
 use crate::files::RequestFiles;
-use crate::guard::{fields_of, guarded};
+use crate::guard::{guarded, request_fields};
 use crate::problem::Problem;
 
 /// A figure.
@@ -51,9 +51,9 @@ pub(crate) fn plot(
     fields: &Bound<'_, PyDict>,
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<Figure> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     guarded(py, move || {
-        let files = RequestFiles::given(&memory, true);
+        let files = RequestFiles::from_python(&memory, true);
         let Request::Plot(request) = Request::from_map(fields)? else {
             return Err(Problem::defect("a request for another verb".to_owned()));
         };

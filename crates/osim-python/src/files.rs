@@ -1,4 +1,4 @@
-//! Files of a request: models in memory, then the disk; what was read is kept, so that a result can travel without its disk.
+//! Files of a request: models in memory, then the disk. What was read is stored, so that a result can be made again without the disk.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -25,7 +25,7 @@ impl RequestFiles {
     }
 
     /// Files that Python gave, by name; what is not among them is on the disk, if `with_disk`.
-    pub(crate) fn given(memory: &BTreeMap<PathBuf, PyBackedBytes>, with_disk: bool) -> Self {
+    pub(crate) fn from_python(memory: &BTreeMap<PathBuf, PyBackedBytes>, with_disk: bool) -> Self {
         Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
     }
 
@@ -44,14 +44,14 @@ impl RequestFiles {
         self.read.into_inner()
     }
 
-    fn kept(&self, path: &Path, bytes: Vec<u8>) -> Vec<u8> {
+    fn record_read(&self, path: &Path, bytes: Vec<u8>) -> Vec<u8> {
         self.read.borrow_mut().insert(path.to_owned(), bytes.clone());
         bytes
     }
 
-    fn remembered(&self, path: &Path) -> Option<Result<Vec<u8>, FileError>> {
+    fn read_without_disk(&self, path: &Path) -> Option<Result<Vec<u8>, FileError>> {
         match self.memory.get(path) {
-            Some(bytes) => Some(Ok(self.kept(path, bytes.clone()))),
+            Some(bytes) => Some(Ok(self.record_read(path, bytes.clone()))),
             None if path.as_os_str() == "-" => {
                 let message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model";
                 Some(Err(FileError::new(message)))
@@ -66,11 +66,13 @@ impl RequestFiles {
 
 impl Files for RequestFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.remembered(path).unwrap_or_else(|| Disk.read(path).map(|bytes| self.kept(path, bytes)))
+        self.read_without_disk(path)
+            .unwrap_or_else(|| Disk.read(path).map(|bytes| self.record_read(path, bytes)))
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.remembered(path).unwrap_or_else(|| Disk.read_included(path).map(|bytes| self.kept(path, bytes)))
+        self.read_without_disk(path)
+            .unwrap_or_else(|| Disk.read_included(path).map(|bytes| self.record_read(path, bytes)))
     }
 
     fn exists(&self, path: &Path) -> bool {

@@ -22,33 +22,34 @@ pub(crate) fn guarded<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Problem> + Send,
 ) -> PyResult<T> {
-    let done = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
-    let done = done.unwrap_or_else(|panic| {
+    let result = py.detach(|| catch_unwind(AssertUnwindSafe(work)));
+    let result = result.unwrap_or_else(|panic| {
         let text = panic.downcast_ref::<&str>().map(|text| (*text).to_owned());
         let text = text.or_else(|| panic.downcast_ref::<String>().cloned());
         Err(Problem::defect(text.unwrap_or_else(|| "no message".to_owned())))
     });
     // Ctrl-C that came meanwhile goes before any result.
     py.check_signals()?;
-    done.map_err(|problem| problem.into_error(py))
+    result.map_err(|problem| problem.into_error(py))
 }
 
 /// The fields of a request.
 ///
 /// # Errors
 /// A value that no request can hold, such as a number that is too large.
-pub(crate) fn fields_of(fields: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
+pub(crate) fn request_fields(fields: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
     let mut all = Map::new();
     for (name, value) in fields {
         let name: String = name.extract()?;
-        let value = pythonize::depythonize(&value).map_err(|error| not_taken(&name, &value, error.into()))?;
+        let value =
+            pythonize::depythonize(&value).map_err(|error| value_fault(&name, &value, error.into()))?;
         all.insert(name, value);
     }
     Ok(all)
 }
 
 /// Why no request can hold `value`.
-fn not_taken(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
+fn value_fault(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
     let py = value.py();
     if !error.is_instance_of::<PyException>(py) {
         return error;
@@ -99,27 +100,27 @@ impl Watch {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// One more is done. To be called on the thread that Python called. An exception waits for [`ended`](Self::ended), so that
+    /// Reports that one more model is done. To be called on the thread that Python called. An exception waits for [`check_stopped`](Self::check_stopped), so that
     /// what other threads have done meanwhile is still written down.
-    pub(crate) fn one_more(&self, failed: bool) {
+    pub(crate) fn model_done(&self, failed: bool) {
         if self.is_stopped() {
             return;
         }
-        let said = Python::attach(|py| {
+        let outcome = Python::attach(|py| {
             py.check_signals()?;
             self.callback.as_ref().map_or(Ok(()), |callback| callback.call1(py, (1, failed)).map(|_| ()))
         });
-        if let Err(error) = said {
+        if let Err(error) = outcome {
             self.stopped.store(true, Ordering::Relaxed);
             *self.raised.lock().unwrap_or_else(PoisonError::into_inner) = Some(error);
         }
     }
 
-    /// What ended the work early, if anything did. To be asked when all that was done is written down.
+    /// Fails if something ended the work early. To be called when all that was done is written down.
     ///
     /// # Errors
     /// Ctrl-C, or the exception of the callback.
-    pub(crate) fn ended(&self) -> Result<(), Problem> {
+    pub(crate) fn check_stopped(&self) -> Result<(), Problem> {
         let raised = self.raised.lock().unwrap_or_else(PoisonError::into_inner).take();
         raised.map_or(Ok(()), |error| Err(Problem::raised(error)))
     }

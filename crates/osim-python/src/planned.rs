@@ -22,7 +22,7 @@ use pyo3::types::{PyBytes, PyDict, PyList};
 use serde_json::{Map, Value};
 
 use crate::files::{Memory, RequestFiles};
-use crate::guard::{dictionary, fields_of, guarded};
+use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
 /// The words of all messages.
@@ -50,9 +50,9 @@ pub(crate) fn plan(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
     with_disk: bool,
 ) -> PyResult<Planned> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     guarded(py, move || {
-        let files = RequestFiles::given(&memory, with_disk);
+        let files = RequestFiles::from_python(&memory, with_disk);
         let change = prepare(Request::from_map(fields.clone())?, &files)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::general("RequestError", "usage", "expected one model"));
@@ -207,7 +207,7 @@ impl Planned {
         py: Python<'_>,
         fields: &Bound<'_, PyDict>,
     ) -> PyResult<(Vec<PathBuf>, Vec<PathBuf>, Vec<String>)> {
-        let output = fields_of(fields)?;
+        let output = request_fields(fields)?;
         guarded(py, || {
             let output = checked_output(output)?;
             self.check_in_place(&output)?;
@@ -222,9 +222,9 @@ impl Planned {
 
 /// The requests that put each finding right, one after the other, as a JSON list; `None` where nothing does.
 pub(crate) fn remedies(found: &CheckResult) -> Vec<Option<String>> {
-    let of = |finding| {
+    let steps_to = |finding| {
         let steps: Vec<String> = found.steps_to(finding).iter().map(Request::to_json).collect();
         (!steps.is_empty()).then(|| format!("[{}]", steps.join(",")))
     };
-    found.findings.iter().map(of).collect()
+    found.findings.iter().map(steps_to).collect()
 }

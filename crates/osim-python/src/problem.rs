@@ -29,12 +29,12 @@ pub(crate) struct Problem {
     excerpt: Option<String>,
     /// Keywords that the message names, in its order.
     keywords: Vec<String>,
-    /// An exception that was there already.
+    /// An exception that Python raised before.
     raised: Option<PyErr>,
 }
 
 impl Problem {
-    /// Something of no model.
+    /// A problem that is about no model.
     pub(crate) fn general(class: &'static str, code: &'static str, message: impl Into<Phrase>) -> Self {
         let message = message.into();
         Self {
@@ -57,13 +57,13 @@ impl Problem {
     }
 
     /// Rows of a table that are wrong: nothing was written.
-    pub(crate) fn rows(wrong: &[Failure]) -> Self {
-        const SHOWN: usize = 20;
+    pub(crate) fn wrong_rows(wrong: &[Failure]) -> Self {
+        const MAX_SHOWN_ROWS: usize = 20;
         let line =
             |failure: &Failure| format!("{}: {}", failure.model, failure.message.spelled(&PythonWords));
-        let mut lines: Vec<String> = wrong.iter().take(SHOWN).map(line).collect();
-        if wrong.len() > SHOWN {
-            lines.push(format!("and {} more", wrong.len() - SHOWN));
+        let mut lines: Vec<String> = wrong.iter().take(MAX_SHOWN_ROWS).map(line).collect();
+        if wrong.len() > MAX_SHOWN_ROWS {
+            lines.push(format!("and {} more", wrong.len() - MAX_SHOWN_ROWS));
         }
         let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
         // Each line is harmless by itself; as one text, their ends would be shown as numbers.
@@ -71,7 +71,7 @@ impl Problem {
         Self { message, ..Self::general("RequestError", "usage", "") }
     }
 
-    /// An exception that was there already.
+    /// An exception that Python raised before.
     pub(crate) fn raised(error: PyErr) -> Self {
         Self { raised: Some(error), ..Self::general("ContactScaleError", "raised", "") }
     }
@@ -81,7 +81,7 @@ impl Problem {
         if let Some(raised) = self.raised.take() {
             return raised;
         }
-        let made = || -> PyResult<PyErr> {
+        let new_error = || -> PyResult<PyErr> {
             let class = py.import(MODULE)?.getattr(self.class)?;
             let fields = PyDict::new(py);
             fields.set_item("path", &self.path)?;
@@ -93,7 +93,7 @@ impl Problem {
             Ok(PyErr::from_value(error))
         };
         // Python runs while the exception is made. A Ctrl-C that comes up there must not get lost.
-        made().unwrap_or_else(|error| match error.is_instance_of::<PyException>(py) {
+        new_error().unwrap_or_else(|error| match error.is_instance_of::<PyException>(py) {
             true => PyRuntimeError::new_err(self.message.clone()),
             false => error,
         })
@@ -114,7 +114,7 @@ fn spelled(message: &Phrase) -> String {
 /// What the reader can say, as Python names it.
 fn keywords(message: &Phrase) -> Vec<String> {
     let mut all: Vec<String> =
-        message.inputs().into_iter().filter_map(|input| keyword_of(input.name())).collect();
+        message.inputs().into_iter().filter_map(|input| keyword_for_field(input.name())).collect();
     all.dedup();
     all
 }
@@ -142,12 +142,12 @@ impl From<RequestFault> for Problem {
             let example = Verb::Set.call_with_model().with_value(Input::Stiffness, "x2");
             return Self::general("RequestError", "usage", phrase!["say what to set, as in ", example]);
         }
-        if let Some(Wrong { message, keyword }) = Wrong::of(&fault) {
+        if let Some(CallFault { message, keyword }) = CallFault::from_request(&fault) {
             let problem = Self::general("RequestError", "usage", message);
             return Self { keywords: keyword.into_iter().collect(), ..problem };
         }
         let mut problem = Self::general("RequestError", "usage", fault.phrase());
-        if let Some(own) = fault.field().and_then(keyword_of) {
+        if let Some(own) = fault.field().and_then(keyword_for_field) {
             problem.keywords.retain(|keyword| *keyword != own);
             problem.keywords.insert(0, own);
         }
@@ -176,10 +176,10 @@ impl From<RequestError> for Problem {
 
 // What is wrong with a call, in Python's words. A request has the values and types of JSON; a call has keywords and Python's own.
 
-/// Letters of a value that are shown.
-const SHOWN: usize = 80;
+/// Letters of a value that are shown, at most.
+const MAX_SHOWN_LETTERS: usize = 80;
 
-/// What serde and the standard library say, beside what Python says for it.
+/// Words of serde and of the standard library, each with the words that replace them for Python.
 const REASONS: [(&str, &str); 6] = [
     ("expected a boolean", "expected True or False"),
     ("expected a sequence", "expected a text, or a list of texts"),
@@ -190,23 +190,23 @@ const REASONS: [(&str, &str); 6] = [
 ];
 
 /// What is wrong, and the keyword that it is about, where it is one.
-pub(crate) struct Wrong {
+pub(crate) struct CallFault {
     pub(crate) message: Phrase,
     pub(crate) keyword: Option<String>,
 }
 
-impl Wrong {
-    /// Of faults that JSON's words are in; none of all others.
-    pub(crate) fn of(fault: &RequestFault) -> Option<Self> {
+impl CallFault {
+    /// The fault of a request in Python's words; `None` if its own words are good for Python, too.
+    pub(crate) fn from_request(fault: &RequestFault) -> Option<Self> {
         match fault {
             RequestFault::BadValue { field, value, reason } if field == "set" => {
-                Some(Self::property(value, reason))
+                Some(Self::of_property(value, reason))
             }
-            RequestFault::BadValue { field, value, reason } => Some(Self::value(field, value, reason)),
+            RequestFault::BadValue { field, value, reason } => Some(Self::of_value(field, value, reason)),
             RequestFault::UnknownField { field, nearest } => {
-                let own = keyword_of(field).unwrap_or_else(|| field.clone());
+                let own = keyword_for_field(field).unwrap_or_else(|| field.clone());
                 let mut message = Phrase::from(format!("there is no keyword '{own}' here"));
-                if let Some(name) = nearest.as_deref().and_then(keyword_of) {
+                if let Some(name) = nearest.as_deref().and_then(keyword_for_field) {
                     message.push(&phrase![format!(": did you mean {name}=?")]);
                 }
                 Some(Self { message, keyword: Some(own) })
@@ -219,52 +219,52 @@ impl Wrong {
         }
     }
 
-    fn value(field: &str, value: &str, reason: &str) -> Self {
-        let keyword = keyword_of(field);
+    fn of_value(field: &str, value: &str, reason: &str) -> Self {
+        let keyword = keyword_for_field(field);
         let name = keyword.as_deref().map_or(String::new(), |keyword| format!("{keyword}="));
-        let reason = in_python(reason);
+        let reason = reason_in_python(reason);
         // Of a number that is too long for any message there is no value.
-        let said = match value {
+        let beginning = match value {
             "..." => keyword.clone().unwrap_or_else(|| "a value".to_owned()),
-            value => format!("{name}{}", literal_of(value)),
+            value => format!("{name}{}", python_literal(value)),
         };
-        Self { message: format!("{said}: {reason}").into(), keyword }
+        Self { message: format!("{beginning}: {reason}").into(), keyword }
     }
 
     /// Of one of the properties that are set: each is a keyword of its own.
-    fn property(all: &str, reason: &str) -> Self {
+    fn of_property(all: &str, reason: &str) -> Self {
         let assigned = reason.split_once('=').filter(|(name, _)| all.contains(&format!("{name}=")));
         let Some((name, rest)) = assigned else {
-            return Self { message: in_python(reason).into(), keyword: None };
+            return Self { message: reason_in_python(reason).into(), keyword: None };
         };
         let ends = rest.match_indices(": ").map(|(end, _)| end);
         // The value ends where the longest text ends that was given: there may be such a mark in it, too.
         let end = ends.clone().filter(|end| all.contains(&format!("{name}={}", &rest[..*end]))).last();
         let end = end.or_else(|| ends.clone().next()).unwrap_or(rest.len());
         let (value, why) = rest.split_at(end);
-        let message = format!("{name}={}{}", literal_of(value), in_python(why)).into();
+        let message = format!("{name}={}{}", python_literal(value), reason_in_python(why)).into();
         Self { message, keyword: Some(name.to_owned()) }
     }
 }
 
 /// The keyword for a field; none for what has no keyword, such as the model.
-pub(crate) fn keyword_of(field: &str) -> Option<String> {
+pub(crate) fn keyword_for_field(field: &str) -> Option<String> {
     let input = Input::ALL.iter().find(|input| input.name() == field)?;
     PythonWords.input(*input, None).split('=').next().map(str::to_owned)
 }
 
 /// What was expected, where the words are those of JSON.
-fn in_python(reason: &str) -> String {
+fn reason_in_python(reason: &str) -> String {
     let expected = reason.find(", expected").filter(|_| reason.starts_with("invalid type: "));
     let reason = expected.and_then(|place| reason.get(place + 2..)).unwrap_or(reason);
     REASONS.iter().fold(reason.to_owned(), |reason, (from, to)| reason.replace(from, to))
 }
 
 /// A value as Python writes it. `given` is a text as it is, and all else in JSON.
-fn literal_of(given: &str) -> String {
+fn python_literal(given: &str) -> String {
     match serde_json::from_str(given) {
         Ok(value @ (Value::Bool(_) | Value::Number(_) | Value::Array(_) | Value::Object(_)))
-            if given.len() <= SHOWN =>
+            if given.len() <= MAX_SHOWN_LETTERS =>
         {
             literal(&value)
         }
@@ -289,7 +289,7 @@ fn literal(value: &Value) -> String {
 
 /// A text in quotation marks; of a long one, its beginning and how long it is.
 fn text(whole: &str) -> String {
-    match whole.char_indices().nth(SHOWN) {
+    match whole.char_indices().nth(MAX_SHOWN_LETTERS) {
         None => python_quoted(whole),
         Some((end, _)) => {
             let letters = whole.chars().count();

@@ -22,7 +22,7 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 use crate::files::RequestFiles;
-use crate::guard::{Watch, dictionary, fields_of, guarded};
+use crate::guard::{Watch, dictionary, guarded, request_fields};
 use crate::planned::WORDS;
 use crate::problem::Problem;
 
@@ -45,8 +45,8 @@ impl RunFrontEnd for Reporter<'_> {
     }
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Option<Entry> {
-        let both = changed.before_after.take()?;
-        Some(entry_of_change(&changed, &both, self.detail?, WORDS))
+        let before_after = changed.before_after.take()?;
+        Some(entry_of_change(&changed, &before_after, self.detail?, WORDS))
     }
 
     fn is_interrupted(&self) -> bool {
@@ -69,7 +69,7 @@ pub(crate) fn change_many<'py>(
     call: String,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Lines<'py>> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let (records, remarks) = guarded(py, || {
         let request = Request::from_map(fields)?;
         let options = request.run_options().cloned().unwrap_or_default();
@@ -90,11 +90,11 @@ pub(crate) fn rescale_many<'py>(
     call: String,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Lines<'py>> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let (records, remarks) = guarded(py, || {
         let request = match table {
             // The request needs a name there; none of a file that is read.
-            Some(_) => Request::from_map(with_name(fields))?,
+            Some(_) => Request::from_map(with_table_name(fields))?,
             None => Request::from_map(fields)?,
         };
         let Request::Batch(mut request) = request else {
@@ -118,7 +118,7 @@ pub(crate) fn rescale_many<'py>(
         let wrong = |fault: LibraryFault| Problem::general("RequestError", "usage", fault.phrase());
         match RowReader::new(&request)?.read(&bytes, &name, &folder).map_err(wrong)? {
             CheckedRows::Run(rows) => run(rows, &request.run, call, &Watch::new(callback)),
-            CheckedRows::Wrong(wrong) => Err(Problem::rows(&wrong)),
+            CheckedRows::Invalid(rows) => Err(Problem::wrong_rows(&rows)),
         }
     })?;
     lines(py, records, remarks)
@@ -127,7 +127,7 @@ pub(crate) fn rescale_many<'py>(
 /// How messages call a table without a file.
 const TABLE: &str = "table";
 
-fn with_name(mut fields: Map<String, Value>) -> Map<String, Value> {
+fn with_table_name(mut fields: Map<String, Value>) -> Map<String, Value> {
     fields.insert("manifest".to_owned(), TABLE.into());
     fields
 }
@@ -156,13 +156,13 @@ pub(crate) fn run(
             page.add(shown.unwrap_or_else(|| entry_of_record(&outcome.record, outcome.earlier)));
         }
         records.push(outcome.record.into());
-        watch.one_more(failed);
+        watch.model_done(failed);
     };
-    let worked = run.do_tasks(&reporter, report);
+    let outcome = run.do_tasks(&reporter, report);
     // What was done before Ctrl-C is in the summary, so that a run can go on. A summary that cannot be written does not hide Ctrl-C.
     let finished = run.finish();
-    watch.ended()?;
-    worked?;
+    watch.check_stopped()?;
+    outcome?;
     finished?;
     page.map_or(Ok(()), ReportPage::finish)?;
     Ok((records, remarks))
@@ -196,7 +196,7 @@ pub(crate) fn sweep<'py>(
     fields: &Bound<'py, PyDict>,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Swept<'py>> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let ((record, manifest), failures) = guarded(py, || {
         let Request::Sweep(request) = Request::from_map(fields)? else {
             return Err(Problem::defect("a request for another verb".to_owned()));
@@ -205,18 +205,18 @@ pub(crate) fn sweep<'py>(
         sweep.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
-            let record = begun(&sweep, None).counted(sweep.count(), 0);
+            let record = sweep_record(&sweep, None).counted(sweep.count(), 0);
             return Ok(((serde_json::to_value(&record), None), failures));
         }
         let watch = Watch::new(callback);
         let end = sweep.run(&watch, |failure| {
             let failed = failure.is_some();
             failures.extend(failure);
-            watch.one_more(failed);
+            watch.model_done(failed);
         });
-        watch.ended()?;
+        watch.check_stopped()?;
         let end = end?;
-        let record = begun(&sweep, end.manifest.as_deref());
+        let record = sweep_record(&sweep, end.manifest.as_deref());
         let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
         Ok(((serde_json::to_value(&record), end.manifest), failures))
     })?;
@@ -225,8 +225,8 @@ pub(crate) fn sweep<'py>(
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
 }
 
-/// What is known before a model is made.
-fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
+/// The record of a sweep before its models are counted.
+fn sweep_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
     record.of_points(sweep.points(), sweep.point_file())
 }

@@ -16,7 +16,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
 use crate::files::RequestFiles;
-use crate::guard::{Watch, dictionary, fields_of, guarded};
+use crate::guard::{Watch, dictionary, guarded, request_fields};
 use crate::planned::{WORDS, remedies};
 use crate::problem::Problem;
 
@@ -34,9 +34,9 @@ pub(crate) fn survey<'py>(
     call: String,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<(Vec<Row<'py>>, Vec<String>, String)> {
-    let fields = fields_of(fields)?;
+    let fields = request_fields(fields)?;
     let (rows, remarks, text) = guarded(py, || {
-        let files = RequestFiles::given(&memory, true);
+        let files = RequestFiles::from_python(&memory, true);
         let request = Request::from_map(fields)?;
         let (models, inspector, report, shows_each, full) = match &request {
             // Factors of bodies have no room in a row.
@@ -104,12 +104,12 @@ fn done(
     let mut text = String::new();
     let each = |name: &str, surveyed: SurveyedModel| -> Result<(), LibraryFault> {
         text.push_str(&pieces.add(name, &surveyed));
-        watch.one_more(matches!(surveyed, SurveyedModel::Failed(_)));
+        watch.model_done(matches!(surveyed, SurveyedModel::Failed(_)));
         rows.push(surveyed);
         Ok(())
     };
     survey.run(&mut page, jobs, || watch.is_stopped(), each)?;
-    watch.ended()?;
+    watch.check_stopped()?;
     page.map_or(Ok(()), ReportPage::finish)?;
     text.push_str(&pieces.end(None));
     Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))

@@ -13,7 +13,7 @@ use contact_scaling::modulus::MixingRule;
 #[path = "../src/scaling/mod.rs"]
 mod scaling;
 
-use scaling::{Function, MEAN_SQUARE_RADIUS, OF_SPHERES, RULES, continuation_steps, rule};
+use scaling::{Function, MEAN_SQUARE_RADIUS, OF_SPHERES, RULES, continuation_steps, rule_by_name};
 
 /// Inputs and values in 50-digit arithmetic, by the function of `contact-scaling`; its tests say which tolerance it keeps.
 const REFERENCE: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
@@ -205,11 +205,14 @@ fn the_argument_that_is_refused_is_named() {
 
 #[test]
 fn the_rule_of_two_surfaces_is_a_word() {
-    assert_eq!(RULES.map(|(name, _)| rule(name)), [Some(MixingRule::Sherman), Some(MixingRule::Johnson)]);
-    assert_eq!(rule("hertz"), None);
+    assert_eq!(
+        RULES.map(|(name, _)| rule_by_name(name)),
+        [Some(MixingRule::Sherman), Some(MixingRule::Johnson)]
+    );
+    assert_eq!(rule_by_name("hertz"), None);
     // (A.4): 2^p E*, p = 1 with Johnson's rule, 3/2 with Sherman's.
     for (name, factor) in [("johnson", 2.0), ("sherman", 2.0_f64 * 2.0_f64.sqrt())] {
-        let rule = rule(name).unwrap();
+        let rule = rule_by_name(name).unwrap();
         close(
             named("plane_strain_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
             factor * 1e6,

@@ -1,4 +1,4 @@
-//! A change of one model: planned, shown, kept.
+//! A change of one model: its plan, what the page shows of it, and its report.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -19,19 +19,19 @@ use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
+use crate::given_files::GivenFiles;
 use crate::look::{FindingShown, Opened, VerdictShown, sha256};
 use crate::problem::Problem;
-use crate::shelf::Shelf;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
-const QUICK: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
+const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
 /// The new model in space.
 const SCENE: &str = "scene";
 /// Falls on the contacts before and after.
 const FALLS: &str = "falls";
 
 /// A change that is planned.
-pub(crate) struct Planned {
+pub(crate) struct PlannedChange {
     change: PreparedChange,
     opened: Rc<Opened>,
     plan: Plan,
@@ -75,7 +75,7 @@ struct ResultShown<'p> {
     bytes: usize,
 }
 
-impl Planned {
+impl PlannedChange {
     /// Plans `change` for its model, which was opened. Messages are spelled in `words`.
     ///
     /// # Errors
@@ -83,10 +83,10 @@ impl Planned {
     pub(crate) fn new(
         change: PreparedChange,
         opened: Rc<Opened>,
-        shelf: &Shelf,
+        given_files: &GivenFiles,
         words: &'static dyn FrontEnd,
     ) -> Result<Self, Problem> {
-        let (mut plan, changed) = change.plan_with_result(&opened.model, shelf)?;
+        let (mut plan, changed) = change.plan_with_result(&opened.model, given_files)?;
         plan.spell(words);
         let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(&opened.path));
         let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
@@ -111,7 +111,7 @@ impl Planned {
     }
 
     /// The files of the model as they will be.
-    fn as_files(&self) -> ModelFiles {
+    fn files_after(&self) -> ModelFiles {
         let mut after = self.opened.files.clone();
         for made in &self.results {
             match made.from {
@@ -125,23 +125,23 @@ impl Planned {
     }
 
     /// Both states of the model.
-    fn both(&self, with_feet: bool, shelf: &Shelf) -> Result<BeforeAfter, Problem> {
+    fn before_after(&self, with_feet: bool, given_files: &GivenFiles) -> Result<BeforeAfter, Problem> {
         let opened = &self.opened.model;
-        let mut both = BeforeAfter::of_plan(
+        let mut before_after = BeforeAfter::of_plan(
             &self.change,
             opened,
             &self.plan,
-            || self.as_files(),
+            || self.files_after(),
             self.words,
             with_feet,
         )?;
-        if let Some(feet) = both.feet.last_mut() {
-            feet.add_bones(&opened.model, &self.opened.path, None, shelf);
+        if let Some(feet) = before_after.feet.last_mut() {
+            feet.add_bones(&opened.model, &self.opened.path, None, given_files);
         }
-        Ok(both)
+        Ok(before_after)
     }
 
-    fn states(&self) -> BeforeAndAfterPlan<'_> {
+    fn before_after_plan(&self) -> BeforeAndAfterPlan<'_> {
         BeforeAndAfterPlan {
             change: &self.change,
             opened: &self.opened.model,
@@ -151,10 +151,10 @@ impl Planned {
     }
 
     /// What changes, with those plots of both states that are asked for.
-    fn quickly(&self, wanted: Option<&[String]>) -> Sections {
+    fn quick_sections(&self, wanted: Option<&[String]>) -> Sections {
         let drawn =
             wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
-        let bodies = if drawn { self.states().bodies() } else { Vec::new() };
+        let bodies = if drawn { self.before_after_plan().bodies() } else { Vec::new() };
         Sections::of_plan(&self.plan, &bodies, self.change.reference.as_ref(), wanted, self.words)
     }
 
@@ -162,19 +162,25 @@ impl Planned {
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
-    pub(crate) fn shown(&self, wanted: Option<&[String]>, shelf: &Shelf) -> Result<ChangeShown<'_>, Problem> {
+    pub(crate) fn shown(
+        &self,
+        wanted: Option<&[String]>,
+        given_files: &GivenFiles,
+    ) -> Result<ChangeShown<'_>, Problem> {
         let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
-        let quick = wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK.contains(&one.as_str())));
+        let quick =
+            wanted.is_some_and(|wanted| wanted.iter().all(|one| QUICK_SECTIONS.contains(&one.as_str())));
         let asks_for = |id: &str| wanted.is_some_and(|wanted| wanted.iter().any(|one| one == id));
         let (shown, findings, verdicts) = match quick {
-            true => (self.quickly(wanted), None, None),
+            true => (self.quick_sections(wanted), None, None),
             false => {
-                let both = self.both(wants("feet"), shelf)?;
-                let last = both.after.as_ref().unwrap_or(&both.before);
+                let before_after = self.before_after(wants("feet"), given_files)?;
+                let last = before_after.after.as_ref().unwrap_or(&before_after.before);
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
                 let files = if wants("files") { self.files() } else { Files::default() };
-                let changed = osim_view::html::ChangedModelOnPage::of_states(&self.plan, &both, files);
+                let changed =
+                    osim_view::html::ChangedModelOnPage::of_states(&self.plan, &before_after, files);
                 let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
@@ -191,8 +197,8 @@ impl Planned {
             explained: shown.explained,
             findings,
             verdicts,
-            scene: if asks_for(SCENE) { self.states().scene() } else { None },
-            falls: if asks_for(FALLS) { self.states().falls() } else { Vec::new() },
+            scene: if asks_for(SCENE) { self.before_after_plan().scene() } else { None },
+            falls: if asks_for(FALLS) { self.before_after_plan().falls() } else { Vec::new() },
         })
     }
 
@@ -222,12 +228,12 @@ impl Planned {
         Files { inputs: self.opened.digests(), result, outputs }
     }
 
-    /// What a report shows of it: the same as that of the command which writes its files.
+    /// What a report shows of the change: its content is that of the report by the command which writes the files.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
-    pub(crate) fn entry(&self, shelf: &Shelf) -> Result<Entry, Problem> {
-        let both = self.both(true, shelf)?;
+    pub(crate) fn entry(&self, given_files: &GivenFiles) -> Result<Entry, Problem> {
+        let before_after = self.before_after(true, given_files)?;
         let plan = &self.plan;
         let status = if plan.is_empty() { "unchanged" } else { "written" };
         let mut row = RunRow::new(self.opened.model.name().to_string(), status);
@@ -237,7 +243,7 @@ impl Planned {
         row.contacts_mass_kg = plan.masses.as_ref().map(|masses| masses.contacts_mass.kg);
         row.target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         row.changes = plan.changes.len() + plan.moves.len();
-        let mut shown = osim_view::html::ChangedModelOnPage::of_states(plan, &both, self.files());
+        let mut shown = osim_view::html::ChangedModelOnPage::of_states(plan, &before_after, self.files());
         shown.in_file = !plan.is_empty();
         Ok(osim_view::html::entry_of_changed_model(&row, shown, DetailLevel::Alone, self.words))
     }
@@ -253,20 +259,20 @@ pub(crate) struct Report {
 }
 
 /// The name of a report about the model `path`.
-pub(crate) fn name_of(path: &Path) -> String {
+pub(crate) fn report_name(path: &Path) -> String {
     path.with_extension("report.html").display().to_string()
 }
 
 impl Report {
-    /// The report about one model; `asked` is the call that would write it.
-    pub(crate) fn of(verb: Verb, model: &Path, asked: String, entry: Entry) -> Result<Self, Problem> {
+    /// The report about one model; `command` is the call that would write it.
+    pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
-        let about = About::new(verb, Some(model.display().to_string()), columns, asked);
+        let about = About::new(verb, Some(model.display().to_string()), columns, command);
         let mut page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
         page.add(entry);
         let mut bytes = Vec::new();
         page.finish(&mut bytes).map_err(Problem::defect)?;
         let html = String::from_utf8(bytes).map_err(Problem::defect)?;
-        Ok(Self { name: name_of(model), html })
+        Ok(Self { name: report_name(model), html })
     }
 }

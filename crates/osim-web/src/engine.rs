@@ -13,14 +13,14 @@ use serde::Serialize;
 use serde_json::json;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::change::{Planned, Report, name_of};
+use crate::change::{PlannedChange, Report, report_name};
+use crate::given_files::GivenFiles;
 use crate::knowledge::{self, Calls, Fields, Question};
 use crate::look::{self, Opened};
 use crate::problem::Problem;
-use crate::shelf::Shelf;
 
 /// Models that stay open: a page looks at one and compares it with another.
-const KEPT: usize = 4;
+const MAX_OPEN_MODELS: usize = 4;
 
 /// Files in memory, and what is asked about them.
 ///
@@ -38,10 +38,10 @@ const KEPT: usize = 4;
 #[wasm_bindgen]
 #[derive(Default)]
 pub struct Engine {
-    shelf: Shelf,
+    files: GivenFiles,
     /// The last one first.
     opened: Vec<Rc<Opened>>,
-    last: Option<Planned>,
+    last: Option<PlannedChange>,
 }
 
 #[wasm_bindgen]
@@ -54,24 +54,24 @@ impl Engine {
 
     /// The date, as `2026-11-25`, for the notes of models that are changed from now on.
     pub fn set_today(&mut self, date: &str) {
-        self.shelf.set_today(date);
+        self.files.set_today(date);
     }
 
     /// Adds a file, or replaces the one of that name.
     pub fn put(&mut self, name: &str, bytes: Vec<u8>) {
-        self.shelf.put(name, bytes);
+        self.files.put(name, bytes);
         self.opened.clear();
     }
 
     /// Takes a file away.
     pub fn remove(&mut self, name: &str) {
-        self.shelf.remove(name);
+        self.files.remove(name);
         self.opened.clear();
     }
 
     /// The bytes of a file, if it is there.
     pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
-        self.shelf.read(Path::new(name)).ok()
+        self.files.read(Path::new(name)).ok()
     }
 
     /// The bytes of a file that the last change makes: 0 is the model.
@@ -86,14 +86,14 @@ impl Engine {
             Err(error) => Err(Problem::question(format!("this question cannot be understood: {error}"))),
         };
         answer.unwrap_or_else(|problem| {
-            let told = json!({ "error": problem });
-            told.to_string()
+            let error = json!({ "error": problem });
+            error.to_string()
         })
     }
 }
 
 /// An answer in JSON.
-fn ok(answer: impl Serialize) -> Result<String, Problem> {
+fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
     #[derive(Serialize)]
     struct Answer<T> {
         ok: T,
@@ -105,31 +105,33 @@ impl Engine {
     fn answer(&mut self, question: Question) -> Result<String, Problem> {
         match question {
             Question::Look { model, fields, parts } => {
-                let inspector = look::inspector(&model, fields, &self.shelf)?;
+                let inspector = look::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
-                ok(look::look(&inspector, &opened, parts.as_deref(), &self.shelf)?)
+                ok_answer(look::look(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
             Question::Bones { model, fields } => {
-                let inspector = look::inspector(&model, fields, &self.shelf)?;
+                let inspector = look::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
-                ok(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.shelf))
+                ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
-            Question::Play { request } => ok(look::played(Request::from_map(request)?, &self.shelf)?),
+            Question::Play { request } => {
+                ok_answer(look::play_recording(Request::from_map(request)?, &self.files)?)
+            }
             Question::Change { request, parts } => {
                 self.last = None;
                 let planned = self.plan(Request::from_map(request)?, &Page)?;
-                let answer = ok(planned.shown(parts.as_deref(), &self.shelf)?);
+                let answer = ok_answer(planned.shown(parts.as_deref(), &self.files)?);
                 self.last = Some(planned);
                 answer
             }
-            Question::Diff => ok(json!({ "text": self.last()?.diff() })),
+            Question::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
             Question::Keep => self.keep(),
-            Question::Report { request } => ok(self.report(request)?),
-            Question::Calculate { request } => ok(knowledge::calculate(&Request::from_map(request)?)?),
-            Question::Spell { request } => ok(Calls::of(&Request::from_map(request)?)),
-            Question::Animals => ok(AnimalFall::all().map_err(Problem::defect)?),
-            Question::Explain { topic } => ok(json!({ "text": knowledge::explain(&topic)? })),
-            Question::Presets { fields } => ok(knowledge::presets(fields, &self.shelf)?),
+            Question::Report { request } => ok_answer(self.report(request)?),
+            Question::Calculate { request } => ok_answer(knowledge::calculate(&Request::from_map(request)?)?),
+            Question::Spell { request } => ok_answer(Calls::of(&Request::from_map(request)?)),
+            Question::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
+            Question::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
+            Question::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
         }
     }
 
@@ -140,22 +142,22 @@ impl Engine {
             self.opened.insert(0, Rc::clone(&opened));
             return Ok(opened);
         }
-        let opened = Rc::new(Opened::read(path, set_files, &self.shelf)?);
+        let opened = Rc::new(Opened::read(path, set_files, &self.files)?);
         self.opened.insert(0, Rc::clone(&opened));
-        self.opened.truncate(KEPT);
+        self.opened.truncate(MAX_OPEN_MODELS);
         Ok(opened)
     }
 
-    fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<Planned, Problem> {
-        let change: PreparedChange = prepare(request, &self.shelf)?;
+    fn plan(&mut self, request: Request, words: &'static dyn FrontEnd) -> Result<PlannedChange, Problem> {
+        let change: PreparedChange = prepare(request, &self.files)?;
         let [path] = change.models.as_slice() else {
             return Err(Problem::question("a change is of one model"));
         };
         let opened = self.open(&path.clone(), &change.set_files)?;
-        Planned::new(change, opened, &self.shelf, words)
+        PlannedChange::new(change, opened, &self.files, words)
     }
 
-    fn last(&self) -> Result<&Planned, Problem> {
+    fn last_change(&self) -> Result<&PlannedChange, Problem> {
         self.last.as_ref().ok_or_else(|| Problem::question("there is no change yet"))
     }
 
@@ -164,14 +166,14 @@ impl Engine {
         let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
         let mut names = Vec::new();
         if planned.is_unchanged() {
-            return ok(json!({ "model": planned.path(), "names": names }));
+            return ok_answer(json!({ "model": planned.path(), "names": names }));
         }
-        for made in planned.results {
-            let name = made.name.display().to_string();
-            self.put(&name, made.bytes);
+        for file in planned.results {
+            let name = file.name.display().to_string();
+            self.put(&name, file.bytes);
             names.push(name);
         }
-        ok(json!({ "model": names.first(), "names": names }))
+        ok_answer(json!({ "model": names.first(), "names": names }))
     }
 
     /// The report that the command would write.
@@ -182,20 +184,20 @@ impl Engine {
             let [path] = request.models.as_slice() else {
                 return Err(Problem::question("this report is about one model"));
             };
-            let inspector = Inspector::for_inspect(request, &self.shelf);
+            let inspector = Inspector::for_inspect(request, &self.files);
             let opened = self.open(path, inspector.set_files())?;
-            let entry = look::entry(&inspector, &opened, &self.shelf, &CommandLine)?;
-            return Report::of(verb, path, asked(&mut fields, path)?, entry);
+            let entry = look::entry(&inspector, &opened, &self.files, &CommandLine)?;
+            return Report::of(verb, path, report_command(&mut fields, path)?, entry);
         }
         let planned = self.plan(request, &CommandLine)?;
         let path = planned.path().to_owned();
-        let entry = planned.entry(&self.shelf)?;
-        Report::of(verb, &path, asked(&mut fields, &path)?, entry)
+        let entry = planned.entry(&self.files)?;
+        Report::of(verb, &path, report_command(&mut fields, &path)?, entry)
     }
 }
 
 /// The command that writes the report about the model `path`.
-fn asked(fields: &mut Fields, path: &Path) -> Result<String, Problem> {
-    fields.insert("report".to_owned(), name_of(path).into());
+fn report_command(fields: &mut Fields, path: &Path) -> Result<String, Problem> {
+    fields.insert("report".to_owned(), report_name(path).into());
     Ok(CommandLine.request(&Request::from_map(fields.clone())?))
 }

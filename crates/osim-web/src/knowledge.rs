@@ -8,24 +8,23 @@ use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+use crate::given_files::GivenFiles;
 use crate::problem::Problem;
-use crate::shelf::Shelf;
 
 /// What `design` computes without a model.
 #[derive(Debug, Serialize)]
-pub(crate) struct Calculated {
+pub(crate) struct Calculation {
     sheet: DesignSheet,
     text: String,
 }
 
-/// Calculates.
-pub(crate) fn calculate(request: &Request) -> Result<Calculated, Problem> {
+pub(crate) fn calculate(request: &Request) -> Result<Calculation, Problem> {
     let Request::Design(request) = request else {
         return Err(Problem::question("only a request for design calculates without a model"));
     };
     let sheet = design_sheet(request)?;
     let text = design_sheet_text(&sheet);
-    Ok(Calculated { sheet, text })
+    Ok(Calculation { sheet, text })
 }
 
 /// A preset.
@@ -37,10 +36,10 @@ pub(crate) struct PresetShown {
 }
 
 /// The presets that there are, or those of a file.
-pub(crate) fn presets(mut fields: Fields, shelf: &Shelf) -> Result<Vec<PresetShown>, Problem> {
+pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<PresetShown>, Problem> {
     fields.insert("verb".to_owned(), "presets".into());
     let Request::Presets(request) = Request::from_map(fields)? else { return Ok(Vec::new()) };
-    let presets = find_presets(&request, shelf)?;
+    let presets = find_presets(&request, files)?;
     let shown = |preset| PresetShown { record: PresetRecord::from(preset), text: preset_text(preset) };
     Ok(presets.iter().map(shown).collect())
 }

@@ -10,10 +10,10 @@
 
 mod change;
 mod engine;
+mod given_files;
 mod knowledge;
 mod look;
 mod problem;
-mod shelf;
 
 pub use crate::engine::Engine;
 pub use crate::knowledge::Question;

@@ -18,9 +18,9 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
 
+use crate::given_files::GivenFiles;
 use crate::knowledge::Fields;
 use crate::problem::Problem;
-use crate::shelf::Shelf;
 
 /// A model that was opened, with the files of a standalone set.
 #[derive(Debug)]
@@ -37,11 +37,11 @@ impl Opened {
     ///
     /// # Errors
     /// It cannot be read.
-    pub(crate) fn read(path: &Path, set_files: &SetFiles, shelf: &Shelf) -> Result<Self, Failure> {
+    pub(crate) fn read(path: &Path, set_files: &SetFiles, given_files: &GivenFiles) -> Result<Self, Failure> {
         let failed =
             |error: osim_model::files::FileError| Failure::outside(path, "unreadable", error.to_string());
-        let bytes = shelf.read(path).map_err(failed)?;
-        let all = ModelFiles::read(path, bytes, set_files.companion_paths(), shelf)?;
+        let bytes = given_files.read(path).map_err(failed)?;
+        let all = ModelFiles::read(path, bytes, set_files.companion_paths(), given_files)?;
         let files = all.with_bytes(Vec::new());
         Ok(Self { path: path.to_owned(), set_files: set_files.clone(), model: all.open()?, files })
     }
@@ -123,34 +123,38 @@ impl FindingShown {
 }
 
 /// How a model is looked at: if `from` names the one that it was scaled from, compared with that.
-pub(crate) fn inspector(model: &str, mut fields: Fields, shelf: &Shelf) -> Result<Inspector, Problem> {
+pub(crate) fn inspector(
+    model: &str,
+    mut fields: Fields,
+    given_files: &GivenFiles,
+) -> Result<Inspector, Problem> {
     let verb = if fields.contains_key("from") { Verb::Check } else { Verb::Inspect };
     fields.insert("models".to_owned(), model.into());
     match Request::read(verb, fields)? {
-        Request::Inspect(request) => Ok(Inspector::for_inspect(&request, shelf)),
-        Request::Check(request) => Ok(Inspector::for_check(&request, shelf)),
+        Request::Inspect(request) => Ok(Inspector::for_inspect(&request, given_files)),
+        Request::Check(request) => Ok(Inspector::for_check(&request, given_files)),
         other => Err(Problem::defect(format!("a request for {}", other.verb().name()))),
     }
 }
 
-/// What is known of the model, in `words`.
-fn seen(
+/// The inspection and the findings of the model, with messages in `words`.
+fn inspect_and_check(
     inspector: &Inspector,
     opened: &Opened,
-    shelf: &Shelf,
+    given_files: &GivenFiles,
     words: &dyn FrontEnd,
 ) -> Result<(Inspection, CheckResult), Problem> {
     let mut inspection = inspector.inspect(&opened.model)?;
-    let mut found = inspector.check(&opened.model.model, &inspection, None, shelf);
+    let mut found = inspector.check(&opened.model.model, &inspection, None, given_files);
     inspection.spell(words);
     found.spell(words);
     Ok((inspection, found))
 }
 
 /// The feet of the model with its bones, where a page can show them.
-fn feet(inspector: &Inspector, opened: &Opened, shelf: &Shelf) -> Option<ModelFeet> {
+fn feet(inspector: &Inspector, opened: &Opened, given_files: &GivenFiles) -> Option<ModelFeet> {
     let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
-    feet.add_bones(&opened.model.model, &opened.path, None, shelf);
+    feet.add_bones(&opened.model.model, &opened.path, None, given_files);
     Some(feet)
 }
 
@@ -159,11 +163,11 @@ pub(crate) fn look(
     inspector: &Inspector,
     opened: &Opened,
     wanted: Option<&[String]>,
-    shelf: &Shelf,
+    given_files: &GivenFiles,
 ) -> Result<Look, Problem> {
-    let (inspection, found) = seen(inspector, opened, shelf, &Page)?;
+    let (inspection, found) = inspect_and_check(inspector, opened, given_files, &Page)?;
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
-    let feet = wants("feet").then(|| feet(inspector, opened, shelf)).flatten();
+    let feet = wants("feet").then(|| feet(inspector, opened, given_files)).flatten();
     let digests = if wants("model") { opened.digests() } else { Vec::new() };
     let shown = InspectedModelOnPage {
         options: inspector.options(),
@@ -182,9 +186,11 @@ pub(crate) fn look(
 }
 
 /// The model along a recording.
-pub(crate) fn played(request: Request, shelf: &Shelf) -> Result<PlayedRecording, Problem> {
+pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording, Problem> {
     match request {
-        Request::Motion(request) => Ok(PlayedRecording::of(&run_motion(&request, shelf)?, &request, &Page)),
+        Request::Motion(request) => {
+            Ok(PlayedRecording::of(&run_motion(&request, given_files)?, &request, &Page))
+        }
         other => Err(Problem::question(format!("{} follows no recording", other.verb().name()))),
     }
 }
@@ -201,16 +207,16 @@ fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
 pub(crate) fn entry(
     inspector: &Inspector,
     opened: &Opened,
-    shelf: &Shelf,
+    given_files: &GivenFiles,
     words: &dyn FrontEnd,
 ) -> Result<Entry, Problem> {
-    let (inspection, found) = seen(inspector, opened, shelf, words)?;
+    let (inspection, found) = inspect_and_check(inspector, opened, given_files, words)?;
     let shown = InspectedModelOnPage {
         options: inspector.options(),
         model: &opened.model,
         examined: InspectedAndChecked { inspection: &inspection, check: &found },
         files: &opened.digests(),
-        feet: feet(inspector, opened, shelf),
+        feet: feet(inspector, opened, given_files),
         recording: None,
     };
     Ok(osim_view::html::entry_of_inspected_model(shown, DetailLevel::Alone, words))

@@ -21,7 +21,7 @@ pub(crate) struct Problem {
     line: Option<usize>,
     column: Option<usize>,
     /// The line of the file.
-    excerpt: Option<Shown>,
+    excerpt: Option<MarkedLine>,
     /// Whether it could be done if the user answered what must not be guessed.
     needs_answer: bool,
     /// Fields that the message names. The one that answers it is the first.
@@ -32,13 +32,13 @@ pub(crate) struct Problem {
 
 /// A line of a file, with what is wrong in it.
 #[derive(Debug, Serialize)]
-struct Shown {
+struct MarkedLine {
     before: String,
     marked: String,
     after: String,
 }
 
-impl Shown {
+impl MarkedLine {
     fn of(excerpt: &Excerpt) -> Self {
         let (text, Range { start, end }) = (&excerpt.text, excerpt.marked.clone());
         // A place between two letters is shown by the one that follows.
@@ -56,16 +56,16 @@ impl Shown {
 impl Problem {
     /// A question that the page should not have asked.
     pub(crate) fn question(message: impl Into<Phrase>) -> Self {
-        Self::said("usage", &message.into())
+        Self::with_code("usage", &message.into())
     }
 
     /// A defect of this program.
     pub(crate) fn defect(message: impl std::fmt::Display) -> Self {
         let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
-        Self::said("internal", &text.into())
+        Self::with_code("internal", &text.into())
     }
 
-    fn said(code: &'static str, message: &Phrase) -> Self {
+    fn with_code(code: &'static str, message: &Phrase) -> Self {
         let fields = message.inputs().into_iter().map(|input| input.name().to_owned()).collect();
         Self { code, message: message.spelled(&Page), fields, ..Self::default() }
     }
@@ -73,10 +73,10 @@ impl Problem {
 
 impl From<Failure> for Problem {
     fn from(failure: Failure) -> Self {
-        let mut problem = Self::said(failure.code, &failure.message);
+        let mut problem = Self::with_code(failure.code, &failure.message);
         // A question is answered by `yes`; the other fields in the message are those that the user gave.
         problem.fields.sort_by_key(|field| field != Input::Yes.name());
-        let excerpt = failure.excerpt.as_ref().map(Shown::of);
+        let excerpt = failure.excerpt.as_ref().map(MarkedLine::of);
         Self {
             model: Some(failure.model.to_string()),
             line: failure.line,
@@ -94,7 +94,7 @@ impl From<RequestFault> for Problem {
             RequestFault::Missing { field } | RequestFault::Needs { other: field, .. } => Some(field),
             _ => None,
         };
-        let problem = Self::said("usage", &fault.phrase());
+        let problem = Self::with_code("usage", &fault.phrase());
         let fields = match missing {
             Some(field) => vec![field.to_owned()],
             None => problem.fields,

@@ -387,7 +387,7 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
     match reader.read(&bytes, &shown, folder).map_err(|fault| session.refused(&fault))? {
         CheckedRows::Run(rows) => run(rows, &request.run, session),
-        CheckedRows::Wrong(wrong) => report(&wrong, &shown, request.run.is_json(), session),
+        CheckedRows::Invalid(wrong) => report(&wrong, &shown, request.run.is_json(), session),
     }
 }
 

@@ -23,7 +23,7 @@ pub enum CheckedRows {
     /// Every row can be done.
     Run(RunRequest),
     /// Some rows are wrong, so none is done.
-    Wrong(Vec<Failure>),
+    Invalid(Vec<Failure>),
 }
 
 /// Reads and checks the rows of a table.
@@ -66,7 +66,7 @@ impl<'r> RowReader<'r> {
         };
         let (tasks, wrong) = rows.tasks_and_failures(name);
         if !wrong.is_empty() {
-            return Ok(CheckedRows::Wrong(wrong));
+            return Ok(CheckedRows::Invalid(wrong));
         }
         if tasks.is_empty() {
             return Err(LibraryFault::new(format!(

@@ -6,7 +6,7 @@ use osim_planning::check_with_trials;
 
 /// 62 kg with the contacts and places of Falisse et al. (2022).
 const FALISSE: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
-/// The same contacts under 90 kg.
+/// 90 kg with the contacts of Falisse et al. (2022), which are for another mass.
 const UNDER_90_KG: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 /// The human of the paper's Table 1.
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");

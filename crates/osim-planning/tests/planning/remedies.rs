@@ -52,7 +52,7 @@ fn wanted(result: &CheckResult, code: FindingCode) -> WantedOptions {
     }
 }
 
-/// The same as a dictionary, with everything else that it says.
+/// All fields of the request for a design that puts this finding right, but for its verb.
 #[track_caller]
 fn design_of(result: &CheckResult, code: FindingCode) -> Value {
     let mut fields = remedy(result, code);

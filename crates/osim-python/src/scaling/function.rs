@@ -1,4 +1,4 @@
-//! One equation as a function of plain numbers, and over arrays of them.
+//! One equation as a function of plain numbers, and over arrays of them; and how it is declared.
 
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
@@ -135,3 +135,35 @@ impl<'c> Columns<'c> {
         named.any(|(&name, list)| list.len() > 1 && failure.parameter.is_none_or(|about| about == name))
     }
 }
+
+// How a function is declared: its name and arguments once, each argument with its symbol in the register.
+
+/// A [`Function`](super::Function): `name(argument: SYMBOL, another: SYMBOL = 1.0) -> what it gives, "the function of
+/// contact-scaling", value`. With `[rule]` in front it also takes the rule by which two surfaces make one modulus.
+macro_rules! function {
+    ([$rule:ident] $name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
+        function!(@of $name, $arguments, $returns, $computes,
+            $crate::scaling::Call::WithRule(|$rule, values| function!(@value values, $arguments, $value)))
+    };
+    ($name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
+        function!(@of $name, $arguments, $returns, $computes,
+            $crate::scaling::Call::Numbers(|values| function!(@value values, $arguments, $value)))
+    };
+    (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:literal, $call:expr) => {
+        $crate::scaling::Function {
+            name: stringify!($name),
+            computes: $computes,
+            parameters: &[$($crate::scaling::parameter::parameter!($argument: $symbol $(= $default)?)),+],
+            returns: $returns,
+            call: $call,
+        }
+    };
+    (@value $values:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $value:expr) => {{
+        let &[$($argument),+] = $values else {
+            return Err($crate::scaling::Failure::arguments($values.len()));
+        };
+        Ok($value)
+    }};
+}
+
+pub(super) use function;

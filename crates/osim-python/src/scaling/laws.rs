@@ -10,9 +10,8 @@ use contact_scaling::{
     patch, restitution, stiffness,
 };
 
-use crate::scaling::define::function;
 use crate::scaling::failure::Failure;
-use crate::scaling::function::Function;
+use crate::scaling::function::{Function, function};
 use crate::scaling::parameter::Returns::{Factor, Value};
 
 pub(super) const HERTZ: &[Function] = &[
@@ -176,30 +175,30 @@ pub(super) const RATIOS: &[Function] = &[
         .plane_strain_modulus()),
     function!(dissipation(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(ALPHA), "Ratios::dissipation",
-        of_size(radius_ratio, gravity_ratio)?.dissipation()),
+        size_ratios(radius_ratio, gravity_ratio)?.dissipation()),
     function!(dissipation_by_mass(mass_ratio: MASS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(ALPHA), "Ratios::dissipation_by_mass",
         Ratios::new(RatioValues { mass: mass_ratio, gravity: gravity_ratio, ..Ratios::identity().values() })?
             .dissipation_by_mass()),
     function!(constant_contact_force(radius_ratio: RADIUS_RATIO)
         -> Factor(CF), "Ratios::constant_contact_force",
-        of_size(radius_ratio, 1.0)?.constant_contact_force()),
+        size_ratios(radius_ratio, 1.0)?.constant_contact_force()),
     function!(hertz_smoothing(radius_ratio: RADIUS_RATIO)
         -> Factor(BD), "Ratios::hertz_smoothing",
-        of_size(radius_ratio, 1.0)?.hertz_smoothing()),
+        size_ratios(radius_ratio, 1.0)?.hertz_smoothing()),
     function!(hunt_crossley_smoothing(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(BV), "Ratios::hunt_crossley_smoothing",
-        of_size(radius_ratio, gravity_ratio)?.hunt_crossley_smoothing()),
+        size_ratios(radius_ratio, gravity_ratio)?.hunt_crossley_smoothing()),
     function!(transition_velocity(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(V_T), "Ratios::transition_velocity",
-        of_size(radius_ratio, gravity_ratio)?.transition_velocity()),
+        size_ratios(radius_ratio, gravity_ratio)?.transition_velocity()),
     function!(viscous_friction(radius_ratio: RADIUS_RATIO, gravity_ratio: GRAVITY_RATIO = 1.0)
         -> Factor(U_V), "Ratios::viscous_friction",
-        of_size(radius_ratio, gravity_ratio)?.viscous_friction()),
+        size_ratios(radius_ratio, gravity_ratio)?.viscous_friction()),
 ];
 
 /// Ratios in which only size and gravity matter.
-fn of_size(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
+fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
     Ratios::new(RatioValues { radius, gravity, ..Ratios::identity().values() })
 }
 

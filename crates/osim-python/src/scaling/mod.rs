@@ -6,12 +6,10 @@
 //!
 //! What an equation says, its number, its units and what its symbols mean come from the register of `contact-scaling`.
 
-mod define;
 mod failure;
 mod function;
 mod laws;
 mod parameter;
-mod rule;
 mod smooth;
 mod spheres;
 mod text;
@@ -19,8 +17,7 @@ mod text;
 pub(crate) use failure::Failure;
 pub(crate) use function::{Call, Function};
 pub(crate) use laws::continuation_steps;
-pub(crate) use parameter::Parameter;
-pub(crate) use rule::{RULES, rule};
+pub(crate) use parameter::{Parameter, RULES, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, OF_SPHERES};
 
 /// All functions that take numbers, in the order of the paper.

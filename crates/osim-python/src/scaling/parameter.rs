@@ -1,6 +1,7 @@
-//! An argument of an equation.
+//! An argument of an equation, what an equation gives, and the rule by which two surfaces make one modulus.
 
 use contact_scaling::equations::symbols::Symbol;
+use contact_scaling::modulus::MixingRule;
 
 /// An argument of an equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,3 +31,26 @@ impl Returns {
         }
     }
 }
+
+/// The rules by which two surfaces make one modulus, by their names in Python; the first is OpenSim's, and the default.
+pub(crate) const RULES: [(&str, MixingRule); 2] =
+    [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
+
+pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
+    RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
+}
+
+/// A [`Parameter`](super::Parameter): `name: SYMBOL`, or `name: SYMBOL = 1.0`.
+macro_rules! parameter {
+    ($name:ident: $symbol:ident $(= $default:literal)?) => {
+        $crate::scaling::Parameter {
+            name: stringify!($name),
+            symbol: contact_scaling::equations::symbols::$symbol,
+            default: $crate::scaling::parameter::parameter!(@default $($default)?),
+        }
+    };
+    (@default) => { None };
+    (@default $default:literal) => { Some($default) };
+}
+
+pub(super) use parameter;

@@ -5,8 +5,7 @@ use contact_scaling::equations::symbols::{
 };
 use contact_scaling::{DomainError, Hertz, SmoothSphere, SmoothingValues, smoothing};
 
-use crate::scaling::define::function;
-use crate::scaling::function::Function;
+use crate::scaling::function::{Function, function};
 use crate::scaling::laws::hertz;
 use crate::scaling::parameter::Returns::Value;
 

@@ -6,10 +6,9 @@ use contact_scaling::{
     DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
 };
 
-use crate::scaling::define::parameter;
 use crate::scaling::failure::Failure;
 use crate::scaling::function::{Columns, forms};
-use crate::scaling::parameter::{Parameter, Returns};
+use crate::scaling::parameter::{Parameter, Returns, parameter};
 use crate::scaling::text::{Argument, docstring};
 
 /// An equation over spheres, whose bottoms are level or each at its own height.

@@ -3,8 +3,7 @@
 use contact_scaling::equations::symbols::{P, Symbol};
 use contact_scaling::equations::{Equation, Form, reference};
 
-use super::parameter::{Parameter, Returns};
-use super::rule::RULES;
+use super::parameter::{Parameter, RULES, Returns};
 
 /// What an array is called that may also be one number.
 const ARRAY: &str = "float or array_like";

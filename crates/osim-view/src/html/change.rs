@@ -15,7 +15,8 @@ use crate::html::special::{Drawn, Facts, deepest};
 use crate::html::sphere_figures::{self, State};
 use crate::html::{findings, plots, reference};
 use crate::report::plan::{
-    centre, groups, is_new, moves_of_others, names, object_groups, several_groups, whose,
+    centre, groups, is_new, moves_of_others, name_or_count, names, object_groups,
+    properties_in_several_groups,
 };
 
 /// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
@@ -241,7 +242,7 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     }
     let groups = groups(&plan.changes);
     // Names are shown only if a property has several groups of objects with different numbers.
-    let several = several_groups(&groups);
+    let several = properties_in_several_groups(&groups);
     let is_named =
         |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
     let rows: Vec<Markup> =
@@ -262,7 +263,7 @@ fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool
     html! {
         tr {
             th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
-            td.words { (whose(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed_names(&names(group))) } } }
+            td.words { (name_or_count(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed_names(&names(group))) } } }
             td { (readable(first.from)) }
             td { b { (readable(first.to)) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }

@@ -51,14 +51,14 @@ impl Columns {
         }
     }
 
-    fn of_failures(self) -> &'static str {
+    fn failures_caption(self) -> &'static str {
         match self {
             Self::Changes => "Nothing was written for these models. Codes are explained below.",
             Self::Inspections => "These models could not be read or checked. Codes are explained below.",
         }
     }
 
-    fn explained(self) -> &'static str {
+    fn caption(self) -> &'static str {
         match self {
             Self::Changes => {
                 "Old → new. Made for: the body mass that the contacts are made for. ×: new over old; “unequal” where it is not \
@@ -81,7 +81,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
         @for text in left_out { p.aside { (text) } }
     };
     let head = html! {
-        caption { span { (columns.explained()) } }
+        caption { span { (columns.caption()) } }
         thead { tr { th scope="col" { "model" } @for header in columns.headers() { (header_cell(header)) } } }
     };
     let (before, head) = (before.0, head.0);
@@ -103,7 +103,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topic
                 td.words colspan=(columns.headers().len()) { (entry.outcome) (code(entry, topics)) }
             } @else {
                 td.words { (entry.outcome) @if entry.earlier { (EARLIER_MARK) } }
-                @for cell in &entry.cells { (of_cell(cell)) }
+                @for cell in &entry.cells { (table_cell(cell)) }
                 @if empty > 0 { td colspan=(empty) {} }
             }
         }
@@ -111,7 +111,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topic
     format!("{}\n", row.0)
 }
 
-fn of_cell(cell: &Cell) -> Markup {
+fn table_cell(cell: &Cell) -> Markup {
     html! {
         td class=[cell.class()] {
             (cell.text) @if !cell.second_line.is_empty() { @if !cell.text.is_empty() { " " br; } span.quiet { (cell.second_line) } }
@@ -135,7 +135,7 @@ pub(super) fn failures_opening(columns: Columns) -> String {
         h3 { (title) }
     };
     let table = html! {
-        caption { span { (columns.of_failures()) } }
+        caption { span { (columns.failures_caption()) } }
         thead { tr { th scope="col" { "model" } (header_cell(" what is wrong")) (header_cell(" code")) } }
     };
     let (head, table) = (head.0, table.0);

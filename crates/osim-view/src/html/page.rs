@@ -11,7 +11,7 @@ use crate::html::fragment::Fragment;
 use crate::html::glance::{self, PageCounts};
 use crate::html::models_table::{self, Columns};
 use crate::html::shell;
-use crate::html::special::{Chosen, MOST};
+use crate::html::special::{Chosen, MAX_DRAWN};
 
 /// Models of a library that are shown in full; the others are rows of the table.
 const MOST_IN_FULL: usize = 1000;
@@ -213,7 +213,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
                 self.dialect.command(&call)
             ));
         }
-        if self.chosen.models() > MOST {
+        if self.chosen.models() > MAX_DRAWN {
             let plot = Verb::Plot
                 .call_with_model()
                 .with_value(Input::Kind, "force")
@@ -221,7 +221,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             remarks_on_omissions.push(format!(
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",
-                MOST,
+                MAX_DRAWN,
                 models_table::SECTION.1,
                 self.dialect.command(&plot)
             ));

@@ -14,12 +14,12 @@ use crate::html::fragment::{Fragment, Section, table};
 use crate::report::results::motion_feet;
 
 const CONTACTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
-/// For a page that has room for it; reports have the three others.
+/// The section that reports leave out, and that the page adds.
 const STATE: (&str, &str) = ("state", "Contact state against indentation");
 /// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
 /// A fall from a quarter of the radius, as in the paper's drop tests.
-const HEIGHT: DropHeight = DropHeight::Radii(0.25);
+const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
 /// The section: what `bodies`, states of one model, do.
 ///
@@ -37,11 +37,11 @@ pub(super) fn contact_section(
 
 /// The section about the contact state of a smoothed law, if it is asked for; there is none without smoothing.
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
-    let svg = fragment.is_named(STATE.0).then(|| state(bodies).ok()).flatten();
+    let svg = fragment.is_named(STATE.0).then(|| state_svg(bodies).ok()).flatten();
     if let Some(svg) = svg {
         let what = "How softly contact sets in: from 0, no contact, to 1. Where curves lie on each other, the smoothing without \
                     dimensions is the same.";
-        fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot(what, &svg)) } });
+        fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot_with_caption(what, &svg)) } });
     }
 }
 
@@ -58,51 +58,51 @@ pub(super) fn figures(bodies: &[Body], has_reference: bool, dialect: &dyn Dialec
         "Force of a sphere that is pressed into the ground."
     };
     let drawn = [
-        (pressed, force(bodies)),
+        (pressed, force_svg(bodies)),
         (
             "Force while a sphere goes in and out. The area inside is the energy that dissipation takes.",
-            loops(bodies),
+            loops_svg(bodies),
         ),
         (
             "A fall from a quarter of the radius, against time in seconds (A) and without dimensions (B).",
-            drops(bodies),
+            drops_svg(bodies),
         ),
     ];
     let mut reasons: Vec<String> =
         drawn.iter().filter_map(|(_, drawn)| Some(drawn.as_ref().err()?.message.spelled(dialect))).collect();
     reasons.dedup();
     html! {
-        div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot(what, svg)) } } }
+        div.plots { @for (what, drawn) in &drawn { @if let Ok(svg) = drawn { (plot_with_caption(what, svg)) } } }
         @for reason in reasons { p.aside { "Not drawn: " (reason) "." } }
     }
 }
 
-fn plot(what: &str, svg: &str) -> Markup {
+fn plot_with_caption(what: &str, svg: &str) -> Markup {
     html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } }
 }
 
-/// What was drawn. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
-fn drawn(bodies: &[Body], figure: Result<Figure, Failure>) -> Result<String, Failure> {
+/// A figure as SVG. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
+fn svg_or_failure(bodies: &[Body], figure: Result<Figure, Failure>) -> Result<String, Failure> {
     let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
     svg.map_err(|error| Failure::outside(name(), "plot", error.to_string()))
 }
 
-fn force(bodies: &[Body]) -> Result<String, Failure> {
-    drawn(bodies, figures::force(bodies, UNITS, None, Some("Force against indentation")))
+fn force_svg(bodies: &[Body]) -> Result<String, Failure> {
+    svg_or_failure(bodies, figures::force(bodies, UNITS, None, Some("Force against indentation")))
 }
 
-fn state(bodies: &[Body]) -> Result<String, Failure> {
-    drawn(bodies, figures::state(bodies, UNITS, None, Some("Contact state")))
+fn state_svg(bodies: &[Body]) -> Result<String, Failure> {
+    svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state")))
 }
 
-fn loops(bodies: &[Body]) -> Result<String, Failure> {
-    drawn(bodies, figures::impact_loops(bodies, UNITS, HEIGHT, Some("Dissipation")))
+fn loops_svg(bodies: &[Body]) -> Result<String, Failure> {
+    svg_or_failure(bodies, figures::impact_loops(bodies, UNITS, DROP_HEIGHT, Some("Dissipation")))
 }
 
-fn drops(bodies: &[Body]) -> Result<String, Failure> {
+fn drops_svg(bodies: &[Body]) -> Result<String, Failure> {
     let from = "a quarter of the sphere radius";
-    drawn(bodies, figures::drops(bodies, HEIGHT, from, None, Some("Drop test")))
+    svg_or_failure(bodies, figures::drops(bodies, DROP_HEIGHT, from, None, Some("Drop test")))
 }
 
 // The feet of a model on a page.
@@ -116,8 +116,8 @@ pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
     }
 }
 
-/// Meshes that are listed; more are counted.
-const LISTED: usize = 12;
+/// Meshes that are listed; of more, the page says how many.
+const MAX_LISTED_MESHES: usize = 12;
 
 /// The figure with its caption.
 pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
@@ -133,7 +133,7 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     Some(html! {
         figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
-            p.aside { "No bones are drawn of " (osim_model::messages::listed(&missing, LISTED)) ": they are neither beside the model nor in its folder Geometry." }
+            p.aside { "No bones are drawn of " (osim_model::messages::listed(&missing, MAX_LISTED_MESHES)) ": they are neither beside the model nor in its folder Geometry." }
         }
     })
 }
@@ -147,13 +147,13 @@ pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn 
             (result.motion.to_string()) ": " (result.states.frames()) " frames."
         }
         ul { @for remark in remarks { li { (as_sentence(&remark.message.spelled(dialect))) } } }
-        (feet(result))
+        (feet_table(result))
         (recording_figure(result, dialect))
     };
     Section { id: "recording", title: "Contacts along the recording", html: body.0 }
 }
 
-fn feet(result: &MotionResult) -> Markup {
+fn feet_table(result: &MotionResult) -> Markup {
     let (columns, rows) = motion_feet(result);
     let rows: Vec<Markup> = rows
         .iter()

@@ -11,32 +11,33 @@ use crate::report::extent::Extent;
 use crate::report::similarity::{about, cells, gaps, headings};
 
 pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
-/// Contacts whose numbers differ by less (relative) are one.
-const SAME: f64 = 1e-9;
+/// Numbers are equal if they differ by less, relative to the larger one.
+const EQUAL_WITHIN: f64 = 1e-9;
 
 type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
 
 /// The section: `bodies` are the states of the model, before and after.
 pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[Body]) {
-    let Some(own) = &reference.body else { return };
+    let Some(body) = &reference.body else { return };
     let states: Vec<(&str, Contacts<'_>)> =
         bodies.iter().filter_map(|body| Some((body.name.as_str(), body.dimensionless().ok()?))).collect();
     // A transfer that scales no gravity takes the contacts as they are under the gravity of the model.
     let gravity = bodies.last().and_then(|body| body.weight().ok()).map(|weight| weight.gravity_m_s2);
-    let here = gravity.map(|gravity| under(own, gravity));
-    let (Ok(there), Some(Ok(there_here))) = (own.dimensionless(), here.as_ref().map(Body::dimensionless))
+    let moved_body = gravity.map(|gravity| with_gravity(body, gravity));
+    let (Ok(in_own_gravity), Some(Ok(in_model_gravity))) =
+        (body.dimensionless(), moved_body.as_ref().map(Body::dimensionless))
     else {
         return;
     };
     let last = states.last().map(|(_, last)| last);
-    let equal = |there: &Contacts<'_>| last.is_some_and(|last| all_agree(last, there));
-    let own_gravity = equal(&there) || !equal(&there_here);
-    let shown = if own_gravity { &there } else { &there_here };
+    let equal = |reference: &Contacts<'_>| last.is_some_and(|last| all_agree(last, reference));
+    let has_own_gravity = equal(&in_own_gravity) || !equal(&in_model_gravity);
+    let shown = if has_own_gravity { &in_own_gravity } else { &in_model_gravity };
     let mut rows: Vec<Markup> = shown.iter().map(|contact| row("reference", contact)).collect();
     for (state, contacts) in &states {
         rows.extend(contacts.iter().map(|contact| row(state, contact)));
     }
-    let name = match gravity.filter(|_| !own_gravity) {
+    let name = match gravity.filter(|_| !has_own_gravity) {
         Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
         None => reference.name.clone(),
     };
@@ -46,19 +47,19 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
     let body = html! {
         p { (verdict(&name, equal(shown), states.len() > 1)) }
         (table("Contacts beside the reference's", caption, &headers, &rows))
-        (parameters(own, bodies))
+        (parameters(body, bodies))
     };
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
 /// The reference in one clause, for a page about many models.
 pub(super) fn in_words(reference: &ReferenceState) -> String {
-    let Some(own) = &reference.body else { return reference.name.clone() };
-    let weight = own
+    let Some(body) = &reference.body else { return reference.name.clone() };
+    let weight = body
         .weight()
         .ok()
         .map(|weight| format!(" ({} kg, n = {})", readable(weight.mass_kg), readable(weight.sphere_count)));
-    let contacts = own.dimensionless().unwrap_or_default();
+    let contacts = body.dimensionless().unwrap_or_default();
     let kinds = contacts.iter().map(|(kind, contact)| {
         let (modulus, damping) = (kind.contact.plane_strain_modulus(), kind.contact.dissipation());
         format!(
@@ -78,7 +79,7 @@ fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
     let named =
         std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
     let rows: Vec<Markup> = named
-        .flat_map(|(state, body)| body.kinds.iter().map(move |kind| of_kind(state, body, kind)))
+        .flat_map(|(state, body)| body.kinds.iter().map(move |kind| parameter_row(state, body, kind)))
         .collect();
     let caption = "The same contacts with dimensions: body mass, n (spheres that share the weight), R, and the properties of the \
                    force. They differ from the reference's as the bodies do.";
@@ -97,7 +98,7 @@ fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
     table("Parameters beside the reference's", caption, &headers, &rows)
 }
 
-fn of_kind(state: &str, body: &Body, kind: &SphereKind) -> Markup {
+fn parameter_row(state: &str, body: &Body, kind: &SphereKind) -> Markup {
     let weight = body.weight().ok();
     let (contact, smoothing) = (kind.contact.values(), kind.contact.smoothing());
     let numbers = [
@@ -113,17 +114,17 @@ fn of_kind(state: &str, body: &Body, kind: &SphereKind) -> Markup {
     html! {
         tr {
             th scope="row" { (state) }
-            td.words { (of_spheres(kind)) }
+            td.words { (sphere_names(kind)) }
             @for number in numbers { td { (number.map_or_else(|| "–".to_owned(), readable)) } }
         }
     }
 }
 
-fn of_spheres(kind: &SphereKind) -> &str {
+fn sphere_names(kind: &SphereKind) -> &str {
     if kind.spheres.is_empty() { "all" } else { &kind.spheres }
 }
 
-fn under(body: &Body, gravity_m_s2: f64) -> Body {
+fn with_gravity(body: &Body, gravity_m_s2: f64) -> Body {
     let mut body = body.clone();
     if let Ok(weight) = &mut body.weight {
         weight.gravity_m_s2 = gravity_m_s2;
@@ -131,8 +132,8 @@ fn under(body: &Body, gravity_m_s2: f64) -> Body {
     body
 }
 
-fn all_agree(here: &Contacts<'_>, there: &Contacts<'_>) -> bool {
-    here.iter().all(|(_, contact)| there.iter().any(|(_, other)| agree(contact, other)))
+fn all_agree(contacts: &Contacts<'_>, reference: &Contacts<'_>) -> bool {
+    contacts.iter().all(|(_, contact)| reference.iter().any(|(_, other)| agree(contact, other)))
 }
 
 /// Whether the contact is that of the reference.
@@ -159,7 +160,7 @@ fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
         ]
     };
     numbers(one).into_iter().zip(numbers(other)).all(|pair| match pair {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME * f64::max(a.abs(), b.abs()),
+        (Some(a), Some(b)) => (a - b).abs() <= EQUAL_WITHIN * f64::max(a.abs(), b.abs()),
         _ => true,
     })
 }
@@ -169,7 +170,7 @@ fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Ma
     html! {
         tr {
             th scope="row" { (state) }
-            td.words { (of_spheres(kind)) }
+            td.words { (sphere_names(kind)) }
             td { (readable(kind.radius_m)) }
             td { (four(Some(contact.relative_indentation()))) }
             td { (four(Some(contact.dissipation()))) }

@@ -10,7 +10,7 @@ use osim_model::messages::{four_significant, readable};
 use osim_model::{FindingCode, Severity};
 use osim_planning::ModelFeet;
 
-/// Numbers of one model.
+/// The numbers of one model by which it may be special.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Facts {
     /// What it weighs, kg; after a change the mass that the new contacts carry.
@@ -42,14 +42,14 @@ impl Facts {
             mass_kg: figures.mass_kg,
             indentation: Indentation { now: deepest(figures), ..Indentation::default() },
             counts: found.counts,
-            codes: worst(found),
-            contact: body.and_then(contact),
+            codes: worst_severities(found),
+            contact: body.and_then(contact_text),
             reference: None,
         }
     }
 }
 
-fn worst(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
+fn worst_severities(found: &CheckResult) -> BTreeMap<FindingCode, Severity> {
     let mut codes: BTreeMap<FindingCode, Severity> = BTreeMap::new();
     for finding in &found.findings {
         let worst = codes.entry(finding.code()).or_insert(finding.severity);
@@ -69,7 +69,7 @@ pub(crate) fn is_too_deep(indentation: f64) -> bool {
 }
 
 /// x/R and damping of each kind of sphere, as a page shows them.
-fn contact(body: &Body) -> Option<String> {
+fn contact_text(body: &Body) -> Option<String> {
     let contacts = body.dimensionless().ok()?;
     let shown = contacts.iter().map(|(_, contact)| {
         let (depth, damping) = (contact.relative_indentation(), contact.dissipation());
@@ -82,10 +82,10 @@ fn contact(body: &Body) -> Option<String> {
 
 // Which models of a library are special, and why: those that a page draws.
 
-/// Models of a library that get plots.
-pub(crate) const MOST: usize = 10;
+/// Models of a library that get plots, at most.
+pub(crate) const MAX_DRAWN: usize = 10;
 /// Contacts without dimensions that are counted; more different ones than this have no most common one.
-const CONTACTS: usize = 256;
+const MAX_COUNTED_CONTACTS: usize = 256;
 
 #[derive(Debug, Default)]
 pub(crate) struct Drawn {
@@ -104,7 +104,7 @@ pub(crate) struct Candidate {
     pub(crate) drawn: Drawn,
 }
 
-/// The best of its kind, and its value.
+/// The model with the largest or smallest value, and that value.
 type Best = Option<(f64, Rc<Candidate>)>;
 
 /// Models that may be drawn, at most one for each reason, so that a page of any size keeps few.
@@ -121,7 +121,7 @@ pub(crate) struct Chosen {
 }
 
 impl Chosen {
-    /// The next model, in the order of the page.
+    /// Considers the next model, in the order of the page.
     pub(crate) fn offer(&mut self, number: usize, model: &str, facts: &Facts, drawn: Drawn) {
         if drawn.bodies.is_empty() && drawn.feet.is_empty() {
             return;
@@ -132,12 +132,12 @@ impl Chosen {
         if found > self.most_found.as_ref().map_or((0, 0), |(most, _)| *most) {
             self.most_found = Some((found, Rc::clone(&one)));
         }
-        keep(&mut self.deepest, facts.indentation.now, &one, |new, old| new > old);
-        keep(&mut self.shallowest, facts.indentation.now, &one, |new, old| new < old);
-        keep(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
-        keep(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
+        replace_if_better(&mut self.deepest, facts.indentation.now, &one, |new, old| new > old);
+        replace_if_better(&mut self.shallowest, facts.indentation.now, &one, |new, old| new < old);
+        replace_if_better(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
+        replace_if_better(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
         if let Some(contact) = &facts.contact {
-            let room = self.contacts.len() < CONTACTS;
+            let room = self.contacts.len() < MAX_COUNTED_CONTACTS;
             match self.contacts.get_mut(contact) {
                 Some((count, _)) => *count += 1,
                 None if room => drop(self.contacts.insert(contact.clone(), (1, Rc::clone(&one)))),
@@ -162,7 +162,7 @@ impl Chosen {
     pub(crate) fn choice(&self) -> Vec<(&Candidate, Vec<String>)> {
         let mut chosen: Vec<(&Candidate, Vec<String>)> = Vec::new();
         for (one, why) in self.extremes() {
-            let room = chosen.len() < MOST;
+            let room = chosen.len() < MAX_DRAWN;
             match chosen.iter_mut().find(|(other, _)| other.number == one.number) {
                 Some((_, reasons)) => reasons.push(why),
                 None if room => chosen.push((one, vec![why])),
@@ -174,7 +174,7 @@ impl Chosen {
             let of_severity = self.findings.iter().filter(|((_, how_bad), _)| *how_bad == severity);
             for ((code, _), (count, one)) in of_severity {
                 let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains_key(code));
-                if !shown && chosen.len() < MOST {
+                if !shown && chosen.len() < MAX_DRAWN {
                     let why = match count {
                         1 => format!("the only one with the finding {}", code.as_str()),
                         count => format!("the first of {count} with the finding {}", code.as_str()),
@@ -191,12 +191,12 @@ impl Chosen {
         if let Some((_, one)) = &self.most_found {
             reasons.push((one, format!("most errors and warnings ({})", one.facts.counts.describe("none"))));
         }
-        pair(&mut reasons, (&self.deepest, &self.shallowest), |indentation, is_deepest| {
+        add_both_extremes(&mut reasons, (&self.deepest, &self.shallowest), |indentation, is_deepest| {
             let limit = if is_too_deep(indentation) { "beyond the limit" } else { "within the limit" };
             let which = if is_deepest { "deepest" } else { "least deep" };
             format!("{which} at rest (x̂ = {}, {limit})", four_significant(indentation))
         });
-        pair(&mut reasons, (&self.heaviest, &self.lightest), |mass_kg, is_heaviest| {
+        add_both_extremes(&mut reasons, (&self.heaviest, &self.lightest), |mass_kg, is_heaviest| {
             format!("{} ({} kg)", if is_heaviest { "heaviest" } else { "lightest" }, readable(mass_kg))
         });
         let common = self.contacts.iter().filter(|(_, (count, _))| *count > 1);
@@ -211,7 +211,7 @@ impl Chosen {
     }
 }
 
-fn keep(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64, f64) -> bool) {
+fn replace_if_better(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64, f64) -> bool) {
     if let Some(value) = value
         && best.as_ref().is_none_or(|(old, _)| better(value, *old))
     {
@@ -219,8 +219,8 @@ fn keep(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64
     }
 }
 
-/// Both ends of a range, where it has two.
-fn pair<'c>(
+/// Adds the models at both ends of a range as reasons, if the ends differ.
+fn add_both_extremes<'c>(
     reasons: &mut Vec<(&'c Candidate, String)>,
     (highest, lowest): (&'c Best, &'c Best),
     why: impl Fn(f64, bool) -> String,

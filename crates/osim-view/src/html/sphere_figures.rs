@@ -14,8 +14,8 @@ use crate::report::inspection::spheres::{
 use crate::report::layout::OUTSIDE;
 
 pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
-/// Columns of numbers in one table.
-const ABREAST: usize = 6;
+/// Columns of numbers in one table, at most.
+const MAX_COLUMNS: usize = 6;
 
 /// The model's figures in one state, and what to call it.
 pub(super) struct State<'s> {
@@ -36,42 +36,42 @@ struct Lookup<'s> {
 
 impl<'s> Lookup<'s> {
     fn of(state: &State<'s>) -> Self {
-        let mut found = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
+        let mut lookup = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
         for sphere in state.figures.spheres() {
-            found.by_path.entry(&sphere.path).or_insert(sphere);
+            lookup.by_path.entry(&sphere.path).or_insert(sphere);
             if state.is_reference {
-                found.by_name.entry(&sphere.sphere).or_insert(sphere);
+                lookup.by_name.entry(&sphere.sphere).or_insert(sphere);
             }
         }
         let first = state.figures.spheres().next().filter(|_| state.is_reference);
-        found.any = first.filter(|first| {
+        lookup.any = first.filter(|first| {
             let first = key(first, Extent::Brief);
             state.figures.spheres().all(|other| key(other, Extent::Brief) == first)
         });
-        found
+        lookup
     }
 
-    /// Its sphere that `sphere` of the model is compared with: itself; in a reference that of its name, else any where all are
-    /// alike.
+    /// The sphere of this state with which `sphere` of the model is compared: the sphere with its path; in a reference also the sphere
+    /// with its name, or any sphere if all are alike.
     fn sphere_like(&self, sphere: &SphereFigures) -> Option<&'s SphereFigures> {
-        let own = self.by_path.get(sphere.path.as_str());
-        own.or_else(|| self.by_name.get(sphere.sphere.as_str())).copied().or(self.any)
+        let by_path = self.by_path.get(sphere.path.as_str());
+        by_path.or_else(|| self.by_name.get(sphere.sphere.as_str())).copied().or(self.any)
     }
 }
 
-/// Spheres that do the same in every state.
+/// Spheres with equal figures in every state.
 struct Group<'s> {
     names: Vec<&'s str>,
     limbs: Vec<&'s str>,
-    /// In each state.
+    /// One of the spheres in each state.
     spheres: Vec<Option<&'s SphereFigures>>,
     mixed: bool,
 }
 
-/// The section; with a sentence where nothing is known.
+/// Adds the section about the spheres; a sentence says why figures are missing.
 pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
     let groups = groups(states);
-    let abreast = (ABREAST / states.len().max(1)).max(1);
+    let groups_per_table = (MAX_COLUMNS / states.len().max(1)).max(1);
     let why =
         states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
     let mut body = html! {
@@ -80,17 +80,17 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
         @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution is that of a fall from a quarter of the radius, √(gR/2), unless the call says otherwise." } }
     };
     let mut outside = false;
-    for (index, chunk) in groups.chunks(abreast).enumerate() {
-        let first = index * abreast + 1;
-        let table = sheet(fragment, states, chunk, first, &mut outside);
+    for (index, chunk) in groups.chunks(groups_per_table).enumerate() {
+        let first = index * groups_per_table + 1;
+        let table = figures_table(fragment, states, chunk, first, &mut outside);
         body = html! {
             (body)
-            ul.groups { @for (index, group) in chunk.iter().enumerate() { li { b { "S" (first + index) } " " (described(group)) } } }
+            ul.groups { @for (index, group) in chunk.iter().enumerate() { li { b { "S" (first + index) } " " (names_with_limbs(group)) } } }
             (table)
         };
     }
     for state in states {
-        body = html! { (body) (standing(state)) };
+        body = html! { (body) (own_heights_table(state)) };
     }
     if outside {
         body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
@@ -98,8 +98,8 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// The spheres at their own heights, where these differ.
-fn standing(state: &State<'_>) -> Markup {
+/// The table of spheres at their own heights; nothing if all are level.
+fn own_heights_table(state: &State<'_>) -> Markup {
     let rows: Vec<Markup> = equally_deep(state.figures, Extent::Brief)
         .iter()
         .map(|row| {
@@ -151,13 +151,13 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
     groups
 }
 
-fn described(group: &Group<'_>) -> String {
+fn names_with_limbs(group: &Group<'_>) -> String {
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
     format!("{}{limbs}", listed_names(&group.names))
 }
 
-fn sheet(
+fn figures_table(
     fragment: &mut Fragment,
     states: &[State<'_>],
     groups: &[Group<'_>],
@@ -171,7 +171,7 @@ fn sheet(
     let rows: Vec<Markup> = Spheres::new(mixed, spheres().copied())
         .figures()
         .filter(|&figure| spheres().any(|sphere| value(figure, sphere, Extent::Brief).is_some()))
-        .map(|figure| line(fragment, figure, speed.filter(|_| !several), groups, outside))
+        .map(|figure| figure_row(fragment, figure, speed.filter(|_| !several), groups, outside))
         .collect();
     let caption = match states.last() {
         Some(last) if last.is_reference => {
@@ -201,7 +201,7 @@ fn sheet(
     scrollable("Figures of the spheres", &table)
 }
 
-fn line(
+fn figure_row(
     fragment: &mut Fragment,
     figure: Figure,
     speed: Option<f64>,
@@ -215,12 +215,12 @@ fn line(
         tr {
             th class=[part.then_some("part")] scope="row" { (name) }
             td { (limit(figure).replace(">=", "≥").replace("<=", "≤")) }
-            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (cell(figure, *sphere, outside)) }
+            @for sphere in groups.iter().flat_map(|group| &group.spheres) { (figure_cell(figure, *sphere, outside)) }
         }
     }
 }
 
-fn cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
+fn figure_cell(figure: Figure, sphere: Option<&SphereFigures>, outside: &mut bool) -> Markup {
     match sphere.and_then(|sphere| value(figure, sphere, Extent::Brief)) {
         None => html! { td { "–" } },
         Some(FigureText { text, outside: false }) => html! { td { (text) } },

@@ -16,21 +16,21 @@ use serde_json::ser::{CharEscape, CompactFormatter, Formatter, Serializer};
 
 /// A value as one JSON object and a line end. Numbers that are not finite become null.
 ///
-/// Letters that are not seen as they are, from names in models, are escaped as JSON has it: a terminal shows the line as it is,
-/// and a program reads back the same text.
+/// Invisible letters, which names in models may have, are written as escapes of JSON: a terminal shows the whole line, and a program
+/// reads back the text as it was.
 pub fn line(value: &impl Serialize) -> String {
     let mut bytes = Vec::new();
     // Serialising owned strings, numbers and lists cannot fail; an empty line would be seen at once if it did.
-    let done = value.serialize(&mut Serializer::with_formatter(&mut bytes, Seen));
-    let mut text = done.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default();
+    let written = value.serialize(&mut Serializer::with_formatter(&mut bytes, VisibleLetters));
+    let mut text = written.ok().and_then(|()| String::from_utf8(bytes).ok()).unwrap_or_default();
     text.push('\n');
     text
 }
 
-/// Writes compact JSON in which every letter is seen.
-struct Seen;
+/// Writes compact JSON in which every letter can be seen: it escapes the others.
+struct VisibleLetters;
 
-impl Formatter for Seen {
+impl Formatter for VisibleLetters {
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
         if fragment.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
             return writer.write_all(fragment.as_bytes());

@@ -13,7 +13,7 @@ use crate::report::messages::finding_lines;
 
 // A plan as a table: equal changes share a row.
 
-/// What was taken, changed and noticed; `output` says the outcome. What the plan says is taken as it is spelled.
+/// A plan in tables, with its remarks and findings; `output` says what was written. The messages of the plan were spelled before.
 pub fn text(plan: &Plan, model: &str, output: &str) -> String {
     let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
     if plan.is_empty() {
@@ -52,10 +52,10 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     format!("{}\n", one_line(line))
 }
 
-/// Names of objects that are listed, before they are counted: a row is one line.
-const NAMED: usize = 3;
-/// Names of objects that are listed in a table that has more columns.
-const NAMED_IN_ROW: usize = 2;
+/// Names of objects in a row of the table of objects; if there are more, the row says how many: it is one line.
+const MAX_NAMES_OF_OBJECTS: usize = 3;
+/// Names of spheres or forces in a row of the table of changes, which has more columns.
+const MAX_NAMES_OF_CHANGE: usize = 2;
 
 /// Whole objects, one row for each class.
 fn objects(objects: &[ObjectChange]) -> String {
@@ -65,7 +65,12 @@ fn objects(objects: &[ObjectChange]) -> String {
     let mut table = table(&["objects", "", "class", "names"]);
     for group in object_groups(objects) {
         let count = group.names.len().to_string();
-        table.add_row([group.action.as_str(), &count, group.class, &listed(&group.names, NAMED)]);
+        table.add_row([
+            group.action.as_str(),
+            &count,
+            group.class,
+            &listed(&group.names, MAX_NAMES_OF_OBJECTS),
+        ]);
     }
     table.right_aligned(&[1]);
     format!("{}\n", table.trim_fmt())
@@ -84,13 +89,13 @@ fn changes(plan: &Plan) -> String {
     let before = if is_new(plan) { "from" } else { "now" };
     let mut table = table(&["property", "of", before, "new", "factor", "equation"]);
     let groups = groups(changes);
-    let several = several_groups(&groups);
+    let several = properties_in_several_groups(&groups);
     for group in &groups {
         let Some(first) = group.first() else { continue };
         let of = if several.contains(&first.property) {
-            listed(&names(group), NAMED_IN_ROW)
+            listed(&names(group), MAX_NAMES_OF_CHANGE)
         } else {
-            whose(group)
+            name_or_count(group)
         };
         let factor = first.factor.map(|factor| format!("x{}", readable(factor))).unwrap_or_default();
         let equation = match first.by {
@@ -183,18 +188,18 @@ pub fn groups(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
     groups
 }
 
-/// The force or sphere of a group, or how many there are.
-pub fn whose(group: &[&NumberChange]) -> String {
-    let one = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
+/// The name of the only force or sphere of a group, or how many forces or spheres it has.
+pub fn name_or_count(group: &[&NumberChange]) -> String {
+    let name = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
     match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
-        (1, _) => one.unwrap_or_default(),
+        (1, _) => name.unwrap_or_default(),
         (count, true) => format!("{count} spheres"),
         (count, false) => format!("{count} forces"),
     }
 }
 
-/// The properties with several groups, which need names.
-pub(crate) fn several_groups(groups: &[Vec<&NumberChange>]) -> HashSet<Property> {
+/// The properties whose changes are in several groups: rows of these need the names of their spheres or forces.
+pub(crate) fn properties_in_several_groups(groups: &[Vec<&NumberChange>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
     properties.filter(|&property| !seen.insert(property)).collect()
@@ -267,10 +272,10 @@ impl Lines<'_> {
     }
 }
 
-/// Where lines begin, from 1, and how many they are. Without lines, it is the line before them.
-struct Place(u32, u32);
+/// The first line, from 0, and the number of lines, which a diff shows with lines counted from 1; of no lines, it shows the line before.
+struct LineRange(u32, u32);
 
-impl fmt::Display for Place {
+impl fmt::Display for LineRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self(start, 1) => write!(f, "{}", start + 1),
@@ -289,7 +294,7 @@ impl UnifiedDiffPrinter for Lines<'_> {
         len_before: u32,
         len_after: u32,
     ) -> fmt::Result {
-        writeln!(f, "@@ -{} +{} @@", Place(start_before, len_before), Place(start_after, len_after))
+        writeln!(f, "@@ -{} +{} @@", LineRange(start_before, len_before), LineRange(start_after, len_after))
     }
 
     fn display_context_token(&self, mut f: impl fmt::Write, token: Token) -> fmt::Result {

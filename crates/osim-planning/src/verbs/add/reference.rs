@@ -33,7 +33,7 @@ pub(super) enum Numbers {
 pub(super) struct ReferenceNumbers {
     /// The contacts, converted to the wanted class of force.
     pub(super) layout: ContactLayout,
-    /// The same contacts as a reference for scaling, which does not depend on names of forces.
+    /// The contacts as a reference for scaling, which does not depend on names of forces.
     pub(super) reference: Reference,
     pub(super) transfer_planner: TransferPlanner,
 }

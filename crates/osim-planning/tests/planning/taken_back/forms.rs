@@ -1,9 +1,9 @@
-//! The same model written otherwise. Bytes are letters here, so that every file can be written so.
+//! Other forms of a model file that OpenSim reads as one model. Bytes are letters here, so that every file can be written so.
 
 /// What a form makes of a model; `None` where it has nothing that could be written so.
 pub type Form = fn(&str) -> Option<String>;
 
-/// The same with what it is about.
+/// A form that may hold values, such as a text that it inserts.
 pub type Written = Box<dyn Fn(&str) -> Option<String>>;
 
 /// Each form with its name.

@@ -47,7 +47,7 @@ pub enum TopicRecord {
         schema_version: u32,
         /// OpenSim's name of a property, or the name of the field in JSON and CSV.
         name: &'static str,
-        /// Symbols and words for the same.
+        /// Symbols and other words for the quantity.
         symbols: &'static [&'static str],
         /// Its unit; empty for a pure number.
         unit: &'static str,
@@ -203,7 +203,7 @@ impl SymbolRecord {
     }
 }
 
-/// Explains what is named; where nothing is, lists everything.
+/// The explanation of the topics that a request names; if it names none, the list of all topics.
 ///
 /// # Errors
 /// Something that is neither an equation, a quantity nor a code.

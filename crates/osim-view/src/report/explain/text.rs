@@ -13,14 +13,14 @@ use crate::report::layout::{options, table};
 /// One topic in full.
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
-        Topic::Equation(equation) => of_equation(equation, dialect, letters),
-        Topic::Quantity(quantity) => of_quantity(quantity, dialect, letters),
-        Topic::Finding(rule) => of_finding(rule, dialect),
-        Topic::Error(error) => of_error(error, dialect),
+        Topic::Equation(equation) => equation_text(equation, dialect, letters),
+        Topic::Quantity(quantity) => quantity_text(quantity, dialect, letters),
+        Topic::Finding(rule) => finding_text(rule, dialect),
+        Topic::Error(error) => error_text(error, dialect),
     }
 }
 
-fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> String {
+fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> String {
     let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
     let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
@@ -37,11 +37,11 @@ fn of_equation(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> 
     text.push('\n');
     text.push_str(&paragraph("Source: ", &spelled(equation.source)));
     text.push_str(&paragraph("Used:   ", &uses(equation.label).spelled(dialect)));
-    text.push_str(&book("Book:   ", "equations"));
+    text.push_str(&book_line("Book:   ", "equations"));
     text
 }
 
-fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters) -> String {
+fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters) -> String {
     let mut parts =
         vec![("What:  ", quantity.what().spelled(dialect)), ("Unit:  ", quantity.unit_in_words().to_owned())];
     if !quantity.symbols.is_empty() {
@@ -57,20 +57,20 @@ fn of_quantity(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters
     format!("{} (quantity)\n\n{body}", quantity.name)
 }
 
-fn of_finding(rule: &Rule, dialect: &dyn Dialect) -> String {
+fn finding_text(rule: &Rule, dialect: &dyn Dialect) -> String {
     let repair = rule.repair.sentence().into();
     let parts =
         [("What: ", rule.what()), ("Why:  ", rule.why()), ("Do:   ", rule.advice()), ("Fix:  ", repair)];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{}\n\n{body}{}", rule.code, book("Book: ", "findings"))
+    format!("{}\n\n{body}{}", rule.code, book_line("Book: ", "findings"))
 }
 
-fn of_error(error: &ErrorCode, dialect: &dyn Dialect) -> String {
+fn error_text(error: &ErrorCode, dialect: &dyn Dialect) -> String {
     let parts = [("Means: ", error.means()), ("Do:    ", error.way_out())];
     let body: String =
         parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
-    format!("{} (error)\n\n{body}{}", error.code, book("Book:  ", "errors"))
+    format!("{} (error)\n\n{body}{}", error.code, book_line("Book:  ", "errors"))
 }
 
 /// Topics by kind, one line each.
@@ -104,8 +104,8 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted())).join("\n")
 }
 
-/// The page of the book that has all topics of this kind.
-fn book(label: &str, page: &str) -> String {
+/// The line that names the page of the book with all topics of this kind.
+fn book_line(label: &str, page: &str) -> String {
     format!("{label}docs/reference/{page}.md\n")
 }
 

@@ -26,13 +26,13 @@ pub enum Topic {
     Error(&'static ErrorCode),
 }
 
-/// A name that nothing has.
+/// A name by which no topic is called.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTopic {
     /// The name.
     pub name: String,
-    /// Names like it.
-    pub near: Vec<&'static str>,
+    /// Names of topics that are like it.
+    pub similar_names: Vec<&'static str>,
 }
 
 impl Topic {
@@ -52,12 +52,12 @@ impl Topic {
             named.split(',').map(str::trim_ascii).filter(|name| !name.is_empty()).collect();
         let by_blank: Vec<&str> = named.split([',', ' ']).filter(|name| !name.is_empty()).collect();
         for names in [&[named][..], &by_comma, &by_blank] {
-            let found: Vec<Vec<Self>> = names.iter().map(|name| called(name)).collect();
-            if found.iter().all(|topics| !topics.is_empty()) {
-                return Ok(found.concat());
+            let topics_by_name: Vec<Vec<Self>> = names.iter().map(|name| topics_called(name)).collect();
+            if topics_by_name.iter().all(|topics| !topics.is_empty()) {
+                return Ok(topics_by_name.concat());
             }
         }
-        let unknown = by_comma.into_iter().find(|name| called(name).is_empty()).unwrap_or(named);
+        let unknown = by_comma.into_iter().find(|name| topics_called(name).is_empty()).unwrap_or(named);
         Err(UnknownTopic::new(unknown))
     }
 
@@ -72,19 +72,19 @@ impl Topic {
     }
 }
 
-/// Everything called so: a code may be both a warning's and an error's.
-fn called(name: &str) -> Vec<Topic> {
+/// All topics called `name`: one code may be that of a warning and that of an error.
+fn topics_called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
     let equation = equation(name).map(Topic::Equation);
     let quantity = quantity(name).map(Topic::Quantity);
     let warning = rules::all().iter().copied().find(|rule| is_code(rule.code.as_str())).map(Topic::Finding);
     let error = errors().find(|known| is_code(known.code)).map(Topic::Error);
-    let found: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
-    if found.is_empty() && is_question(name) { questions() } else { found }
+    let topics: Vec<Topic> = [equation, quantity, warning, error].into_iter().flatten().collect();
+    if topics.is_empty() && is_kind_of_questions(name) { questions() } else { topics }
 }
 
 /// Whether `name` is the kind of all errors that ask, by the name that they have in the library.
-fn is_question(name: &str) -> bool {
+fn is_kind_of_questions(name: &str) -> bool {
     name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
 
@@ -94,36 +94,40 @@ fn questions() -> Vec<Topic> {
     errors().filter(asks).map(Topic::Error).collect()
 }
 
-/// A topic that is this like the name was probably meant; 1 is the same.
-const NEAR: f64 = 0.7;
+/// The likeness from which on a topic was probably meant; equal names have 1.
+const MIN_LIKENESS: f64 = 0.7;
 
-/// A shorter name is a part of too many.
-const LONG: usize = 5;
+/// Letters of a name from which on the names are proposed that contain it: a shorter name is a part of too many.
+const MIN_LETTERS: usize = 5;
 
-/// So many names are named, at most, that a name is a part of.
-const MOST: usize = 2;
+/// Names that are proposed, at most, because they contain the name.
+const MAX_PROPOSED: usize = 2;
 
 impl UnknownTopic {
     fn new(name: &str) -> Self {
-        let known: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
-        let likeness = |known: &str| strsim::normalized_damerau_levenshtein(name, known);
-        let nearest = known.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
-        let mut near: Vec<&'static str> = nearest.into_iter().filter(|near| likeness(near) >= NEAR).collect();
-        if near.is_empty() && name.len() >= LONG {
-            near = known.into_iter().filter(|known| known.contains(name)).collect();
-            near.dedup();
-            near.truncate(MOST);
+        let topics: Vec<&'static str> = Topic::all().into_iter().map(Topic::name).collect();
+        let likeness = |topic: &str| strsim::normalized_damerau_levenshtein(name, topic);
+        let nearest = topics.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
+        let mut similar_names: Vec<&'static str> =
+            nearest.into_iter().filter(|topic| likeness(topic) >= MIN_LIKENESS).collect();
+        if similar_names.is_empty() && name.len() >= MIN_LETTERS {
+            similar_names = topics.into_iter().filter(|topic| topic.contains(name)).collect();
+            similar_names.dedup();
+            similar_names.truncate(MAX_PROPOSED);
         }
-        Self { name: name.to_owned(), near }
+        Self { name: name.to_owned(), similar_names }
     }
 
-    /// What is wrong, and a way out.
+    /// That the name is not known, what may be meant, and how to list all names.
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
-        let near: Vec<String> = self.near.iter().map(|near| format!("'{near}'")).collect();
-        let near =
-            if near.is_empty() { String::new() } else { format!(": did you mean {}?", near.join(" or ")) };
+        let quoted: Vec<String> = self.similar_names.iter().map(|name| format!("'{name}'")).collect();
+        let proposal = if quoted.is_empty() {
+            String::new()
+        } else {
+            format!(": did you mean {}?", quoted.join(" or "))
+        };
         let list = front_end.command(&Verb::Explain.call());
-        format!("nothing called '{}' can be explained{near} (`{list}` lists all that can)", self.name)
+        format!("nothing called '{}' can be explained{proposal} (`{list}` lists all that can)", self.name)
     }
 }
 
@@ -155,13 +159,7 @@ static QUANTITIES: LazyLock<Vec<QuantityTopic>> = LazyLock::new(|| {
     let registers = figures.chain(designs).chain(drops).chain(columns).map(QuantityTopic::of_register);
     let mut all: Vec<QuantityTopic> = Vec::new();
     // What several registers have is explained once.
-    let mut first = "";
-    for mut topic in properties.chain(registers) {
-        // Registers say "The same ..." about what is before.
-        match topic.what.strip_prefix("The same ") {
-            Some(rest) => topic.what = format!("As {first}, but {rest}"),
-            None => first = topic.name,
-        }
+    for topic in properties.chain(registers) {
         if !all.iter().any(|known| known.name == topic.name) {
             all.push(topic);
         }
@@ -187,13 +185,21 @@ pub(super) fn quantity(name: &str) -> Option<&'static QuantityTopic> {
 
 impl QuantityTopic {
     fn new(name: &'static str, unit: &'static str, what: &'static str) -> Self {
-        let known = traps::ALL.iter().find(|known| known.name == name);
-        let (symbols, trap) = known.map_or((&[][..], ""), |known| (known.symbols, known.trap));
-        Self { name, symbols, unit, equation: "", limit: None, what: without_code(what), trap }
+        let trap = traps::ALL.iter().find(|trap| trap.name == name);
+        let (symbols, trap) = trap.map_or((&[][..], ""), |trap| (trap.symbols, trap.trap));
+        Self {
+            name,
+            symbols,
+            unit,
+            equation: "",
+            limit: None,
+            what: without_backticks_of_classes(what),
+            trap,
+        }
     }
 
     fn of_property(property: Property) -> Self {
-        let (equation, what) = described(property);
+        let (equation, what) = equation_and_meaning(property);
         Self { equation, ..Self::new(property.name(), property.unit(), what) }
     }
 
@@ -219,8 +225,8 @@ impl QuantityTopic {
     }
 }
 
-/// Without the backticks around names of classes, which nobody types.
-fn without_code(text: &str) -> String {
+/// The text without the backticks around names of classes, which nobody types.
+fn without_backticks_of_classes(text: &str) -> String {
     let is_class = |piece: &str| piece.starts_with(|c: char| c.is_ascii_uppercase());
     let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 == 1 && !is_class(piece) {
         true => format!("`{piece}`"),
@@ -230,7 +236,7 @@ fn without_code(text: &str) -> String {
 }
 
 /// What a property of a contact is, and the equation by which it is scaled.
-const fn described(property: Property) -> (&'static str, &'static str) {
+const fn equation_and_meaning(property: Property) -> (&'static str, &'static str) {
     match property {
         Property::Stiffness => {
             ("10", "Plane strain modulus E₁* of one of two equal surfaces, as OpenSim takes it")
@@ -276,14 +282,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_unknown_is_named_with_what_is_near() {
+    fn an_unknown_name_is_reported_with_similar_names() {
         let unknown = Topic::find("11, sunk-inn").unwrap_err();
         assert_eq!(
             unknown.message(&CommandLine),
             "nothing called 'sunk-inn' can be explained: did you mean 'sunk-in'? (`osim-contact-scale explain` lists all that can)"
         );
         assert_eq!(
-            Topic::find("smoothing").unwrap_err().near,
+            Topic::find("smoothing").unwrap_err().similar_names,
             ["hertz_smoothing", "hunt_crossley_smoothing"]
         );
     }
@@ -300,7 +306,7 @@ mod tests {
 
     #[test]
     fn quantities_are_found_by_name_symbol_and_table() {
-        for (said, name) in [
+        for (asked, name) in [
             ("stiffness", "stiffness"),
             ("alpha", "dissipation"),
             ("α", "dissipation"),
@@ -312,7 +318,7 @@ mod tests {
             ("k", "contact_stiffness_n_m"),
             ("peak_force_bw", "peak_force_bw"),
         ] {
-            assert_eq!(quantity(said).map(|topic| topic.name), Some(name), "{said}");
+            assert_eq!(quantity(asked).map(|topic| topic.name), Some(name), "{asked}");
         }
     }
 

@@ -150,8 +150,8 @@ impl ModelsTable {
         for (name, cells) in &self.rows {
             let name = name.strip_prefix(folder).unwrap_or(name);
             let name = name_width.map_or_else(|| name.to_owned(), |width| clipped(name, width));
-            let kept = Column::ALL.iter().zip(cells).filter(|(column, _)| columns.contains(column));
-            table.add_row(std::iter::once(&name).chain(kept.map(|(_, cell)| cell)));
+            let shown = Column::ALL.iter().zip(cells).filter(|(column, _)| columns.contains(column));
+            table.add_row(std::iter::once(&name).chain(shown.map(|(_, cell)| cell)));
         }
         let numbers = columns.iter().enumerate().filter(|(_, column)| column.is_number());
         table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());

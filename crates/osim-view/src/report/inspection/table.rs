@@ -174,11 +174,12 @@ const NAMED: usize = 6;
 /// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
 pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else { return Vec::new() };
-    let mut said = format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
+    let mut sentence =
+        format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
     if let Some(why) = &body.why_no_coordinate {
-        said.push_str(&format!("; no coordinate puts the body on its feet: {why}"));
+        sentence.push_str(&format!("; no coordinate puts the body on its feet: {why}"));
     }
-    let mut sentences = vec![said];
+    let mut sentences = vec![sentence];
     let rests = [("on all feet", body.as_posed.as_ref()), ("on one limb", other_than_all(body))];
     let known = rests.into_iter().filter_map(|(how, rest)| Some((how, rest?)));
     sentences.extend(known.map(|(how, rest)| on_feet(body, how, rest, extent)));

@@ -45,7 +45,7 @@ pub struct MotionRecord {
     pub double_support: Option<f64>,
     /// The largest force of all feet along the normal of the floor, N.
     pub peak_n: f64,
-    /// All feet beside all plates.
+    /// The forces of all feet, compared with those of all plates.
     pub comparison: Option<MotionComparisonRecord>,
     /// Each foot.
     pub feet: Vec<MotionFootRecord>,
@@ -81,7 +81,7 @@ pub struct MotionFootRecord {
     pub stands_by_plates: bool,
     /// The median depth of its deepest sphere in stance, m; below 0 it is above the floor.
     pub stance_depth_m: Option<f64>,
-    /// From the 5th to the 95th percentile of the same, m.
+    /// From the 5th to the 95th percentile of the depth of its deepest sphere in stance, m.
     pub stance_scatter_m: Option<f64>,
     /// The depth of its deepest sphere in the whole recording, m.
     pub deepest_m: f64,
@@ -95,7 +95,7 @@ pub struct MotionFootRecord {
     pub cop_ahead_m: Option<f64>,
     /// How far the model's centre of pressure is to the right of the plates', m: the mean over frames.
     pub cop_right_m: Option<f64>,
-    /// Beside the plates.
+    /// The forces of the foot, compared with those of its plates.
     pub comparison: Option<MotionComparisonRecord>,
 }
 
@@ -197,12 +197,12 @@ impl MotionRecord {
             measured_stride_mean_n: summary.measured_stride_mean_n,
             double_support: summary.double_support,
             peak_n: summary.peak_n,
-            comparison: summary.comparison.as_ref().map(|one| compared(one, summary.weight_n)),
+            comparison: summary.comparison.as_ref().map(|one| comparison_record(one, summary.weight_n)),
             feet: summary
                 .feet
                 .iter()
                 .zip(&result.on_soles)
-                .map(|(foot, on_sole)| of_foot(result, foot, on_sole.as_ref()))
+                .map(|(foot, on_sole)| foot_record(result, foot, on_sole.as_ref()))
                 .collect(),
             remarks: remarks
                 .iter()
@@ -215,7 +215,11 @@ impl MotionRecord {
     }
 }
 
-fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&PressureOnSole>) -> MotionFootRecord {
+fn foot_record(
+    result: &MotionResult,
+    foot: &FootSummary,
+    on_sole: Option<&PressureOnSole>,
+) -> MotionFootRecord {
     let apart_m = on_sole.and_then(PressureOnSole::mean_difference_m);
     MotionFootRecord {
         name: foot.foot.name.clone(),
@@ -228,15 +232,15 @@ fn of_foot(result: &MotionResult, foot: &FootSummary, on_sole: Option<&PressureO
         stance_scatter_m: foot.stance_scatter_m,
         deepest_m: foot.deepest_m,
         stance_slip_m_s: foot.stance_slip_m_s.map(DVec3::into),
-        stances: foot.stances.iter().map(of_stance).collect(),
-        spheres: foot.spheres.iter().map(|sphere| of_sphere(result, sphere)).collect(),
+        stances: foot.stances.iter().map(stance_record).collect(),
+        spheres: foot.spheres.iter().map(|sphere| sphere_record(result, sphere)).collect(),
         cop_ahead_m: apart_m.map(|[ahead, _]| ahead),
         cop_right_m: apart_m.map(|[_, right]| right),
-        comparison: foot.comparison.as_ref().map(|one| compared(one, result.summary.weight_n)),
+        comparison: foot.comparison.as_ref().map(|one| comparison_record(one, result.summary.weight_n)),
     }
 }
 
-fn of_stance(stance: &StanceSummary) -> MotionStanceRecord {
+fn stance_record(stance: &StanceSummary) -> MotionStanceRecord {
     MotionStanceRecord {
         on_s: stance.stance.on_s,
         off_s: stance.stance.off_s,
@@ -246,7 +250,7 @@ fn of_stance(stance: &StanceSummary) -> MotionStanceRecord {
     }
 }
 
-fn of_sphere(result: &MotionResult, sphere: &SphereSummary) -> MotionSphereRecord {
+fn sphere_record(result: &MotionResult, sphere: &SphereSummary) -> MotionSphereRecord {
     let (model, pair) = (&result.opened.model, result.states.pairs.get(sphere.pair));
     let name = pair.and_then(|pair| model.sphere(pair.sphere)).map(|sphere| sphere.name.clone());
     let force = pair.and_then(|pair| model.force(pair.force)).map(|force| force.name.clone());
@@ -259,16 +263,16 @@ fn of_sphere(result: &MotionResult, sphere: &SphereSummary) -> MotionSphereRecor
         beyond_hertz_s: sphere.beyond_hertz_s,
         beyond_radius_s: sphere.beyond_radius_s,
         slip_m_s: sphere.slip_m_s,
-        touch_downs: sphere.touch_downs.iter().map(of_touch_down).collect(),
+        touch_downs: sphere.touch_downs.iter().map(touch_down_record).collect(),
     }
 }
 
-fn of_touch_down(touch: &TouchDown) -> MotionTouchDownRecord {
+fn touch_down_record(touch: &TouchDown) -> MotionTouchDownRecord {
     let TouchDown { time_s, impact_speed_m_s, restitution, .. } = *touch;
     MotionTouchDownRecord { time_s, impact_speed_m_s, restitution }
 }
 
-fn compared(one: &Comparison, weight_n: f64) -> MotionComparisonRecord {
+fn comparison_record(one: &Comparison, weight_n: f64) -> MotionComparisonRecord {
     MotionComparisonRecord {
         frames: one.frames,
         normal_rms_n: one.normal_rms_n,

@@ -219,17 +219,17 @@ impl SweepRecord {
         }
     }
 
-    /// With how many points there are, and the file of the one that was asked for.
+    /// Adds how many points there are, and the file of the point that the request names.
     pub fn of_points(self, points: usize, file: Option<String>) -> Self {
         Self { points, file, ..self }
     }
 
-    /// With how many models were made and failed.
+    /// Adds how many models were made, and how many could not be made.
     pub fn counted(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
     }
 
-    /// With how many of its models an earlier sweep had made.
+    /// Adds how many of its models an earlier sweep had made.
     pub fn of_which_before(self, done_before: usize) -> Self {
         Self { done_before, ..self }
     }

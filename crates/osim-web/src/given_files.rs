@@ -5,18 +5,18 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{FileError, Files, InMemory};
 
-/// Files by name.
+/// The files that people gave to the page, by their names.
 ///
-/// People drop files without their folders. A file that a model names in a folder (`../parts/bodies.xml`) is then found by its own
-/// name, if just one file is called so.
+/// People drop files without their folders. A file that a model names in a folder (`../parts/bodies.xml`) is then found by its name
+/// without that folder, if exactly one file has this name.
 #[derive(Debug, Default)]
-pub(crate) struct Shelf {
+pub(crate) struct GivenFiles {
     files: InMemory,
     /// The names that were given.
     names: BTreeSet<PathBuf>,
 }
 
-impl Shelf {
+impl GivenFiles {
     /// Adds a file, or replaces the one of that name.
     pub(crate) fn put(&mut self, name: &str, bytes: Vec<u8>) {
         self.names.insert(name.into());
@@ -34,8 +34,8 @@ impl Shelf {
         self.files.remove(Path::new(name));
     }
 
-    /// The one file that is called as `path` ends.
-    fn only_one_called_like(&self, path: &Path) -> Option<&Path> {
+    /// The only file whose name, without its folder, is that of `path`.
+    fn only_file_named_like(&self, path: &Path) -> Option<&Path> {
         let wanted = path.file_name()?;
         let mut alike = self.names.iter().filter(|name| name.file_name() == Some(wanted));
         let first = alike.next()?;
@@ -43,19 +43,19 @@ impl Shelf {
     }
 }
 
-impl Files for Shelf {
+impl Files for GivenFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
         if self.files.exists(path) {
             return self.files.read(path);
         }
-        match self.only_one_called_like(path) {
+        match self.only_file_named_like(path) {
             Some(name) => self.files.read(name),
             None => Err(FileError::new("this file was not given to the page: add it to the model")),
         }
     }
 
     fn exists(&self, path: &Path) -> bool {
-        self.files.exists(path) || self.only_one_called_like(path).is_some()
+        self.files.exists(path) || self.only_file_named_like(path).is_some()
     }
 
     fn today(&self) -> Option<String> {
@@ -67,37 +67,37 @@ impl Files for Shelf {
 mod tests {
     use super::*;
 
-    fn shelf(names: &[&str]) -> Shelf {
-        let mut shelf = Shelf::default();
-        names.iter().for_each(|name| shelf.put(name, name.as_bytes().to_vec()));
-        shelf
+    fn files_named(names: &[&str]) -> GivenFiles {
+        let mut files = GivenFiles::default();
+        names.iter().for_each(|name| files.put(name, name.as_bytes().to_vec()));
+        files
     }
 
     #[track_caller]
-    fn finds(shelf: &Shelf, path: &str, found: Option<&str>) {
-        let read = shelf.read(Path::new(path)).ok();
+    fn finds(files: &GivenFiles, path: &str, found: Option<&str>) {
+        let read = files.read(Path::new(path)).ok();
         assert_eq!(read.as_deref(), found.map(str::as_bytes), "{path}");
-        assert_eq!(shelf.exists(Path::new(path)), found.is_some(), "{path}");
+        assert_eq!(files.exists(Path::new(path)), found.is_some(), "{path}");
     }
 
     #[test]
     fn a_file_without_its_folder_is_found_by_its_name() {
-        let shelf = shelf(&["human.osim", "bodies.xml"]);
-        finds(&shelf, "../parts/bodies.xml", Some("bodies.xml"));
-        finds(&shelf, "parts/forces.xml", None);
+        let files = files_named(&["human.osim", "bodies.xml"]);
+        finds(&files, "../parts/bodies.xml", Some("bodies.xml"));
+        finds(&files, "parts/forces.xml", None);
     }
 
     #[test]
     fn the_file_in_its_folder_comes_first_and_nothing_is_guessed() {
-        let shelf = shelf(&["a/bodies.xml", "b/bodies.xml", "a/human.osim"]);
-        finds(&shelf, "a/bodies.xml", Some("a/bodies.xml"));
-        finds(&shelf, "c/bodies.xml", None);
+        let files = files_named(&["a/bodies.xml", "b/bodies.xml", "a/human.osim"]);
+        finds(&files, "a/bodies.xml", Some("a/bodies.xml"));
+        finds(&files, "c/bodies.xml", None);
     }
 
     #[test]
     fn a_file_that_was_taken_away_is_gone() {
-        let mut shelf = shelf(&["human.osim"]);
-        shelf.remove("human.osim");
-        finds(&shelf, "human.osim", None);
+        let mut files = files_named(&["human.osim"]);
+        files.remove("human.osim");
+        finds(&files, "human.osim", None);
     }
 }
