@@ -315,7 +315,7 @@ impl Record {
     }
 
     /// The record of an output that was written by an earlier run and still exists.
-    pub(super) fn as_written_before(self) -> Self {
+    pub(super) fn into_written_record(self) -> Self {
         let status = if self.sha256_output.is_some() { Status::Written } else { self.status };
         Self { status, error_code: None, error: None, line: None, column: None, ..self }
     }

@@ -95,9 +95,9 @@ impl RunRequest {
                 task.settings.change.extra_files().for_each(|path| {
                     let path = path.as_path();
                     if task.row.is_some() {
-                        conflicts.add_input_of_model(path)
+                        conflicts.add_input_of_model(path);
                     } else {
-                        conflicts.add_input(path)
+                        conflicts.add_input(path);
                     }
                 });
                 checked_settings = Some(&task.settings);
@@ -112,10 +112,10 @@ impl RunRequest {
             }
             match (&task.settings.change.set_files.geometry, &task.geometry_output) {
                 (Some(_), Some(path)) if task.settings.in_place => {
-                    conflicts.add_changed_in_place(path, owner)?
+                    conflicts.add_changed_in_place(path, owner)?;
                 }
                 (Some(geometry), Some(path)) => {
-                    conflicts.add_output(path, PathOwner::Model(geometry, None))?
+                    conflicts.add_output(path, PathOwner::Model(geometry, None))?;
                 }
                 _ => {}
             }

@@ -214,7 +214,7 @@ impl PreviousRun {
             |record: &Record| record.sha256_output.as_deref() == Some(input) && same_model(record);
         Ok(match records.iter().rev().find(is_up_to_date) {
             Some(record) => {
-                PreviousOutcome::UpToDate(Box::new(record.clone().with_names_of(now).as_written_before()))
+                PreviousOutcome::UpToDate(Box::new(record.clone().with_names_of(now).into_written_record()))
             }
             None if in_place && records.iter().any(changed_itself) => PreviousOutcome::ModelChanged,
             None if in_place => PreviousOutcome::Unknown,

@@ -122,7 +122,7 @@ impl PreviousLines {
             match self.format {
                 SummaryFormat::Ndjson => for_each_json_line(lines, &mut each).context(not_a_summary)?,
                 SummaryFormat::Csv => {
-                    header = for_each_row(lines, user_columns, &mut each).context(not_a_summary)?
+                    header = for_each_row(lines, user_columns, &mut each).context(not_a_summary)?;
                 }
             }
         }

@@ -78,7 +78,7 @@ impl Cells {
                 Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
                 Kind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
                 Kind::ListWithCommas => {
-                    cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>())
+                    cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
                 }
                 Kind::Paths => {
                     let paths = items(cell, &[';']).map(|item| path::to_value(&below(folder, item)));
