@@ -410,7 +410,7 @@ impl Plan {
         edited_with(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
-    /// The new model for inspection only: numbers and note are new, but places in the file are the old ones ([`Model::renumbered`]). `None` if more
+    /// The new model for inspection only: numbers and note are new, but places in the file are the old ones. `None` if more
     /// than numbers of contacts changes.
     pub fn with_contact_numbers(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {

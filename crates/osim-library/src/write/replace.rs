@@ -73,7 +73,7 @@ impl PendingFile {
         Ok(prepared)
     }
 
-    /// An empty successor of `target`, for [`add`](Self::add_bytes).
+    /// An empty successor of `target`, for `add_bytes`.
     pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self, LibraryFault> {
         let (target, shown) = (real_target(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();

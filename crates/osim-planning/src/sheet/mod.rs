@@ -164,7 +164,7 @@ fn has_decimal_comma(cell: &str) -> bool {
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
-/// What is wrong with a cell that [`is_broken_formula`], as the end of a sentence that begins with the cell.
+/// What is wrong with a cell that `is_broken_formula` knows, as the end of a sentence that begins with the cell.
 pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 

@@ -54,7 +54,7 @@ pub struct BodyFactors {
     pub axes: [Option<AxisFactor>; 3],
     /// What each source says along x, y and z, in their order.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// A question that has to be answered before the factors are known. It is asked only where they are needed, by [`Factors::of`](crate::compare::follow::Factors::of).
+    /// A question that has to be answered before the factors are known. It is asked only where they are needed, by `Factors`.
     pub question: Option<Fault>,
 }
 
