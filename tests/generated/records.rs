@@ -49,7 +49,7 @@ fn read_schema(name: &str) -> Value {
     serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
 }
 
-/// The schema itself, or those of its kinds.
+/// The alternatives of a schema (`oneOf`), or the schema itself.
 fn variants(schema: &Value) -> Vec<&Value> {
     schema["oneOf"].as_array().map_or_else(|| vec![schema], |kinds| kinds.iter().collect())
 }

@@ -226,7 +226,7 @@ mod tests {
     const HUMAN: [f64; 5] =
         [101.37, 0.032, 0.353_300_157_597_401_94, 353_553.390_593_273_76, 13_449.523_437_277_24];
 
-    fn known(mask: usize) -> KnownQuantities {
+    fn quantities_of_mask(mask: usize) -> KnownQuantities {
         let pick = |i: usize| (mask & (1 << i) != 0).then(|| HUMAN[i]);
         KnownQuantities {
             load_per_sphere_n: pick(0),
@@ -240,7 +240,7 @@ mod tests {
     #[test]
     fn any_three_give_the_rest() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
-            let sizing = known(mask).solve().unwrap();
+            let sizing = quantities_of_mask(mask).solve().unwrap();
             for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN) {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{mask:05b} {name} {found} {expected}");
             }
@@ -250,17 +250,17 @@ mod tests {
     #[test]
     fn fewer_than_three_say_what_is_missing() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() < 3) {
-            assert!(matches!(known(mask).solve(), Err(SizingError::Insufficient { .. })));
+            assert!(matches!(quantities_of_mask(mask).solve(), Err(SizingError::Insufficient { .. })));
         }
     }
 
     #[test]
     fn contradictions_and_impossible_numbers_are_refused() {
-        let four = KnownQuantities { stiffness_n_m: Some(1e4), ..known(0b00111) };
+        let four = KnownQuantities { stiffness_n_m: Some(1e4), ..quantities_of_mask(0b00111) };
         assert!(matches!(four.solve(), Err(SizingError::Contradictory { quantity: "stiffness", .. })));
-        let negative = KnownQuantities { radius_m: Some(-1.0), ..known(0b00111) };
+        let negative = KnownQuantities { radius_m: Some(-1.0), ..quantities_of_mask(0b00111) };
         assert!(matches!(negative.solve(), Err(SizingError::Domain(_))));
-        let deep = KnownQuantities { relative_indentation: Some(1.5), ..known(0b00111) };
+        let deep = KnownQuantities { relative_indentation: Some(1.5), ..quantities_of_mask(0b00111) };
         assert!(matches!(deep.solve(), Err(SizingError::Domain(_))));
     }
 }

@@ -165,7 +165,7 @@ pub(crate) fn insert_first(tree: &Tree, parent: ElementId, comment: &str) -> Edi
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
 }
 
-/// Where the text ends with which the contents of `parent` begin; `start` where they begin with something else.
+/// The end of the text that comes first in `parent`; `start` if an element or a comment comes first.
 fn end_of_leading_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
     match tree.content(parent).next() {
         Some(piece) if piece.kind == PieceKind::Text => piece.span.end,

@@ -55,7 +55,9 @@ pub(crate) fn equation<'py>(
 ) -> PyResult<Given<Bound<'py, PyByteArray>>> {
     let values = guarded(py, || {
         let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
-        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else { return Err(no_rule(rule_name)) };
+        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else {
+            return Err(unknown_mixing_rule(rule_name));
+        };
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         Ok(function.values(rule, &columns))
@@ -128,7 +130,7 @@ pub(crate) fn steps(
 /// The rule that OpenSim has, where none is named.
 const OPENSIM: &str = RULES[0].0;
 
-fn no_rule(name: Option<&str>) -> Problem {
+fn unknown_mixing_rule(name: Option<&str>) -> Problem {
     let message =
         format!("rule={:?}: expected one of {}", name.unwrap_or_default(), mixing_rules().join(", "));
     Problem::general("RequestError", "usage", message)

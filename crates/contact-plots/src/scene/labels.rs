@@ -29,7 +29,7 @@ const LEAST_DISTANCE_PT: f64 = 3.0;
 const STEP_PT: f64 = 3.5;
 const STEPS: u32 = 400;
 /// Between the boxes of two names.
-const APART_PT: f64 = 1.0;
+const LABEL_GAP_PT: f64 = 1.0;
 /// A name that is nearer to its point than this has no line to it.
 pub(super) const LEADER_PT: f64 = 5.0;
 /// How often all names are placed again, now that the others have their places.
@@ -199,7 +199,7 @@ impl Search<'_> {
 
     fn is_taken(&self, place: &Rect) -> bool {
         let names = self.others.iter().map(|(_, other)| other).chain(&self.obstacles.boxes);
-        names.into_iter().any(|other| place.overlaps(other, APART_PT))
+        names.into_iter().any(|other| place.overlaps(other, LABEL_GAP_PT))
     }
 
     fn cost(&self, place: &Rect) -> f64 {

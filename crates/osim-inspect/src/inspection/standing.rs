@@ -161,7 +161,7 @@ impl StandingBody {
     ) -> Self {
         let spheres: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
         let rest = |chosen: &[SphereId], share, limb: Option<&Limb>| {
-            let rest = standing.rest(chosen, share)?.ok()?;
+            let rest = standing.rest_on_floor(chosen, share)?.ok()?;
             Some(body_at_rest(model, standing, &rest, limb)).filter(BodyAtRest::is_finite)
         };
         let lift = standing.lift.as_ref();

@@ -265,7 +265,7 @@ pub(super) static LOOP_OF_JOINTS: Rule = Rule {
 };
 
 /// A message names at most so many joints of a loop.
-const MOST_NAMED: usize = 6;
+const MOST_JOINTS_NAMED: usize = 6;
 
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let (components, skeleton) = (model.components(), model.skeleton());
@@ -278,7 +278,7 @@ pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
     let loops = skeleton.loops();
     let cut = loops.joints.first().map(|&first| {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
-        let names = listed(&joints, MOST_NAMED);
+        let names = listed(&joints, MOST_JOINTS_NAMED);
         let what = if loops.mass_is_in_doubt {
             "counts the mass of a body in it twice"
         } else {

@@ -190,7 +190,7 @@ impl LevelAxis {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Placement {
     pub rotation: Rotation,
-    /// Where its origin is, m.
+    /// The origin of the frame in the other frame, m.
     pub translation_m: DVec3,
 }
 

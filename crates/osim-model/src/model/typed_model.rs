@@ -11,7 +11,7 @@ use crate::model::contacts::{Force, ForceId, HalfSpace, Irregularity, SetId, Sph
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FileId, NoteDoubt};
 use crate::model::finding::Finding;
-use crate::model::note::Note;
+use crate::model::note::content::Note;
 use crate::model::property::Property;
 use crate::model::skeleton::{Body, Skeleton};
 use crate::xml::ElementId;

@@ -126,7 +126,7 @@ fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> Parts {
 
 fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
     let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
-    standing.rest(&all, 1.0).unwrap().unwrap()
+    standing.rest_on_floor(&all, 1.0).unwrap().unwrap()
 }
 
 fn lift(standing: &Standing) -> &Lift {
@@ -171,10 +171,10 @@ fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
     );
     assert!(both.spheres[1].force_n == 0.0 && !both.spheres[1].touches());
     let high = standing.spheres[1].sphere;
-    let alone = standing.rest(&[high], 1.0).unwrap().unwrap();
+    let alone = standing.rest_on_floor(&[high], 1.0).unwrap().unwrap();
     assert!(close(alone.down_m, both.down_m + 0.02) && alone.spheres.len() == 1);
     // Half of the weight on one of two limbs: x goes with F^(2/3).
-    let half = standing.rest(&[high], 0.5).unwrap().unwrap();
+    let half = standing.rest_on_floor(&[high], 0.5).unwrap().unwrap();
     assert!(close(half.spheres[0].relative_indentation, 0.25 * 0.5_f64.powf(2.0 / 3.0)));
     let hertz = standing.rest_under(&[high], 100.0, RestLaw::Hertz).unwrap().unwrap();
     assert!(close(hertz.down_m, alone.down_m));
@@ -347,6 +347,6 @@ fn without_a_mass_there_is_no_weight() {
     parts.bodies = parts.bodies.replace("<mass>10</mass>", "<mass>heavy</mass>");
     let standing = parts.only_standing();
     assert_eq!((standing.mass_kg, standing.load_n), (None, None));
-    assert!(standing.rest(&[standing.spheres[0].sphere], 1.0).is_none());
+    assert!(standing.rest_on_floor(&[standing.spheres[0].sphere], 1.0).is_none());
     assert!(close(standing.spheres[0].gap_m, 0.36));
 }

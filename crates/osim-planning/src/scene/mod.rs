@@ -116,7 +116,7 @@ fn loads_at_rest(
     let share = mass_kg.zip(MassRequest::default().bodies_kg(model)).map_or(1.0, |(kg, bodies)| kg / bodies);
     for standing in Standing::all(model, forces).unwrap_or_default() {
         let all: Vec<SphereId> = standing.spheres.iter().map(|over| over.sphere).collect();
-        let Some(Ok(rest)) = standing.rest(&all, share) else { continue };
+        let Some(Ok(rest)) = standing.rest_on_floor(&all, share) else { continue };
         for one in &rest.spheres {
             let load = RestingLoad {
                 force_bw: one.force_n / rest.load_n,

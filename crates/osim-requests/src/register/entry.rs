@@ -82,7 +82,7 @@ impl FieldGroup {
     }
 }
 
-/// What an entry is about: something that messages name, or what only requests have a name for.
+/// The field that an entry describes: an input, which messages can name, or an operand, which only requests name.
 #[derive(Clone, Copy)]
 pub(super) enum Field<'n> {
     Input(Input),

@@ -265,7 +265,8 @@ verbs! {
         .details("Forces, indentations, slip and impacts of each sphere; the ground reaction of each foot, and how far it is from the \
                   plates.");
     Fit(FitRequest) change = VerbEntry::new(VerbGroup::Study, &["file"],
-        "Find contact parameters from a measured indentation and force");
+        "Find contact parameters from a measured indentation and force")
+        .purpose("Contact parameters, fitted to what was measured.");
     Reproduce(ReproduceRequest) = VerbEntry::new(VerbGroup::Study, &[],
         "Compare Table 1 of the paper with what its equations give, and draw its figures");
     Note(NoteRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],

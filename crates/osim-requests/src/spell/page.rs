@@ -50,7 +50,7 @@ impl Speller for Page {
     }
 }
 
-/// A field with what it says; each property that is set.
+/// A field of a request in words: its label and its value; of `set`, one entry for each property.
 fn field_words((name, value): &Field) -> Vec<String> {
     let label = Input::named(name).map_or(name.as_str(), |input| input.label());
     match value {

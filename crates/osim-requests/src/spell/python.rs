@@ -148,7 +148,7 @@ fn drawn(fields: &Fields) -> Vec<String> {
     ["output", "data"].into_iter().filter_map(file).collect()
 }
 
-/// The file of the field `name`, written by a method of the result.
+/// The line of a script that writes the file in the field `name` with the method `method` of the result.
 fn saved(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
     format!("result.{method}({})", joined(std::iter::once(literal(name, file)).chain(keywords(force))))

@@ -32,7 +32,7 @@ const DURATION_S: f64 = 1.1;
 /// End of the time axis of Fig. 4, s: both animals rest.
 const SHOWN_S: f64 = 0.5;
 /// Points for each √(R/g), so that the curves of all animals have equally many.
-const SAMPLES_PER_UNIT: f64 = 40.0;
+const SAMPLES_PER_UNIT_OF_TIME: f64 = 40.0;
 
 /// End of the force axes of Fig. 4, body weights.
 const MOST_BODY_WEIGHTS: f64 = 3.0;
@@ -96,7 +96,7 @@ fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop
     let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(table_failure)?;
     let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(table_failure)?;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand points")]
-    let samples = (SAMPLES_PER_UNIT * DURATION_S / scale.time_s()) as usize;
+    let samples = (SAMPLES_PER_UNIT_OF_TIME * DURATION_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(table_failure)?;
     let report = test.run().map_err(table_failure)?;

@@ -67,7 +67,7 @@ impl Standing {
     ///
     /// # Errors
     /// No indentation carries the load.
-    pub fn rest(&self, chosen: &[SphereId], share: f64) -> Option<Result<RestOnFloor, DomainError>> {
+    pub fn rest_on_floor(&self, chosen: &[SphereId], share: f64) -> Option<Result<RestOnFloor, DomainError>> {
         self.rest_under(chosen, share * self.load_n?, RestLaw::OfFile)
     }
 

@@ -136,7 +136,7 @@ impl Surfaces {
         Ok(Self { sets, plane: force.sets.iter().find(|set| set.half_spaces > 0).map(|set| set.id) })
     }
 
-    /// E₁* of two equal surfaces that would touch as set `set` and the plane do, and the mixed α; (A.3), (A.4).
+    /// E₁* and α of parameter set `set` on the plane, as if both surfaces were alike: (A.3), (A.4).
     pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
         self.mixed(set, self.plane.unwrap_or(set))
     }

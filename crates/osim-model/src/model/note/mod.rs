@@ -3,7 +3,7 @@
 //! A model keeps it in `<credits>`, which every OpenSim from 1.9 to 4.6 copies when it saves or scales a model; comments are
 //! lost then. Standalone sets have no credits and keep a comment.
 
-mod content;
+pub(super) mod content;
 mod grammar;
 
 use std::ops::Range;

@@ -286,7 +286,7 @@ impl Outcome {
         self.file(0)
     }
 
-    /// The patched file number `file`.
+    /// The bytes of the file with the index `file` after the patch.
     #[track_caller]
     pub(crate) fn file(&self, file: usize) -> &[u8] {
         match &self.result {

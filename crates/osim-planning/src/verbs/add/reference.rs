@@ -25,7 +25,7 @@ use crate::verbs::transfer::TransferPlanner;
 pub(super) enum Numbers {
     /// From a reference, scaled to the model.
     Reference(Box<ReferenceNumbers>),
-    /// From a design.
+    /// Numbers that `design` computes from what is wanted.
     Designed(Box<DesignedNumbers>),
 }
 
