@@ -163,6 +163,8 @@ inChromium("what the view shows is in words, too: radii before and after, forces
   await user.settled();
   await user.page.getByText("The same in words").click();
   const table = user.page.getByRole("group", { name: "Contact spheres in words" }).getByRole("table");
+  // The table is filled after it is opened, and `all` does not wait.
+  await table.getByRole("cell").first().waitFor();
   const rows = await table.getByRole("row").filter({ has: user.page.getByRole("cell") }).all();
   assert.equal(rows.length, 12);
   const cells = await Promise.all(rows.map((row) => row.getByRole("cell").allTextContents()));
