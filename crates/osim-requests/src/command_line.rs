@@ -154,5 +154,5 @@ fn typed(option: &Entry, matches: &ArgMatches) -> Value {
     } else {
         matches.get_many::<String>(name).into_iter().flatten().map(|text| text.as_str().into()).collect()
     };
-    if option.is_list() { values.into() } else { values.pop().unwrap_or_default() }
+    if option.list == List::One { values.pop().unwrap_or_default() } else { values.into() }
 }

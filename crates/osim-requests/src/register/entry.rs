@@ -93,10 +93,6 @@ impl Entry {
     pub const fn is_path(&self) -> bool {
         matches!(self.takes, Takes::FileRead | Takes::FileWritten | Takes::Folder)
     }
-
-    pub(crate) const fn is_list(&self) -> bool {
-        !matches!(self.list, List::One)
-    }
 }
 
 // How entries are written: `value("KG").signed()`.
