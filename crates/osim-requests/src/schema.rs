@@ -10,7 +10,7 @@ use schemars::Schema;
 use serde_json::{Map, Value, json};
 
 use crate::fault::Relation;
-use crate::register::{Entry, option_named};
+use crate::register::{Entry, List, option_named};
 use crate::request::{CHANGING, relations_of, type_schema, verb_entry};
 use crate::values::path;
 
@@ -78,7 +78,7 @@ fn described(option: &Entry, of_type: Value) -> Value {
     let mut schema = json!({"description": null});
     let file = json!({"$ref": "#/$defs/Path"});
     // What says nothing may be null.
-    let of_type = match (option.is_path(), option.is_list()) {
+    let of_type = match (option.is_path(), option.list != List::One) {
         (false, _) => or_null(of_type),
         (true, false) => json!({"anyOf": [file, {"type": "null"}], "default": of_type["default"]}),
         (true, true) => or_null(json!({"type": "array", "items": file, "default": of_type["default"]})),

@@ -74,7 +74,7 @@ mod tests {
             for (name, silent) in silent_fields(verb) {
                 let option = option_named(verb, &name).unwrap_or_else(|| panic!("{name}"));
                 assert_eq!((option.name, option.takes == Takes::Flag), (&*name, silent.is_boolean()));
-                let is_list = option.is_list() || option.takes == Takes::Assignments;
+                let is_list = option.list != List::One || option.takes == Takes::Assignments;
                 assert_eq!(is_list, silent.is_array() || silent.is_object(), "{name}");
                 assert!(!option.help.is_empty(), "{name}");
             }
