@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes two files of python/osim_contact_scale/ from the schemas of requests.
 
-_verbs.py has a typed function with a docstring for each verb; _options.py the names of options that a table may have as columns, and of
+_verbs.py has a typed function with a docstring for each verb; _option_names.py the names of options that a table may have as columns, and of
 those that name files.
 
     python3 dev/generate_python.py           writes them
@@ -136,7 +136,7 @@ def shape_of(verb: Verb) -> Shape:
 
 def main() -> int:
     is_check, differs = "--check" in sys.argv[1:], False
-    for name, text in {"_verbs.py": module(), "_options.py": options()}.items():
+    for name, text in {"_verbs.py": module(), "_option_names.py": options()}.items():
         path = FOLDER / name
         if not is_check:
             path.write_text(text, encoding="utf-8")
@@ -204,7 +204,7 @@ from typing import Literal, overload
 from . import _run
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._options import Property, Question
+from ._option_names import Property, Question
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep

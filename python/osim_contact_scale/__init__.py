@@ -27,8 +27,9 @@ if TYPE_CHECKING:
     from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
     from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
     from ._figure import Figure
+    from ._findings import Finding, Findings, Remedy
     from ._many import many
-    from ._result import Finding, Findings, Remedy, Result
+    from ._result import Result
     from ._survey import Check, Inspection
     from ._sweep import Sweep
     from ._threads import set_threads
@@ -114,9 +115,10 @@ _HOMES = {
         "_answers",
     ),
     **dict.fromkeys(("ContactScaleError", "ModelError", "NeedsAnswer", "OutputError", "RequestError"), "_errors"),
-    **dict.fromkeys(("Finding", "Findings", "Remedy", "Result"), "_result"),
+    **dict.fromkeys(("Finding", "Findings", "Remedy"), "_findings"),
     **dict.fromkeys(("Check", "Inspection"), "_survey"),
     "Figure": "_figure",
+    "Result": "_result",
     "Sweep": "_sweep",
     "many": "_many",
     "set_threads": "_threads",

@@ -11,10 +11,10 @@ from typing import Any, get_args
 from . import _native
 from ._errors import RequestError
 from ._gaps import explain_gaps, find_gaps, log_gaps
+from ._keywords import is_path, to_fields, to_path
 from ._kinds import kind_of
-from ._options import ChangingVerb
+from ._option_names import ChangingVerb
 from ._progress import progress_callback
-from ._request import is_path, to_fields, to_path
 from ._rows import is_blank, models_csv, to_known_table, to_rows
 from ._survey import as_list
 from ._tables import all_columns, table

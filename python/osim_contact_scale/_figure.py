@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple, overload
 from . import _native
 from ._errors import RequestError
 from ._frames import require, to_frame
+from ._keywords import expand_home
 from ._named_values import NamedValues, clipped, repr_line
-from ._request import expand_home
 from ._text import printable
 from .types import Table
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import get_args
 
-from ._options import ChangingVerb, Property
+from ._option_names import ChangingVerb, Property
 from .types import Progress, StrPath, Table
 
 

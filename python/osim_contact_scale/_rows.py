@@ -12,8 +12,8 @@ from typing import Any
 
 from ._cells import is_control_character, to_cell
 from ._errors import RequestError
-from ._options import PATHS, ROW_OPTIONS
-from ._request import expand_home
+from ._keywords import expand_home
+from ._option_names import PATHS, ROW_OPTIONS
 
 
 def to_rows(data: Any) -> list[dict[str, Any]]:

@@ -11,7 +11,7 @@ from typing import Any
 from . import _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
 from ._figure import Figure
-from ._request import Memory, to_fields, to_model, to_models, to_path, with_companions
+from ._keywords import Memory, to_fields, to_model, to_models, to_path, with_companions
 from ._result import Result, plan
 from ._rows import to_csv, to_rows, to_storage
 from .types import Progress, Source

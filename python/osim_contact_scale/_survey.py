@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any, SupportsIndex, overload
 
 from . import _live, _native
 from ._errors import ContactScaleError
+from ._findings import COLUMNS, Findings
 from ._frames import to_frame
 from ._html import heading, html_table, paragraph
+from ._keywords import MODELS, InMemory, Memory, expand_home, is_path, to_fields, to_models, with_companions
 from ._named_values import NamedValues, repr_line
 from ._progress import progress_callback
-from ._request import MODELS, InMemory, Memory, expand_home, is_path, to_fields, to_models, with_companions
-from ._result import COLUMNS, Findings
 from ._similarity import Similarity
 from ._tables import all_columns, table
 from ._threads import thread_count

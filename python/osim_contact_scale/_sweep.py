@@ -12,9 +12,9 @@ from . import _native
 from ._cells import from_cell
 from ._frames import to_frame
 from ._html import heading, html_table
+from ._keywords import is_path, to_fields, to_path
 from ._named_values import NamedValues, repr_line
 from ._progress import progress_callback
-from ._request import is_path, to_fields, to_path
 from ._tables import table
 from ._threads import thread_count
 from .types import Progress, Source, Table

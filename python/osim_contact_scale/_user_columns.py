@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from ._errors import RequestError
 from ._kinds import kind_of
-from ._options import ROW_OPTIONS, RUN_OPTIONS
+from ._option_names import ROW_OPTIONS, RUN_OPTIONS
 from ._rows import option_name
 from ._tables import all_columns, polars_table, table
 from ._text import printable

@@ -8,7 +8,7 @@ from typing import Literal, overload
 from . import _run
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Presets, Reproduction
 from ._figure import Figure
-from ._options import Property, Question
+from ._option_names import Property, Question
 from ._result import Result
 from ._survey import Check, Inspection
 from ._sweep import Sweep
@@ -774,7 +774,7 @@ def fit(
     belt : float, optional
         Speed of a treadmill's belt against x, m/s: slip is taken against it.
     belt_column : str, optional
-        The same, from this column of each motion.
+        Speed of a treadmill's belt from this column of each motion.
     angles : {"degrees", "radians"}, optional
         The unit of the motions' angles, where their headers do not say it.
     low_pass : float, optional
@@ -978,7 +978,7 @@ def motion(
     belt : float, optional
         Speed of a treadmill's belt against x, m/s: slip is taken against it.
     belt_column : str, optional
-        The same, from this column of the motion.
+        Speed of a treadmill's belt from this column of the motion.
     output : path, optional
         Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     force : bool, optional

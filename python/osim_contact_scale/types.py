@@ -12,7 +12,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar
 
-from ._options import Property, Question
+from ._option_names import Property, Question
 
 if TYPE_CHECKING:
     from typing import TypeAlias

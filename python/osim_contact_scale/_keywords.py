@@ -12,7 +12,7 @@ from typing import Any, TypeGuard
 
 from . import _live
 from ._errors import ModelError, RequestError
-from ._options import PATHS
+from ._option_names import PATHS
 from ._text import printable
 from .types import Source
 
