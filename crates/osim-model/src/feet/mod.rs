@@ -33,6 +33,7 @@
 
 mod bones;
 mod contact_planes;
+mod convex_hull;
 mod couplers;
 mod default_pose;
 mod fault;
@@ -42,10 +43,9 @@ mod movements;
 mod sole;
 mod sole_pose;
 mod standing;
-mod vector;
 
 pub use bones::{AttachedBones, Bone, MeshFolders, OddMesh, attached_surface, bones, odd_meshes, odd_size};
-pub use contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, SpherePair, sphere_pairs};
+pub use contact_planes::{ContactPlane, PlaneSurface, STEEPEST_FLOOR_RAD, SpherePair, angle, sphere_pairs};
 pub use couplers::{Coupler, Couplers, prescribed_function};
 pub use default_pose::{DefaultPose, JointStep, joints_from_ground};
 pub use fault::{FeetFault, PoseFault};
@@ -60,4 +60,3 @@ pub use standing::{
     LevelledSphere, Lift, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor, RestingSphere,
     SphereOverFloor, Standing, levelled_spheres,
 };
-pub use vector::angle;

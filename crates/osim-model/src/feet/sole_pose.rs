@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
+use super::contact_planes::angle;
 use super::couplers::CoordinateValues;
 use super::default_pose::DefaultPose;
 use super::sole::Sole;
-use super::vector::angle;
 use crate::messages::{readable, shown};
 use crate::model::{Model, ModelJoint, Placement, without_side};
 

@@ -28,6 +28,7 @@
 //! checks are shown as they are.
 
 pub mod check;
+mod exit_status;
 pub mod explain;
 pub mod extent;
 pub mod inspection;
@@ -39,4 +40,4 @@ pub mod reproduce;
 pub mod results;
 pub mod similarity;
 
-pub use messages::ExitStatus;
+pub use exit_status::ExitStatus;

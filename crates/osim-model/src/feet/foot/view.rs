@@ -3,7 +3,7 @@
 use foldhash::{HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
 
-use crate::feet::vector::{convex_hull, distance, sort_and_dedup, twice_area};
+use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Model;
 
 /// The names of a frame's axes, and of their opposites.

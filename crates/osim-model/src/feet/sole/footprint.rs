@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use crate::feet::vector::{convex_hull, distance, sort_and_dedup, twice_area};
+use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Side;
 
 /// The bone points near the ground of a flat foot cover at least this part of its length and of its width.

@@ -2,6 +2,7 @@
 //! are where they carry the tree's weight.
 
 mod gaps;
+mod level;
 mod lift;
 
 use std::collections::BTreeSet;
@@ -10,16 +11,13 @@ use contact_scaling::DomainError;
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
 
-use super::contact_planes::{ContactPlane, PlaneSurface};
+use super::contact_planes::{ContactPlane, PlaneSurface, angle};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
-use super::vector::angle;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use gaps::{FloorContact, Floors};
-pub use gaps::{
-    LevelledSphere, MOST_LEAN_RAD, NotLevelled, RestLaw, RestOnFloor, RestingSphere, SphereOverFloor,
-    levelled_spheres,
-};
+pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
+pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};
 

@@ -1,11 +1,6 @@
-//! Angles between vectors in space; distances and the convex hull of points of a plane.
+//! The convex hull of points of a plane, their distances and the areas of triangles.
 
-use glam::{DVec2, DVec3};
-
-/// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.
-pub fn angle(a: DVec3, b: DVec3) -> f64 {
-    libm::atan2(a.cross(b).length(), a.dot(b))
-}
+use glam::DVec2;
 
 /// How far apart two points are.
 pub(super) fn distance(a: DVec2, b: DVec2) -> f64 {
@@ -51,21 +46,7 @@ fn half_hull(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
-
     use super::*;
-
-    #[test]
-    fn angles_need_no_unit_vectors() {
-        let at = DVec3::new;
-        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
-        assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);
-        assert_eq!(angle(at(0.0, 1.0, 0.0), at(0.0, -1.0, 0.0)), PI);
-        assert!((angle(at(1.0, 1.0, 0.0), at(0.0, 7.0, 0.0)) - FRAC_PI_4).abs() < 1e-15);
-        // 3 to 4: tan a = 3/4. Small angles keep their digits, which an arc cosine loses.
-        assert!((angle(at(3.0, 4.0, 0.0), DVec3::Y) - 0.75_f64.atan()).abs() < 1e-15);
-        assert!((angle(at(1e-9, 1.0, 0.0), DVec3::Y) - 1e-9).abs() < 1e-24);
-    }
 
     fn places(points: &[[f64; 2]]) -> Vec<DVec2> {
         points.iter().copied().map(DVec2::from).collect()

@@ -1,0 +1,146 @@
+//! `--level`: where the spheres of a foot have to be for their bottoms to be as low as the lowest one.
+
+use glam::DVec3;
+
+use super::gaps::{Floors, tilt};
+use crate::feet::default_pose::DefaultPose;
+use crate::feet::fault::PoseFault;
+use crate::messages::{readable, shown};
+use crate::model::{Fault, ForceId, Limb, Model, SphereId};
+
+/// Bodies that lean by more than this are posed so, rad: the pose moves their spheres, and not the foot.
+pub const MOST_LEAN_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
+/// Bottoms this close are level, m: heights have rounding errors.
+const ROUNDING_M: f64 = 1e-12;
+
+/// A sphere that has to move for the bottoms of its foot to be level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LevelledSphere {
+    pub sphere: SphereId,
+    /// Its new centre in its own frame, m.
+    pub location_m: [f64; 3],
+}
+
+/// Why the bottoms of feet cannot be made level.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NotLevelled {
+    /// Which spheres are one foot's.
+    #[error("the bottoms of a foot cannot be made level, because limbs are not known: {why}")]
+    NoLimbs { why: String },
+    /// No floor is under any of the spheres.
+    #[error(
+        "the bottoms of a foot cannot be made level, because no sphere presses on a floor that leans by less than 45 degrees"
+    )]
+    NoFloor,
+    /// The foot does not lie flat.
+    #[error(
+        "the foot of limb {} leans by {} degrees at the default pose ({}): there the pose decides which of its spheres is low, and not \
+         the foot; expected at most 3 degrees: set default values of its joints at which it lies flat",
+        shown(limb), readable((degrees * 10.0).round() / 10.0), shown(sphere)
+    )]
+    Leans {
+        limb: String,
+        /// The sphere whose body leans most.
+        sphere: String,
+        degrees: f64,
+    },
+    /// Where bodies are at the default pose.
+    #[error("the bottoms of a foot cannot be made level: {0}")]
+    Pose(#[from] PoseFault),
+    /// A frame that cannot be read.
+    #[error("{0}")]
+    Frame(Box<Fault>),
+}
+
+/// A sphere over its lowest floor.
+struct OverLowestFloor {
+    sphere: SphereId,
+    gap_m: f64,
+    normal: DVec3,
+    tilt_rad: f64,
+}
+
+/// The spheres of `forces` that have to move for the bottoms of each limb to be as low as its lowest one at the default pose: along the
+/// normal of its floor. Spheres that are level already are left out.
+///
+/// # Errors
+/// Limbs, floors or the pose are not known, or a foot that would change leans by more than [`MOST_LEAN_RAD`].
+pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LevelledSphere>, NotLevelled> {
+    let limbs = model.limbs(forces);
+    let limbs = limbs.if_known().ok_or_else(|| NotLevelled::NoLimbs {
+        why: limbs.why_unknown().map(ToString::to_string).unwrap_or_default(),
+    })?;
+    let pose = DefaultPose::of(model);
+    let floors = Floors::of(model, forces, &pose);
+    if floors.spheres().is_empty() {
+        return Err(NotLevelled::NoFloor);
+    }
+    let feet = LevelledFeet { model, floors: &floors, pose: &pose };
+    let mut moved = Vec::new();
+    for limb in limbs {
+        moved.extend(feet.levelled_spheres(limb)?);
+    }
+    Ok(moved)
+}
+
+/// A model whose feet are made level.
+struct LevelledFeet<'f> {
+    model: &'f Model,
+    floors: &'f Floors,
+    pose: &'f DefaultPose,
+}
+
+impl LevelledFeet<'_> {
+    fn levelled_spheres(&self, limb: &Limb) -> Result<Vec<LevelledSphere>, NotLevelled> {
+        let spheres = limb.spheres.iter().filter_map(|&sphere| self.over(sphere).transpose());
+        let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
+        let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
+        let high: Vec<&OverLowestFloor> =
+            spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
+        if !high.is_empty() {
+            self.refuse_leaning(limb, &spheres)?;
+        }
+        high.into_iter().map(|over| self.lowered(over, over.gap_m - lowest_m)).collect()
+    }
+
+    /// How a sphere is over the lowest of its floors; `None` if it is on none.
+    fn over(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
+        let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
+        let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
+        let Some((normal, gap_m)) = lowest.and_then(|(plane, gap)| Some((plane.surface?.normal, gap))) else {
+            return Ok(None);
+        };
+        let Some(body) = self.body(sphere) else { return Ok(None) };
+        let tilt_rad = tilt(self.pose.placement(body)?, normal);
+        Ok(Some(OverLowestFloor { sphere, gap_m, normal, tilt_rad }))
+    }
+
+    fn body(&self, sphere: SphereId) -> Option<&str> {
+        self.model.sphere(sphere)?.body.as_deref()
+    }
+
+    fn refuse_leaning(&self, limb: &Limb, spheres: &[OverLowestFloor]) -> Result<(), NotLevelled> {
+        let most = spheres.iter().reduce(|a, b| if b.tilt_rad > a.tilt_rad { b } else { a });
+        match most.filter(|most| most.tilt_rad > MOST_LEAN_RAD) {
+            None => Ok(()),
+            Some(most) => Err(NotLevelled::Leans {
+                limb: limb.name.clone(),
+                sphere: self.model.sphere(most.sphere).map(|sphere| sphere.name.clone()).unwrap_or_default(),
+                degrees: most.tilt_rad.to_degrees(),
+            }),
+        }
+    }
+
+    /// A sphere with its centre lower by `down_m` along the normal of its floor.
+    fn lowered(&self, over: &OverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
+        let sphere = over.sphere;
+        let (model_sphere, body) =
+            self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;
+        let frame =
+            self.model.rotation_of(model_sphere).map_err(|fault| NotLevelled::Frame(Box::new(fault)))?;
+        let in_body = self.pose.placement(body)?.rotation.inverse().to_body(over.normal);
+        let normal = frame.inverse().to_body(in_body);
+        let location_m = DVec3::from(model_sphere.location_m) - down_m * normal;
+        Ok(LevelledSphere { sphere, location_m: location_m.to_array() })
+    }
+}
