@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::error::{DomainError, non_negative, positive};
-use crate::{Ratios, Scale, ScaleValues};
+use crate::{Ratios, Scale, ScaleValues, SmoothingValues};
 
 /// 2^(3/2): E₁* of each of two equal surfaces over the composite E*, by OpenSim's mixing rule (A.3), (A.4).
 pub const EQUAL_SURFACES: f64 = 2.0 * std::f64::consts::SQRT_2;
@@ -17,23 +17,6 @@ pub struct ContactValues {
     pub dissipation: f64,
     /// What only `SmoothSphereHalfSpaceForce` has; `None` for `HuntCrossleyForce`.
     pub smoothing: Option<SmoothingValues>,
-}
-
-/// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SmoothingValues {
-    /// cf, in m² in spite of its name (C.1): `constant_contact_force`. 0 is legal.
-    pub constant_contact_force: f64,
-    /// bd, in 1/m: `hertz_smoothing`.
-    pub hertz_smoothing: f64,
-    /// bv, in s/m: `hunt_crossley_smoothing`.
-    pub hunt_crossley_smoothing: f64,
-}
-
-impl SmoothingValues {
-    /// What OpenSim takes if a file has no value: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
-    pub const OPENSIM_DEFAULT: Self =
-        Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
 }
 
 /// The contact of a sphere with a half-space, both of one material.

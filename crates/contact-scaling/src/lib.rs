@@ -50,13 +50,13 @@ pub mod patch;
 pub mod restitution;
 mod scale;
 pub mod sizing;
-mod smooth;
+mod smooth_sphere;
 pub mod smoothing;
 pub mod stiffness;
 pub mod table1;
 
 pub use contact::{
-    Contact, ContactValues, EQUAL_SURFACES, Friction, FrictionValues, Preset, SmoothingValues, falisse2022,
+    Contact, ContactValues, EQUAL_SURFACES, Friction, FrictionValues, Preset, falisse2022,
     preset, preset_names,
 };
 pub use dimensionless::DimensionlessContact;
@@ -65,4 +65,5 @@ pub use error::DomainError;
 pub use hertz::{Hertz, HertzValues, HuntCrossley};
 pub use law::{Law, Spheres};
 pub use scale::{RatioValues, Ratios, Scale, ScaleValues, SharedLoad};
-pub use smooth::SmoothSphere;
+pub use smooth_sphere::SmoothSphere;
+pub use smoothing::SmoothingValues;

@@ -1,8 +1,25 @@
-//! The smoothing parameters cf, bd and bv from what is wanted: (C.2), (C.5) to (C.8), (C.10).
+//! The smoothing parameters cf, bd and bv: OpenSim's defaults, and values from what is wanted by (C.2), (C.5) to (C.8), (C.10).
 //!
 //! Thresholds t are shares of the contact state: a width reaches from s_c = t to s_c = 1 − t.
 
 use crate::error::{DomainError, non_negative, positive, within};
+
+/// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothingValues {
+    /// cf, in m² in spite of its name (C.1): `constant_contact_force`. 0 is legal.
+    pub constant_contact_force: f64,
+    /// bd, in 1/m: `hertz_smoothing`.
+    pub hertz_smoothing: f64,
+    /// bv, in s/m: `hunt_crossley_smoothing`.
+    pub hunt_crossley_smoothing: f64,
+}
+
+impl SmoothingValues {
+    /// What OpenSim takes if a file has no value: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
+    pub const OPENSIM_DEFAULT: Self =
+        Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
+}
 
 const BELOW_HALF: &str = "a number between 0 and 0.5";
 

@@ -14,7 +14,7 @@ use osim_requests::options::SetFiles;
 use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, FileKinds, sha256};
 use crate::paths::folder_of;
-use crate::source::sources::Source;
+use crate::source::find_models::Source;
 use crate::source::workbook::workbook_as_csv;
 
 /// The disk: paths are those of the file system, and `-` is standard input. For names that the user gave: pipes and devices

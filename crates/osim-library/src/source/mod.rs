@@ -1,10 +1,10 @@
 //! Which models a call is about, and reading them from the disk.
 
 mod disk;
-mod sources;
+mod find_models;
 mod workbook;
 
 pub(crate) use disk::MemoryFirst;
 pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
-pub(crate) use sources::SWEEP_FOLDER_ENDING;
-pub use sources::{Source, Sources, SplitName};
+pub(crate) use find_models::SWEEP_FOLDER_ENDING;
+pub use find_models::{Source, Sources, SplitName};
