@@ -171,8 +171,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             "Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)";
         Belt = value("M/S").signed().under_if(is(&[Fit]), RECORDING),
             "Speed of a treadmill's belt against x, m/s: slip is taken against it";
-        BeltColumn = value("NAME").under_if(is(&[Fit]), RECORDING).rare(), "The same, from this column of the motion",
-            Fit => "The same, from this column of each motion";
+        BeltColumn = value("NAME").under_if(is(&[Fit]), RECORDING).rare(), "Speed of a treadmill's belt from this column of the motion",
+            Fit => "Speed of a treadmill's belt from this column of each motion";
         Kind = choice(PlotKind::WORDS), "What to draw";
         Data = written("FILE").about(FieldGroup::Output), "Write the numbers that are drawn to this file, too (CSV)";
         Axes = choice(AxesChoice::WORDS), "Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]";
