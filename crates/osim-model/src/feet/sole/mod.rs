@@ -6,10 +6,10 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
 
 use crate::feet::bones::Bone;
+use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::FeetFault;
 use crate::feet::sole::footprint::{BonePoint, FlatPoint, FootAxes, spread_bottoms};
-use crate::feet::convex_hull::{convex_hull, sort_and_dedup};
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 
