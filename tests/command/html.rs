@@ -32,7 +32,7 @@ const BLOCKS: [&str; 18] = [
 /// The text of a page and the parts of it that tests count.
 #[derive(Debug, Default)]
 pub(crate) struct Html {
-    /// Its text, a line for each block, with the title of a plot in brackets.
+    /// Text of the page, a line for each block, with the title of a plot in brackets.
     pub(crate) text: String,
     /// Levels of its headings.
     pub(crate) headings: Vec<u8>,

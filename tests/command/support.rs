@@ -240,7 +240,7 @@ impl CommandRun {
         self
     }
 
-    /// None of `words` is printed, on either stream.
+    /// Fails if one of `words` is printed, on either stream.
     #[track_caller]
     pub(crate) fn says_not(self, words: &[&str]) -> Self {
         let text = format!("{}{}", self.out(), self.err());

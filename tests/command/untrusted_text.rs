@@ -4,9 +4,9 @@ use osim_model::messages::is_visible;
 
 use crate::support::{CommandRun, HUMAN, TestDir, fixture};
 
-/// This name clears the screen, changes its colour and the direction of writing, and begins as a formula.
+/// A name that clears the screen, changes its colour and the direction of writing, and begins as a formula.
 const NASTY: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}";
-/// Such a name for a model, which may contain blanks: it also begins a new line.
+/// A model's name that also begins a new line, and may contain blanks.
 const NASTY_LINE: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}&#10;error: fake ";
 /// Lines of this name that no output may contain.
 const FAKE: [&str; 2] = ["\nerror: fake", "\nwarning: fake"];

@@ -95,7 +95,7 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
     assert_stderr_has(&plan_with_counts, &["--radius-axis says nothing with --radius"]);
 }
 
-/// Without the left toe in both models, left and right have different numbers of spheres.
+/// Two models whose left and right have different numbers of spheres, because the left toe has none.
 fn models_without_left_toe() -> TestDir {
     let dir = generic_and_scaled("smooth");
     for file in ["generic.osim", "scaled.osim"] {

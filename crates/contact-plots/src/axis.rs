@@ -13,9 +13,9 @@ use crate::text_width::width_pt;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Axis {
-    /// What is written along it, with its unit.
+    /// Text along the axis, with its unit.
     pub label: String,
-    /// What it covers at least; it grows to hold all points.
+    /// The range that the axis covers at least; it grows to hold all points.
     pub range: Option<(f64, f64)>,
     /// The limits of the axis, if it is to cover exactly these: what is outside is not drawn.
     pub limits: Option<(f64, f64)>,
@@ -42,7 +42,7 @@ impl Axis {
         Self { logarithmic: true, ..Self::new(label) }
     }
 
-    /// Where a value is along it: the value, or its decimal logarithm.
+    /// Position of a value along the axis: the value, or its decimal logarithm.
     pub(crate) fn place(&self, value: f64) -> f64 {
         if self.logarithmic { value.log10() } else { value }
     }
@@ -88,7 +88,7 @@ impl Axis {
     }
 }
 
-/// Where ticks are and what is written at them.
+/// Positions of ticks, and the texts at them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Ticks {
     /// Places with their labels.

@@ -63,7 +63,7 @@ impl Paper {
 
 // The SVG document around what the plotting library drew: size on paper, title and description.
 
-/// What a document is called and shows, for those who do not see it.
+/// The title of a document and a description of what it shows, for those who do not see it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TitleAndDescription<'n> {
     pub(crate) title: &'n str,
@@ -190,7 +190,7 @@ impl Title {
         Self(lines(&printable(title), TITLE_PT, width_pt - 2.0 * MARGIN_PT))
     }
 
-    /// Where what is below the title begins.
+    /// Distance from the top of the page to what is below the title, in points.
     pub(crate) fn bottom_pt(&self) -> f64 {
         let lines = f64::from(u32::try_from(self.0.len()).unwrap_or(u32::MAX));
         MARGIN_PT + if self.0.is_empty() { 0.0 } else { lines * TITLE_LINE_PT + TITLE_GAP_PT }
@@ -209,7 +209,7 @@ impl Title {
 
 /// The title and the names of a document, and how large it is.
 pub(crate) struct Sheet<'s> {
-    /// As wide as `paper` makes a figure of this width.
+    /// The width that `paper` gives a figure of this width.
     pub(crate) width: Width,
     pub(crate) paper: Paper,
     /// The height of the layout, in points for letters of 7 points.

@@ -30,22 +30,22 @@ pub struct Datum {
     pub kind: &'static str,
     /// The name of that.
     pub name: String,
-    /// What the horizontal axis shows, with its unit.
+    /// The quantity on the horizontal axis, with its unit.
     pub x_axis: String,
     /// The value along it.
     pub x: Option<f64>,
-    /// What the vertical axis shows, with its unit.
+    /// The quantity on the vertical axis, with its unit.
     pub y_axis: String,
     /// The value along it.
     pub y: Option<f64>,
-    /// What a third number is, with its unit: the quantity of a cell, the radius of a sphere.
+    /// The quantity of a third number, with its unit: of a cell, or the radius of a sphere.
     pub value_name: String,
-    /// That number.
+    /// The number that the drawing shows; `None` where it is not known.
     pub value: Option<f64>,
 }
 
 impl Drawing {
-    /// What it shows.
+    /// Title of the drawing.
     #[must_use]
     pub fn title(&self) -> &str {
         match self {

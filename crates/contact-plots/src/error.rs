@@ -13,7 +13,7 @@ pub enum PlotError {
     /// There is nothing to draw.
     #[error("nothing to draw: {what}")]
     Empty {
-        /// What is missing.
+        /// The part of the figure that is missing.
         what: &'static str,
     },
     /// More curves than can be distinguished.
@@ -39,7 +39,7 @@ pub enum PlotError {
     Names {
         /// How many names there are.
         wanted: usize,
-        /// What its curves are called.
+        /// Names of the curves in the panel.
         curves: Vec<String>,
     },
     /// There is not one axis that could be limited.
@@ -47,7 +47,7 @@ pub enum PlotError {
     NoAxis {
         /// `horizontal` or `vertical`.
         which: &'static str,
-        /// What its axes show.
+        /// Labels of the axes that the figure has.
         found: Vec<String>,
     },
     /// The values along an axis of cells do not rise.
@@ -76,7 +76,7 @@ pub enum PlotError {
         /// The least width for them.
         least_mm: f64,
     },
-    /// So many pixels that the memory may not hold them.
+    /// A picture with so many pixels that the memory may not hold them.
     #[error(
         "{width} × {height} pixels are more than the {} million that a picture may have: say a smaller dpi or width",
         .most / 1_000_000

@@ -1,4 +1,4 @@
-//! What a figure consists of, what its panels cover, and what of a line or an area is inside of them.
+//! The parts of a figure, the ranges of its panels, and the pieces of lines and areas inside of them.
 
 use line_clipping::cohen_sutherland::clip_line;
 use line_clipping::sutherland_hodgman::clip_polygon;
@@ -14,9 +14,9 @@ pub type Point = (f64, f64);
 /// A curve through points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Its name in the legend; equal names with equal looks share one entry. Empty for none.
+    /// Name of the curve in the legend; equal names with equal looks share one entry. Empty for none.
     pub label: String,
-    /// Its points, in order.
+    /// Points of the curve, in order.
     pub points: Vec<Point>,
     /// How it looks.
     pub look: Look,
@@ -33,9 +33,9 @@ impl Curve {
 /// The area between a curve and 0, shaded.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Area {
-    /// Its name in the legend.
+    /// Name of the area in the legend.
     pub label: String,
-    /// Its upper edge, in order.
+    /// Points of the area's upper edge, in order.
     pub points: Vec<Point>,
 }
 
@@ -51,9 +51,9 @@ pub enum Direction {
 /// A limit or threshold: a thin dashed line across the panel with its name beside it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Limit {
-    /// What is written beside it; empty for none.
+    /// Text beside the limit; empty for none.
     pub label: String,
-    /// Where it is, in the units of its axis.
+    /// Value of the limit, in the units of its axis.
     pub at: f64,
     /// Which way it runs.
     pub direction: Direction,
@@ -76,24 +76,24 @@ impl Limit {
 /// A single point, as a filled dot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Its name in the legend.
+    /// Name of the limit in the legend.
     pub label: String,
-    /// Where it is.
+    /// Place of the label in the panel.
     pub at: Point,
-    /// Its colour; the dash has no meaning here.
+    /// Colour of the limit; the dash has no meaning here.
     pub look: Look,
 }
 
-/// One pair of axes with what is drawn between them.
+/// A pair of axes with what is drawn between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
-    /// What it shows; may be empty.
+    /// Title of the panel; may be empty.
     pub title: String,
     /// The horizontal axis.
     pub x: Axis,
     /// The vertical axis.
     pub y: Axis,
-    /// Its curves, the first at the bottom.
+    /// Curves of the panel, the first at the bottom.
     pub curves: Vec<Curve>,
     /// Areas below them.
     pub areas: Vec<Area>,
@@ -156,9 +156,9 @@ impl Width {
 /// Panels side by side and below each other, with one legend for all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// What it shows, above the panels and as the document's `<title>`.
+    /// Title above the panels, and the document's `<title>`.
     pub title: String,
-    /// What it shows in full sentences, as the document's `<desc>`.
+    /// Description in full sentences, the document's `<desc>`.
     pub description: String,
     /// How wide it is.
     pub width: Width,
@@ -213,7 +213,7 @@ impl<'p> Frame<'p> {
         Self { panel, x, y, x_ticks: panel.x.ticks(x, X_TICKS), y_ticks: panel.y.ticks(y, Y_TICKS) }
     }
 
-    /// Where a point is.
+    /// Position of a point in the panel.
     pub(crate) fn place(&self, (x, y): Point) -> Point {
         (self.panel.x.place(x), self.panel.y.place(y))
     }
@@ -228,7 +228,7 @@ impl<'p> Frame<'p> {
         (self.x.0..=self.x.1).contains(&x) && (self.y.0..=self.y.1).contains(&y)
     }
 
-    /// Where a limit is along its axis, if it is in the panel.
+    /// Position of a limit along its axis, if it is in the panel.
     pub(crate) fn limit(&self, limit: &Limit) -> Option<f64> {
         let (axis, (low, high)) = match limit.direction {
             Direction::Vertical => (&self.panel.x, self.x),

@@ -26,26 +26,26 @@ const BLANK: RGBColor = RGBColor(0xBB, 0xBB, 0xBB);
 /// A limit of the quantity, drawn between the cells that are within and those that are outside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatLimit {
-    /// Its name in the legend.
+    /// Name of the contour in the legend.
     pub label: String,
-    /// Its value.
+    /// Value of the cells along the contour.
     pub at: f64,
 }
 
 /// A quantity over two parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatMap {
-    /// What it shows.
+    /// Title above the map.
     pub title: String,
-    /// What it shows in full sentences.
+    /// Description of the map in full sentences.
     pub description: String,
     /// The horizontal parameter; its cells say how far it goes.
     pub x_axis: Axis,
-    /// Its values: rising, each the middle of a cell.
+    /// Values of the horizontal axis: rising, each the middle of a cell.
     pub x: Vec<f64>,
     /// The vertical parameter.
     pub y_axis: Axis,
-    /// Its values, likewise.
+    /// Values of the vertical axis: rising, each the middle of a cell.
     pub y: Vec<f64>,
     /// The quantity: a row for each of `y`, in it a value for each of `x`; `None` where there is none.
     pub values: Vec<Vec<Option<f64>>>,
@@ -95,7 +95,7 @@ fn edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
     Ok(std::iter::once(lowest).chain(inner).chain([highest]).collect())
 }
 
-/// Where everything of a heat map goes; places along a logarithmic axis are logarithms.
+/// Positions of all parts of a heat map; positions along a logarithmic axis are logarithms.
 struct HeatLayout {
     width_pt: f64,
     title: Title,
@@ -184,8 +184,7 @@ impl HeatLayout {
         }
     }
 
-    /// One rectangle for each cell, a little larger to the right and to the top so that no seam shows; the next one
-    /// covers that.
+    /// A rectangle for each cell, a little larger to the right and to the top so that no seam shows; the next one covers that.
     fn cells(&self, map: &HeatMap) -> Vec<Rectangle<(f64, f64)>> {
         let (right, top) = (last(&self.x_edges), last(&self.y_edges));
         let mut cells = Vec::new();
@@ -269,7 +268,7 @@ fn colour(axis: &Axis, (low, high): (f64, f64), value: Option<f64>) -> RGBColor 
         .map_or(BLANK, |value| ViridisRGB.get_color_normalized(axis.place(value).clamp(low, high), low, high))
 }
 
-/// What the legend explains: only what is there.
+/// Entries of the legend: only what the map shows.
 fn entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String)> {
     let mut entries = Vec::new();
     if let Some(limit) = &map.limit {

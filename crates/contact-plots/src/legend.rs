@@ -66,7 +66,8 @@ impl Legend {
         Self::new(entries, room_pt)
     }
 
-    /// As many columns as hold every name in one line, else one, in which longer names take several lines: no name is cut.
+    /// A legend with as many columns as hold every name in one line, else with one, in which longer names take several lines: no name is
+    /// cut.
     pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
         let name = |(_, label): &(Sample, String)| width_with_reserve_pt(label, TEXT_PT);
         let widest = SAMPLE_PT + 3.0 * GAP_PT + entries.iter().map(name).fold(0.0, f64::max);

@@ -60,7 +60,7 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
     })
 }
 
-/// Where everything of a figure goes.
+/// Positions of all parts of a figure.
 struct Layout {
     title: Title,
     columns: usize,

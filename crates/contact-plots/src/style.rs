@@ -50,7 +50,7 @@ pub(crate) fn stroke(colour: RGBColor, width_pt: f64) -> ShapeStyle {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Dash {
-    /// One stroke.
+    /// A line without gaps.
     Solid,
     /// Long dashes.
     Dashed,
@@ -77,9 +77,9 @@ impl Dash {
 pub struct Look {
     /// Red, green and blue, 0 to 255.
     pub colour: (u8, u8, u8),
-    /// Its dash.
+    /// Dash of the line.
     pub dash: Dash,
-    /// Its width, in points.
+    /// Width of the line, in points.
     pub width_pt: f64,
 }
 

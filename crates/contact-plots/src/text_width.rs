@@ -9,7 +9,7 @@ use ttf_parser::Face;
 
 /// The width of a letter that the font does not have, as a share of the size of the text: no letter of a plain font is wider.
 const WIDEST_LETTER: f64 = 1.0;
-/// Where a viewer has no Arial, the font in its place may be a little wider.
+/// If a viewer has no Arial, the font in its place may be wider by this factor.
 const OTHER_FONT_FACTOR: f64 = 1.06;
 const ELLIPSIS: char = '…';
 /// A word too long for a line is broken after one of these: they part the names of files.

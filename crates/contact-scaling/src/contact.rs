@@ -15,7 +15,7 @@ pub struct ContactValues {
     pub plane_strain_modulus: f64,
     /// α, in s/m: OpenSim's `dissipation`. 0 is legal.
     pub dissipation: f64,
-    /// What only `SmoothSphereHalfSpaceForce` has; `None` for `HuntCrossleyForce`.
+    /// The parameters that only `SmoothSphereHalfSpaceForce` has; `None` for `HuntCrossleyForce`.
     pub smoothing: Option<SmoothingValues>,
 }
 
@@ -104,7 +104,7 @@ impl Contact {
 
 // Friction of one sphere that slips, as both contact classes of OpenSim have it.
 
-/// What friction follows from, as in the file.
+/// The numbers of a file from which friction follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionValues {
     /// `static_friction`, the coefficient near rest.
@@ -136,7 +136,7 @@ impl Friction {
         Ok(Self(values))
     }
 
-    /// Its values.
+    /// The friction coefficients and the transition velocity, by name.
     #[must_use]
     pub const fn values(&self) -> FrictionValues {
         self.0

@@ -5,15 +5,15 @@
 
 use crate::error::{DomainError, positive, within};
 
-/// One step, as factors of the final contact.
+/// A step of a continuation, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
     /// Dimensionless stiffness k̂ at the load of the last step, without unit (B.3).
     pub dimensionless_stiffness: f64,
-    /// What E* of the last step is multiplied by.
+    /// Factor of the last step's E*.
     pub modulus_factor: f64,
-    /// What α of the last step is multiplied by.
+    /// Factor of the last step's α.
     pub dissipation_factor: f64,
 }
 

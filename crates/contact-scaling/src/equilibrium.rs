@@ -228,7 +228,7 @@ fn first_rest(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64,
     Ok(bisect_near(guess, above, below, carried))
 }
 
-/// Where `value` is 0, by Newton's method from `start`. It is a guess: nothing says that the steps end there.
+/// The root of `value` by Newton's method from `start`. It is a guess: nothing says that the steps end at a root.
 fn newton_root(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
     // Each step doubles the digits that are right.
     const STEPS: usize = 8;

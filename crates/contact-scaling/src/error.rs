@@ -7,7 +7,7 @@ pub enum DomainError {
     /// A single quantity is not in the range its equation is defined for.
     #[error("{quantity} is {value:?}, expected {expected}")]
     OutOfRange {
-        /// What was given, in words and without its unit: `"sphere radius"`.
+        /// Name of the refused quantity, without its unit: `"sphere radius"`.
         quantity: &'static str,
         /// The value that was given, in SI units.
         value: f64,

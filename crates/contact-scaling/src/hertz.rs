@@ -3,7 +3,7 @@
 use crate::Contact;
 use crate::error::{DomainError, non_negative, positive};
 
-/// What the Hertz law of one sphere is made of, by name and not yet checked.
+/// The numbers in the Hertz law of one sphere, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzValues {
     /// E*, composite plane strain modulus, in N/m² (not OpenSim's `stiffness`, which is E₁*).

@@ -30,9 +30,9 @@ pub struct Limit {
     pub value: f64,
     /// The side.
     pub bound: Bound,
-    /// What is limited, in a few words.
+    /// The quantity that is limited, in a few words.
     pub what: &'static str,
-    /// Where the number comes from.
+    /// Source of the limit.
     pub source: &'static str,
 }
 

@@ -131,7 +131,7 @@ pub fn stiffness_on_rigid_ground(young_n_m2: f64, poisson: f64) -> Result<f64, D
     of_equal_surfaces(plane_strain(young_n_m2, poisson)?, MixingRule::Sherman)
 }
 
-/// One of two surfaces in contact, by name and not yet checked.
+/// The material of one of two surfaces in contact, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SurfaceValues {
     /// E₁*, in N/m²: `stiffness` of its `ContactParameters`.

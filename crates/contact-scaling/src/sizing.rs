@@ -54,7 +54,7 @@ pub enum SizingError {
     Contradictory {
         /// The quantity that contradicts the others.
         quantity: &'static str,
-        /// Its given value.
+        /// The value that the caller gave.
         given: f64,
         /// The value that follows from the first three known quantities.
         follows: f64,

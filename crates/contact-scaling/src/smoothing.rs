@@ -16,7 +16,7 @@ pub struct SmoothingValues {
 }
 
 impl SmoothingValues {
-    /// What OpenSim takes if a file has no value: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
+    /// The values that OpenSim takes if a file has none: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
     pub const OPENSIM_DEFAULT: Self =
         Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
 }

@@ -56,7 +56,7 @@ impl Column {
         Self::ContactStiffness,
     ];
 
-    /// Its name for programs; it ends in the unit, where there is one.
+    /// Name of the column for programs; it ends in the unit, where there is one.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -69,7 +69,7 @@ impl Column {
         }
     }
 
-    /// What it is, in plain letters.
+    /// Label of the column, in plain letters.
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
@@ -106,17 +106,17 @@ impl Column {
     }
 }
 
-/// One number of Table 1, as printed and as computed.
+/// A number of Table 1, as printed and as computed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Compared {
-    /// Where it is.
+    /// Column of the number.
     pub column: Column,
-    /// As the paper prints it.
+    /// The number as the paper prints it.
     pub printed: &'static str,
-    /// As it is computed, in the unit of the paper.
+    /// The number as it is computed, in the unit of the paper.
     pub computed: f64,
-    /// As it is computed from the rounded number that the paper prints for the human, if it can also be computed in this way.
+    /// The number computed from the rounded number that the paper prints for the human, if it can also be computed in this way.
     pub from_rounded: Option<f64>,
 }
 
@@ -165,7 +165,7 @@ impl Compared {
     }
 }
 
-/// One row of Table 1.
+/// A row of Table 1: an animal with its contacts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Animal {
     taxon: &'static str,
@@ -195,19 +195,19 @@ impl Animal {
         Some(Self { taxon, scale: Scale::new(values).ok()?, printed: printed.try_into().ok()? })
     }
 
-    /// What it is called: `"mouse"`.
+    /// Name of the animal: `"mouse"`.
     #[must_use]
     pub const fn taxon(&self) -> &'static str {
         self.taxon
     }
 
-    /// Its mass, its spheres and their radius, under [`GRAVITY_M_S2`].
+    /// Mass, spheres and radius of the body, under [`GRAVITY_M_S2`].
     #[must_use]
     pub const fn scale(&self) -> Scale {
         self.scale
     }
 
-    /// What the paper prints in a column, digit by digit.
+    /// The text that the paper prints in a column, digit by digit.
     #[must_use]
     pub fn printed(&self, column: Column) -> &'static str {
         let index = Column::ALL.iter().position(|&known| known == column);
@@ -230,7 +230,7 @@ impl Animal {
         Contact::new(ContactValues { smoothing: None, ..self.contact()?.values() })
     }
 
-    /// What the paper's human becomes this animal by.
+    /// Ratios from the paper's human to this animal.
     fn ratios(&self) -> Result<Ratios, DomainError> {
         let human = ScaleValues { gravity_m_s2: GRAVITY_M_S2, ..falisse2022().scale.values() };
         Ratios::between(&Scale::new(human)?, &self.scale)

@@ -13,7 +13,7 @@ use osim_view::report::layout::broken;
 
 use crate::session::{Language, WORDS};
 
-/// Where the equations are from.
+/// Source of the equations, as a literal text.
 macro_rules! equations {
     () => {
         "Equations: Van Bijlert (2026), doi:10.1016/j.jbiomech.2026.113420"
@@ -29,7 +29,7 @@ const ABOUT: &str = "Makes the contact parameters of OpenSim models right at eve
 const DETAILS: &str = "Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else. \
                        MODEL alone is inspected.";
 
-/// What was typed.
+/// The call that the user typed.
 pub(crate) enum Call {
     Own(OwnVerb),
     Request(Request),
@@ -123,7 +123,7 @@ fn root() -> Command {
         .disable_help_subcommand(true)
 }
 
-/// What each exit status says, at the end of the long help.
+/// Meanings of the exit statuses, for the end of the long help.
 fn exit_statuses() -> String {
     let line = |status: &ExitStatus| format!("  {:>3}  {}\n", status.code(), status.meaning());
     let lines: String = ExitStatus::ALL.iter().map(line).collect();
@@ -253,7 +253,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
 
 // The verbs in groups, as the help of the program lists them; clap has one list for all.
 
-/// What most people come for, with what it does.
+/// Examples of the most frequent calls, each with what it does.
 const EXAMPLES: [(&str, &str); 3] = [
     ("check MODEL.osim", "say what is wrong, and how to correct it"),
     ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),

@@ -44,7 +44,7 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
-/// What the words of the command line ask for, if they go together. What clap prints is an error to it.
+/// The call that the words of the command line ask for, if they go together. What clap prints is an error to it.
 fn parsed(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
     let first = std::env::args_os().nth(1);
     let first = first.as_deref().and_then(|word| word.to_str());
@@ -70,7 +70,7 @@ fn asks_for_help() -> bool {
     words.peek().is_none() || words.any(|word| word == "-h" || word == "--help")
 }
 
-/// What was probably meant by the words of this call, where those are what an unknown argument comes from.
+/// A suggestion for this call, if words of it that are no options caused an unknown argument.
 fn instead() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");

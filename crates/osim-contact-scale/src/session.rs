@@ -1,4 +1,4 @@
-//! What every verb of one call shares; what verbs without a change print and write in the end.
+//! A call of the program: what all verbs share; what verbs without a change print and write in the end.
 
 use std::path::Path;
 
@@ -17,9 +17,9 @@ use osim_view::report::json::{FailureRecord, line};
 use crate::exit::{self, Ended, Exit, exit_of_cause};
 use crate::terminal::Terminal;
 
-/// One call of the program.
+/// A call of the program.
 pub(crate) struct Session {
-    /// Where it talks.
+    /// Output streams of the call.
     pub terminal: Terminal,
     /// How it spells what the reader can say.
     pub words: Words,

@@ -1,4 +1,4 @@
-//! What was probably meant by words that are neither verbs nor files.
+//! Suggestions for words that are neither verbs nor files.
 
 use std::path::{Path, PathBuf};
 
@@ -9,8 +9,8 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::verb_names;
 
-/// What to write instead of `words`, the words of a call beside its options; `None` if that is not known. With `may_be_mass`, a
-/// bare number can only be the target mass.
+/// The call to suggest instead of `words`, the words of a call beside its options; `None` if nothing fits. With `may_be_mass`, a bare
+/// number can only be the target mass.
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";

@@ -13,7 +13,7 @@ use osim_model::messages::{one_line, terminal_safe};
 use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
 
-/// Where the command talks.
+/// Standard output and standard error of the command.
 #[derive(Debug)]
 pub(crate) struct Terminal {
     gone: bool,
@@ -23,7 +23,7 @@ pub(crate) struct Terminal {
 }
 
 impl Terminal {
-    /// This process's.
+    /// The standard streams of this process.
     pub(crate) fn new() -> Self {
         let (out, err) = (io::stdout(), io::stderr());
         Self {

@@ -161,7 +161,7 @@ enum Tilt {
     Level,
     /// A slope of so many degrees.
     Slope(f64),
-    /// So many degrees, too steep to stand on.
+    /// A plane that leans by so many degrees that nothing stands on it.
     Steep(f64),
 }
 

@@ -31,7 +31,7 @@ pub(crate) enum PlaceEvidence {
 }
 
 impl PlaceEvidence {
-    /// What `model` shows. `noted` is what its note says about sizes, if it has such a note.
+    /// Evidence of `model`. `noted` is what its note says about sizes, if it has such a note.
     pub(crate) fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
         let bones = BodyBones::of(model);
         // Also before a note, which only says that spheres are where somebody put them.
@@ -83,7 +83,7 @@ fn is_unit(factors: [f64; 3]) -> bool {
 /// Places that differ by no more than this in each axis are the same, m.
 const SAME_PLACE_M: f64 = 1e-6;
 
-/// Where the contact spheres of a published model are.
+/// Places of the contact spheres of a published model.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PublishedLayout {
@@ -91,7 +91,7 @@ struct PublishedLayout {
     name: String,
     /// How people cite the publication.
     title: String,
-    /// Where the layout was published, under which licence.
+    /// Publication and licence of the layout.
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     source: String,
     /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.

@@ -28,7 +28,7 @@ pub(crate) struct Reach {
     measure: Measure,
 }
 
-/// What a reach is measured by; the module describes both.
+/// The yardstick of a reach; the module describes both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Measure {
     TowardsJoint,

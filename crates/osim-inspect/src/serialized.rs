@@ -21,11 +21,11 @@ pub struct FindingRecord {
     pub code: &'static str,
     /// How bad it is: `error`, `warning` or `remark`.
     pub severity: &'static str,
-    /// What was found, in words.
+    /// Message of the finding, in words.
     pub message: String,
     /// Why it matters, the same for every case.
     pub why: String,
-    /// What to do about it, the same for every case.
+    /// Advice about the finding, the same for every case.
     pub advice: String,
     /// Component path of the force or sphere that it is about; of several the worst.
     pub place: Option<String>,

@@ -6,8 +6,8 @@ use osim_model::{NotRead, SizedKind};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What else of a model follows the size of its body, beside its contacts: by what factor geometric similarity would change each kind
-/// of number, and by what factor it changed. Nothing of it is ever changed.
+/// Other numbers of a model that follow the size of its body: by what factor geometric similarity would change each kind of number, and by
+/// what factor it changed. The program never changes them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeList {
@@ -19,7 +19,7 @@ pub struct SizeList {
     pub mass_ratio: Option<f64>,
     /// L, the ratio of lengths.
     pub length_ratio: Option<f64>,
-    /// Where L comes from: `joints`, the summed distances between the joints of each body, or `mass`, the cube root of M.
+    /// Source of L: `joints`, the summed distances between the joints of each body, or `mass`, the cube root of M.
     pub length_source: &'static str,
     /// The bodies whose joints were compared.
     pub compared_bodies: usize,
@@ -31,7 +31,7 @@ pub struct SizeList {
     pub only_in_model: Vec<String>,
     /// Objects of the original whose numbers have no counterpart of that name in the model.
     pub only_in_original: Vec<String>,
-    /// What is not read.
+    /// Objects that are not read.
     pub not_read: Vec<UnreadObjects>,
 }
 
@@ -57,7 +57,7 @@ pub struct SizeRow {
     pub factor: Option<SizeSpread>,
     /// The factor that geometric similarity gives; null where a mass is not known.
     pub similarity_factor: Option<f64>,
-    /// That factor at equal gravity, as a formula of the ratios of mass M and length L.
+    /// The expected factor at equal gravity, as a formula of the ratios of mass M and length L.
     pub similarity_formula: String,
     /// `follows` similarity, `left` at the old size, `partly-left`, `other`, `undecided` where it would change next to
     /// nothing, `not-compared`; null without an original.
@@ -88,7 +88,7 @@ pub struct UnreadObjects {
     pub class: String,
     /// How many.
     pub count: usize,
-    /// What of them is not read.
+    /// Description of the objects' numbers that are not read.
     pub why: &'static str,
 }
 

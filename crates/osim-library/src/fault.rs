@@ -19,7 +19,7 @@ pub enum Cause {
     Call,
     /// The system, for example a full disk or a folder that may not be written.
     System,
-    /// Another run, which is using a file and will end.
+    /// Another run is using a file; that run will end.
     Busy,
 }
 
@@ -34,7 +34,7 @@ impl LibraryFault {
         Self { cause: Cause::System, ..Self::new(format!("{what}: {why}")) }
     }
 
-    /// Another run is using a file.
+    /// The fault that another run is using a file.
     pub(crate) fn busy(message: Phrase) -> Self {
         Self { message, cause: Cause::Busy }
     }

@@ -41,15 +41,15 @@ pub struct Survey<'s> {
     pub words: Words,
 }
 
-/// What a survey knows of one model, spelled.
+/// Result of a survey for one model, spelled.
 pub enum SurveyedModel {
-    /// Its inspection, and the numbers of its findings if they are shown.
+    /// The model's inspection, and the numbers of its findings if they are shown.
     Inspected(Box<Inspection>, Option<Counts>),
-    /// Its findings.
+    /// The model's findings.
     Checked(Box<CheckResult>),
     /// A model of a folder without contacts.
     WithoutContacts,
-    /// It cannot be read.
+    /// Why the model cannot be read.
     Failed(Box<Failure>),
 }
 

@@ -71,11 +71,11 @@ impl RunFrontEnd for Watch {
     }
 }
 
-/// What a run did.
+/// Results of a run.
 struct Ran {
     watch: Watch,
     counts: Counts,
-    /// What could not even be listed.
+    /// The number of models or folders that could not be listed.
     failures: usize,
     records: Vec<Record>,
     written: Vec<PathBuf>,
@@ -206,7 +206,7 @@ fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRow
     RowReader::new(request)?.read(table.as_bytes(), "table", folder)
 }
 
-/// What `rows` finds wrong with rows: line, column and message of each.
+/// Faults that `rows` finds in a table: line, column and message of each.
 fn wrong(request: &BatchRequest, table: &str, folder: &Path) -> Vec<(Option<usize>, Option<usize>, String)> {
     let CheckedRows::Invalid(wrong) = rows(request, table, folder).unwrap() else {
         panic!("nothing is wrong")

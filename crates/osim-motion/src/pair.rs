@@ -10,7 +10,7 @@ use osim_model::{
 pub enum TouchedSurface {
     /// A plane, by its index among all planes of the forces.
     Plane(usize),
-    /// Another sphere of the same force.
+    /// The other side of the pair is a sphere of the same force.
     Sphere(SphereId),
 }
 

@@ -22,7 +22,7 @@ pub enum AssignedBy {
 /// The foot that a plate measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlateAssignment {
-    /// What the plate's columns begin with.
+    /// Beginning of the names of the plate's columns.
     pub plate: String,
     /// Index of the foot; `None` if the foot changes from frame to frame, or the plate has none.
     pub foot: Option<usize>,
@@ -30,10 +30,10 @@ pub struct PlateAssignment {
     pub by: Option<AssignedBy>,
 }
 
-/// What the plates measured under each foot, in the frames of a recording.
+/// Forces that the plates measured under each foot, in the frames of a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredForces {
-    /// One entry for each plate.
+    /// The use of each plate.
     pub uses: Vec<PlateAssignment>,
     /// The force for each foot and frame; `None` if a plate that the foot may be on has no data or no known foot, or the foot stands beside the
     /// plates.

@@ -224,11 +224,11 @@ struct ColumnTriple<'t> {
     stem: String,
     columns: [&'t Column; 3],
     quantity: PlateQuantity,
-    /// What distinguishes the plate from others: the stem without words such as `force`.
+    /// The part of a column's name that distinguishes the plate from others: the stem without words such as `force`.
     plate: String,
 }
 
-/// What three columns of a plate contain.
+/// The quantity in three columns of a plate.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum PlateQuantity {
     Force,

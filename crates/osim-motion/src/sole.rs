@@ -70,8 +70,8 @@ pub struct PressureOnSole {
 }
 
 impl PressureOnSole {
-    /// One entry for each foot, with the plates' forces if they are known; `None` if the default pose of a body is not known. In each frame the
-    /// foot is turned so that its spheres fit their places at the default pose best.
+    /// The soles of all feet, with the plates' forces if they are known; `None` if the default pose of a body is not known. In each frame
+    /// the foot is turned so that its spheres fit their places at the default pose best.
     pub fn all<'f>(
         model: &Model,
         states: &ContactStates,

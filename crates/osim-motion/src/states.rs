@@ -14,7 +14,7 @@ use crate::table::{MotionFault, Table};
 #[derive(Debug, Clone, PartialEq)]
 pub enum Belt {
     Constant(DVec3),
-    /// One velocity for each frame.
+    /// A velocity for each frame.
     PerFrame(Vec<DVec3>),
 }
 

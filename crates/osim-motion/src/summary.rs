@@ -10,14 +10,14 @@ use crate::feet::{Foot, ON_BW, Stance, strides};
 use crate::plate_assignment::MeasuredForces;
 use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 
-/// One sphere along a recording.
+/// Summary of a sphere along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereSummary {
     /// Index of its contact pair.
     pub pair: usize,
-    /// Its largest force along the normal, N.
+    /// Largest force of the sphere along the normal, N.
     pub peak_n: f64,
-    /// Its largest x/R; below 0 if it never touches.
+    /// Largest x/R of the sphere; below 0 if it never touches.
     pub largest_relative_indentation: f64,
     /// The time of the largest x/R, s.
     pub largest_at_s: f64,
@@ -42,7 +42,7 @@ pub struct TouchDown {
     pub restitution: Option<f64>,
 }
 
-/// One foot along a recording.
+/// Summary of a foot along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSummary {
     pub foot: Foot,
@@ -52,7 +52,7 @@ pub struct FootSummary {
     pub peak_n: f64,
     /// The time of the largest force, s.
     pub peak_at_s: f64,
-    /// Its stances, by the plates that measured it, else by the model.
+    /// Stances of the foot, by the plates that measured it, else by the model.
     pub stances: Vec<StanceSummary>,
     /// Whether the stances are those of the plates.
     pub stands_by_plates: bool,

@@ -27,7 +27,7 @@ pub struct Table {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub name: String,
-    /// One number for each row; NaN if the file has that.
+    /// Number of the column in each row; NaN if the file has that.
     pub values: Vec<f64>,
 }
 

@@ -76,7 +76,7 @@ pub struct NumberChange {
 pub struct PlaceChange {
     /// Name of the sphere or half-space.
     pub sphere: String,
-    /// Its component path.
+    /// Component path of the object that changes.
     pub path: String,
     /// Present location in its frame, m.
     pub from: [f64; 3],
@@ -90,7 +90,7 @@ pub struct PlaceChange {
     pub(crate) slot: Slot,
 }
 
-/// What determines the new value of a number or a place.
+/// The rule that gives the new value of a number or a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum ChangedBy {
     /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.

@@ -73,7 +73,7 @@ pub struct Design {
     pub state_width: Option<(f64, f64)>,
     /// Threshold t, without a unit, and width Δv in m/s of (C.10).
     pub speed_width: Option<(f64, f64)>,
-    /// What happens to the radii, unless a contact stiffness is wanted.
+    /// The rule for the radii, unless a contact stiffness is wanted.
     pub radius: RadiusRule,
     /// Wanted stiffness of one sphere at the wanted indentation and load, N/m. It determines the radius (11, B.2), and `radius` does not count.
     pub contact_stiffness_n_m: Option<f64>,

@@ -257,7 +257,7 @@ pub(crate) enum EmptyForm {
 }
 
 impl EmptyForm {
-    /// That of `element`, which has no content.
+    /// The white space in and around `element`, which has no content.
     pub(crate) fn of(tree: &Tree, element: ElementId) -> Self {
         match tree.is_empty_tag(element) {
             false => Self::Open,
@@ -277,8 +277,8 @@ impl EmptyForm {
     }
 }
 
-/// Where `/>` is in `<tag/>`, with a single blank before it. Other white space is kept in the tag when it is opened, because no
-/// letter of a note says what it was.
+/// The bytes of `/>` in `<tag/>`, with a single blank before it. Other white space is kept in the tag when it is opened, because no letter
+/// of a note says what it was.
 pub(crate) fn end_of_empty_tag(tree: &Tree, element: ElementId) -> Range<usize> {
     let span = tree.span(element);
     let kept = tree.slice(span.clone()).strip_suffix("/>").unwrap_or_default();

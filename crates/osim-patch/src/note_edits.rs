@@ -13,7 +13,7 @@ use osim_model::{
 use crate::edit::{Edit, splice};
 use crate::insert::{EmptyForm, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
 
-/// What OpenSim writes before and after `<credits>` in a model.
+/// The elements that OpenSim writes before and after `<credits>` in a model.
 const ORDER_IN_MODEL: [&str; 6] =
     ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
 const CREDITS: &str = "credits";

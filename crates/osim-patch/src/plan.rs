@@ -100,7 +100,7 @@ impl Masses {
 /// The operation, as the note has it, of a transfer.
 pub(crate) const TRANSFER: &str = "transfer";
 
-/// What the note of a plan gets besides digests of the values.
+/// Facts for the note of a plan besides digests of the values.
 pub(crate) struct NoteFacts<'o> {
     pub(crate) target_mass_kg: Option<f64>,
     pub(crate) gravity_m_s2: Option<f64>,

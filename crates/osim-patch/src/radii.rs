@@ -142,11 +142,11 @@ impl Radii {
 pub(crate) enum SphereRule {
     /// The rule for all spheres.
     Rule(RadiusRule),
-    /// This radius, m, as large against the body as in the reference.
+    /// A radius, m, as large against the body as in the reference.
     Like(f64),
-    /// This radius, m, which the wanted stiffness and indentation need.
+    /// A radius, m, which the wanted stiffness and indentation need.
     Designed(f64),
-    /// This radius, m, scaled with the sphere's body.
+    /// A radius, m, scaled with the sphere's body.
     Followed(f64),
 }
 

@@ -47,7 +47,7 @@ pub struct Rescale {
     /// The mass to scale the contacts to, kg.
     pub target_mass_kg: f64,
     pub contacts_mass: Mass,
-    /// What happens to the radii.
+    /// The rule for the radii.
     ///
     /// ```
     /// use osim_model::{MassRequest, Model, Property, RadiusRule, Selection};

@@ -201,7 +201,7 @@ pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
 
 // Remarks about a change beside its numbers.
 
-/// What every change of plain numbers leaves as it is.
+/// A remark on what every change of plain numbers leaves as it is.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
 
 /// The remark if centres move because radii change.
@@ -245,7 +245,7 @@ pub(crate) fn bottoms_remark_and_level(radii: &Radii) -> Option<Phrase> {
     Some(phrase![&bottoms_remark(radii)?, "; ", Input::Level, " keeps them where they are"])
 }
 
-/// Where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.
+/// A remark on where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.
 pub(crate) fn rest_remark(rests: &[f64]) -> Option<Phrase> {
     let four = |x: f64| format!("{x:.4}");
     let least = rests.iter().copied().reduce(f64::min).map(four)?;

@@ -67,7 +67,7 @@ pub struct Set {
 }
 
 impl Set {
-    /// These assignments, if nothing is known of the mass.
+    /// A change by `assignments`, if nothing is known of the mass.
     pub fn new(assignments: Vec<(Property, Assignment)>) -> Self {
         Self { assignments, ..Self::default() }
     }

@@ -22,7 +22,7 @@ pub struct BeforeAfter {
     pub before_under_new_weight: Option<Figures>,
     /// The new model; `None` if nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
-    /// Both states, for figures of curves.
+    /// The model before and after the change, for figures of curves.
     pub bodies: Vec<Body>,
     /// The feet of both states without their bones, if they were asked for; those of the old state only, if the spheres stay.
     pub feet: Vec<ModelFeet>,
@@ -35,7 +35,7 @@ pub struct BeforeAfter {
 }
 
 impl BeforeAfter {
-    /// Both states of a model for which `change` has made `plan`. `changed` returns the new files; it is called only if something
+    /// A model before and after the change `plan`, which `change` has made. `changed` returns the new files; it is called only if something
     /// changes. `dialect` spells the messages, and `with_feet` says whether feet are included.
     ///
     /// # Errors
@@ -146,7 +146,7 @@ pub struct BeforeAndAfterPlan<'s> {
 }
 
 impl BeforeAndAfterPlan<'_> {
-    /// Both states for figures of curves, without inspections and checks: fast enough to follow a slider.
+    /// The model before and after the change for figures of curves, without inspections and checks: fast enough to follow a slider.
     pub fn bodies(self) -> Vec<Body> {
         let old = drawn_body("before", &self.change.options, &self.opened.model, self.opened);
         let new =

@@ -19,7 +19,7 @@ use self::FigureValue::{Always, Shown};
 use crate::calculator::STANDARD_GRAVITY_M_S2;
 use crate::opening::Subject;
 
-/// What a drop showed.
+/// Result of a drop test.
 #[derive(Debug, Clone)]
 pub struct DropResult {
     /// The model, the preset, or that it was given by numbers.
@@ -258,7 +258,7 @@ fn push_listed(message: &mut Phrase, inputs: &[Input]) {
 
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
 
-/// Where a figure is shown, and how its value is calculated.
+/// An entry of the register of drop figures: where a figure is shown, and how its value is calculated.
 struct Entry {
     row: DropRow,
     value: FigureValue,
@@ -272,7 +272,7 @@ enum FigureValue {
     Shown(fn(&DropResult) -> Option<f64>),
 }
 
-/// Where the table shows a figure; JSON has all of them.
+/// The part of the table that shows a figure; JSON has all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropRow {
     /// Not in the table: the line above has it, or it is not shown.

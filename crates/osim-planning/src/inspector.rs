@@ -42,7 +42,7 @@ struct Generic {
     contacts: ReferenceContacts,
     /// The Scale Tool's factors of bodies.
     file: Option<ScaleFile>,
-    /// Its size, and quantities that follow size.
+    /// Size of the model, and quantities that follow size.
     size: ModelSize,
     /// The Moco setup of the models that are compared with it.
     moco: Option<Document>,
@@ -186,8 +186,8 @@ impl Inspector {
         Ok(inspection)
     }
 
-    /// What is wrong with a model that was inspected, with remedies that were tried; `compiled` names files that other programs would
-    /// read instead of it. `files` has those that remedies name, and the meshes of feet.
+    /// Problems of a model that was inspected, with remedies that were tried; `compiled` names files that other programs would read instead
+    /// of it. `files` has those that remedies name, and the meshes of feet.
     pub fn check(
         &self,
         model: &Model,
@@ -207,7 +207,7 @@ impl Inspector {
         result
     }
 
-    /// What else of `model` follows its size, compared with the generic model.
+    /// Other numbers of `model` that follow its size, compared with the generic model.
     fn scaled_with_size(&self, model: &Model) -> Option<SizeList> {
         let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.place_reference) else { return None };
         let mut size = ModelSize::of(model, &self.options.masses);

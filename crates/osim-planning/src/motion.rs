@@ -27,7 +27,7 @@ pub struct MotionResult {
     pub summary: Summary,
     /// The centre of pressure on the sole of each foot; `None` where the default pose is not known.
     pub on_soles: Vec<Option<PressureOnSole>>,
-    /// What the model weighs, kg.
+    /// Mass of the model, kg.
     pub mass_kg: f64,
     pub gravity_m_s2: f64,
     /// The motion of the treadmill's belt, if there is one.

@@ -1,4 +1,4 @@
-//! What contacts along a motion show, in sentences and as a verdict.
+//! Remarks and a verdict on contacts along a motion.
 
 use std::path::Path;
 
@@ -40,7 +40,7 @@ impl MotionResult {
         remarks
     }
 
-    /// One sentence for each foot, then remarks about the files and the model.
+    /// A sentence for each foot, then remarks about the files and the model.
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = Remarks::default();
         self.add_weight(&mut remarks);

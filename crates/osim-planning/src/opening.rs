@@ -52,7 +52,7 @@ pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Fai
     Ok(document)
 }
 
-/// What a word in a request names. All verbs distinguish models and presets by this rule.
+/// The model or preset that a word in a request names. All verbs distinguish models and presets by this rule.
 pub(crate) enum NamedSource {
     Preset(Preset),
     /// A preset with places of spheres, which is kept as a model.
@@ -152,7 +152,7 @@ struct PresetFile {
     preset: Vec<PresetEntry>,
 }
 
-/// One `[[preset]]` of a user's file.
+/// A `[[preset]]` of a user's file.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PresetEntry {

@@ -285,7 +285,7 @@ pub struct HeatTable {
     pub x: TableColumn,
     /// Along the vertical axis; `None` where the table varies one thing only.
     pub y: Option<TableColumn>,
-    /// As a colour, or as the height of a curve.
+    /// The quantity that is drawn as a colour, or as the height of a curve.
     pub value: TableColumn,
 }
 

@@ -11,7 +11,7 @@ use crate::scaling::{
     Failure, MEAN_SQUARE_RADIUS, OF_SPHERES, Parameter, RULES, all, continuation_steps, rule_by_name,
 };
 
-/// Where the place of an element goes in a message; only Python knows the shapes of its arrays.
+/// The placeholder for the place of an element in a message; only Python knows the shapes of its arrays.
 const PLACE: &str = "{}";
 
 /// A refusal: the argument, the element of the flattened array, and the message with `{}` for its place.
@@ -42,7 +42,7 @@ pub(crate) fn mixing_rules() -> Vec<&'static str> {
     RULES.iter().map(|(name, _)| *name).collect()
 }
 
-/// What an equation gives, or why it gives nothing.
+/// The result of an equation, or why it gives none.
 type Given<T> = (Option<T>, Option<Refusal>);
 
 /// The values of an equation for rows of arguments, as bytes of float64.

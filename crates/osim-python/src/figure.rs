@@ -32,7 +32,7 @@ pub(crate) struct Figure {
     /// The numbers that are drawn, as CSV.
     #[pyo3(get)]
     csv: String,
-    /// What of each panel is not in the numbers, in their order.
+    /// For each panel in order, what is not in the numbers.
     #[pyo3(get)]
     panels: Vec<PanelLook>,
     dpi: f32,

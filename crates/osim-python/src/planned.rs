@@ -1,4 +1,4 @@
-//! One model with the change that is planned for it.
+//! A model with the change that is planned for it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -28,7 +28,7 @@ use crate::problem::Problem;
 /// The words of all messages.
 pub(crate) static WORDS: Words = &PythonWords;
 
-/// What `check` finds in a state of a model, and the request that puts each finding right.
+/// The JSON of a check of a model's state, and for each finding the request that corrects it.
 type Checked<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
 
 /// A model with the change that is planned for it: everything that is known of it, and its writing.
@@ -64,7 +64,7 @@ pub(crate) fn plan(
     })
 }
 
-/// Where results go, checked as a part of a request that has no other fields.
+/// The output options, checked as a part of a request that has no other fields.
 fn checked_output(mut fields: Map<String, Value>) -> Result<OutputOptions, Problem> {
     fields.insert("models".to_owned(), "model.osim".into());
     match Request::read(Verb::Remove, fields)? {
@@ -104,7 +104,7 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
 
 #[pymethods]
 impl Planned {
-    /// What changes, as the JSON of the command has it.
+    /// The plan as the JSON of the command has it.
     fn record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         dictionary(
             py,
@@ -112,7 +112,7 @@ impl Planned {
         )
     }
 
-    /// What changes, as the command prints it.
+    /// The plan as the command prints it.
     fn text(&self) -> String {
         plan_text::text(self.model.plan(), self.model.opened().name(), "nothing written yet")
     }
@@ -165,8 +165,8 @@ impl Planned {
         bodies.filter_map(|body| Some((body.path.clone(), body.mass_kg().ok()?))).collect()
     }
 
-    /// What `check` finds in the model before and after: two results, each as the JSON of the command has it, and the requests
-    /// that put the findings right.
+    /// The checks of the model before and after: two results, each as the JSON of the command has it, and the requests that correct the
+    /// findings.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
         let both = guarded(py, || {
             let both = self.model.show(&PythonWords, false, |changed| changed.before_after)?;

@@ -1,4 +1,4 @@
-//! What went wrong, as an exception of Python's.
+//! Failures and faults as exceptions of Python.
 
 use std::ffi::OsString;
 
@@ -15,7 +15,7 @@ use serde_json::Value;
 /// The module with the classes of exceptions.
 const MODULE: &str = "osim_contact_scale._errors";
 
-/// What went wrong, before it is an exception.
+/// A failure or fault before it is an exception.
 #[derive(Debug)]
 pub(crate) struct Problem {
     class: &'static str,
@@ -111,7 +111,7 @@ fn spelled(message: &Phrase) -> String {
     }
 }
 
-/// What the reader can say, as Python names it.
+/// The inputs in a message, as Python names them.
 fn keywords(message: &Phrase) -> Vec<String> {
     let mut all: Vec<String> =
         message.inputs().into_iter().filter_map(|input| keyword_for_field(input.name())).collect();
@@ -189,7 +189,7 @@ const REASONS: [(&str, &str); 6] = [
     ("cannot parse integer from empty string", "expected a whole number, 1 or more"),
 ];
 
-/// What is wrong, and the keyword that it is about, where it is one.
+/// A fault of a call, and the keyword that it is about, where it is one.
 pub(crate) struct CallFault {
     pub(crate) message: Phrase,
     pub(crate) keyword: Option<String>,
@@ -231,7 +231,7 @@ impl CallFault {
         Self { message: format!("{beginning}: {reason}").into(), keyword }
     }
 
-    /// Of one of the properties that are set: each is a keyword of its own.
+    /// The fault of one of the properties that are set: each is a keyword of its own.
     fn of_property(all: &str, reason: &str) -> Self {
         let assigned = reason.split_once('=').filter(|(name, _)| all.contains(&format!("{name}=")));
         let Some((name, rest)) = assigned else {
@@ -253,7 +253,7 @@ pub(crate) fn keyword_for_field(field: &str) -> Option<String> {
     PythonWords.input(*input, None).split('=').next().map(str::to_owned)
 }
 
-/// What was expected, where the words are those of JSON.
+/// The expectation in words of Python, where the words are those of JSON.
 fn reason_in_python(reason: &str) -> String {
     let expected = reason.find(", expected").filter(|_| reason.starts_with("invalid type: "));
     let reason = expected.and_then(|place| reason.get(place + 2..)).unwrap_or(reason);

@@ -26,7 +26,7 @@ use crate::guard::{Watch, dictionary, guarded, request_fields};
 use crate::planned::WORDS;
 use crate::problem::Problem;
 
-/// What a run shows of its models: their entries on a page, where one is asked for.
+/// Entries of a run's models on a page, where one is asked for.
 struct Reporter<'r> {
     watch: &'r Watch,
     detail: Option<DetailLevel>,
@@ -186,7 +186,7 @@ impl SweepFrontEnd for Watch {
     }
 }
 
-/// What a sweep did: its record, the table, and a record for each variant that could not be made.
+/// Results of a sweep: its record, the table, and a record for each variant that could not be made.
 type Swept<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
 
 /// Makes all variants.

@@ -36,8 +36,8 @@ const SMOOTH: &[&str] = &[
 ];
 const RATIOS: &[&str] = &["mass_ratio", "sphere_count_ratio", "radius_ratio", "gravity_ratio"];
 
-/// What the columns of the reference are, where they are not the arguments in their order: Hertz's law has η third, smoothed laws
-/// and ratios list all that there is.
+/// Columns of the reference for a function, where they are not the arguments in their order: Hertz's law has η third, smoothed laws and
+/// ratios list all that there is.
 fn columns(function: &Function) -> Vec<&'static str> {
     let (owner, name) = function.computes.split_once("::").unwrap();
     match (owner, name) {

@@ -143,7 +143,7 @@ pub fn read(
     }
 }
 
-/// What was typed for an option, as requests have it.
+/// The typed value of an option, as requests have it.
 fn typed(option: &Entry, matches: &ArgMatches) -> Value {
     let name = option.name;
     if option.takes == Takes::Flag {

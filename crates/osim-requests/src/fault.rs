@@ -3,10 +3,10 @@
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
-/// What is wrong with a request.
+/// A fault in a request.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestFault {
-    /// It has no field of this name.
+    /// The request has no field of this name.
     UnknownField {
         /// The name as it was given.
         field: String,
@@ -19,29 +19,29 @@ pub enum RequestFault {
         field: String,
         /// The value as it was given.
         value: String,
-        /// What was expected.
+        /// The expectation, in words.
         reason: String,
     },
     /// A field is missing.
     Missing {
-        /// Its name.
+        /// Name of the field.
         field: &'static str,
     },
     /// A field has no meaning without another.
     Needs {
-        /// Its name.
+        /// Name of the field.
         field: &'static str,
-        /// The other's.
+        /// Name of the other field.
         other: &'static str,
     },
     /// Only one of two fields can be given.
     Excludes {
         /// The name of one.
         field: &'static str,
-        /// The other's.
+        /// Name of the other field.
         other: &'static str,
     },
-    /// It makes no sense, whatever the model.
+    /// The request makes no sense, whatever the model.
     Refused {
         /// The field that it is about, where it is one.
         input: Option<Input>,
@@ -70,7 +70,7 @@ impl RequestFault {
         }
     }
 
-    /// What is wrong, with inputs as data.
+    /// The message, with inputs as data.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
@@ -136,15 +136,15 @@ impl From<Failure> for RequestError {
 /// How options depend on each other; each is named by its field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
-    /// It is required.
+    /// The field is required.
     Required(&'static str),
-    /// It is required in a dictionary; the command line asks for it in its own words.
+    /// The field is required in a dictionary; the command line asks for it in its own words.
     Expected(&'static str),
-    /// It is required if the other is absent.
+    /// The field is required if the other is absent.
     RequiredUnless(&'static str, &'static str),
-    /// It is required without the other, and the command line asks for it in its own words.
+    /// The field is required without the other, and the command line asks for it in its own words.
     ExpectedUnless(&'static str, &'static str),
-    /// It has no meaning without the other.
+    /// The field has no meaning without the other.
     Needs(&'static str, &'static str),
     /// Only one of the two can be given.
     Excludes(&'static str, &'static str),

@@ -96,7 +96,7 @@ fn described(option: &Entry, of_type: Value) -> Value {
     schema
 }
 
-/// That a field is given. The condition is defined once.
+/// The condition that `field` is given. It is defined once in the schema.
 fn is_given(field: &str, definitions: &mut Map<String, Value>) -> Value {
     let any = || {
         json!({

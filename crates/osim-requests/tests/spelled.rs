@@ -65,7 +65,7 @@ const EXAMPLES: &str = r##"{
     "fit": ["height"], "unbounded": true, "height_in": "spheres"
 }"##;
 
-/// Another value where the example is none for this verb.
+/// A value for a field where the register's example does not fit this verb.
 fn example_of(verb: Verb, field: &str) -> Option<Value> {
     match (verb, field) {
         (Verb::Plot, "stiffness" | "dissipation") => Some("x0.5..x2/3".into()),
@@ -74,7 +74,7 @@ fn example_of(verb: Verb, field: &str) -> Option<Value> {
     }
 }
 
-/// What `field` says nothing without, as the schema has it.
+/// Fields without which `field` has no meaning, as the schema has it.
 fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
     let rules = schema["allOf"].as_array().into_iter().flatten();
     let given = |rule: &'s Value| rule["$ref"].as_str()?.strip_prefix("#/$defs/")?.strip_suffix("_given");
@@ -125,7 +125,7 @@ fn every_field_of_every_verb_comes_back() {
     }
 }
 
-/// What calls have without a name is what the command takes so, but for `set`, which has models and assignments in one list.
+/// Fields that have no name in calls have none on the command line, but for `set`, which has models and assignments in one list.
 #[test]
 fn what_has_no_name_has_none_on_a_command_line() {
     for &verb in Verb::ALL.iter().filter(|verb| **verb != Verb::Set) {

@@ -50,7 +50,7 @@ pub(crate) struct NewFile {
     pub(crate) bytes: Vec<u8>,
 }
 
-/// What a change does.
+/// A change as the page shows it.
 #[derive(Debug, Serialize)]
 pub(crate) struct ChangeShown<'p> {
     record: PlanRecord,
@@ -124,7 +124,7 @@ impl PlannedChange {
         after
     }
 
-    /// Both states of the model.
+    /// The model before and after the change.
     fn before_after(&self, with_feet: bool, given_files: &GivenFiles) -> Result<BeforeAfter, Problem> {
         let opened = &self.opened.model;
         let mut before_after = BeforeAfter::of_plan(
@@ -150,7 +150,7 @@ impl PlannedChange {
         }
     }
 
-    /// What changes, with those plots of both states that are asked for.
+    /// The changes, with those plots of both states that are asked for.
     fn quick_sections(&self, wanted: Option<&[String]>) -> Sections {
         let drawn =
             wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
@@ -158,7 +158,7 @@ impl PlannedChange {
         Sections::of_plan(&self.plan, &bodies, self.change.reference.as_ref(), wanted, self.words)
     }
 
-    /// What it does; `wanted` are the sections to make, `None` for all.
+    /// The change for the page; `wanted` are the sections to make, `None` for all.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
@@ -228,7 +228,7 @@ impl PlannedChange {
         Files { inputs: self.opened.digests(), result, outputs }
     }
 
-    /// What a report shows of the change: its content is that of the report by the command which writes the files.
+    /// The change as an entry of a report: its content is that of the report by the command which writes the files.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.

@@ -86,7 +86,7 @@ pub(crate) type Fields = Map<String, Value>;
 pub enum Question {
     /// What is in a model, and what is wrong with it.
     Look {
-        /// Its file.
+        /// Name of the model's file.
         model: String,
         /// Fields of a request to inspect; with `from`, of one to check.
         #[serde(default)]
@@ -97,7 +97,7 @@ pub enum Question {
     },
     /// The bones of a model, as surfaces.
     Bones {
-        /// Its file.
+        /// Name of the model's file.
         model: String,
         /// Fields of a request to inspect.
         #[serde(default)]
@@ -105,12 +105,12 @@ pub enum Question {
     },
     /// The model along a recording, frame by frame.
     Play {
-        /// Its request: a motion, its plates.
+        /// Fields of the request: a motion and its plates.
         request: Fields,
     },
     /// What a change would do to one model. It is kept as the last change.
     Change {
-        /// Its request, with its verb and one model.
+        /// Fields of the request, with its verb and one model.
         request: Fields,
         /// The sections to make; `None` for all.
         #[serde(default)]
@@ -122,12 +122,12 @@ pub enum Question {
     Keep,
     /// The report about a change, or about a model that is inspected.
     Report {
-        /// Its request.
+        /// Fields of the request.
         request: Fields,
     },
     /// What `design` computes without a model.
     Calculate {
-        /// Its request.
+        /// Fields of the request.
         request: Fields,
     },
     /// A request as calls that people can copy.
@@ -139,7 +139,7 @@ pub enum Question {
     Animals,
     /// An equation, a quantity or a code.
     Explain {
-        /// Its number, name or code.
+        /// Number, name or code of the topic.
         topic: String,
     },
     /// The presets there are.

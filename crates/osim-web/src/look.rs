@@ -28,7 +28,7 @@ pub(crate) struct Opened {
     pub(crate) path: PathBuf,
     pub(crate) set_files: SetFiles,
     pub(crate) model: OpenModel,
-    /// Its files, but for its own bytes.
+    /// Files of the model, but for its own bytes.
     pub(crate) files: ModelFiles,
 }
 
@@ -56,7 +56,7 @@ impl Opened {
         self.model.files().map(|(name, _)| name.to_owned()).collect()
     }
 
-    /// Its files with their digests.
+    /// Files of the model with their digests.
     pub(crate) fn digests(&self) -> Vec<NamedDigest> {
         let digest =
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };

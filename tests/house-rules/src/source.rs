@@ -18,7 +18,7 @@ pub type Sources = BTreeMap<String, String>;
 pub struct Import {
     /// The path as it is written.
     pub path: Vec<String>,
-    /// Its name in this module; `*` if all names are imported.
+    /// Name of the import in this module; `*` if all names are imported.
     pub name: String,
     /// Whether it is a `pub use`.
     pub is_passed_on: bool,
@@ -42,19 +42,18 @@ pub struct Text {
 pub struct Module {
     /// `crate::a::b`, as names without `crate`.
     pub path: Vec<String>,
-    /// Its file.
     pub file: String,
     /// Modules in files below it.
     pub children: Vec<String>,
     /// Names that it defines.
     pub items: BTreeSet<String>,
-    /// Those of macros among them.
+    /// Paths of macros among those of the module.
     pub macros: Vec<String>,
     /// What it imports.
     pub imports: Vec<Import>,
     /// Paths of two names or more in its code, with their lines.
     pub mentions: Vec<(Vec<String>, usize)>,
-    /// Its strings and doc comments.
+    /// Strings and doc comments of the module.
     pub texts: Vec<Text>,
 }
 

@@ -1,4 +1,4 @@
-//! What a scene is made of.
+//! Elements of a scene.
 
 use crate::error::PlotError;
 use crate::figure::Point;
@@ -15,7 +15,7 @@ pub enum State {
 /// The line around something, closed, with a light shade inside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Its corners, in order.
+    /// Corners of the outline, in order.
     pub points: Vec<Point>,
     /// Which state it shows.
     pub state: State,
@@ -24,11 +24,11 @@ pub struct Outline {
 /// A circle in its true size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ball {
-    /// What is written at it; empty for nothing.
+    /// Text at the circle; empty for nothing.
     pub name: String,
-    /// Its centre.
+    /// Centre of the circle.
     pub centre: Point,
-    /// Its radius, in the units of the axes.
+    /// Radius of the circle, in the units of the axes.
     pub radius: f64,
     /// Which state it shows.
     pub state: State,
@@ -39,15 +39,15 @@ pub struct Ball {
 /// A point with its name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spot {
-    /// What is written at it; empty for nothing.
+    /// Text at the point; empty for nothing.
     pub name: String,
-    /// Where it is.
+    /// Place of the point.
     pub at: Point,
     /// Which state it shows.
     pub state: State,
 }
 
-/// What a level line says.
+/// The meaning of a level line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LevelKind {
     /// The ground: a line with hatching below.
@@ -59,11 +59,11 @@ pub enum LevelKind {
 /// A horizontal line through a view.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// What is written at its end; empty for nothing.
+    /// Text at the end of the level line; empty for nothing.
     pub name: String,
-    /// Where it is on the vertical axis.
+    /// Position of the level line on the vertical axis.
     pub at: f64,
-    /// What it is.
+    /// Meaning of the level line.
     pub kind: LevelKind,
 }
 
@@ -72,9 +72,9 @@ pub struct Level {
 pub struct View {
     /// From where it is seen.
     pub title: String,
-    /// What is written along the horizontal axis, with its unit.
+    /// Text along the horizontal axis, with its unit.
     pub x_label: String,
-    /// What is written along the vertical axis, with its unit.
+    /// Text along the vertical axis, with its unit.
     pub y_label: String,
     /// Whether values of the vertical axis grow downwards.
     pub y_down: bool,
@@ -91,43 +91,43 @@ pub struct View {
 /// A thing from all its sides, one below the other over one horizontal axis.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Block {
-    /// What it is.
+    /// Title of the block.
     pub title: String,
     /// Remarks below it, a paragraph each.
     pub remarks: Vec<String>,
-    /// Its views.
+    /// Views of the block.
     pub views: Vec<View>,
 }
 
 /// Names of what is drawn, for the legend.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SceneNames {
-    /// Of circles, now.
+    /// Name of circles of the present state.
     pub now: String,
-    /// Of circles of the earlier state.
+    /// Name of circles of the earlier state.
     pub before: String,
-    /// Of circles that are astray.
+    /// Name of circles that are misplaced.
     pub misplaced: String,
-    /// Of points.
+    /// Name of points.
     pub spot: String,
-    /// Of outlines.
+    /// Name of outlines.
     pub outline: String,
-    /// Of the ground.
+    /// Name of the line of the ground.
     pub ground: String,
-    /// Of the lowest place.
+    /// Name of the line of the lowest place.
     pub lowest: String,
 }
 
 /// A figure of things in space.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scene {
-    /// What it shows.
+    /// Title of the scene.
     pub title: String,
-    /// What it shows in full sentences.
+    /// Description of the scene in full sentences.
     pub description: String,
     /// The things, side by side in pairs.
     pub blocks: Vec<Block>,
-    /// What the legend says of what is drawn; an empty name has no entry.
+    /// Names in the legend; an empty name has no entry.
     pub names: SceneNames,
 }
 
@@ -160,7 +160,7 @@ impl View {
         }
     }
 
-    /// What is drawn, as corners of boxes around it.
+    /// Corners of boxes around everything that is drawn in the view.
     pub(super) fn corners(&self) -> impl Iterator<Item = Point> + '_ {
         let balls = self.balls.iter().flat_map(|ball| {
             let ((x, y), r) = (ball.centre, ball.radius);

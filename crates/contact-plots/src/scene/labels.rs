@@ -35,7 +35,7 @@ pub(super) const LEADER_PT: f64 = 5.0;
 /// How often all names are placed again, now that the others have their places.
 const ROUNDS: usize = 3;
 
-/// What it costs, in points of distance, to hide or cross something.
+/// Costs of a place for a name that hides or crosses something, in points of distance.
 const COST_OF_CIRCLE: f64 = 3.0;
 const COST_OF_LEVEL: f64 = 30.0;
 const COST_OF_POINT: f64 = 60.0;
@@ -103,13 +103,13 @@ impl Rect {
 /// A name, before it has a place.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct NameToPlace {
-    /// What is named.
+    /// The point that the name is for.
     pub at: Point,
     /// Width and height of the name.
     pub size: (f64, f64),
 }
 
-/// What names should not hide.
+/// Shapes that names should not hide.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Obstacles {
     /// Points with marks.

@@ -25,7 +25,7 @@ const NAME_HEIGHT_PT: f64 = 7.6;
 const LONGEST_NAME: f64 = 0.45;
 /// The longest text at a line, which has nothing beside it.
 const LONGEST_LEVEL_NAME: f64 = 0.9;
-/// What is smaller than this part of its block is not seen: 2 points or so.
+/// Shapes smaller than this part of their block are not seen: 2 points or so.
 const VISIBLE_SHARE: f64 = 0.01;
 /// No view is drawn higher than this, without its names.
 const HIGHEST_PT: f64 = 260.0;
@@ -60,7 +60,7 @@ pub(super) struct PlacedView<'s> {
     x_left: f64,
     /// Room for the vertical axis' numbers and name.
     pub beside: f64,
-    /// Where 0 of the vertical axis is, below the top edge; may be outside.
+    /// Distance of 0 on the vertical axis from the top edge; 0 may be outside of the view.
     zero: f64,
     /// Names of circles and points, and of lines.
     pub names: Vec<Name>,
@@ -134,7 +134,7 @@ pub(super) struct PlacedBlock<'s> {
     pub remarks_top: f64,
 }
 
-/// Where everything goes.
+/// Positions of all parts of a scene.
 pub(super) struct SceneLayout<'s> {
     /// How wide the scene is by itself.
     pub width: Width,
@@ -280,7 +280,7 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     placed.with_more_room(PAD_PT - top, bottom + PAD_PT)
 }
 
-/// What is written at lines: the ground on the left, the lowest place on the right, so that close lines do not run together.
+/// Texts at level lines: the ground on the left, the lowest place on the right, so that close lines do not run together.
 fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
     for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {

@@ -49,7 +49,7 @@ pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
     })
 }
 
-/// What the legend explains: only what is there.
+/// Entries of the legend: only what the scene shows.
 fn entries(scene: &Scene) -> Vec<(SceneSample, String)> {
     let views = || scene.blocks.iter().flat_map(|block| &block.views);
     let balls = || views().flat_map(|view| &view.balls);
@@ -211,7 +211,7 @@ enum SceneSample {
     Ground,
 }
 
-/// One sample, with its left end and its middle on the page.
+/// Draws a sample of the legend, with its left end and its middle on the page.
 fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {
     let centre = (left + SAMPLE_PT / 2.0, middle);
     let ends = (left, left + SAMPLE_PT);

@@ -41,7 +41,7 @@ fn heat() -> HeatMap {
     }
 }
 
-/// As wide as the figure is by itself.
+/// The SVG of a figure in its own width.
 fn svg_of(figure: Figure) -> Result<String, PlotError> {
     Drawing::Panels(figure).svg(Paper::default())
 }

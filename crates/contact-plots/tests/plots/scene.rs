@@ -189,7 +189,7 @@ fn lines_are_at_their_heights() {
     ]);
 }
 
-/// One foot is as wide as a column; what its lines say is longer than any name.
+/// The scene is a foot as wide as a column; the texts at its lines are longer than any name.
 #[test]
 fn what_lines_say_is_written_whole() {
     let mut block = foot("calcn_r (right)");

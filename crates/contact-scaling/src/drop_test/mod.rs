@@ -112,7 +112,7 @@ impl DropTest {
     }
 }
 
-/// One entry for all spheres of the same law.
+/// Merges spheres of the same law into one entry.
 fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
     let mut groups: Vec<Spheres> = Vec::new();
     for one in spheres {
@@ -124,7 +124,7 @@ fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Sphere
     Ok(groups)
 }
 
-/// One moment of a drop.
+/// The state at one moment of a drop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Sample {

@@ -116,7 +116,7 @@ const PEAK_SAMPLES: u32 = 8;
 /// By this share of the largest force all points of a step may be below it, and the step is still searched for a larger one.
 const PEAK_MARGIN: f64 = 1e-3;
 
-/// What is recorded during a drop, dimensionless.
+/// The moments that are recorded during a drop, dimensionless.
 #[derive(Debug, Default)]
 pub(super) struct Record {
     pub(super) states: Vec<State>,

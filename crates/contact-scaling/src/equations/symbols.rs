@@ -1,12 +1,12 @@
 //! An equation and its symbols, as the register has them.
 #![allow(missing_docs, reason = "each constant says what it is")]
 
-/// One symbol of an equation.
+/// A symbol of an equation, with its meaning and unit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Symbol {
-    /// As it is written in the formulas.
+    /// The symbol as it is written in the formulas.
     pub symbol: &'static str,
-    /// What it means; OpenSim's property name is in it where it has one.
+    /// Meaning of the symbol; OpenSim's property name is in it where it has one.
     pub meaning: &'static str,
     /// SI unit; `1` for a pure number.
     pub unit: &'static str,
@@ -113,27 +113,27 @@ pub const U_V: Symbol = symbol("viscous_friction", "friction that grows with sli
 
 // One equation, as the register has it.
 
-/// One equation, perhaps in several forms.
+/// An equation, perhaps in several forms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Equation {
     /// The paper's number without brackets (`10`, `C.5`), or a name where the paper has no number.
     pub label: &'static str,
     /// Other names under which it is found.
     pub aliases: &'static [&'static str],
-    /// What it says, in a few words.
+    /// What the equation says, in a few words.
     pub title: &'static str,
     /// The equation as printed first, then solved for something else or between two bodies.
     pub forms: &'static [Form],
     /// Every symbol of the formulas.
     pub symbols: &'static [Symbol],
-    /// Where it stands: the paper's section, or another source.
+    /// Source of the equation: the paper's section, or another publication.
     pub source: &'static str,
 }
 
-/// One way to write an equation.
+/// A way to write an equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Form {
-    /// What sets it apart, such as `for x`; empty for the first form.
+    /// What sets the form apart, such as `for x`; empty for the first form.
     pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,

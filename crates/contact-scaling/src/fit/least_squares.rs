@@ -4,7 +4,7 @@ use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 
 use super::measurement::{FitError, Parameter, Point};
 
-/// What is fitted, and the factor K = n 4/3 √R.
+/// The parameters that are fitted, and the factor K = n 4/3 √R.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Model {
     pub(super) gain: f64,

@@ -2,7 +2,7 @@
 
 use crate::DomainError;
 
-/// What was measured, one value per row.
+/// Measured indentations, speeds and forces, one value per row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement<'a> {
     /// Indentation x, in m; the zero may be anywhere if the onset is fitted.
@@ -25,7 +25,7 @@ pub enum Rate<'a> {
     Time(&'a [f64]),
 }
 
-/// Where contact begins: it is known or it is not, so that a match on it is complete.
+/// The indentation at which contact begins: given, or to be fitted; exhaustive, so that a match on it is complete.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Onset {
     /// At this indentation, in m: usually 0.
@@ -45,14 +45,14 @@ pub enum Branch {
     Unloading,
 }
 
-/// What the fit has to know, by name and not yet checked.
+/// Numbers that a fit needs, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitValues {
     /// Sphere radius R, in m.
     pub radius_m: f64,
     /// Spheres n that share the force.
     pub sphere_count: f64,
-    /// Where contact begins.
+    /// The indentation at which contact begins.
     pub onset: Onset,
     /// The part of the measurement to fit.
     pub branch: Branch,
@@ -72,7 +72,7 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    /// What it is called in a sentence.
+    /// Name of the parameter in a sentence.
     #[must_use]
     pub const fn in_words(self) -> &'static str {
         match self {
@@ -95,7 +95,7 @@ pub enum FitError {
     Lengths {
         /// The column.
         column: &'static str,
-        /// Its rows.
+        /// Rows of the measurement.
         rows: usize,
         /// The rows of the indentation.
         expected: usize,
@@ -171,7 +171,7 @@ fn r_squared_in_words(r_squared: f64) -> String {
 
 // The rows of a measurement, checked, with a speed each.
 
-/// One row.
+/// A row of the measurement.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
     pub(super) row: usize,

@@ -56,7 +56,7 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     report(&model, &points, &parameters, radius)
 }
 
-/// One point lies on the curve of every law.
+/// Refuses a measurement of a single indentation: the curve of every law goes through one point.
 fn several_indentations(points: &[Point], onset: f64) -> Result<(), FitError> {
     let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
     let (least, most) =

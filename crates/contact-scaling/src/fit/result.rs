@@ -1,11 +1,11 @@
-//! What the data say.
+//! Results of a fit: parameters, their uncertainty, and what the data leave in doubt.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::least_squares::{Model, Parameters};
 use super::measurement::{FitError, Parameter, Point};
 
-/// What the data say.
+/// Result of a fit: parameters, their uncertainty, and what the data leave in doubt.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
@@ -88,7 +88,7 @@ pub(super) fn is_exact(residuals_n: &[f64], forces_n: impl Iterator<Item = f64>)
     residuals_n.iter().all(|residual| residual.abs() <= ROUNDING * most)
 }
 
-/// What these results leave in doubt.
+/// Doubts about fitted parameters.
 pub(super) fn doubts(
     r_squared: f64,
     exact: bool,
@@ -109,7 +109,7 @@ pub(super) fn doubts(
 pub struct Estimate {
     /// The value of least squares.
     pub value: f64,
-    /// Its standard error; not a number, as the interval, where nothing is left over that would show it.
+    /// Standard error of the fitted parameter; not a number, as the interval, where nothing is left over that would show it.
     pub standard_error: f64,
     /// Lower end of the 95 % interval, by Student's t.
     pub low: f64,

@@ -37,7 +37,7 @@ const PRESSURE: Dimension = [-1.0, 1.0, -2.0];
 
 /// `values.csv` and this crate may differ by the rounding of a handful of operations.
 const REFERENCE_TOLERANCE: f64 = 2e-15;
-/// Where a root is found, or a difference of large parts taken, by more.
+/// Functions with a larger tolerance, because they look for a root or take the difference of large parts.
 const LOOSE: [(&str, f64); 8] = [
     ("SmoothSphere::contact_state", 2e-14), // ½ + ½ tanh: cancels before contact
     ("SmoothSphere::elastic_force", 2e-14),

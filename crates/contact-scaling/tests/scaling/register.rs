@@ -7,7 +7,7 @@ use std::path::Path;
 
 use contact_scaling::equations;
 
-/// One row of a table: label, variant, formula (perhaps with a remark behind it), functions, unit.
+/// A row of a table of equations: label, variant, formula (perhaps with a remark behind it), functions, unit.
 #[derive(Debug, PartialEq)]
 struct Row {
     label: String,

@@ -139,7 +139,7 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     Ok(Exit::Done)
 }
 
-/// What goes into the folder: the table and both figures.
+/// Files of a reproduction for the folder: the table and both figures.
 fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
     let mut files = vec![(folder.join("table1.csv"), reproduction_csv(record)?)];
     for (name, kind) in [("fig4.svg", PlotKind::Fig4), ("fig-c5.svg", PlotKind::FigC5)] {

@@ -126,7 +126,7 @@ pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
     Ok(Exit::Done)
 }
 
-/// One page for each verb, then that of the command.
+/// Manual pages: one for each verb, then that of the command.
 fn pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));

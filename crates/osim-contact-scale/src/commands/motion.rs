@@ -52,7 +52,7 @@ struct Output<'o> {
 }
 
 impl<'o> Output<'o> {
-    /// What the request says, checked before anything is computed.
+    /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors
     /// Another ending than that of a table, or a file that is read.

@@ -105,7 +105,7 @@ struct Output<'o> {
 }
 
 impl<'o> Output<'o> {
-    /// What the request says, checked before anything is computed.
+    /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors
     /// An ending that is not a picture's or a table's, or a file that is read.

@@ -83,7 +83,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     })
 }
 
-/// What the table does not show: one remark for each, or nothing.
+/// Remarks on what the table does not show, a line for each.
 fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     let mut remarks = String::new();
     if let Some((point, earlier)) = end.same.first {
@@ -107,7 +107,7 @@ fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     remarks
 }
 
-/// What is known before a model is made.
+/// The record of a sweep before a model is made.
 fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
     record.of_points(sweep.points(), sweep.point_file())

@@ -37,11 +37,11 @@ pub(super) struct WeightOnFloor {
     pub(super) gravity_m_s2: f64,
 }
 
-/// One sphere of a limb under its share of the weight.
+/// A sphere of a limb under its share of the weight.
 pub(super) struct SphereOnFloor<'s> {
     pub(super) contacts: &'s SphereContacts,
     pub(super) weight: Option<WeightOnFloor>,
-    /// One body weight and the number of spheres that share it.
+    /// The load of one body weight, and the number of spheres that share it.
     pub(super) one_body_weight: Option<SharedLoad>,
     /// Speed before an impact, m/s.
     pub(super) impact_speed_m_s: Option<f64>,
@@ -148,7 +148,7 @@ impl SphereContacts {
     }
 }
 
-/// One entry for each sphere, in the order of the model's spheres.
+/// Contacts grouped by sphere, in the order of the model's spheres.
 pub(super) fn contacts_by_sphere(loaded: &[LoadedSphere]) -> Result<Vec<SphereContacts>, Fault> {
     let mut all: Vec<SphereContacts> = Vec::new();
     let mut places: HashMap<SphereId, usize> = HashMap::new();

@@ -17,7 +17,7 @@ use crate::quantity::Quantity;
 use crate::serialized::ObjectSchema;
 use crate::serialized::optional_phrase;
 
-/// Where a figure is shown, and how to get its value.
+/// An entry of the register of figures: where a figure is shown, and how to get its value.
 struct Entry {
     visibility: FigureVisibility,
     answer: fn(&SphereOnFloor<'_>) -> Answer,
@@ -218,7 +218,7 @@ pub struct LimbFigures {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereFigures {
     pub sphere: String,
-    /// Its component path.
+    /// Component path of the sphere.
     pub path: String,
     /// Names of the forces that press it on the floor.
     pub forces: Vec<String>,
@@ -226,13 +226,13 @@ pub struct SphereFigures {
     pub(super) answers: Vec<Answer>,
 }
 
-/// One figure and its limit.
+/// A figure of a sphere and its limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct LimitCheck {
     /// Name of the figure.
     pub figure: &'static str,
-    /// Its value; `None` if it is beyond what its equation gives.
+    /// Value of the figure; `None` if it is beyond what its equation gives.
     pub value: Option<f64>,
     /// The limit, in the figure's own unit.
     pub limit: f64,

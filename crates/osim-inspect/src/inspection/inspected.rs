@@ -37,16 +37,16 @@ pub struct Inspection {
     pub document_version: u32,
     /// The name that the model has in its file.
     pub name: String,
-    /// What the model weighs, kg.
+    /// Mass of the model, kg.
     pub mass_kg: Option<f64>,
-    /// Where that mass comes from, in words.
+    /// Source of the mass, in words.
     #[serde(skip)]
     pub mass_source: Phrase,
     /// Magnitude of gravity, m/s².
     pub gravity_m_s2: Option<f64>,
     /// The mass that the contacts are made for.
     pub contacts_mass_kg: Option<ContactsMass>,
-    /// What the note in the model says, if it has one.
+    /// Content of the model's note, if it has one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub note: Option<NoteSummary>,
     /// The limbs, if left and right can be determined.
@@ -98,9 +98,9 @@ pub struct Inspection {
 pub struct ContactsMass {
     /// In kg.
     pub value: f64,
-    /// Where the mass comes from, as a word for scripts.
+    /// Source of the mass, as a word for scripts.
     pub source: &'static str,
-    /// Where the mass comes from, for people.
+    /// Source of the mass, for people.
     #[serde(skip)]
     pub description: Phrase,
     /// Whether a note or the caller gives it. Otherwise it is what the model weighs.
@@ -188,7 +188,7 @@ pub struct InspectedForce {
     pub selected: bool,
     /// Effective values, in OpenSim's units.
     pub parameters: Parameters,
-    /// Where each parameter comes from.
+    /// Sources of the parameters.
     pub origin: Origins,
     /// The dimensionless contact, for the mass and gravity that it is made for on n spheres; several radii count with the mean R². Null
     /// if mass, limbs or gravity are not known, or one of its numbers is more than a double holds.
@@ -206,7 +206,7 @@ pub struct Parameters(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))] Vec<(Property, f64)>,
 );
 
-/// Where each parameter of a contact comes from, by OpenSim's names.
+/// Sources of a contact's parameters, by OpenSim's names.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
 pub struct Origins(

@@ -6,26 +6,26 @@ use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, 
 use schemars::JsonSchema;
 use serde::Serialize;
 
-/// What the note in a model says.
+/// Content of a model's note.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteSummary {
     /// Version of the tool that wrote it.
     pub version: String,
-    /// What was done to the contacts, the oldest step first.
+    /// Steps of change of the contacts, the oldest first.
     pub steps: Vec<NoteStep>,
     /// Limbs that share the body weight, if the note gives a number.
     pub stance_limbs: Option<f64>,
-    /// What the bodies weighed together when the note was written, kg.
+    /// Mass of all bodies together when the note was written, kg.
     pub weighed_kg: Option<f64>,
-    /// What was changed since the note was written, in words.
+    /// Changes since the note was written, in words.
     pub changed_since: Vec<String>,
     /// The whole note in sentences.
     #[serde(skip)]
     pub sentences: Vec<String>,
 }
 
-/// One change of the contacts that the note records.
+/// A change of the contacts that the note records.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteStep {

@@ -46,9 +46,9 @@ pub struct StandingBody {
     pub why_no_coordinate: Option<String>,
     /// The coordinate's value at the default pose, m.
     pub default_m: Option<f64>,
-    /// Its value at which the lowest sphere just touches the floor, m.
+    /// Value of the coordinate at which the lowest sphere just touches the floor, m.
     pub touching_m: Option<f64>,
-    /// Its spheres that press on floors, in file order.
+    /// The tree's spheres that press on floors, in file order.
     pub bottoms: Vec<Bottom>,
     /// At rest on all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it, or
     /// a number is more than a double holds.
@@ -64,7 +64,7 @@ pub struct StandingBody {
 pub struct Bottom {
     /// Name of the sphere.
     pub sphere: String,
-    /// Its component path.
+    /// Component path of the coordinate.
     pub path: String,
     /// Height over the floor along the floor's normal, m; below 0 inside the floor.
     pub height_m: f64,
@@ -84,7 +84,7 @@ pub struct BodyAtRest {
     pub value_m: Option<f64>,
     /// How far the body at rest is below its default pose, along the normal, m; below 0 if it is above.
     pub down_m: f64,
-    /// What the spheres carry along the normal, N.
+    /// Load of the spheres along the normal, N.
     pub load_n: f64,
     /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
     pub carried: bool,
@@ -96,13 +96,13 @@ pub struct BodyAtRest {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct StandingSphere {
-    /// Its name.
+    /// Name of the sphere.
     pub sphere: String,
-    /// Its component path.
+    /// Component path of the sphere.
     pub path: String,
     /// How deep it is in the floor, in its radius; not above 0 if it does not touch.
     pub relative_indentation: f64,
-    /// What it carries along the normal, N.
+    /// Load of the sphere along the normal, N.
     pub force_n: f64,
 }
 
@@ -129,7 +129,7 @@ impl BodyAtRest {
 }
 
 impl StandingBody {
-    /// One for each of `standing`. `limbs` are those of the spheres; `stance_limbs` of them share the weight.
+    /// Summaries of all `standing` trees. `limbs` are those of the spheres; `stance_limbs` of them share the weight.
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
         Self::with_rests(model, standing, limbs, stance_limbs, RestsToCompute::All)
     }

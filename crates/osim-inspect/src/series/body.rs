@@ -62,9 +62,9 @@ impl SphereKind {
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,
-    /// Its kinds of spheres, in the order of the file.
+    /// Kinds of the body's spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
-    /// Its weight, or why it is not known.
+    /// Weight of the body, or why it is not known.
     pub weight: Result<Weight, Failure>,
     /// The mass that its contacts are made for, or why it is not known.
     contacts_mass_kg: Result<f64, Failure>,
@@ -178,7 +178,7 @@ impl Body {
         self.kinds.iter().map(dimensionless).collect()
     }
 
-    /// Its weight.
+    /// Weight of the body.
     ///
     /// # Errors
     /// Why the weight is not known.

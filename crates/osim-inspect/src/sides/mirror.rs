@@ -80,7 +80,7 @@ const CERTAIN_MIRROR: f64 = 0.05;
 /// Up to this part of the longest bone, a pair of bodies gets the mirror that fits most bodies: bones of some people differ that much, and
 /// some models do not mirror centres of mass.
 const LIKELY_MIRROR: f64 = 0.15;
-/// Another mirror than that in z must be closer by this factor, because a body with all joints in one plane fits several.
+/// A mirror in x or y must be closer by this factor than the one in z, because a body with all joints in one plane fits several mirrors.
 const CLEARLY_CLOSER: f64 = 0.5;
 
 /// The signs of possible mirrors. OpenSim's models have z to the right on both sides, so the mirror in z is the first; some models have another

@@ -20,7 +20,7 @@ const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
 /// 61.5 kg on one sphere of 0.0325 m, which two smooth forces press: E₁* of 1.2345678 and 2 MPa.
 const TWO_FORCES: &str = include_str!("../../../../fixtures/format/shared_sphere.osim");
-/// The same sphere under a force of each class.
+/// A model with a force of each class on one sphere.
 const TWO_CLASSES: &str = include_str!("../../../../fixtures/format/shared_sphere_two_classes.osim");
 /// Two feet whose names do not say which is the left one.
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
@@ -109,7 +109,7 @@ fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
     assert_eq!(spheres.len(), 2);
     for (sphere, expected) in spheres.into_iter().zip([OF_HEEL, OF_TOE]) {
         let listed: Vec<Figure> = expected.iter().map(|(figure, _)| *figure).collect();
-        // Those at the default pose need a pose: see the next test.
+        // // The two figures of the default pose need a pose: see the next test.
         let standing = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw];
         let others: Vec<Figure> = Figure::ALL.iter().copied().filter(|one| !standing.contains(one)).collect();
         assert_eq!(listed, others, "every figure of the register is here");

@@ -16,7 +16,7 @@ const PUBLISHED: &str = include_str!("../../../../fixtures/check/known_contacts.
 
 const SPHERE: &str = "ContactSphere";
 const SMOOTH: &str = "SmoothSphereHalfSpaceForce";
-/// As the fixture spells 0.032 and 0.2.
+/// The fixture's spellings of 0.032 and 0.2.
 const RADIUS: &str = "0.032000000000000001";
 const SPEED: &str = "0.20000000000000001";
 
@@ -396,7 +396,7 @@ fn names_of_the_other_side_are_named() {
     assert_eq!(found, "heel_l is on calcn_r, and heel_r on calcn_l; 2 other pairs, too");
 }
 
-/// What is judged in the models of a folder that have contacts, by name.
+/// Codes of findings about sides in the models of a folder that have contacts, by name.
 fn judged_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
     let mut paths: Vec<PathBuf> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();

@@ -47,11 +47,11 @@ pub(crate) enum ReadRefusal {
     /// The system reports an error.
     System(std::io::Error),
     Kind(&'static str),
-    /// It is larger than this.
+    /// The file is larger than this, in bytes.
     Large(u64),
-    /// It does not fit into the memory.
+    /// The file does not fit into the memory.
     Memory,
-    /// Another program writes it.
+    /// Another program writes the file.
     Changed,
 }
 

@@ -18,7 +18,7 @@ use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::source::{Disk, Loaded, Origin};
 use crate::write::{OutputFolders, hard_link_finding};
 
-/// What all models of a run share.
+/// Data that all models of a run share.
 pub(super) struct RunContext<'r> {
     pub(super) run: &'r RunOptions,
     pub(super) folders: OutputFolders,
@@ -33,7 +33,7 @@ pub struct Outcome<S> {
     pub record: Record,
     /// Whether it was done by an earlier run.
     pub earlier: bool,
-    /// What the front end shows of the model; `None` if there is only the record.
+    /// The front end's text about the model; `None` if there is only the record.
     pub shown: Option<S>,
     /// Why the model could not be done.
     pub failure: Option<Failure>,

@@ -57,7 +57,7 @@ pub struct Record {
     pub row: Option<usize>,
     /// The model, as it was named.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8; in NDJSON only.
+    /// The model's name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub model_bytes: Option<Vec<u8>>,
     /// The user's own columns of the table, as they are there; in a summary table they come last.
@@ -65,12 +65,12 @@ pub struct Record {
     pub user_columns: Vec<(String, String)>,
     /// The file that is written.
     pub output: Option<String>,
-    /// Its name in bytes, if it is not UTF-8; in NDJSON only.
+    /// The output's name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub output_bytes: Option<Vec<u8>>,
     /// The outcome.
     pub status: Status,
-    /// What the contacts were made for before.
+    /// The mass that the contacts were made for before.
     pub contacts_mass_kg: Option<f64>,
     /// Who said so.
     pub contacts_mass_source: Option<String>,
@@ -156,7 +156,7 @@ pub struct Record {
     pub sha256_input: Option<String>,
     /// SHA-256 of what was written.
     pub sha256_output: Option<String>,
-    /// Of the geometry set that was written with a standalone force set.
+    /// SHA-256 of the geometry set that was written with a standalone force set.
     pub sha256_geometry_output: Option<String>,
     /// SHA-256 of everything else that the output follows from: options, version, other files.
     pub sha256_settings: Option<String>,

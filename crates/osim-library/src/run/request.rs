@@ -168,7 +168,7 @@ fn check_options(
     Ok(())
 }
 
-/// What a front end needs to know of each model, besides its plan.
+/// Details of each model that a front end needs, besides its plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelDetail {
     ResultOnly,
@@ -181,7 +181,7 @@ pub enum ModelDetail {
 
 /// A front end that starts a run. Threads of the run call its methods.
 pub trait RunFrontEnd: Sync {
-    /// What the front end keeps of a model until it is the model's turn to be shown.
+    /// Data of a model that the front end keeps until it is the model's turn to be shown.
     type Shown: Send;
 
     fn dialect(&self) -> &dyn Speller;
@@ -206,9 +206,9 @@ pub struct ChangedModel<'c> {
     pub plan: &'c Plan,
     pub results: &'c ResultBytes<'c>,
     pub written: &'c Written,
-    /// Its line in a summary.
+    /// Line of the model in a summary.
     pub record: &'c Record,
-    /// Both states, if the front end wants them.
+    /// The model before and after the change, if the front end wants them.
     pub before_after: Option<BeforeAfter>,
     /// Whether an earlier run did it; then nothing was written now.
     pub earlier: bool,

@@ -52,7 +52,7 @@ pub(super) enum PreviousOutcome {
     Outdated,
     /// An earlier run changed the model in place, and this run would change it again.
     ModelChanged,
-    /// This output exists, and is not what a run wrote.
+    /// An output of the summary exists, but is not what the earlier run wrote.
     OutputEdited(PathBuf),
 }
 

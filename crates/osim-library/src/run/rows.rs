@@ -147,7 +147,7 @@ impl TableRows<'_> {
 #[derive(Debug)]
 struct WritableFolder {
     folder: PathBuf,
-    /// Without links, `.` and `..`.
+    /// The path without links, `.` and `..`.
     real: PathBuf,
 }
 

@@ -17,7 +17,7 @@ use crate::file_access::{NameDigest, digest_of_name, sha256};
 use crate::paths::Resolver;
 use crate::source::{OrdinaryFiles, Source};
 
-/// One model with its settings.
+/// A model with its settings.
 pub struct Task {
     pub source: Source,
     pub destination: Destination,
@@ -95,7 +95,7 @@ impl JobSettings {
     }
 }
 
-/// Where the result of a model is written.
+/// Destination of a model's result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
     /// Standard output.
@@ -140,7 +140,7 @@ impl Destination {
 pub enum PathOwner<'p> {
     /// A model, with its row of the manifest.
     Model(&'p Path, Option<usize>),
-    /// Another owner, in words.
+    /// Something other than a model owns the path, in words.
     Other(&'static str),
 }
 

@@ -254,7 +254,7 @@ impl SplitName {
         likely
     }
 
-    /// What is wrong with the words, and what to write.
+    /// A message about the words, and the name in quotes to write.
     pub fn message(&self, first: &Path) -> String {
         format!("'{}' is {}", first.display(), self.reason())
     }

@@ -24,7 +24,7 @@ use crate::write::temporary;
 )]
 pub(super) enum Exchange {
     Done,
-    /// This system, or this file system, cannot exchange files.
+    /// The operating system, or the file system, cannot exchange files.
     NotPossible,
     Failed(std::io::Error),
 }

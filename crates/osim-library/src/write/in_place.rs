@@ -337,7 +337,7 @@ mod tests {
         assert_eq!(std::fs::read(&target).unwrap(), SUCCESSOR);
     }
 
-    /// As on systems that cannot exchange files.
+    /// The files are treated as on systems that cannot exchange them.
     #[test]
     fn old_bytes_are_written_again_where_files_cannot_be_exchanged() {
         for (saved, whole) in [(None, true), (Some("saved"), false)] {

@@ -35,18 +35,18 @@ pub struct SpherePlacements {
     noted_radii: bool,
 }
 
-/// Where a sphere is, and where it belongs, in its frame, m.
+/// The present place of a sphere, and the place where it belongs, in its frame, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedSphere {
     pub name: String,
-    /// Its component path.
+    /// Component path of the sphere.
     pub path: String,
     /// Line of the element, from 1.
     pub line: usize,
     pub here_m: [f64; 3],
-    /// Where it was in the model that was scaled.
+    /// Place of the sphere in the model that was scaled.
     pub was_m: [f64; 3],
-    /// Where it belongs: the place there times the factors of its body.
+    /// Place where the sphere belongs: that in the model that was scaled, times the factors of its body.
     pub belongs_m: [f64; 3],
     /// Whether it is where it belongs, or its bottom is on the scaled sole.
     pub follows: bool,
@@ -209,7 +209,7 @@ pub fn is_stretched(factors: [f64; 3]) -> bool {
     stretch(factors) > LARGEST_STRETCH
 }
 
-/// Where the centre is if the bottom is on the scaled sole, with the radius that the sphere has now.
+/// The centre of a sphere whose bottom is on the scaled sole, with the radius that the sphere has now.
 fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: LevelAxis) -> [f64; 3] {
     let scaled = |vector| now.rotation.scaled_in_frame(factors, vector);
     up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, now.radius_m, scaled)

@@ -257,7 +257,7 @@ pub struct OddMesh {
     pub body: String,
     /// Name of the mesh file as the model spells it.
     pub mesh: String,
-    /// What is wrong with it, in words.
+    /// A message about the mesh, in words.
     pub text: String,
 }
 
@@ -319,7 +319,7 @@ fn length_m(bone: &Bone) -> f64 {
     length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }
 
-/// What to do about a mesh of the wrong length: other scale factors, or another bone.
+/// Advice about a mesh of the wrong length: other scale factors, or another bone.
 fn repair_advice(times: f64) -> String {
     let (verb, units) = match times > MOST_BONE_LENGTHS {
         true => ("divide", probable_units(times / USUAL_BONE_LENGTHS)),

@@ -35,14 +35,14 @@ pub struct ContactPlane {
     pub plane: Arc<HalfSpace>,
     /// The spheres that press on it, each once, in file order.
     pub spheres: Vec<SphereId>,
-    /// Where it is in ground; `None` where a number cannot be read, or where it is not known where its body is.
+    /// Surface of the plane in ground; `None` where a number cannot be read, or the place of its body is not known.
     pub surface: Option<PlaneSurface>,
 }
 
-/// Where a plane is in ground at the default pose.
+/// A point and the normal of a plane in ground at the default pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaneSurface {
-    /// Its outward normal, of length 1.
+    /// Outward normal of the plane, of length 1.
     pub normal: DVec3,
     /// A point of it, m.
     pub point_m: DVec3,

@@ -207,7 +207,7 @@ fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Ve
 /// Whether a coordinate can change, and if not, why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateState {
-    /// It can change.
+    /// The coordinate can change.
     Free,
     Locked,
     /// A function of time, or another coordinate, sets it.

@@ -88,7 +88,7 @@ impl Placements {
         open
     }
 
-    /// Where the body at the other end of `joint` is.
+    /// The placement of the body at the other end of `joint`.
     fn placement_beyond(
         &self,
         joint: &ModelJoint,

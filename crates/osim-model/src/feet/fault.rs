@@ -69,10 +69,10 @@ pub enum FeetFault {
     TooManySpheres {
         bodies: Vec<String>,
         count: usize,
-        /// As many can be laid.
+        /// The number of spheres that fit.
         fits: usize,
     },
-    /// It is not known where a body is.
+    /// The default pose of a body is not known.
     #[error(transparent)]
     Pose(#[from] PoseFault),
     #[error("{0}")]
@@ -80,7 +80,7 @@ pub enum FeetFault {
 }
 
 impl FeetFault {
-    /// What is wrong, on one line, with names from outside escaped.
+    /// The message, on one line, with names from outside escaped.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Model(fault) => fault.phrase(),

@@ -82,7 +82,7 @@ impl Movements {
         self.0.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
-    /// What is free between two bodies; `None` where only ground joins them.
+    /// The free movements between two bodies; `None` where only ground joins them.
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
         let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());

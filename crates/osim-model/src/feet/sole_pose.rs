@@ -19,9 +19,9 @@ const MOST_JOINTS: usize = 64;
 /// A coordinate whose default value tilts a foot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TiltingCoordinate {
-    /// Its name, such as `ankle_angle_r`.
+    /// Name of the coordinate, such as `ankle_angle_r`.
     pub name: String,
-    /// Its value at the default pose, rad.
+    /// Value of the coordinate at the default pose, rad.
     pub value: f64,
 }
 

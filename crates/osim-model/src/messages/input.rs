@@ -30,7 +30,7 @@ macro_rules! inputs {
                 }
             }
 
-            /// What it is, in a few words, for forms.
+            /// Label of the input for forms, a few words.
             pub const fn label(self) -> &'static str {
                 match self { $(Self::$variant => $label),+ }
             }
@@ -191,7 +191,7 @@ macro_rules! verbs {
             /// Every verb.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
-            /// Its name, for example `drop-test`.
+            /// Name of the verb, for example `drop-test`.
             pub const fn name(self) -> &'static str {
                 match self { $(Self::$variant => $name),+ }
             }

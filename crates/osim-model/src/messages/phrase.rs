@@ -188,7 +188,7 @@ impl<T: IntoParts> From<T> for Phrase {
     }
 }
 
-/// What a [`Phrase`] can be put together from.
+/// A type from which parts of a [`Phrase`] can be made.
 pub trait IntoParts {
     fn into_parts(self) -> Vec<Part>;
 }

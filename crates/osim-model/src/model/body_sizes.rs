@@ -220,8 +220,8 @@ impl ScaledSinceNote {
 }
 
 impl Model {
-    /// What OpenSim's scaling did to the bodies that carry spheres, from the note alone. `None` if there is no note with sizes,
-    /// or spheres were moved since it was written.
+    /// The factors of OpenSim's scaling for the bodies that carry spheres, from the note alone. `None` if there is no note with sizes, or
+    /// spheres were moved since it was written.
     pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
         let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;
         if self.has_places_of(note) != Some(true) {

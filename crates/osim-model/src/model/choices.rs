@@ -59,7 +59,7 @@ impl PropertySet {
     }
 }
 
-/// What happens to a property.
+/// A new value of a property, or a factor.
 ///
 /// Exhaustive: there is nothing between a value and a factor.
 ///
@@ -70,9 +70,9 @@ impl PropertySet {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Assignment {
-    /// This value, in the unit of the property.
+    /// A value in the unit of the property.
     Value(f64),
-    /// Its value times this.
+    /// A factor of the present value.
     Factor(f64),
 }
 
@@ -85,7 +85,7 @@ impl std::fmt::Display for Assignment {
     }
 }
 
-/// What happens to the radii of the moving spheres.
+/// The rule for the radii of the moving spheres.
 ///
 /// Exhaustive: plans have a formula for each.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -143,15 +143,15 @@ impl RadiusAxis {
     }
 }
 
-/// What to do with spheres of the scaled model that were moved or resized already.
+/// The request for spheres of the scaled model that were moved or resized already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MovedSpheres {
     /// Refuse, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
     #[default]
     Refuse,
-    /// They are right: keep their location and radius.
+    /// The spheres are right: keep their location and radius.
     Keep,
-    /// They are not: place them again from the reference.
+    /// The spheres are wrong: place them again from the reference.
     Replace,
 }
 

@@ -161,7 +161,7 @@ fn digits(hash: Sha256, bytes: usize) -> String {
 const PROPERTY_DIGEST_BYTES: usize = 2;
 
 impl Model {
-    /// What a note records of the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
+    /// The parts of a note about the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
     /// changes.
     pub fn noted_parts(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> NotedParts {
         let mut seen: HashSet<SphereId> = HashSet::default();
@@ -211,7 +211,7 @@ fn noted_names(mut names: Vec<&str>) -> NotedNames {
 // The record of a note after a change that removes contacts or converts them, and keeps the mass that they are made for.
 
 impl Note {
-    /// This note, with the record of the contacts of `after`. Differences between the note and `before` stay, so that they are found later.
+    /// The note with the record of the contacts of `after`. Differences between the note and `before` stay, so that they are found later.
     pub fn with_updated_record(&self, before: &Model, after: &Model) -> Self {
         let mut note = self.clone();
         let parts = after.noted_parts(|_| None);

@@ -254,7 +254,7 @@ impl Document {
         self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
     }
 
-    /// What `read` makes of the property `tag` of `object`, else of that in `<defaults>`.
+    /// The result of `read` for the property `tag` of `object`, else for that in `<defaults>`.
     fn first_readable<T>(
         &self,
         object: ElementId,

@@ -11,13 +11,13 @@ use crate::model::names::Side;
 use crate::model::skeleton::Skeleton;
 use crate::model::typed_model::Model;
 
-/// One limb that stands on the ground, from [`Model::limbs`].
+/// A limb that stands on the ground, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limb {
     /// First body below the place where left and right separate.
     pub name: String,
     pub side: Side,
-    /// Its spheres, in file order.
+    /// Spheres of the limb, in file order.
     pub spheres: Vec<SphereId>,
 }
 
@@ -247,7 +247,7 @@ impl From<Option<Side>> for SidesPresent {
     }
 }
 
-/// One body of the tree: its spheres, and its child bodies.
+/// A body of the tree: its spheres, and its child bodies.
 #[derive(Default)]
 struct CarrierNode {
     carrier: Option<usize>,

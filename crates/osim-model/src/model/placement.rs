@@ -215,7 +215,7 @@ impl Placement {
         }
     }
 
-    /// The other frame, seen from this one.
+    /// The rotation back: from this frame to the other.
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.inverse();
         Self { rotation, translation_m: -rotation.to_body(self.translation_m) }
@@ -228,7 +228,7 @@ impl Placement {
     }
 }
 
-/// As a C++ stream writes a number.
+/// A number as a C++ stream writes it.
 pub(crate) fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
@@ -285,7 +285,7 @@ impl MovingPlacement {
         }
     }
 
-    /// The other frame, seen from this one.
+    /// The placement of the other frame in this one.
     pub fn inverse(&self) -> Self {
         let back = self.at.rotation.inverse();
         // d/dt(-Rt p) = Rt (w x p - v).
@@ -375,7 +375,7 @@ mod tests {
         }
     }
 
-    /// Where it is, with its velocities at time 0, by the rates of its angles.
+    /// A moving frame with its velocities at time 0, by the rates of its angles.
     fn moving_frame() -> MovingPlacement {
         let angular_velocity = Rotation::body_fixed_velocity([0.3, 0.0, 1.1], [0.5, -0.7, -0.2]);
         MovingPlacement { at: placement_at(0.0), angular_velocity, velocity_m_s: DVec3::new(1.0, -2.0, -0.3) }

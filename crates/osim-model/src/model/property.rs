@@ -183,7 +183,7 @@ impl Class {
         }
     }
 
-    /// What OpenSim uses where neither the element nor `<defaults>` says anything (seen in OpenSim 4.6).
+    /// The value that OpenSim uses where neither the element nor `<defaults>` says anything (seen in OpenSim 4.6).
     pub const fn default(self, property: Property) -> f64 {
         match (self, property) {
             (Self::SmoothSphereHalfSpaceForce, Property::Stiffness) => 1.0,
@@ -294,7 +294,7 @@ impl Class {
     }
 }
 
-/// Where an effective value comes from.
+/// Source of an effective value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
     /// The object's own element.
@@ -335,14 +335,14 @@ impl Origin {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Value {
     pub property: Property,
-    /// What OpenSim reads, in the unit of `property`.
+    /// The number that OpenSim reads, in the unit of `property`.
     pub number: f64,
     pub origin: Origin,
     /// The number's bytes in its file, where the object's own element has it.
     pub span: Option<Range<usize>>,
     /// Why the text is not a plain number, if it is not; then `number` is still what OpenSim reads.
     pub fault: Option<NumberFault>,
-    /// As written (empty for a class default).
+    /// The number as written (empty for a class default).
     pub text: String,
     /// First byte to point at, from 0: the number, or the object that lacks it.
     pub offset: usize,

@@ -46,7 +46,7 @@ pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSour
 }
 
 impl Model {
-    /// What is special about `forces` without being wrong, in the order of the codes.
+    /// Remarks on `forces` that are special without being wrong, in the order of the codes.
     pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
         let mut remarks: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
@@ -90,7 +90,7 @@ static MIXED_RADII: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
 };
 
-/// One set of parameters for spheres of different radii.
+/// Finds one set of parameters for spheres of different radii.
 fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
     let set = force.sets.iter().find(|set| {
         let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
@@ -151,7 +151,7 @@ static NOT_A_SCALED_COPY: Rule = Rule {
     },
 };
 
-/// What follows from a difference, after it.
+/// The consequence of a difference between models, for the end of its message.
 const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
                        mesh, or ratios of distances between joints";
 

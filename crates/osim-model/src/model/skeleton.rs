@@ -6,7 +6,7 @@ use crate::model::components::{Base, ComponentId, Components};
 use crate::model::fault::{Fault, FaultKind, FileId, Needed};
 use crate::model::property::{Class, Origin, Property, Value};
 
-/// One body of the model, ground left out.
+/// A body of the model; ground is none.
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,

@@ -43,7 +43,7 @@ pub struct Model {
     pub gravity_m_s2: Option<[f64; 3]>,
     /// The note that an earlier change left in the file.
     pub note: Option<Note>,
-    /// What was read although it is written wrongly, in the order of reading.
+    /// Elements that were read although they are written wrongly, in the order of reading.
     pub irregularities: Vec<Irregularity>,
     /// The findings of all rules about one model, once they were tried.
     pub(crate) findings: OnceLock<Vec<Finding>>,
@@ -126,7 +126,7 @@ impl Model {
         self.components.main()
     }
 
-    /// One of the files; the main one where the handle is another model's.
+    /// The document of a file of the model; the main one where the handle is another model's.
     pub fn file(&self, file: FileId) -> &Document {
         self.components.document(file)
     }

@@ -180,7 +180,7 @@ fn whole_number_at_start(word: &str) -> Option<&str> {
     Some(digits.trim_start_matches('0'))
 }
 
-/// What a C++ stream reads from the start of `token`, and how many bytes of it.
+/// The number that a C++ stream reads from the start of `token`, and how many bytes of it.
 ///
 /// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
 pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {

@@ -12,7 +12,7 @@ const FEW_ATTRIBUTES: usize = 8;
 /// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
 const BYTES_PER_PIECE: usize = 8;
 const BYTES_PER_ELEMENT: usize = 20;
-/// This many bytes of a text are searched eight by eight before memchr takes over.
+/// Texts up to this many bytes are searched eight by eight; longer ones by memchr.
 const SHORT_TEXT: usize = 16;
 const EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
@@ -157,7 +157,7 @@ impl Scan<'_> {
         rest.first().filter(|&&first| first.is_ascii_alphabetic() || first == b'_').map(|_| length)
     }
 
-    /// Where the attributes that begin at `at` end: at `>` or `/`.
+    /// The end of the attributes that begin at `at`: at `>` or `/`.
     fn attributes(&self, mut at: usize) -> Option<usize> {
         let mut keys: [&[u8]; FEW_ATTRIBUTES] = [&[]; FEW_ATTRIBUTES];
         let mut count = 0;

@@ -24,13 +24,13 @@ pub enum PieceKind {
     Other,
 }
 
-/// One piece of the file; pieces tile it without gaps or overlaps.
+/// A piece of the file; pieces tile it without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece<'t> {
     pub kind: PieceKind,
-    /// Its bytes in the file, from 0.
+    /// Bytes of the piece in the file, from 0.
     pub span: Range<usize>,
-    /// Its text; a byte that is not UTF-8 is a `?` in it.
+    /// Text of the piece; a byte that is not UTF-8 is a `?` in it.
     pub text: &'t str,
 }
 

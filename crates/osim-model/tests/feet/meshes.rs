@@ -24,7 +24,7 @@ fn names(folder: &str) -> BTreeSet<String> {
     files.map(|entry| entry.file_name().into_string().unwrap()).collect()
 }
 
-/// What `small` of make_feet.py writes: multiples of 2^-10, exact in single precision.
+/// The points that `small` of make_feet.py writes: multiples of 2^-10, exact in single precision.
 fn expected_points() -> Vec<[f64; 3]> {
     let step = 1.0 / 1024.0;
     let point = |k: i32| [step * f64::from(k), step * f64::from(k * k % 7), -step * f64::from(k * 5 % 11)];

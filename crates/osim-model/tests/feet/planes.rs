@@ -48,7 +48,7 @@ fn pin(angle: &str) -> String {
     )
 }
 
-/// One force between the floor and all three spheres.
+/// A force between the floor and all three spheres.
 const ALL: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
                    <HuntCrossleyForce::ContactParameters><geometry>floor ball_s platform_s handle_s</geometry>\
                    <stiffness>1e6</stiffness></HuntCrossleyForce::ContactParameters></objects>\

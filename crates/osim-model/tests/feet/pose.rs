@@ -1,4 +1,4 @@
-//! What the default pose says of joints that it cannot place. Places themselves: `tests/oracle/test_feet.py`.
+//! Joints that the default pose cannot place. Places of bodies are tested in `tests/oracle/test_feet.py`.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 

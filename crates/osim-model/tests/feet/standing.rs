@@ -8,7 +8,7 @@ use osim_model::{Model, SphereId};
 /// E* = 375,000 N/m2: a sphere of 0.04 m that is 0.01 m deep carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
 const STIFFNESS: f64 = 375_000.0 * 2.0 * std::f64::consts::SQRT_2;
 
-/// What moves a body against its parent along one axis.
+/// A joint's part that moves a body against its parent along one axis.
 struct Moves<'c> {
     coordinate: &'c str,
     axis: &'c str,
@@ -98,7 +98,6 @@ impl Parts {
         Standing::all(&model, &model.force_ids()).unwrap()
     }
 
-    /// That of the only tree.
     fn only_standing(&self) -> Standing {
         let mut all = self.standing();
         assert_eq!(all.len(), 1);

@@ -7,7 +7,7 @@
 
 use osim_model::{Companion, Document, Irregularity, Limbs, Model, Origin, Property, Selection, SetId};
 
-/// One foot of 61.5 kg on a sphere of 0.0325 m, as the fixtures of `format/` have it.
+/// Numbers of the fixtures of `format/`: a foot of 61.5 kg on a sphere of 0.0325 m.
 const STIFFNESS: f64 = 1_234_567.8;
 const RADIUS: f64 = 0.0325;
 

@@ -5,11 +5,11 @@ use rmpfit::{MPConfig, MPFitter, MPPar, MPResult};
 
 use super::trial::{DepthShift, FitTrial, FootForces};
 
-/// One fitted number.
+/// A fitted number with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedParameter {
     pub value: f64,
-    /// Its standard error, corrected for the correlation of neighbouring frames; NaN without remaining degrees of freedom.
+    /// Standard error of the parameter, corrected for the correlation of neighbouring frames; NaN without remaining degrees of freedom.
     pub standard_error: f64,
     /// The lowest and the highest value with which the other parameters fit nearly as well (rms within 5 %, or 0.005 body weights).
     pub nearly_as_good: (f64, f64),
@@ -116,7 +116,7 @@ impl Unknowns {
     }
 }
 
-/// What a fitted height moves.
+/// The object that a fitted height moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FittedHeight {
     /// The floor of each trial.
@@ -130,7 +130,7 @@ pub enum FittedHeight {
 pub struct FitWanted {
     pub stiffness: bool,
     pub dissipation: bool,
-    /// What a fitted height moves; `None` if no height is fitted.
+    /// The object that a fitted height moves; `None` if no height is fitted.
     pub height: Option<FittedHeight>,
 }
 

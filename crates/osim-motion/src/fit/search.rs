@@ -14,7 +14,7 @@ const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
 const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
 /// Dissipations are searched up to this, s/m.
 const MOST_DISSIPATION: f64 = 10.0;
-/// Without a bound on x/R, the floor is searched up to this above the height at which the first sphere touches, m.
+/// If nothing bounds x/R, the fit looks for the floor up to this far above the height at which the first sphere touches, m.
 const UNBOUNDED_M: f64 = 0.25;
 /// Spheres are searched up to this far up or down in their bodies, and floors of other trials up to this far from the first, m.
 const MOST_IN_SPHERES_M: f64 = 0.25;

@@ -10,7 +10,7 @@ use crate::recording::Recording;
 use crate::sole::down_in_bodies;
 use crate::states::{ContactState, ContactStates, StatesError, Wrench};
 
-/// One trial: the contacts of each foot in the frames in which the plates give its force.
+/// A trial of a fit: the contacts of each foot in the frames in which the plates give its force.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitTrial {
     pub feet: Vec<FootForces>,

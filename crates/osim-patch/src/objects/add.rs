@@ -152,11 +152,11 @@ fn added_object(class: &'static str, name: &str, path: &str, body: Option<&str>)
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewSphere<'p> {
     pub name: &'p str,
-    /// Its component path.
+    /// Component path of the new sphere.
     pub path: &'p str,
     /// Name of the body that carries it.
     pub body: &'p str,
-    /// Its centre in the frame of that body, m.
+    /// Centre of the new sphere in the frame of its body, m.
     pub centre_m: [f64; 3],
     pub radius_m: f64,
 }

@@ -16,7 +16,7 @@ use crate::objects::rebuilt::{ObjectAction, ObjectChange, RebuiltModel, TakenNam
 use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
 
-/// What only smoothed forces have.
+/// The properties that only smoothed forces have.
 const SMOOTHING: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
@@ -50,7 +50,7 @@ impl Convert {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
     pub rebuilt: RebuiltModel,
-    /// What the user should know.
+    /// Findings about the conversion.
     pub findings: Vec<Finding>,
     /// Old and new names of forces that were divided.
     pub renamed: Vec<(String, Vec<String>)>,
@@ -224,7 +224,7 @@ fn divide_force(
     Ok((Edit { span, text }, objects))
 }
 
-/// What the `property` of a new force comes from.
+/// Source of the `property` of a new force, in words.
 fn origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String {
     let (radius, path) = (readable(sphere.radius.number), &sphere.path);
     let by_radius = |equation: &str| format!("the radius {radius} m of {path} by equation ({equation})");
@@ -237,7 +237,7 @@ fn origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String
     }
 }
 
-/// Those of `values` that forces of `kind` have.
+/// The properties among `values` that forces of `kind` have.
 fn values_of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
     if kind == ForceKind::HuntCrossley {
         values.retain(|(property, _)| !SMOOTHING.contains(property));

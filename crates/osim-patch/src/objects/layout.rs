@@ -7,14 +7,14 @@ use osim_model::{
     Property, Rotation, Selected, SetId, Side, SphereId, Surfaces,
 };
 
-/// One contact that a model is to get: a sphere, and the force that presses it on the floor.
+/// A contact that a model is to get: a sphere, and the force that presses it on the floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewContact {
     pub force: String,
     pub sphere: String,
     /// Name of the body that carries it.
     pub body: String,
-    /// Its centre in the frame of that body, m.
+    /// Centre of the sphere in the frame of its body, m.
     pub location_m: [f64; 3],
     pub radius_m: f64,
     pub kind: ForceKind,

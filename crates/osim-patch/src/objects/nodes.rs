@@ -172,7 +172,7 @@ impl NamesInList {
 /// Objects that are taken out of forces.
 #[derive(Default)]
 pub(super) struct SurfacesInsideForces {
-    /// What goes into the geometry set.
+    /// New elements of the geometry set.
     pub(super) geometry: Vec<Node>,
     pub(super) objects: Vec<ObjectChange>,
     /// Half-spaces that are written already: frame, place and angles of each, and its new path.

@@ -31,7 +31,7 @@ pub struct ObjectChange {
     /// OpenSim's class, such as `ContactSphere`.
     pub class: &'static str,
     pub name: String,
-    /// Its component path: where it will be, or was.
+    /// Component path that the object will have, or had.
     pub path: String,
     /// The body that carries it, or carries its sphere; `None` for ground.
     pub body: Option<String>,
@@ -43,7 +43,7 @@ pub struct ObjectChange {
 #[derive(Debug, Clone)]
 pub struct RebuiltModel {
     model: Arc<Model>,
-    /// What was added or taken out, in the order in which reports list it.
+    /// Objects that were added or taken out, in the order in which reports list them.
     pub objects: Vec<ObjectChange>,
     /// Letters for the note's list of elements that the program made: new ones, or those that remain after a removal.
     pub(crate) made: String,

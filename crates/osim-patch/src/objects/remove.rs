@@ -163,7 +163,7 @@ fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) 
     Ok(())
 }
 
-/// What is said where `element` uses the geometry `name`.
+/// The fault that `element` uses the geometry `name`.
 fn in_use_fault(document: &Document, element: ElementId, name: &str) -> FaultKind {
     let tree = document.tree();
     let is_above = |defaults| OuterSpans::of(vec![tree.span(defaults)]).covers(&tree.span(element));
@@ -183,7 +183,7 @@ fn in_use_fault(document: &Document, element: ElementId, name: &str) -> FaultKin
 /// An object that refers by name to objects which were removed. OpenSim still reads such a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DanglingReference {
-    /// Its class and its name, such as `ObjectGroup feet`.
+    /// Class and name of the object, such as `ObjectGroup feet`.
     pub object: String,
     /// The names that it refers to, in its order.
     pub names: Vec<String>,
@@ -221,7 +221,7 @@ pub fn dangling_references(rebuilt: &RebuiltModel) -> Vec<DanglingReference> {
     found
 }
 
-/// What of `gone` the text of `leaf` names.
+/// The names among `gone` that the text of `leaf` has.
 fn names_of_removed(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
     let set = if tree.name(leaf) == "members" { set_of_group(tree, leaf) } else { None };
     let text = tree.text_of(leaf);

@@ -5,7 +5,7 @@ use osim_model::{ElementId, Fault, FaultKind, Model, Tree};
 use crate::edit::Edit;
 use crate::insert::{EmptyForm, Node, append, fill, insert, with_white_space_before};
 
-/// What OpenSim writes around its sets in a model.
+/// The elements of a model around its sets, in the order in which OpenSim writes them.
 const ORDER_IN_MODEL: [&str; 15] = [
     "Ground",
     "gravity",

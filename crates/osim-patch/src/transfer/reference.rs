@@ -9,7 +9,7 @@ use osim_model::{
 
 use crate::objects::{ContactLayout, NewContact};
 
-/// One contact of a reference, and the spheres that have it.
+/// A contact of a reference, and the spheres that have it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceContact {
     /// Names of the spheres that have it, and their radii, m.
@@ -111,19 +111,19 @@ impl From<&Preset> for Reference {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transfer {
-    /// Where the contacts come from.
+    /// Source of the contacts.
     pub reference: Reference,
     /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
     /// of the same name.
     pub reference_sphere: Option<String>,
-    /// What this model weighs: the mass that the contacts are scaled to.
+    /// Mass of this model: the mass that the contacts are scaled to.
     pub target_mass: Mass,
     /// Spheres n that share this model's weight.
     pub sphere_count: f64,
     /// Whether each sphere has its own in the reference, and how many share the weight is not known: then only the ratio of the
     /// two counts has a meaning.
     pub counts_cancel: bool,
-    /// What happens to the radii.
+    /// The rule for the radii.
     pub radius: RadiusRule,
     pub properties: PropertySet,
     /// Which size α follows (14).

@@ -153,7 +153,7 @@ fn a_part_can_go_first_and_then_the_rest() {
     }
 }
 
-/// What [`remove`] and its note leave of a file, without the forces `names`, or without all.
+/// The bytes that [`remove`] and its note leave of a file, without the forces `names`, or without all.
 fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
     let wanted = |force: &osim_model::Force| names.is_empty() || names.contains(&force.name.as_str());
     let rebuilt = remove(model, &Selected::matching(model, wanted)).unwrap();
@@ -232,7 +232,7 @@ fn an_old_note_is_there_again() {
     }
 }
 
-/// What `<defaults>` name is looked for by objects that have nothing of their own there, and those that stay keep their spheres.
+/// Objects that have nothing of their own in `<defaults>` look for what the defaults name, and those that stay keep their spheres.
 #[test]
 fn defaults_that_name_a_sphere_are_in_nobodys_way() {
     let parameters = "<HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects><HuntCrossleyForce::ContactParameters>\
@@ -275,7 +275,7 @@ fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
     assert!(fault.contains("in <defaults> uses heel") && fault.contains("text editor"), "{fault}");
 }
 
-/// What something names without having it is not what is new: it would meet that, and be in the way when it goes.
+/// A new object does not get a name that some text uses, even if no object has that name.
 #[test]
 fn new_objects_have_names_that_nothing_uses() {
     let other = "<ForceSet><objects><ElasticFoundationForce name=\"e\"><ElasticFoundationForce::ContactParametersSet \

@@ -20,7 +20,7 @@ fn seeds() -> &'static [Vec<u8>] {
     })
 }
 
-/// One way to spoil a file.
+/// A way to spoil a file.
 #[derive(Debug, Clone)]
 enum Spoil {
     Replace(usize, u8),

@@ -34,26 +34,26 @@ pub struct DesignSheet {
     pub remarks: Vec<String>,
 }
 
-/// One figure.
+/// A figure of a design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignFigure {
     /// The quantity of the register.
     #[serde(skip)]
     pub quantity: DesignQuantity,
-    /// Its name, with its unit.
+    /// Name of the figure, with its unit.
     #[cfg_attr(feature = "schemas", schemars(schema_with = "figure_names"))]
     pub name: &'static str,
-    /// Its value.
+    /// Value of the figure.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub value: f64,
-    /// Its unit, for people.
+    /// Unit of the figure, for people.
     pub unit: &'static str,
     /// Number of the equation in the paper, or a word where there is none.
     pub equation: Cow<'static, str>,
     /// Whether it was given; else it was calculated from other numbers.
     pub given: bool,
-    /// Its limit, where it has one.
+    /// Limit of the figure, where it has one.
     pub limit: Option<DesignLimit>,
 }
 

@@ -10,14 +10,14 @@ use osim_model::refuse_name;
 use crate::sheet::{Row, Sheet};
 pub use place::{PlaceFault, PlaceOnBody, TablePlace};
 
-/// What is wrong with a table of contacts, and where.
+/// A fault in a table of contacts, with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableFault {
     /// Line in the file, where it is about one.
     pub line: Option<u64>,
     /// Column, from 1, where it is about one.
     pub column: Option<usize>,
-    /// What is wrong, with the name of the column, without its line.
+    /// The message, with the name of the column, without its line.
     pub message: String,
 }
 
@@ -40,7 +40,7 @@ impl std::error::Error for TableFault {}
 
 /// No coordinate and no radius may be larger than this, m.
 const LARGEST_LENGTH_M: f64 = 1e9;
-/// What MuSkeMo writes where a contact has no body.
+/// The text that MuSkeMo writes where a contact has no body.
 const NO_BODY: &str = "not_assigned";
 
 /// The contacts of a table with the columns `name`, `body`, `x`, `y`, `z` (in the body's frame) and perhaps `radius`, all in metres;
@@ -71,7 +71,7 @@ pub struct ContactRow {
     /// Name of the body that carries it.
     pub body: String,
     pub place: TablePlace,
-    /// Its radius, m, where the table has radii.
+    /// Radius of the sphere, m, where the table has radii.
     pub radius_m: Option<f64>,
 }
 
@@ -181,7 +181,7 @@ impl Cells<'_> {
     }
 }
 
-/// What a column of the table contains.
+/// The meaning of a column of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ColumnMeaning {
     Name,

@@ -1,4 +1,4 @@
-//! Where a contact of a table is on its body.
+//! The place of a table's contact on its body.
 
 use osim_model::feet::{DefaultPose, PoseFault};
 use osim_model::{DVec3, Placement};
@@ -28,7 +28,7 @@ pub struct PlaceOnBody {
 /// Why the place of a contact on its body is not known.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlaceFault {
-    /// It is not known where the body is at the default pose.
+    /// The default pose of the body is not known.
     Pose(PoseFault),
     /// The two places are that far from each other in this model, m.
     Disagree(f64),

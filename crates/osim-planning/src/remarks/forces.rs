@@ -74,7 +74,7 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }
 
-/// What `check` finds in the smoothing of `model`: its body floats, or is carried before it touches.
+/// Findings of `check` on the smoothing of `model`: its body floats, or is carried before it touches.
 pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);

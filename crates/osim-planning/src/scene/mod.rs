@@ -37,14 +37,14 @@ pub struct Scene {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedBody {
     pub name: String,
-    /// Its axes x, y and z, and its origin, in ground.
+    /// Axes x, y and z of the body, and its origin, in ground.
     pub frame: [[f64; 3]; 4],
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlacedSphere {
     pub name: String,
-    /// Its component path.
+    /// Component path of the sphere.
     pub path: String,
     /// The body that carries it.
     pub body: String,
@@ -52,16 +52,16 @@ pub struct PlacedSphere {
     pub side: Option<&'static str>,
     pub centre_m: [f64; 3],
     pub radius_m: f64,
-    /// Its force, in body weights, if the body stands on all its spheres.
+    /// Force of the sphere, in body weights, if the body stands on all its spheres.
     pub force_bw: Option<f64>,
-    /// Its indentation then, in radii.
+    /// Indentation of the sphere, in radii, if the body stands on all its spheres.
     pub relative_indentation: Option<f64>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PlacedPlane {
     pub point_m: [f64; 3],
-    /// Its outward normal.
+    /// Outward normal of the plane.
     pub normal: [f64; 3],
 }
 
@@ -164,9 +164,9 @@ fn placed_spheres(
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BodyLine {
     pub body: String,
-    /// Where the joint above is.
+    /// Place of the joint above.
     pub from_m: [f64; 3],
-    /// Where the joint below is.
+    /// Place of the joint below.
     pub to_m: [f64; 3],
 }
 

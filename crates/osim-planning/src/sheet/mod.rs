@@ -30,7 +30,7 @@ pub struct Sheet {
     pub decimal_commas: bool,
 }
 
-/// One row of cells, as many as the header has.
+/// A row of cells, as many as the header has.
 #[derive(Debug, Clone)]
 pub struct Row {
     /// Line in the file; the header is line 1.
@@ -164,7 +164,7 @@ fn has_decimal_comma(cell: &str) -> bool {
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
-/// What is wrong with a cell that `is_broken_formula` knows, as the end of a sentence that begins with the cell.
+/// The message about a cell that `is_broken_formula` knows, as the end of a sentence that begins with the cell.
 pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
@@ -216,8 +216,7 @@ fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
 /// Rows of a wrong length that are listed at most.
 const ROWS_LISTED: usize = 20;
 
-/// What to do about rows that have more or fewer cells than the header: of each the line, the number of cells, and whether it begins
-/// with `#`.
+/// Advice about rows that have more or fewer cells than the header: of each the line, the number of cells, and whether it begins with `#`.
 fn message_of_unequal_rows(unequal: &[(u64, usize, bool)], header: &[String], delimiter: u8) -> String {
     let expected = header.len();
     let mut rows: Vec<String> = unequal

@@ -38,7 +38,7 @@ struct VariantJob {
 pub struct MadeVariant {
     /// The model.
     pub bytes: Vec<u8>,
-    /// What was done to the model, as its note says it.
+    /// The operation on the model, as its note says it.
     pub operation: String,
     number: usize,
     file: String,

@@ -1,4 +1,4 @@
-//! One variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder.
+//! A variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder.
 
 use std::collections::BTreeSet;
 

@@ -1,4 +1,4 @@
-//! One row as the fields of a request, and what can be wrong with it.
+//! A row of a table as the fields of a request, and its faults.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -218,7 +218,7 @@ const MASSES: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass]
 pub(super) struct Masses(BTreeMap<Input, Vec<f64>>);
 
 impl Masses {
-    /// Those of a table. A cell that is not a number is refused when its row is read.
+    /// The masses in the rows of a table. A cell that is not a number is refused when its row is read.
     pub(super) fn of(sheet: &Sheet, columns: &Columns) -> Self {
         let read = |input: Input| {
             let is_of = |field: &str, kind| kind == Kind::Value && field == input.name();
@@ -233,7 +233,7 @@ impl Masses {
         Self(MASSES.into_iter().filter_map(read).collect())
     }
 
-    /// What the other rows say of the masses of a row with these fields.
+    /// The masses in the other rows, for a row with these fields.
     pub(super) fn other_rows(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
         let found = self.0.iter().filter_map(|(&input, sorted)| {
             let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;

@@ -1,4 +1,4 @@
-//! What the columns of a table are: fields of the changing verbs.
+//! The meaning of a table's columns: fields of the changing verbs.
 
 use std::collections::BTreeMap;
 
@@ -38,7 +38,7 @@ pub(super) fn model_field(verb: Verb) -> &'static str {
 
 #[derive(Debug)]
 pub(super) struct Column {
-    /// As in the first row.
+    /// The column's text in the first row.
     pub header: String,
     pub field: String,
     pub kind: Kind,

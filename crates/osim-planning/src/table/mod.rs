@@ -29,14 +29,14 @@ pub struct Table {
     yes: Vec<Question>,
 }
 
-/// What one row asks for.
+/// The request of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowRequest {
     /// Line of the row in the table; the first row, which names the columns, is line 1.
     pub line: u64,
     pub verb: Verb,
     pub model: PathBuf,
-    /// Where its result goes: as the row says, else as the call says.
+    /// Output options of the row: its own, else those of the call.
     pub output: OutputOptions,
     /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
     pub user_columns: Vec<(String, String)>,
@@ -145,7 +145,7 @@ impl Table {
         RowFault { column, message }
     }
 
-    /// What is wrong with a row, as the failure of the table `shown`.
+    /// The failure of the table `shown` for the fault of a row.
     pub fn failure(&self, shown: &str, line: u64, fault: &RowFault) -> Failure {
         let place = match &fault.column {
             Some(column) => format!("row {line}, column '{column}': "),
@@ -170,7 +170,7 @@ impl Table {
     }
 }
 
-/// Where the row's result goes: as its cells say, else as the call says.
+/// Output options of a row: by its cells, else by the call.
 fn output(cells: &Cells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
     let named = cells.output.is_some() || cells.output_dir.is_some();
     if cells.output.as_deref() == Some(Path::new("-")) {

@@ -1,4 +1,4 @@
-//! What `check` finds: each limit from both sides, the sphere and the force that it names, and what it leaves out.
+//! Findings of `check`: each limit from both sides, the sphere and the force that a finding names, and what it leaves out.
 
 use crate::checks::{check_foot, check_text, check_with, codes, find, has, message, rule};
 use crate::feet::{SOLE, Smooth, foot};

@@ -62,7 +62,7 @@ fn is_level(text: &str) -> bool {
     })
 }
 
-/// What a change says about bottoms that it moves.
+/// Remarks of a change on bottoms that it moves.
 fn moved(text: &str, fields: &Value) -> Vec<String> {
     let (_, plan) = planned(text, fields).unwrap();
     let own = plan.findings.iter().filter(|finding| finding.code() == FindingCode::BottomsMoved);

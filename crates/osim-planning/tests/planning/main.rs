@@ -1,4 +1,4 @@
-//! What is found in a model and what puts it right, with trial plans; remedies that are run as they are proposed.
+//! Findings in a model and the remedies for them, with trial plans; remedies that are run as they are proposed.
 
 #![allow(
     clippy::unwrap_used,

@@ -15,7 +15,7 @@ const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim
 const CHILD: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
 /// Nobody's places on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's origin.
 const NOBODYS: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
-/// What the real Scale Tool made of the generic model.
+/// The generic model and the model that the real Scale Tool made of it.
 const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
 const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
 
@@ -188,7 +188,7 @@ fn placed(text: &str) -> String {
     noted(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
 }
 
-/// What OpenSim's scaling does to the meshes; spheres and note stay.
+/// A model with its meshes scaled as by OpenSim; spheres and note stay.
 fn bones_of(text: &str, size: &str) -> String {
     text.replace("0.913924 0.913924 0.913924", size)
 }

@@ -35,7 +35,7 @@ impl Random {
     }
 }
 
-/// What a variable of the environment says.
+/// The number in a variable of the environment.
 pub(crate) fn number(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }

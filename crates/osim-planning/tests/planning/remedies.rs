@@ -1,4 +1,4 @@
-//! What puts a finding right, as data: each front end prints or applies it.
+//! Remedies of findings, as data: each front end prints or applies them.
 //!
 //! Expected numbers are the limits of the paper and its equations, computed by hand.
 
@@ -38,7 +38,7 @@ const UNEQUAL_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_c
 /// The numbers of its force are in `<defaults>`, which are left alone.
 const DEFAULTS: &str = include_str!("../../../../fixtures/format/defaults_hunt_crossley.osim");
 
-/// What `check` finds in a model that is called `name`.
+/// Result of `check` for a model that is called `name`.
 fn check(name: &str, text: &str) -> CheckResult {
     check_with(name, text, &InspectOptions::default())
 }

@@ -103,7 +103,7 @@ fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<Findin
     findings.into_iter().map(Finding::code).collect()
 }
 
-/// What a check of a model finds.
+/// Codes of the findings of a check.
 fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
@@ -114,7 +114,7 @@ fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes(found.findings.iter().map(|found| &found.finding))
 }
 
-/// What a change or a look at a model says.
+/// Codes of the findings of a change or an inspection.
 fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = Request::from_json(request.as_bytes()).unwrap();
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
@@ -126,7 +126,7 @@ fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes(&plan.findings)
 }
 
-/// What the good and the bad example raise; `None` where a test elsewhere makes the files.
+/// Codes that the good and the bad example raise; `None` where a test elsewhere makes the files.
 fn raised(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
     let mut files = fixtures();
     match example {

@@ -21,7 +21,7 @@ const MODELS: [&str; 4] = [
     "format/both_classes.osim",
 ];
 
-/// What is put into the sets of a model.
+/// Elements that are put into the sets of a model.
 #[derive(Default)]
 struct Scenery {
     bodies: String,
@@ -102,7 +102,7 @@ fn force(random: &mut Random, name: &str, sphere: &str) -> String {
     )
 }
 
-/// What is known of a model: what does not list its objects.
+/// Known numbers of a model that do not list its objects.
 fn known(text: &str) -> Vec<Value> {
     let model = Model::parse(text).unwrap();
     let options = osim_inspect::InspectOptions::default();

@@ -16,7 +16,7 @@ use crate::rules::fixtures;
 const HUMAN: &str = "feet/human_40000.osim";
 const FOOT: &str = "feet/Geometry/r_human_foot.vtp";
 
-/// What a check of a model finds, with the meshes beside it.
+/// Codes of the findings of a check, with the meshes beside the model.
 fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
@@ -27,14 +27,14 @@ fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     found.findings.iter().map(|found| found.code()).collect()
 }
 
-/// What keeps a request from being planned.
+/// Code of the fault that keeps a request from being planned.
 fn refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
-/// What reading the model shows that a request makes.
+/// Codes of the findings in the model that a request makes.
 fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();

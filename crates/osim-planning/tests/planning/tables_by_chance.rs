@@ -132,7 +132,7 @@ fn by_chance_every_cell_is_read_as_it_was_meant() {
     }
 }
 
-/// One cell is spoilt: the message names its line, whatever else is in the table, and nothing is taken for a number that is none.
+/// A spoilt cell: the message names its line, whatever else is in the table, and nothing is taken for a number that is none.
 #[test]
 fn by_chance_a_cell_that_is_no_number_is_named() {
     for seed in seeds() {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use contact_scaling::DomainError;
 
-/// What is refused of a list that is too long or too short.
+/// The quantity of a failure about a list that is too long or too short.
 const ELEMENTS: &str = "the number of elements";
 
 /// Why an equation has no value.
@@ -12,7 +12,7 @@ const ELEMENTS: &str = "the number of elements";
 pub(crate) struct Failure {
     /// The argument that was refused; `None` where it is about several together.
     pub parameter: Option<&'static str>,
-    /// What was refused, in words.
+    /// Name of the refused quantity.
     pub quantity: &'static str,
     /// The value that it had, in SI units.
     pub value: f64,
@@ -94,7 +94,7 @@ impl Failure {
         Self { index: Some(index), ..self }
     }
 
-    /// What is wrong, in one sentence; `place` says which element it is, such as `[2, 0]`, or is empty.
+    /// The message in one sentence; `place` says which element it is, such as `[2, 0]`, or is empty.
     pub(crate) fn message(&self, place: &str) -> String {
         let Self { parameter, quantity, value, expected, .. } = *self;
         match parameter {

@@ -1,4 +1,4 @@
-//! One equation as a function of plain numbers, and over arrays of them; and how it is declared.
+//! Equations as functions of plain numbers, and over arrays of them; and how they are declared.
 
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
@@ -7,22 +7,22 @@ use crate::scaling::failure::Failure;
 use crate::scaling::parameter::{Parameter, Returns};
 use crate::scaling::text::{Argument, docstring};
 
-/// One equation with plain numbers in and one number out, all in SI units.
+/// An equation with plain numbers in and one number out, all in SI units.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Function {
-    /// As Python calls it.
+    /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling`, by which the register has its equation: `Hertz::force`.
     pub computes: &'static str,
-    /// Its arguments in order; those with a default are last.
+    /// Arguments of the function in order; arguments with a default are last.
     pub parameters: &'static [Parameter],
-    /// What it gives.
+    /// The kind of value that the function returns.
     pub returns: Returns,
-    /// What computes it.
+    /// The Rust function that computes it.
     pub call: Call,
 }
 
-/// What computes a function.
+/// The Rust function behind a Python one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Call {
     /// From numbers alone.
@@ -69,7 +69,7 @@ impl Function {
         forms(self.computes)
     }
 
-    /// Its text in Python.
+    /// Docstring of the function, without its examples.
     pub(crate) fn docstring(&self) -> String {
         let arguments = self.parameters.iter().map(|&parameter| Argument::of_array(parameter));
         docstring(self.forms(), arguments.chain(self.takes_rule().then(Argument::rule)), self.returns)
@@ -113,7 +113,7 @@ impl<'c> Columns<'c> {
         }
     }
 
-    /// What `call` makes of each row.
+    /// The results of `call` for each row.
     ///
     /// # Errors
     /// The first of `call`, with the element that it is about.

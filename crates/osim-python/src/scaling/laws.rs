@@ -209,9 +209,9 @@ fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
 pub(crate) struct Ladder {
     /// k̂ at the load of the last step, without unit (B.3).
     pub dimensionless_stiffness: Vec<f64>,
-    /// What E* of the last step is multiplied by.
+    /// Factor of the last step's E*.
     pub modulus_factor: Vec<f64>,
-    /// What α of the last step is multiplied by.
+    /// Factor of the last step's α.
     pub dissipation_factor: Vec<f64>,
 }
 

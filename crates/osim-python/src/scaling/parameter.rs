@@ -6,20 +6,20 @@ use contact_scaling::modulus::MixingRule;
 /// An argument of an equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Parameter {
-    /// As Python calls it.
+    /// Name of the argument in Python.
     pub name: &'static str,
-    /// As the formula has it, with its meaning and unit.
+    /// Symbol of the argument in the formula, with its meaning and unit.
     pub symbol: Symbol,
-    /// What it is where it is left out.
+    /// Value of the argument where it is left out.
     pub default: Option<f64>,
 }
 
-/// What an equation gives.
+/// The kind of value that an equation gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Returns {
     /// A value of this kind.
     Value(Symbol),
-    /// What a value of this kind is multiplied by, from one animal to another.
+    /// A factor of this symbol from one animal to another.
     Factor(Symbol),
 }
 

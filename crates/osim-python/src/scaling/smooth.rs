@@ -62,7 +62,7 @@ pub(super) const SMOOTH: &[Function] = &[
             .rest_stiffness(indentation)),
 ];
 
-/// What a smoothed law has beside the Hertz law, as OpenSim spells it.
+/// Parameters of a smoothed law beside those of the Hertz law, as OpenSim spells them.
 #[derive(Clone, Copy)]
 struct Smooth {
     /// α, in s/m.

@@ -14,15 +14,15 @@ use crate::scaling::text::{Argument, docstring};
 /// An equation over spheres, whose bottoms are level or each at its own height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OfSpheres {
-    /// As Python calls it.
+    /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling` for spheres whose bottoms are level.
     pub level: &'static str,
     /// The function of `contact-scaling` for spheres at their own heights.
     pub raised: &'static str,
-    /// What is given of each sphere, beside its height.
+    /// Arguments for each sphere, beside its height.
     pub spheres: &'static [Parameter],
-    /// What it gives.
+    /// The kind of value that the function returns.
     pub returns: Returns,
     alike: fn(&[f64]) -> Result<Spheres, Failure>,
     rest_level: fn(&[Spheres], f64) -> Result<f64, DomainError>,
@@ -125,7 +125,6 @@ impl OfSpheres {
         Ok(RaisedSpheres::new((self.alike)(values)?, height)?)
     }
 
-    /// Its text in Python.
     pub(crate) fn docstring(&self) -> String {
         let spheres = self.spheres.iter().map(|&parameter| Argument::of_list(parameter));
         let arguments = [Argument::of_number(LOAD)]
@@ -141,13 +140,13 @@ impl OfSpheres {
 /// An equation that takes one list of numbers, and gives one number for all of them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OfList {
-    /// As Python calls it.
+    /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling`.
     pub computes: &'static str,
     /// The list.
     pub parameter: Parameter,
-    /// What it gives.
+    /// The kind of value that the function returns.
     pub returns: Returns,
 }
 
@@ -178,7 +177,6 @@ impl OfList {
         })
     }
 
-    /// Its text in Python.
     pub(crate) fn docstring(&self) -> String {
         docstring(forms(self.computes), std::iter::once(Argument::of_list(self.parameter)), self.returns)
     }

@@ -5,7 +5,7 @@ use contact_scaling::equations::{Equation, Form, reference};
 
 use super::parameter::{Parameter, RULES, Returns};
 
-/// What an array is called that may also be one number.
+/// The type of an argument that is an array or one number, in docstrings.
 const ARRAY: &str = "float or array_like";
 
 /// An argument, with what can be given for it.
@@ -49,7 +49,7 @@ impl Argument {
     }
 }
 
-/// What an equation says, its formulas with their numbers, its arguments, what it gives, and where it comes from.
+/// The docstring of an equation: its formulas with their numbers, its arguments, its value, and its source.
 pub(super) fn docstring(
     forms: impl Iterator<Item = (&'static Equation, &'static Form)>,
     arguments: impl Iterator<Item = Argument>,
@@ -99,7 +99,7 @@ fn other_symbols(
     if text.is_empty() { text } else { format!("\nwhere\n\n{text}") }
 }
 
-/// What is computed.
+/// The quantity that is computed.
 fn given(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
     let unit = forms.first().map_or("", |(_, form)| form.unit);
     match returns {

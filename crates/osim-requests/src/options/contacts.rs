@@ -11,7 +11,7 @@ use crate::values::{
     RelativeIndentation, RestitutionCoefficient, Threshold,
 };
 
-/// What is wanted or known of the contact.
+/// Options for the contact that is wanted, or for what is known of it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -39,7 +39,7 @@ impl WantedOptions {
         Relation::Needs("impact_speed", "restitution"),
     ];
 
-    /// What happens to the radius, where it is given.
+    /// The rule for the radius, where it is given.
     pub fn radius(&self) -> Option<RadiusRule> {
         self.radius.map(Radius::rule)
     }
@@ -58,7 +58,7 @@ impl WantedOptions {
 
 // Numbers of contacts that are new, where no reference gives them.
 
-/// What is wanted of contacts that are new.
+/// Options for the numbers of new contacts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]

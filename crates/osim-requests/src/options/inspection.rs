@@ -113,7 +113,7 @@ impl CountOptions {
     }
 }
 
-/// What the figures are made for.
+/// Options for the load and the speed of figures.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -165,7 +165,7 @@ impl SetFiles {
         CompanionPaths { geometry: self.geometry.as_deref(), model: self.model.as_deref() }
     }
 
-    /// Both files, those that are named.
+    /// Paths of the motion's files that the request names.
     pub fn paths(&self) -> impl Iterator<Item = &PathBuf> {
         [&self.geometry, &self.model].into_iter().flatten()
     }

@@ -114,7 +114,7 @@ pub struct OutputOptions {
 }
 
 impl OutputOptions {
-    /// What the names of results end in by default, before their extension.
+    /// The default ending of names of results, before their extension.
     pub const MARK: &'static str = ".scaled";
 
     /// Which of its fields need or exclude others.
@@ -164,7 +164,7 @@ pub struct AnswerOptions {
 }
 
 impl AnswerOptions {
-    /// These answers.
+    /// Options that answer the questions `yes` and nothing else.
     pub fn new(yes: Vec<Question>) -> Self {
         Self { yes }
     }

@@ -1,4 +1,4 @@
-//! What changes, how, and by which reference.
+//! Options for what changes, how, and by which reference.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -47,7 +47,7 @@ impl AxisChoice {
     }
 }
 
-/// What changes, and how.
+/// Options for the properties that change, and how.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -112,7 +112,7 @@ impl ScalingOptions {
         self.level.then(axis)
     }
 
-    /// What dissipation follows.
+    /// The rule for dissipation.
     pub fn dissipation(&self) -> DissipationBy {
         match self.dissipation_by {
             DissipationChoice::Radius => DissipationBy::Radius,
@@ -134,7 +134,7 @@ choices! {
 }
 
 choices! {
-    /// What happens to spheres that were moved already.
+    /// The rule for spheres that were moved already.
     MovedChoice {
         Keep = "keep";
         Replace = "replace";
@@ -183,7 +183,7 @@ impl FollowOptions {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
     }
 
-    /// What happens to spheres that were moved already.
+    /// The rule for spheres that were moved already.
     pub fn moved(&self) -> MovedSpheres {
         match self.moved_spheres {
             None => MovedSpheres::Refuse,
@@ -221,7 +221,7 @@ choices! {
 }
 
 impl ClassChoice {
-    /// That of OpenSim's class.
+    /// The law of OpenSim's class `kind`.
     pub const fn of(kind: ForceKind) -> Self {
         match kind {
             ForceKind::SmoothSphereHalfSpace => Self::Smooth,
@@ -238,7 +238,7 @@ impl ClassChoice {
     }
 }
 
-/// What the reference is, where its file does not say.
+/// Options for facts about the reference that its file does not say.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]

@@ -9,31 +9,31 @@ use crate::values::serial::Words;
 pub struct Entry {
     /// Name of its field in requests.
     pub name: &'static str,
-    /// What it is for, in plain words; other fields are in `backticks`.
+    /// Help of the option, in plain words; other fields are in `backticks`.
     pub help: &'static str,
     /// The heading under which the help has it; empty for what this verb alone has.
     pub heading: &'static str,
     pub takes: Takes,
     pub list: List,
-    /// What the help calls its value; empty for the name of the option.
+    /// Name of the value in the help; empty for the name of the option.
     pub value_name: &'static str,
     pub short: Option<char>,
     /// A value may begin with a hyphen, as a negative number does.
     pub is_signed: bool,
     /// Few calls need it: the short help leaves it out.
     pub is_rare: bool,
-    /// This verb refuses it, or it changes nothing: the help leaves it out.
+    /// The verb refuses the option, or the option changes nothing: the help leaves it out.
     pub is_refused: bool,
-    /// What it is about, if it says nothing about contacts.
+    /// Subject of the option, if it says nothing about contacts.
     pub group: Option<FieldGroup>,
-    /// It is about a whole run, and not about one row of a table.
+    /// The option is about a whole run, and not about one row of a table.
     pub is_of_run: bool,
 }
 
-/// What a value is.
+/// The kind of value that an option takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Takes {
-    /// None: the option alone says it.
+    /// The option has no value: its name alone says it.
     Flag,
     /// A number or a text.
     Text,
@@ -54,12 +54,12 @@ pub enum List {
     One,
     /// The option is repeated.
     Repeated,
-    /// They are one word, with commas between them.
+    /// The values are one word, with commas between them.
     Commas,
 }
 
-/// What an option is about, if it says nothing about contacts. A front end that has no files, no terminal, or one model at a time
-/// leaves such fields out: it asks here, or reads `x-group` in the schema, so that it needs no list of its own.
+/// Subject of an option that says nothing about contacts. A front end that has no files, no terminal, or one model at a time leaves such
+/// fields out: it asks here, or reads `x-group` in the schema, so that it needs no list of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldGroup {
     /// Which files results are written to.
@@ -71,7 +71,7 @@ pub enum FieldGroup {
 }
 
 impl FieldGroup {
-    /// Its name in schemas.
+    /// Name of the kind of value in schemas.
     #[cfg(feature = "schemas")]
     pub(crate) const fn name(self) -> &'static str {
         match self {

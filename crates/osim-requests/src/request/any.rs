@@ -29,7 +29,7 @@ impl Request {
         Self::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))
     }
 
-    /// What it says of masses, of a verb that changes models.
+    /// Mass options of a verb that changes models.
     pub fn masses_mut(&mut self) -> Option<&mut MassOptions> {
         Some(match self {
             Self::Rescale(request) => &mut request.masses,
@@ -44,10 +44,10 @@ impl Request {
 
 // Requests as JSON texts.
 
-/// What some editors write before a text in UTF-8.
+/// The bytes that some editors write before a text in UTF-8.
 const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 
-/// What is before a text in UTF-16, as PowerShell's `>` writes it.
+/// The bytes before a text in UTF-16, as PowerShell's `>` writes it.
 const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
 
 impl Request {
@@ -102,7 +102,7 @@ const MODELS: [&str; 2] = ["models", "file"];
 /// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
 const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
 
-/// What the note of a changed model says of the request.
+/// The parts of a request that the note of a changed model records.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct NoteDetails {
     /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
@@ -124,7 +124,7 @@ impl Request {
         self.to_map().into_iter().filter(|(name, _)| !is_other(name)).collect()
     }
 
-    /// What the note of a model that it changes says of it.
+    /// The parts of the request that the note of a changed model records.
     pub fn noted(&self) -> NoteDetails {
         let others = [
             map(&AnswerOptions::default()),

@@ -58,7 +58,7 @@ choices! {
 }
 
 choices! {
-    /// What is fitted to a recording.
+    /// A parameter that is fitted to a recording.
     FittedChoice {
         Stiffness = "stiffness", "All stiffnesses, by one factor";
         Dissipation = "dissipation", "The dissipation of all forces";
@@ -67,7 +67,7 @@ choices! {
 }
 
 choices! {
-    /// What a fitted height moves.
+    /// The object that a fitted height moves.
     HeightChoice: Floor {
         Floor = "floor", "The floor, along its normal: spheres stay on the sole";
         Spheres = "spheres", "All spheres, in their bodies: the floor stays";

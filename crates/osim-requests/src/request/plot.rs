@@ -28,7 +28,7 @@ pub struct FigureOptions {
 }
 
 choices! {
-    /// What the colours of a heat map show.
+    /// The quantity that the colours of a heat map show.
     QuantityChoice: Indentation {
         Indentation = "indentation", "Relative indentation at rest under body weight, by the Hertz law";
         Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
@@ -36,7 +36,7 @@ choices! {
     }
 }
 
-/// What is computed.
+/// The quantity of a heat map.
 ///
 /// Exhaustive: code that draws it needs a title and a scale for each quantity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +95,7 @@ impl Default for HeatOptions {
 }
 
 choices! {
-    /// What is drawn.
+    /// The kind of plot.
     PlotKind {
         Force = "force", "Force against indentation: Hertz, with cf, smoothed";
         State = "state", "Contact state against indentation";

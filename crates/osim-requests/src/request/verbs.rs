@@ -19,18 +19,18 @@ use crate::request::plot::PlotRequest;
 /// The name under which a dictionary says which verb it is for.
 pub(super) const VERB: &str = "verb";
 
-/// What the help and pages say of a verb.
+/// Texts about a verb for the help and for pages.
 #[derive(Debug, Clone, Copy)]
 pub struct VerbEntry {
     /// The group in which the help lists it.
     pub group: VerbGroup,
-    /// What it does, in a line of the help.
+    /// Purpose of the verb, in a line of the help.
     pub about: &'static str,
-    /// What else the long help says; may be empty.
+    /// More text of the long help; may be empty.
     pub details: &'static str,
-    /// What it does, as the heading of a form; empty where its name says it.
+    /// Purpose of the verb, as the heading of a form; empty where its name says it.
     title: &'static str,
-    /// What was done, at the top of a report.
+    /// The heading at the top of a report.
     pub purpose: &'static str,
     /// The fields that a call has without their names, in their order. In schemas they are `x-positional`.
     pub positional: &'static [&'static str],
@@ -55,7 +55,7 @@ impl VerbEntry {
     }
 }
 
-/// What a verb does, as the heading of a form.
+/// Purpose of a verb, as the heading of a form.
 pub(crate) fn verb_title(verb: Verb) -> &'static str {
     match verb_entry(verb).title {
         "" => verb.name(),
@@ -63,7 +63,7 @@ pub(crate) fn verb_title(verb: Verb) -> &'static str {
     }
 }
 
-/// What a reader of the help looks for.
+/// Groups of verbs in the help.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum VerbGroup {
     Change,
@@ -75,7 +75,7 @@ pub enum VerbGroup {
 impl VerbGroup {
     pub const ALL: [Self; 4] = [Self::Change, Self::Look, Self::Study, Self::More];
 
-    /// Its heading in the help.
+    /// Heading of the group in the help.
     pub const fn heading(self) -> &'static str {
         match self {
             Self::Change => "Change models",
@@ -85,7 +85,7 @@ impl VerbGroup {
         }
     }
 
-    /// Its verbs, in the order of the help.
+    /// Verbs of the group, in the order of the help.
     pub fn verbs(self) -> impl Iterator<Item = Verb> {
         REGISTERED.iter().copied().filter(move |verb| verb_entry(*verb).group == self)
     }
@@ -117,7 +117,7 @@ macro_rules! verbs {
         }
 
         impl Request {
-            /// What it asks for.
+            /// Verb of the request.
             pub const fn verb(&self) -> Verb {
                 match self { $(Self::$variant(_) => Verb::$variant),+ }
             }

@@ -71,7 +71,7 @@ impl Speller for CommandLine {
     }
 }
 
-/// What has no option, in one or several words.
+/// The words of a field that has no option.
 fn positional_words((_, value): &Field) -> Vec<String> {
     value.items().iter().map(|item| shell_quoted(&file_word(&item.text()))).collect()
 }

@@ -38,7 +38,7 @@ impl Dialect for Page {
 }
 
 impl Speller for Page {
-    /// What is done, and the fields with what they say; not the model, which is open.
+    /// The action, and the fields with their values; not the model, which is open.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let wanted: Vec<String> = fields.options.iter().flat_map(field_words).collect();

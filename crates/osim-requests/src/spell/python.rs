@@ -11,10 +11,10 @@ use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits
 const IMPORT: &str = "import osim_contact_scale as ocs";
 const SHOWN: &str = "print(result)";
 
-/// What a plan of one model does not take as a keyword, but is done with it when it is there.
+/// Fields that the plan of one model does not take as keywords, but which are done with it when it is there.
 const OF_PLAN: [&str; 2] = ["dry_run", "report"];
 
-/// What a row of a table says, not a call for all rows.
+/// Fields of a row of a table, not of a call for all rows.
 const OF_ROW: [&str; 2] = ["output", "geometry_output"];
 
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
@@ -119,7 +119,7 @@ fn many(fields: &Fields) -> String {
     format!("ocs.many({})", joined(arguments.into_iter()))
 }
 
-/// What has no keyword: one value alone, and several as a list, but where the function takes any number.
+/// The words of a field that has no keyword: one value alone, and several as a list, but where the function takes any number.
 fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
     match value {
         FieldValue::List(items) if items.len() == 1 || matches!(verb, Verb::Plot | Verb::Explain) => {

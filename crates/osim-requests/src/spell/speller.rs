@@ -47,7 +47,7 @@ pub trait FrontEnd: Speller {
         name.to_owned()
     }
 
-    /// What is before a remedy that is there to be copied.
+    /// The text before a remedy that is there to be copied.
     fn prompt(&self) -> &'static str {
         ""
     }
@@ -69,16 +69,16 @@ pub(super) struct Fields {
     pub(super) verb: Verb,
     /// Whether it changes models that it names.
     pub(super) changes: bool,
-    /// What has no name in a call, in its order there.
+    /// Fields that have no name in a call, in its order there.
     pub(super) positional: Vec<Field>,
     /// Everything else that says something, in the order of requests, which is that of the help and of forms.
     pub(super) options: Vec<Field>,
 }
 
-/// What a field says.
+/// The value of a field, for spelling.
 #[derive(Debug)]
 pub(super) enum FieldValue {
-    /// Its name alone says it.
+    /// The option has no value: its name alone says it.
     Flag,
     Number(Number),
     Text(String),
@@ -157,7 +157,7 @@ impl FieldValue {
         }
     }
 
-    /// Its items, or itself if it is not a list.
+    /// Items of a list; a value that is no list is its own only item.
     pub(super) fn items(&self) -> &[Self] {
         match self {
             Self::List(items) => items,

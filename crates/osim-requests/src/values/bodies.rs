@@ -58,7 +58,7 @@ pub struct BodyScale {
     pub factors: [f64; 3],
 }
 
-/// What is expected of a text.
+/// The expected form of a text, for messages.
 const EXPECTED: &str =
     "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
 /// Factors beyond this, or below 1 over this, belong to no body.

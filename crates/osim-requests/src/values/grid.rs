@@ -25,7 +25,7 @@ use crate::values::typed::{Range, factor, plain, positive_number, respelled, spa
 /// Nobody runs a grid with more values than this.
 const MOST_VALUES: u32 = 100_000;
 
-/// What varies along an axis.
+/// The quantity that varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisName {
     /// A property, by OpenSim's name.
@@ -97,9 +97,9 @@ impl GridValue {
 /// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FROM..TO/COUNT`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// What varies.
+    /// The quantity that varies.
     pub name: AxisName,
-    /// Its values, each once.
+    /// Values of the axis, each once.
     pub values: Vec<GridValue>,
     /// As it was written.
     text: String,
@@ -306,7 +306,7 @@ pub struct Span {
 }
 
 impl Span {
-    /// Both ends, the smaller one first.
+    /// Both ends of the range, the smaller one first.
     pub const fn ends(self) -> (f64, f64) {
         (self.from, self.to)
     }

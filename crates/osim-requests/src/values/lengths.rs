@@ -88,7 +88,7 @@ impl<'d> Deserialize<'d> for Radius {
     }
 }
 
-/// What is expected of a text.
+/// The expected form of a text, for messages.
 const EXPECTED: &str = "isometric, follow or a radius in metres";
 /// No radius is beyond this, in whatever unit, m.
 const LARGEST: f64 = 1e9;

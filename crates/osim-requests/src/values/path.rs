@@ -61,10 +61,10 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
         .map_err(|_| "a path that is not text cannot be given on this system")
 }
 
-/// What is expected, whatever is there instead.
+/// The expected form of a path, whatever is there instead.
 const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
-/// What is wrong with a name of no letters.
+/// The message about a name of no letters.
 const EMPTY: &str = "it is empty, expected the name of a file";
 
 /// A path as a value.

@@ -178,7 +178,7 @@ impl Kilograms {
 }
 
 impl Default for FontSize {
-    /// What journals ask for at least.
+    /// The resolution that journals ask for at least.
     fn default() -> Self {
         Self(7.0)
     }

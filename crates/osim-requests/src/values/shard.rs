@@ -1,4 +1,4 @@
-//! What one job of many does: a share of the models, or one point of a grid.
+//! The part of one job of many: a share of the models, or one point of a grid.
 
 use std::fmt;
 use std::iter::StepBy;

@@ -66,7 +66,7 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
     }
 }
 
-/// What a number with a unit is in the unit that is expected, to the digits that a conversion leaves right.
+/// A number with a unit, converted to the expected unit, to the digits that a conversion leaves right.
 pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = text.to_ascii_lowercase();
     // A capital M is another unit, a million times as large or more.
@@ -124,7 +124,7 @@ pub(crate) fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -
     }
 }
 
-/// What is after the `x` of a factor such as `x1.5`.
+/// The text after the `x` of a factor such as `x1.5`.
 pub fn factor(text: &str) -> Option<&str> {
     text.strip_prefix(['x', 'X'])
 }
@@ -168,8 +168,8 @@ pub fn respelled(text: &str) -> Option<String> {
     Colons::read(text)?.range
 }
 
-/// What to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no
-/// colons between numbers.
+/// The text to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no colons
+/// between numbers.
 pub(crate) fn with_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
     Some(match Colons::read(text)? {

@@ -271,7 +271,7 @@ fn a_file_that_is_read_is_found_in_every_option() {
     }
 }
 
-/// What front ends say of a field is an [`Input`].
+/// Each field that a front end offers is an [`Input`].
 #[test]
 fn every_option_is_an_input() {
     const OPERANDS: [&str; 7] = ["verb", "models", "subject", "manifest", "file", "name", "set"];

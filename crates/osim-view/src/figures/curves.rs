@@ -19,7 +19,7 @@ const MOST_SHARES_SHOWN: f64 = 3.0;
 
 /// The curves of one kind of sphere.
 pub(super) struct KindOfSphereLaws {
-    /// Its name, if the figure shows several.
+    /// Name of the body, if the figure shows several.
     pub(super) name: String,
     pub(super) series: ForceSeries,
     /// The indentation at rest in brackets, if it is outside the figure; else empty.

@@ -146,7 +146,7 @@ enum ViewSide {
     Above,
 }
 
-/// Both views of a foot; `before` is the foot in another state, with the shift to draw it at the same place.
+/// A foot from the side and from above; `before` is the foot in another state, with the shift to draw it at the same place.
 fn views_of_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<View> {
     [ViewSide::Right, ViewSide::Above].map(|from| view(foot, before, from)).into()
 }

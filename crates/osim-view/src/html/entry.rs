@@ -31,13 +31,13 @@ pub struct Entry {
     pub(super) cells: Vec<Cell>,
     /// The text after its name, where its sections are folded.
     pub(super) summary: String,
-    /// Its sections; `None` if it could not be done.
+    /// Sections about the model; `None` if it could not be read or changed.
     pub(super) fragment: Option<Box<Fragment>>,
     /// The error, if it could not be done.
     pub(super) error: Option<&'static ErrorCode>,
     /// Numbers that the page counts.
     pub(super) facts: Option<Facts>,
-    /// Its states to be drawn, if it is chosen.
+    /// The model's states to be drawn, if it is chosen.
     pub(super) drawn: Option<Drawn>,
 }
 
@@ -218,7 +218,7 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Its class in the style sheet.
+    /// Class of the cell in the style sheet.
     pub(super) fn class(&self) -> Option<&'static str> {
         match (self.words, self.outside, self.text.contains(' ')) {
             (true, ..) => Some("words"),

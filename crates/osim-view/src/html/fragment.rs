@@ -90,7 +90,7 @@ pub(super) fn header_cell(header: &str) -> Markup {
 /// One section, without its heading.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Section {
-    /// Its name, such as `plots`.
+    /// Name of the section, such as `plots`.
     pub id: &'static str,
     pub title: &'static str,
     pub html: String,

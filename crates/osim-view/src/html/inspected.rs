@@ -21,11 +21,11 @@ use crate::report::inspection::table::{decimals, described, groups, metres, sent
 pub struct InspectedModelOnPage<'m> {
     pub options: &'m InspectOptions,
     pub model: &'m OpenModel,
-    /// Its inspection and check.
+    /// Inspection and check of the model.
     pub examined: InspectedAndChecked<'m>,
     /// The files that it was read from, the model first.
     pub files: &'m [NamedDigest],
-    /// Its feet, if they are drawn.
+    /// Feet of the model, if they are drawn.
     pub feet: Option<ModelFeet>,
     /// The section about its contacts along a recording, from [`recording`](crate::html::recording), if one is named.
     pub recording: Option<Section>,

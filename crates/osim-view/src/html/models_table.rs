@@ -26,7 +26,7 @@ pub enum Columns {
 }
 
 impl Columns {
-    /// Those that begin with a blank are above words, not numbers.
+    /// Headings of the columns. A heading that begins with a blank is above words, not numbers.
     fn headers(self) -> &'static [&'static str] {
         match self {
             Self::Changes => &[

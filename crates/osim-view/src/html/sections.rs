@@ -11,7 +11,7 @@ use crate::html::fragment::{Fragment, Section};
 use crate::html::inspected::{self, InspectedModelOnPage};
 use crate::html::{explained, plots};
 
-/// What a link in a section leads to.
+/// The equations and codes that links in a section lead to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Explained {
     /// The anchor.
@@ -59,7 +59,7 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// Those sections of a change whose names are `wanted`; `None` for all.
+    /// The sections of a change whose names are `wanted`; `None` for all.
     pub fn of_change(
         changed: ChangedModelOnPage<'_>,
         wanted: Option<&[String]>,
@@ -70,7 +70,7 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// Those sections about a model that was inspected whose names are `wanted`; `None` for all.
+    /// The sections about an inspected model whose names are `wanted`; `None` for all.
     pub fn of_model(
         inspected: InspectedModelOnPage<'_>,
         wanted: Option<&[String]>,

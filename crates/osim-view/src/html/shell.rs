@@ -1,4 +1,4 @@
-//! What is around the models: head, contents, the call, and where the page comes from.
+//! The frame of a page around the models: head, contents, the call, and where the page comes from.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
@@ -44,7 +44,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
     )
 }
 
-/// What was done, and `command`, by which it is done again.
+/// The purpose of the verb, and `command`, by which it is done again.
 pub(super) fn asked(verb: Verb, command: &str) -> String {
     let (id, title) = ASKED;
     html! {

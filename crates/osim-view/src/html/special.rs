@@ -13,16 +13,16 @@ use osim_planning::ModelFeet;
 /// The numbers of one model by which it may be special.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Facts {
-    /// What it weighs, kg; after a change the mass that the new contacts carry.
+    /// Mass of the model, kg; after a change the mass that the new contacts carry.
     pub(crate) mass_kg: Option<f64>,
     pub(crate) indentation: Indentation,
     /// Findings in it; after a change in the new one.
     pub(crate) counts: Counts,
     /// Each code once, with its worst severity.
     pub(crate) codes: BTreeMap<FindingCode, Severity>,
-    /// Its contact without dimensions: models with equal texts have the same contact.
+    /// The model's contact without dimensions: models with equal texts have the same contact.
     pub(crate) contact: Option<String>,
-    /// What the contacts were taken from, in words.
+    /// Source of the contacts, in words.
     pub(crate) reference: Option<String>,
 }
 

@@ -1,4 +1,4 @@
-//! What the spheres do: one column per group of like spheres and per state of the model.
+//! Figures of spheres: one column per group of like spheres and per state of the model.
 
 use std::collections::{HashMap, HashSet};
 

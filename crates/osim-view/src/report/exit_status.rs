@@ -15,7 +15,7 @@ pub enum ExitStatus {
     /// A model failed, or a result could not be written.
     Failed,
     Usage,
-    /// Another run has a file.
+    /// Another run is writing a file of this one.
     Busy,
     /// Stopped by Ctrl-C.
     Interrupted,

@@ -58,20 +58,20 @@ pub struct FailureRecord {
     pub schema_version: u32,
     /// The file, as it was named.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
-    /// What went wrong.
+    /// The error of the model.
     pub error: ErrorRecord,
 }
 
-/// What went wrong.
+/// An error of a model or a call.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct ErrorRecord {
     /// Stable short name.
     pub code: &'static str,
-    /// What is wrong, what was expected, and a way out.
+    /// The message: what is wrong, what was expected, and a way out.
     pub message: String,
     /// Line of the place, from 1.
     pub line: Option<usize>,
@@ -99,7 +99,7 @@ impl FailureRecord {
 
 // The JSON contract of a change.
 
-/// What changes in a model, and where the result went.
+/// The changes of a model, and the files of the result.
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct PlanRecord {
@@ -107,18 +107,18 @@ pub struct PlanRecord {
     pub schema_version: u32,
     /// The model as it was named.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// The file that was written.
     pub output: Option<String>,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The output's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
     /// The geometry set that was written with a force set.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output: Option<String>,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The name in bytes of the output for geometry, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub geometry_output_bytes: Option<Vec<u8>>,
     /// The mass that the contacts were made for before; null where nobody knows.
@@ -152,16 +152,16 @@ pub struct ObjectRecord {
     pub change: &'static str,
     /// OpenSim's class, such as `ContactSphere`.
     pub class: &'static str,
-    /// Its name.
+    /// Name of the object.
     pub name: String,
-    /// Its component path.
+    /// Component path of the object.
     pub path: String,
     /// The body that carries it, or its sphere; null for a floor.
     pub body: Option<String>,
     /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]
     pub location_m: Option<[f64; 3]>,
-    /// Its radius, m; null for all else.
+    /// Radius of a sphere, m; null for all else.
     pub radius_m: Option<f64>,
     /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
     pub parameters: Option<BTreeMap<&'static str, f64>>,

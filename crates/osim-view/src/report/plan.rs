@@ -214,7 +214,7 @@ pub fn names<'c>(group: &[&'c NumberChange]) -> Vec<&'c str> {
 
 /// Objects of one class to which the same happens.
 pub struct ObjectGroup<'p> {
-    /// What is done.
+    /// Whether the objects are added or removed.
     pub action: ObjectAction,
     /// The class of the objects.
     pub class: &'static str,

@@ -25,7 +25,7 @@ pub struct ReproductionRecord {
     pub numbers: usize,
     /// How many of them are within half a unit of the last printed digit.
     pub within_last_digit: usize,
-    /// What Fig. 1 shows and needs, in words: it is not computed.
+    /// What Fig. 1 shows and needs, in words: the figure is not computed.
     pub fig1: Vec<String>,
 }
 
@@ -33,9 +33,9 @@ pub struct ReproductionRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct AnimalRecord {
-    /// What it is called.
+    /// Name of the animal.
     pub taxon: &'static str,
-    /// Its mass, kg.
+    /// Mass of the body, kg.
     pub mass_kg: f64,
     /// Spheres n that share its weight.
     pub sphere_count: f64,
@@ -49,12 +49,12 @@ pub struct AnimalRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct NumberRecord {
-    /// Its name; it ends in the unit, which is the paper's.
+    /// Name of the column; it ends in the unit, which is the paper's.
     pub name: &'static str,
     /// In words.
     #[serde(skip)]
     pub label: &'static str,
-    /// Its unit, for people; empty for a pure number.
+    /// Unit of the column, for people; empty for a pure number.
     pub unit: &'static str,
     /// Number of the equation; empty where it is given, or the result of the drop test.
     pub equation: &'static str,

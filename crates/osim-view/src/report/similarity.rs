@@ -1,4 +1,4 @@
-//! What else follows the size of a body, as text.
+//! Other numbers that follow the size of a body, as text.
 
 use osim_inspect::{SizeList, SizeRow, SizeSpread};
 use osim_model::messages::{four_significant, three_significant};
@@ -9,7 +9,7 @@ use crate::report::layout::{table, wrapped};
 /// Names that are listed; more are counted.
 const NAMED: usize = 6;
 
-/// What the list is, in sentences for any page.
+/// A description of the list, in sentences for any page.
 pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = vec![ratios(list, extent)];
     sentences.push(
@@ -24,7 +24,7 @@ pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
     sentences
 }
 
-/// What the list leaves out, in sentences for any page.
+/// The gaps of the list, in sentences for any page.
 pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];

@@ -18,7 +18,7 @@ fn body(name: &str) -> Body {
         .unwrap()
 }
 
-/// What the horizontal and the vertical axis of the first panel say.
+/// Labels of the horizontal and the vertical axis of the first panel.
 fn axes(figure: &Figure) -> (&str, &str) {
     (&figure.panels[0].x.label, &figure.panels[0].y.label)
 }

@@ -55,7 +55,7 @@ fn fields(object: &Value) -> Vec<&str> {
     object.as_object().unwrap().keys().map(String::as_str).collect()
 }
 
-/// That a schema requires the fields of `object`, in their order, and allows `optional` beside them.
+/// Fails unless a schema requires the fields of `object`, in their order, and allows `optional` beside them.
 #[track_caller]
 fn lists(schema: &Value, object: &Value, optional: &[&str]) {
     assert_eq!(schema["required"], json!(fields(object)));

@@ -24,7 +24,7 @@ const MODELS: [&str; 10] = [
     "format/mixed_radii.osim",
 ];
 
-/// What puts the findings of a model right.
+/// Spelled remedies for the findings of a model.
 fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> Vec<String> {
     let model = open(name);
     let inspected = options.inspect(name, &model.model, None);

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// What stands in a figure.
+/// The elements of a figure's SVG.
 pub(crate) struct Svg {
     root: Vec<(String, String)>,
     pub(crate) title: String,

@@ -18,8 +18,8 @@ pub struct Smooth {
     pub hunt_crossley_smoothing: f64,
 }
 
-/// One sphere under 600 N that is within every limit: x̂ is 0.0865 and under twice the weight 0.137, (13) gives 0.85 at
-/// 0.5 m/s, √cf/R is 0.02, the transition 0.236 R, and just touching it carries 0.056 of its load.
+/// A sphere under 600 N that is within every limit: x̂ is 0.0865 and under twice the weight 0.137, (13) gives 0.85 at 0.5 m/s, √cf/R is
+/// 0.02, the transition 0.236 R, and just touching it carries 0.056 of its load.
 pub const SOLE: Smooth = Smooth {
     name: "heel_r",
     radius: 0.05,
@@ -85,7 +85,7 @@ impl Smooth {
     }
 }
 
-/// One foot that weighs 600 N, as the text of a model.
+/// A foot that weighs 600 N, as the text of a model.
 pub fn foot(spheres: &[Smooth]) -> String {
     let mut text = String::from(
         "<OpenSimDocument Version=\"40000\">

@@ -10,7 +10,7 @@ use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
 pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// Where a factor comes from, in the order in which sources are taken.
+/// Source of a factor, in the order in which sources are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FactorSource {
     /// The caller.
@@ -52,7 +52,7 @@ pub struct BodyFactors {
     pub body: String,
     /// Along x, y and z of the body; `None` where no source says it.
     pub axes: [Option<AxisFactor>; 3],
-    /// What each source says along x, y and z, in their order.
+    /// Factors by each source along x, y and z, in the order of the sources.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
     /// A question that has to be answered before the factors are known. It is asked only where they are needed, by `Factors`.
     pub question: Option<Fault>,
@@ -71,7 +71,7 @@ impl BodyIndex {
         Self(places)
     }
 
-    /// Where `body` is among all.
+    /// Number of `body` among all bodies.
     pub(super) fn place(&self, body: &str) -> Option<usize> {
         self.0.get(body).copied()
     }
@@ -218,7 +218,7 @@ pub fn bone_of_mesh(file: &str) -> String {
     name.to_owned()
 }
 
-/// Its side mark, as one letter.
+/// The side mark of a file's name, `l` or `r`.
 fn side_mark(file: &str) -> Option<char> {
     let name = file_stem(file);
     let before = SIDE_BEFORE.iter().find(|mark| name.starts_with(**mark));

@@ -32,7 +32,7 @@ const UNTOUCHED: f64 = 1e-6;
 /// Radii that do not follow from the factors of bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnRadii {
-    /// As large against the body as in the reference (8): its radii times this.
+    /// A body as large as in the reference by (8): the reference's radii times this factor.
     Isometric(f64),
     /// All are this, m.
     Metres(f64),
@@ -45,7 +45,7 @@ pub struct FollowRequest {
     pub radius_axis: RadiusAxis,
     /// The axis along which bottoms stay on the scaled sole; `None`: centres are scaled, whatever the radius.
     pub level: Option<LevelAxis>,
-    /// What to do with spheres that were changed already.
+    /// The request for spheres that were changed already.
     pub moved: MovedSpheres,
     /// Whether radii stay as they are in the scaled model.
     pub keep_radii: bool,
@@ -292,12 +292,12 @@ fn refuse_moved(
 pub struct Factors {
     /// In file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
-    /// Where sources disagree on bodies that carry spheres: by more than 1 % in a scaled copy, 5 % between different models; and
-    /// that the models are different.
+    /// Findings: sources disagree on bodies that carry spheres, by more than 1 % in a scaled copy, 5 % between different models; the models
+    /// are different.
     pub findings: Vec<Finding>,
     /// Other decisions, such as factors that a body takes from its parent.
     pub remarks: Vec<Phrase>,
-    /// What shows that the model is not a scaled copy of the reference; `None` where it is one.
+    /// The difference that shows that the model is not a scaled copy of the reference; `None` where it is one.
     pub difference: Option<CopyDifference>,
     by_name: BodyIndex,
 }

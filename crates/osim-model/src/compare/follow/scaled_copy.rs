@@ -16,7 +16,7 @@ const SAME_FACTOR: f64 = 1e-6;
 /// Offsets shorter than this do not show a factor, m.
 pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
-/// What shows that a model is not a scaled copy of another one.
+/// A difference that shows that a model is not a scaled copy of another one.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CopyDifference {
     /// The reference has too few bodies to say: one joint is always explained by some factors.
@@ -26,7 +26,7 @@ pub enum CopyDifference {
         joint: String,
         /// The bodies that it joins in the model.
         here: [String; 2],
-        /// Those that it joins in the reference.
+        /// The bodies that the joint joins in the reference.
         there: [String; 2],
     },
     /// No factor leads to the offset of a joint.
@@ -101,7 +101,7 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> 
     })
 }
 
-/// Where a joint is on a body, in the reference and in the scaled model.
+/// Offsets of a joint on a body, in the reference and in the scaled model.
 #[derive(Clone, Copy)]
 pub(super) struct SharedOffset<'a> {
     pub(super) joint: &'a str,

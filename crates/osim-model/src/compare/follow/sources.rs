@@ -131,7 +131,7 @@ impl<'a> Sources<'a> {
         (apart && source == FactorSource::Mesh).then_some(FactorQuestion::OtherBone { body, joint, ratios })
     }
 
-    /// What was taken, and what the distance itself is, as ratios of the distance in the reference.
+    /// Ratios of a distance between joints to that in the reference: by the factors that were taken, and by the distance itself.
     fn distance_ratios(
         &self,
         taken: &[Option<AxisFactor>; 3],

@@ -61,7 +61,7 @@ pub fn refuse_without_moco_phase(setup: &Document) -> Result<(), Fault> {
     Err(Fault::refused(format!("the document holds a {tag}, expected a MocoStudy with a MocoPhase")))
 }
 
-/// What a state is: the value or the speed of a coordinate, by its path.
+/// The kind of a state's number: the value or the speed of a coordinate, by its path.
 fn state_kind(path: &str, angles: &HashMap<&str, Option<bool>>) -> Option<SizedKind> {
     let mut segments = path.rsplit('/');
     let (what, coordinate) = (segments.next()?, segments.next()?);

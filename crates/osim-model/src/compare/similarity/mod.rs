@@ -24,7 +24,7 @@ pub enum LengthFrom {
 pub struct ComparedFactors {
     /// Numbers that are in both models.
     pub pairs: usize,
-    /// Those of them that are the same in both, 0 among them.
+    /// Compared numbers that are the same in both models, 0 among them.
     pub same: usize,
     /// The factors of those that are not 0 in the original; `None` where all are.
     pub factors: Option<Spread>,
@@ -91,7 +91,7 @@ impl Similarity {
         }
     }
 
-    /// What would follow if a body of the same shape had `target_mass_kg`: lengths go with its cube root.
+    /// The similarity of `model` to a body of the same shape of `target_mass_kg`: lengths go with the cube root of the mass.
     pub fn at_mass(model: &ModelSize, target_mass_kg: f64) -> Self {
         let mass =
             model.mass_kg.map(|kg| target_mass_kg / kg).filter(|ratio| ratio.is_finite() && *ratio > 0.0);
@@ -193,9 +193,9 @@ fn compared(values: &[&SizedValue], others: &HashMap<Identity<'_>, f64>) -> (Com
 /// How large a model is, and its numbers that may follow size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelSize {
-    /// What it weighs, kg; `None` where that is not known.
+    /// Mass of the model, kg; `None` where that is not known.
     pub mass_kg: Option<f64>,
-    /// Its gravity, m/s²; `None` where that is not known.
+    /// Gravity of the model, m/s²; `None` where that is not known.
     pub gravity_m_s2: Option<f64>,
     /// The longest distance between two joints of each body that has two, m.
     joint_distances_m: BTreeMap<String, f64>,

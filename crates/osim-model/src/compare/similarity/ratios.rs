@@ -98,13 +98,13 @@ const TOLERANCE_SHARE: f64 = 0.25;
 /// Whether the numbers of one kind follow similarity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SizeVerdict {
-    /// They changed as similarity has it: their median is near that factor, or the factor is in their range.
+    /// The numbers changed as similarity has it: their median is near that factor, or the factor is in their range.
     Follows,
-    /// None changed.
+    /// None of the numbers changed.
     Left,
     /// Some did not change.
     PartlyLeft,
-    /// They changed otherwise.
+    /// The numbers changed by another factor than similarity has.
     Other,
     /// Similarity would not change them either: the bodies are too much alike, or all are 0.
     Undecided,
@@ -113,7 +113,7 @@ pub enum SizeVerdict {
 }
 
 impl SizeVerdict {
-    /// As a word for scripts.
+    /// Name of the outcome, a word for scripts.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Follows => "follows",
@@ -136,7 +136,7 @@ impl SizeVerdict {
         }
     }
 
-    /// Of `factors`, `same` of them 1, where similarity gives `expected`, which is finite and above 0.
+    /// The outcome of `factors`, `same` of them 1, where similarity gives `expected`, which is finite and above 0.
     pub(super) fn of(factors: &[f64], same: usize, expected: Option<f64>) -> Self {
         let Some(spread) = Spread::of(factors.iter().copied()) else { return Self::NotCompared };
         let Some(expected) = expected else { return Self::Undecided };

@@ -7,18 +7,18 @@ use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
 
 /// Bodies whose origins are within this share of the model's height above the lowest one are feet.
 const NEAR_GROUND: f64 = 0.12;
-/// What bodies of feet are called, where the default pose does not say which they are.
+/// Usual names of bodies of feet, for models whose default pose does not say which they are.
 const FOOT_NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
 
 /// A foot: bodies that are joined to each other, and the spheres on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBodies {
-    /// Its bodies, the topmost first.
+    /// Bodies of the foot, the topmost first.
     pub bodies: Vec<String>,
     /// Right or left, if known.
     pub side: Option<Side>,
-    /// Its spheres, in file order.
+    /// Spheres of the foot, in file order.
     pub spheres: Vec<SphereId>,
 }
 

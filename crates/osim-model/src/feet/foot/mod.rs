@@ -35,7 +35,7 @@ pub enum FootFrame {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootJoint {
     pub name: String,
-    /// Where it is on its parent, in the frame of the foot, m.
+    /// Place of the joint on its parent, in the frame of the foot, m.
     pub at_m: DVec3,
 }
 
@@ -44,9 +44,9 @@ pub struct FootSphere {
     pub name: String,
     /// The body that carries it; empty for ground.
     pub body: String,
-    /// Its centre in the frame of the foot, m.
+    /// Centre of the sphere in the frame of the foot, m.
     pub centre_m: DVec3,
-    /// Its radius, m.
+    /// Radius of the sphere, m.
     pub radius_m: f64,
     /// Whether it is known to be in the wrong place. Callers that know it set it.
     pub misplaced: bool,
@@ -57,7 +57,7 @@ pub struct FootBone {
     pub body: String,
     /// The mesh, as the model spells it.
     pub mesh: String,
-    /// Its points in the frame of the foot, m.
+    /// Points of the bone in the frame of the foot, m.
     pub points_m: Vec<DVec3>,
 }
 
@@ -68,16 +68,16 @@ pub struct Foot {
     pub name: String,
     /// Right or left, if known.
     pub side: Option<Side>,
-    /// What its places are seen from.
+    /// The frame of all places of the foot.
     pub frame: FootFrame,
-    /// Where the origin of its first body is, m.
+    /// Origin of the foot's first body, m.
     pub origin_m: DVec3,
     /// The directions from which it is drawn.
     pub axes: ViewAxes,
     pub joints: Vec<FootJoint>,
-    /// Its spheres, in file order.
+    /// Spheres of the foot, in file order.
     pub spheres: Vec<FootSphere>,
-    /// Its bones, those whose meshes are available.
+    /// Bones of the foot whose meshes are available.
     pub bones: Vec<FootBone>,
     pub floor: FloorPlace,
     /// Bodies that are not drawn, because a joint between them and the foot is not understood.
@@ -85,7 +85,7 @@ pub struct Foot {
 }
 
 impl Foot {
-    /// Where everything on each foot is: in ground where the default pose is understood, else in the frame of its first body.
+    /// Views of all `feet`: in ground where the default pose is understood, else in the frame of a foot's first body.
     pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
         let context = ModelContext::of(model);
         feet.iter().map(|bodies| Self::of(&context, anatomy, bodies, pose)).collect()
@@ -248,7 +248,7 @@ impl<'m> ModelContext<'m> {
     }
 }
 
-/// Where bodies are in the frame of a foot.
+/// Places of bodies in the frame of a foot.
 struct FootPlaces<'p> {
     anatomy: &'p Anatomy,
     top: &'p str,
@@ -307,9 +307,9 @@ pub enum FloorPlace {
     None,
     /// All floors are at this height over the origin of ground, m.
     At(f64),
-    /// There are floors at several heights over the origin of ground, m, the lowest first.
+    /// Floors are at several heights over the origin of ground, m, the lowest first.
     Several(Vec<f64>),
-    /// What is drawn is not in ground.
+    /// The foot is not drawn in ground, so that no floor can be drawn.
     NotInGround,
 }
 

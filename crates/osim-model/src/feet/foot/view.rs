@@ -39,7 +39,7 @@ impl ViewAxes {
         [self.forward, self.up, self.right].map(|axis| axis.dot(point_m))
     }
 
-    /// What the three directions are called: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
+    /// Names of the three directions: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
     pub fn names(&self) -> [&'static str; 3] {
         let axis = |direction: DVec3, word| {
             let name_along = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {

@@ -125,7 +125,7 @@ fn in_one_line(points: &[[f64; 3]]) -> bool {
 
 // A point that is far from all others: a broken number, and no part of a bone.
 
-/// Of fewer points nobody can say which is usual.
+/// The least number of points for which a usual distance between them can be told.
 const LEAST: usize = 20;
 /// Nine of ten points are within the reach of a mesh.
 const REACH: f64 = 0.9;
@@ -136,7 +136,7 @@ const FAR: f64 = 2.0;
 const AROUND: f64 = 0.5;
 /// Broken numbers that lie together are still broken.
 const FEW: usize = 3;
-/// So many of the farthest points are looked at, so that the work grows with the points.
+/// The number of the farthest points that are compared pair by pair, so that the work grows with the points and not with their square.
 const LOOKED_AT: usize = 16;
 
 /// A point that is far from all others.

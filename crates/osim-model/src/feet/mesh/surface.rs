@@ -56,7 +56,7 @@ const MOST_TRIANGLES: usize = 400_000;
 /// The surface of a mesh, to be looked at.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Surface {
-    /// Its points, in the order of the file.
+    /// Points of the surface, in the order of the file.
     pub points: Vec<[f64; 3]>,
     /// Three places among the points for each triangle. A face with more corners is several of them.
     pub triangles: Vec<[u32; 3]>,

@@ -11,7 +11,7 @@ use super::surface::{MOST_POINTS, MeshFault, Surface, shortened, triples, within
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
-/// Where raw bytes may follow, the XML ends for a scanner.
+/// The element after which raw bytes may follow: a scanner of XML has to stop there.
 const APPENDED: &[u8] = b"<AppendedData";
 
 /// The points of all pieces of a .vtp file.
@@ -132,7 +132,7 @@ fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<us
     }
 }
 
-/// What an array holds, as the file has it.
+/// The content of an array, as the file has it.
 enum Content<'t> {
     Text(Cow<'t, str>),
     Bytes(Vec<u8>),

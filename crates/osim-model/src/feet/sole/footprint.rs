@@ -18,9 +18,9 @@ const MOST_TILT: f64 = 0.175;
 pub struct Footprint {
     /// The whole foot's length, m.
     pub length_m: f64,
-    /// Of the foot's length, the part over which bone points near the ground reach: 1 is all of it.
+    /// The part of the foot's length over which bone points near the ground reach: 1 is all of it.
     pub share_of_length: f64,
-    /// Of the foot's width, the part over which bone points near the ground reach.
+    /// The part of the foot's width over which bone points near the ground reach.
     pub share_of_width: f64,
     /// How far the front is up (below 0: down), seen from the side, rad: the slope of the line on which the bones would rest.
     pub pitch_rad: f64,
@@ -112,14 +112,14 @@ pub(super) struct FootAxes {
     forward: DVec3,
     /// To the right of a right foot and to the left of a left one.
     outward: DVec3,
-    /// Of the foot's points along the directions, the least.
+    /// The least value of the foot's points along the directions.
     rearmost: f64,
     innermost: f64,
     pub lowest: f64,
 }
 
 impl FootAxes {
-    /// Those of a foot with `points`. `across` is from the left to the right limb of a pair; without one, forward is x of ground.
+    /// The axes of a foot with `points`. `across` is from the left to the right limb of a pair; without one, forward is x of ground.
     pub(super) fn of(up: DVec3, side: Option<Side>, points: &[BonePoint], across: Option<DVec3>) -> Self {
         let across = across.and_then(|across| along_ground(up, across, LEAST_LIMB_DISTANCE_M));
         let right = across.map(axis_of_ground).unwrap_or_else(|| {
@@ -201,7 +201,7 @@ const LEAST_EXTREME_DISTANCE: f64 = 0.15;
 const LEAST_ELONGATION: f64 = 1.5;
 /// Directions in which the farthest corners of the outline are looked at.
 const DIRECTIONS: u32 = 48;
-/// What differs by less than this part is equal, and the first counts: bones that are their own mirror image have two of each.
+/// Values that differ by less than this part are equal, and the first counts: bones that are their own mirror image have two of each.
 const EQUALITY_TOLERANCE: f64 = 1e-9;
 /// How often spheres between the extremes are moved, at most.
 const PASSES: usize = 20;
@@ -301,7 +301,7 @@ fn separate_extremes<const N: usize>(corners: &[DVec2], directions: [DVec2; N], 
     some
 }
 
-/// Of `corners`, the one that is farthest along `direction`; of equal ones the first.
+/// The one of `corners` that is farthest along `direction`; of equal ones the first.
 fn farthest_along(corners: &[DVec2], direction: DVec2) -> Option<DVec2> {
     let mut best: Option<(DVec2, f64)> = None;
     for &corner in corners {

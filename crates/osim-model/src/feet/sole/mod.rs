@@ -13,11 +13,11 @@ use crate::feet::sole::footprint::{BonePoint, FlatPoint, FootAxes, spread_bottom
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 
-/// What counts as near the ground: height above the lowest point, as a part of the foot's greatest extent along the ground.
+/// Bone points up to this height above the lowest point are near the ground; a part of the foot's greatest extent along the ground.
 const NEAR_GROUND: f64 = 0.1;
 /// Spheres that may be under one limb at most.
 const MOST_SPHERES: usize = 60;
-/// Of the points in a square of this size, one counts, m; and in one of this part of the foot's length.
+/// Size of a square in which only one bone point counts, m; and below as a part of the foot's length.
 const CELL_M: f64 = 1e-3;
 const CELLS_PER_LENGTH: f64 = 150.0;
 
@@ -53,11 +53,11 @@ pub struct Sole {
 pub struct SoleSphere {
     /// The body that carries it: that of the bone point nearest to its bottom.
     pub body: String,
-    /// Its centre in the frame of that body, m.
+    /// Centre of the sphere in the frame of its body, m.
     pub centre_m: DVec3,
-    /// Its radius, m.
+    /// Radius of the sphere, m.
     pub radius_m: f64,
-    /// Its lowest point in ground at the default pose, m.
+    /// Lowest point of the sphere in ground at the default pose, m.
     pub bottom_m: DVec3,
 }
 
@@ -140,7 +140,7 @@ fn points_in_ground(
     points
 }
 
-/// One sole; where its spheres would be too close, how many fit.
+/// A sole; where its spheres would be too close, how many fit.
 fn sole(
     foot: &SoleBodies,
     points: &[BonePoint],

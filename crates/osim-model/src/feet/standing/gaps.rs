@@ -142,7 +142,7 @@ pub struct RestingSphere {
     pub sphere: SphereId,
     /// How deep it is in its floor, in its radius: x/R; not above 0 if it does not touch.
     pub relative_indentation: f64,
-    /// What it carries along the normal, N.
+    /// Load of the sphere along the normal, N.
     pub force_n: f64,
 }
 
@@ -176,7 +176,7 @@ impl RestOnFloor {
         self.deepest().is_some_and(|deepest| deepest.relative_indentation < 1.0)
     }
 
-    /// Where the contacts `floor_contacts`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
+    /// The rest at which the contacts `floor_contacts`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
     pub(super) fn of(
         floor_contacts: &[&FloorContact],
         load_n: f64,

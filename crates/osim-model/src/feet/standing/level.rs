@@ -17,7 +17,7 @@ const ROUNDING_M: f64 = 1e-12;
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelledSphere {
     pub sphere: SphereId,
-    /// Its new centre in its own frame, m.
+    /// New centre of the sphere in its own frame, m.
     pub location_m: [f64; 3],
 }
 
@@ -44,7 +44,7 @@ pub enum NotLevelled {
         sphere: String,
         degrees: f64,
     },
-    /// Where bodies are at the default pose.
+    /// The places of bodies at the default pose are not known.
     #[error("the bottoms of a foot cannot be made level: {0}")]
     Pose(#[from] PoseFault),
     /// A frame that cannot be read.

@@ -15,10 +15,10 @@ const LEAST_RISE: f64 = 0.5;
 /// The free coordinate that moves all spheres of a joint tree alike along the normal of their floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lift {
-    /// Its name, such as `pelvis_ty`.
+    /// Name of the coordinate, such as `pelvis_ty`.
     pub coordinate: String,
     pub joint: String,
-    /// Its value at the default pose, m.
+    /// Value of the coordinate at the default pose, m.
     pub default_m: f64,
     /// How far the spheres rise along the normal with a metre of it, m: 1 as a rule, less on a slope.
     pub rise: f64,
@@ -30,15 +30,15 @@ pub enum NotLifted {
     /// No joint above all spheres moves.
     #[error("it is welded to what its floor is on")]
     Welded,
-    /// They only turn.
+    /// The coordinates between the tree and ground only turn.
     #[error("it only turns about what its floor is on")]
     Pinned,
-    /// They move only along the floor.
+    /// The coordinates between the tree and ground move only along the floor.
     #[error("it only slides along its floor")]
     Slides,
     #[error("{coordinate}, which would lift it, is locked")]
     Locked { coordinate: String },
-    /// One lifts, and a function or another coordinate sets it.
+    /// A coordinate lifts the tree, but a function or another coordinate sets it.
     #[error("{coordinate}, which would lift it, is set by a function")]
     Driven { coordinate: String },
     /// Floors of several directions.
@@ -46,7 +46,7 @@ pub enum NotLifted {
     SeveralFloors,
 }
 
-/// What a coordinate does to all spheres below its joint.
+/// The effect of a coordinate on all spheres below its joint.
 enum CoordinateEffect {
     Lifts(f64),
     Slides,

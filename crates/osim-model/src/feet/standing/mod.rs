@@ -29,7 +29,7 @@ const SAME_DIRECTION: f64 = 1e-6;
 pub struct Standing {
     /// The body on top of the tree, which is joined to ground.
     pub top: String,
-    /// Its spheres that press on floors, in file order.
+    /// Spheres of the tree that press on floors, in file order.
     pub spheres: Vec<SphereOverFloor>,
     /// The coordinate that lifts all these spheres from the floor, or why no coordinate does.
     pub lift: Result<Lift, NotLifted>,
@@ -69,7 +69,7 @@ impl Standing {
         self.rest_under(chosen, share * self.load_n?, RestLaw::OfFile)
     }
 
-    /// Where the spheres rest under a load, in N, along the normal.
+    /// The rest of the spheres under a load, in N, along the normal.
     pub fn rest_under(
         &self,
         chosen: &[SphereId],
@@ -129,7 +129,7 @@ struct StandingTree<'t, 'j> {
     model: &'t Model,
     floors: &'t Floors,
     tree: &'t JointTree<'j>,
-    /// Of each body its place in the file and its mass, kg.
+    /// Place in the file and mass (kg) of each body.
     masses: &'t HashMap<&'t str, (usize, Option<f64>)>,
     top: &'j str,
 }

@@ -42,7 +42,7 @@ impl Speeds<'_> {
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
-/// What the coordinates of a joint do to the frame of its child, read from the file once.
+/// The effect of a joint's coordinates on the frame of its child, read from the file once.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum JointMotion {
     Weld,
@@ -60,7 +60,7 @@ pub(crate) enum JointMotion {
     Spatial(Vec<TransformAxis>),
 }
 
-/// One axis of a `<SpatialTransform>`.
+/// An axis of a `<SpatialTransform>`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TransformAxis {
     /// Whether the child rotates about the axis; else it moves along it.

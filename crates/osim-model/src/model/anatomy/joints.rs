@@ -17,9 +17,7 @@ use crate::xml::ElementId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomyJoint {
     pub name: String,
-    /// Its parent body.
     pub parent: String,
-    /// Its child body.
     pub child: String,
     pub in_parent_m: DVec3,
     pub in_child_m: DVec3,
@@ -38,11 +36,11 @@ impl AnatomyJoint {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelJoint {
     pub name: String,
-    /// Its class, such as `CustomJoint`.
+    /// Class of the joint, such as `CustomJoint`.
     pub class: String,
-    /// Its parent body; `None` is ground.
+    /// Parent body of the joint; `None` is ground.
     pub parent: Option<String>,
-    /// Its child body; `None` is ground.
+    /// Child body of the joint; `None` is ground.
     pub child: Option<String>,
     pub file: FileId,
     pub coordinates: Vec<JointCoordinate>,
@@ -53,21 +51,21 @@ pub struct ModelJoint {
     in_body: bool,
     /// Whether the child moves the parent, which joints before version 4 may say.
     reversed: bool,
-    /// What its coordinates do, read when it is first placed; `None` inside if it is not understood.
+    /// The effect of the joint's coordinates, read when the joint is first placed; `None` inside if it is not understood.
     motion: OnceLock<Option<JointMotion>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointCoordinate {
     pub name: String,
-    /// Where it is in the joint's file; the joint itself if only OpenSim makes it.
+    /// Element of the coordinate in the joint's file; the joint itself if only OpenSim makes the coordinate.
     pub element: ElementId,
     /// `default_value`, rad or m; `None` where it is not a number.
     pub default: Option<f64>,
 }
 
 impl ModelJoint {
-    /// Where it is on its parent (or in ground), m.
+    /// Place of the joint on its parent (or in ground), m.
     pub fn in_parent_m(&self) -> DVec3 {
         self.in_parent.translation_m
     }

@@ -157,8 +157,8 @@ impl Anatomy {
         self.index.bodies.contains(name)
     }
 
-    /// Where `joint` is, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at
-    /// most 64 joints between: each joint of a long chain would walk all of it.
+    /// The place of `joint`, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at most 64
+    /// joints between: each joint of a long chain would walk all of it.
     pub(crate) fn joint_place_seen_from(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
         self.point_seen_from(body, &joint.parent, joint.in_parent_m)
     }
@@ -240,7 +240,7 @@ impl ModelJoint {
         self.placement_at(model.components(), values)
     }
 
-    /// Where a body is, and how it moves, while its coordinates change with these `speeds`.
+    /// Place and motion of a body while its coordinates change with these `speeds`.
     pub fn moving_placement(
         &self,
         model: &Model,

@@ -59,7 +59,7 @@ pub(crate) struct FoundFrame {
 
 /// The first version that keeps ground out of the BodySet: a body there that is called so is one like others.
 const FIRST_WITHOUT_GROUND: u32 = 30505;
-/// What follows a socket's name in older spellings.
+/// The ending of a socket's tag in older spellings.
 const CONNECTEE_NAME: &str = "_connectee_name";
 /// Offset frames on offset frames, at most; deeper is a cycle.
 pub(crate) const MAX_FRAME_CHAIN: usize = 64;
@@ -97,7 +97,7 @@ impl Components {
         self.companions.iter().rposition(is_model).map(FileId::companion)
     }
 
-    /// One of the files; the main one where the handle is another model's.
+    /// The document of a file of the model; the main one where the handle is another model's.
     pub fn document(&self, file: FileId) -> &Document {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
         companion.map_or(&self.main, |companion| &companion.document)

@@ -30,7 +30,7 @@ pub struct ComponentId(u32);
 pub struct Component {
     /// Which of the files.
     pub file: FileId,
-    /// Its element there.
+    /// Element of the component in its file.
     pub element: ElementId,
     /// The object that it is in.
     pub parent: Option<ComponentId>,
@@ -81,7 +81,7 @@ enum Role {
     Object(ComponentId),
     /// The children of this element are objects that belong to this one.
     Items(ComponentId),
-    /// As `Items`, but a class that OpenSim does not know is skipped.
+    /// Items of a set; a class that OpenSim does not know is skipped.
     Components(ComponentId),
 }
 

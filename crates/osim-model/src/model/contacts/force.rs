@@ -22,14 +22,14 @@ pub struct ForceId(pub(crate) usize);
 pub struct SetId(pub(crate) usize);
 
 impl SphereId {
-    /// Its place among the spheres of the model, from 0.
+    /// Number of the sphere among those of the model, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
 }
 
 impl ForceId {
-    /// Its place among the forces of the model, from 0.
+    /// Number of the force among those of the model, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
@@ -39,19 +39,19 @@ impl SetId {
     /// The first set of a force: the only one of a `SmoothSphereHalfSpaceForce`.
     pub const FIRST: Self = Self(0);
 
-    /// Its place among the sets of the force, from 0.
+    /// Number of the set among those of the force, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
 }
 
-/// Where the text of a property is in a file, or the object to which the property would be added.
+/// The place of a property's text in a file, or the object to which the property would be added.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     pub file: FileId,
     /// The object that has the property.
     pub object: ElementId,
-    /// Its class, which says the order of its elements.
+    /// Class of the force, which says the order of its elements.
     pub class: Class,
     /// Tag of the property's element.
     pub tag: &'static str,
@@ -179,7 +179,7 @@ pub struct Force {
     pub kind: ForceKind,
     /// Whether it is switched on (`appliesForce`, or `isDisabled` in old documents).
     pub applies: bool,
-    /// One for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
+    /// Parameter sets: one for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
     pub sets: Vec<ParameterSet>,
     /// The force's own `transition_velocity`.
     pub transition_velocity: Value,
@@ -262,7 +262,7 @@ impl Force {
         value.checked().map(Some).map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
-    /// Where `property` of parameter set `set`, or of the force itself, is; `None` where the class has no such property.
+    /// The place in the file of `property` of parameter set `set`, or of the force itself; `None` where the class has no such property.
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
         let in_set = self.set(set).and_then(|set| Some((set, set.value(property)?)));
         let (value, object, class) = match in_set {

@@ -19,13 +19,13 @@ pub struct HalfSpace {
     pub path: String,
     /// Component path of its frame.
     pub frame_path: String,
-    /// Its place in that frame, m; `None` where a number cannot be read.
+    /// Place of the half-space in its frame, m; `None` where a number cannot be read.
     pub location_m: Option<[f64; 3]>,
     /// Whether its frame is ground, or fixed to ground by offset frames.
     pub on_ground: bool,
     /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Its outward normal in the frame of ground or of the body that carries it; `None` where a number cannot be read.
+    /// Outward normal in the frame of ground or of the body that carries the half-space; `None` where a number cannot be read.
     pub normal: Option<DVec3>,
     /// A point of the plane in the same frame, m; `None` where a number cannot be read.
     pub point_m: Option<DVec3>,
@@ -39,18 +39,18 @@ pub struct HalfSpace {
     /// Line of its element, from 1.
     pub line: usize,
     pub element: ElementId,
-    /// Where its place is in that file.
+    /// The slot of the half-space's place in that file.
     pub(crate) location_slot: Slot,
     component: ComponentId,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrameProperty {
-    /// Its name, such as `socket_frame`.
+    /// Name of the element, such as `socket_frame`.
     pub tag: String,
-    /// Its line, from 1.
+    /// Line of the element, from 1.
     pub line: usize,
-    /// What it says where the frame is ground.
+    /// The text of the element where the frame is ground.
     pub ground: &'static str,
 }
 
@@ -110,12 +110,12 @@ impl HalfSpace {
 }
 
 impl HalfSpace {
-    /// Where its place is in the file.
+    /// The slot of the half-space's place in the file.
     pub fn location_slot(&self) -> Slot {
         self.location_slot.clone()
     }
 
-    /// Its own place in its frame (m) where it moves by `up_m` along its normal; `None` where its place cannot be read.
+    /// Place of the half-space in its frame (m) if it moves by `up_m` along its normal; `None` where its place cannot be read.
     pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
         let (place, normal) = (self.location_m?, self.normal?);
         let in_frame = self.frame_rotation?.inverse().to_body(normal);
@@ -135,7 +135,7 @@ fn without_rounding(part: f64) -> f64 {
     if part.abs() < ROUNDING { 0.0 } else { part }
 }
 
-/// Where the place of a half-space is, or the object that would get it: itself, or the force that keeps it inside.
+/// The slot of a half-space's place, or of the object that would get it: the half-space, or the force that keeps it inside.
 fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
     let (document, object) = (components.doc(id), components.element(id));
     let tree = document.tree();
@@ -168,7 +168,7 @@ pub struct Orientation {
     /// Line of the property, or of the object where it has none, from 1.
     pub line: usize,
     pub file: FileId,
-    /// Its body-fixed angles about x, y and z, rad; `None` where a number cannot be read.
+    /// Body-fixed angles of the half-space about x, y and z, rad; `None` where a number cannot be read.
     pub angles_rad: Option<[f64; 3]>,
 }
 

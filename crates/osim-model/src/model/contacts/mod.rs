@@ -42,7 +42,7 @@ pub struct LoadedSphere {
     pub sphere: SphereId,
     /// The force that presses it.
     pub force: ForceId,
-    /// Its parameter set in the force.
+    /// Parameter set of the sphere in the force.
     pub set: SetId,
     pub radius_m: f64,
     /// E₁* (N/m²) of two equal surfaces that are as stiff together as sphere and plane are (A.3, A.4), α (s/m), and the

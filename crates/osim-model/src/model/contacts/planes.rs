@@ -92,11 +92,11 @@ const LEVEL_TOLERANCE: f64 = 1e-6;
 /// A half-space that is fixed to ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundPlane {
-    /// Its name; in Moco 0.1 to 0.3 the name of the force that it is in.
+    /// Name of the plane; in Moco 0.1 to 0.3 the name of the force that it is in.
     pub name: String,
     /// A point of its surface in ground, m.
     pub point_m: DVec3,
-    /// Its normal in ground, out of what is solid: −x of its own frame.
+    /// Normal of the plane in ground, out of what is solid: −x of its own frame.
     pub normal: DVec3,
 }
 

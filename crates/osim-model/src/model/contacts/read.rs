@@ -414,7 +414,7 @@ const GEOMETRY_CLASSES: [&str; 6] = [
     "ContactCylinder",
     "ContactTorus",
 ];
-/// What the first version of Moco's class called `constant_contact_force`.
+/// The name of `constant_contact_force` in the first version of Moco's class.
 pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";

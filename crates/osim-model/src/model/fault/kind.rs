@@ -56,7 +56,7 @@ pub enum FaultKind {
     Domain {
         /// OpenSim's property name.
         property: String,
-        /// As OpenSim reads it.
+        /// The value as OpenSim reads it.
         value: f64,
         expected: &'static str,
     },
@@ -64,7 +64,7 @@ pub enum FaultKind {
     NewValue {
         /// OpenSim's property name.
         property: String,
-        /// What it would be.
+        /// The refused new value.
         value: f64,
         /// The domain, in words.
         expected: &'static str,
@@ -73,7 +73,7 @@ pub enum FaultKind {
     },
     ZeroConstantContactForce,
     NoContacts {
-        /// What the model lacks, as the beginning of a sentence.
+        /// Names the missing part as the beginning of a sentence.
         detail: String,
     },
     /// A path or name that leads nowhere.
@@ -95,7 +95,7 @@ pub enum FaultKind {
     MissingCarriers {
         bodies: Vec<String>,
     },
-    /// What should change is in another file, which the model names.
+    /// The element to change is in another file, which the model names.
     IncludedFile {
         /// Component path.
         path: String,

@@ -125,7 +125,7 @@ impl Fault {
         self.kind.code()
     }
 
-    /// What is wrong, with inputs as data.
+    /// The message, with inputs as data.
     pub fn phrase(&self) -> Phrase {
         self.kind.phrase()
     }
@@ -142,7 +142,7 @@ impl std::error::Error for Fault {}
 /// Bytes of a long line that are shown before a place and after it.
 const CONTEXT_BYTES: usize = 200;
 
-/// One line of a file, and what to underline in it; of a long line the part around that.
+/// A line of a file, and what to underline in it; of a long line the part around that.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt {
     /// Number of the line, from 1.
@@ -187,7 +187,7 @@ impl Excerpt {
     }
 }
 
-/// Where the letter begins that byte `at` belongs to.
+/// The first byte of the letter that byte `at` belongs to.
 fn letter_at(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }

@@ -6,7 +6,7 @@ use crate::model::fault::reasons::{
     shared_sphere,
 };
 
-/// What to do where a verb takes no standalone set.
+/// Advice where a verb takes no standalone set.
 const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
 
 /// A fact that the caller has to give, because it is not in the files.
@@ -40,7 +40,7 @@ pub enum Needed {
     },
     /// The mass of the model: OpenSim counts a body in a loop of joints twice.
     MassOfLoop,
-    /// What the contacts were made for: the note in the file cannot be relied on.
+    /// The mass that the contacts were made for: the note in the file cannot be relied on.
     ContactsMass {
         noted_kg: Option<f64>,
         doubt: NoteDoubt,
@@ -120,11 +120,11 @@ pub enum Needed {
     Gravity {
         purpose: GravityFor,
     },
-    /// What the contacts were made for: they are known ones, made for another mass than the bodies weigh.
+    /// The mass that the contacts were made for: they are known contacts, made for another mass than the bodies weigh.
     KnownContactsMass {
         title: String,
         made_for_kg: f64,
-        /// What the bodies weigh, kg.
+        /// Mass of the bodies, kg.
         bodies_kg: f64,
         input: Input,
     },
@@ -375,7 +375,7 @@ impl Needed {
     }
 }
 
-/// One, two or all three axes in a sentence: `x, y and z`.
+/// The names of one, two or three axes in a sentence: `x, y and z`.
 fn joined_axes(axes: &[&str]) -> String {
     match axes {
         [x, y, z] => format!("{x}, {y} and {z}"),

@@ -5,25 +5,25 @@ use std::str::FromStr;
 
 use crate::messages::{Input, Phrase, four_significant, phrase, readable};
 
-/// One pound, by its definition of 1959.
+/// Mass of one pound, by its definition of 1959.
 pub(crate) const POUND_KG: f64 = 0.453_592_37;
 
 /// The mistake that a mass looks like.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MassMistake {
-    /// It has about 1000 times the number of the bodies' kilograms: perhaps grams.
+    /// The mass has about 1000 times the number of the bodies' kilograms: perhaps grams.
     Grams,
-    /// It has about 1/1000 of the number of the bodies' kilograms: perhaps tonnes.
+    /// The mass has about 1/1000 of the number of the bodies' kilograms: perhaps tonnes.
     Tonnes,
-    /// It has about 2.2 times the number of the bodies' kilograms: perhaps pounds.
+    /// The mass has about 2.2 times the number of the bodies' kilograms: perhaps pounds.
     Pounds,
     /// The bodies of the model may be in pounds.
     BodiesInPounds,
     /// The masses in the other rows of its table may be in pounds.
     OthersInPounds,
-    /// It is about ten times the masses in the other rows of its table.
+    /// The mass is about ten times the masses in the other rows of its table.
     TenTimes,
-    /// It is about a tenth of the masses in the other rows of its table.
+    /// The mass is about a tenth of the masses in the other rows of its table.
     Tenth,
     /// No animal weighs so little or so much.
     NoAnimal,
@@ -181,7 +181,7 @@ pub enum NeedsAnswer {
     Mass {
         input: Input,
         kg: f64,
-        /// What the bodies of its model weigh together, kg, if known.
+        /// Mass of all bodies of the model together, kg, if known.
         bodies_kg: Option<f64>,
         /// The masses of the other rows of its table, if it is out of their range.
         other_rows: Option<MassesOfOtherRows>,
@@ -190,7 +190,7 @@ pub enum NeedsAnswer {
     },
     Radius {
         sphere: String,
-        /// What it would be, m.
+        /// The new radius, m.
         radius_m: f64,
         /// The longest distance between the joints of its body and of those next to it, m.
         longest_m: f64,
@@ -201,7 +201,7 @@ pub enum NeedsAnswer {
     /// Something else, in words.
     Other {
         question: Question,
-        /// What looks wrong, and what was probably meant.
+        /// The doubt: what looks wrong, and what was probably meant.
         text: Phrase,
     },
 }
@@ -221,7 +221,7 @@ impl NeedsAnswer {
         matches!(self, Self::Mass { mistake: Pounds | BodiesInPounds | OthersInPounds, .. })
     }
 
-    /// What looks wrong, and what was probably meant.
+    /// The doubt: what looks wrong, and what was probably meant.
     pub fn doubt(&self) -> Phrase {
         match self {
             Self::Mass { input, kg, bodies_kg, other_rows, mistake } => {

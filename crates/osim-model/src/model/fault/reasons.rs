@@ -2,7 +2,7 @@
 
 use crate::messages::{Input, Part, Phrase, phrase, readable};
 
-/// What the gravity is needed for that the file does not give.
+/// The purpose for which gravity is needed that the file does not give.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GravityFor {
     Weight,
@@ -89,7 +89,7 @@ impl RadiusChangeReason {
     }
 }
 
-/// What is asked about a sphere that `changed` forces use and `left` ones too, up to how its radius stays.
+/// The question about a sphere that `changed` forces use and `left` ones too, up to how its radius stays.
 pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_choose: bool) -> Phrase {
     let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
     let left = left.join(", ");
@@ -142,7 +142,7 @@ fn contacts_are(input: Input) -> &'static str {
 pub enum NoteDoubt {
     /// The model has no note, and the sum of its bodies is not the mass: they were scaled.
     Absent,
-    /// It cannot be read.
+    /// The note cannot be read.
     Unreadable,
     /// Force set and geometry set carry notes of different runs.
     MixedPair,
@@ -171,7 +171,7 @@ impl NoteDoubt {
     }
 }
 
-/// What has to be answered about the factors of a body.
+/// A question about the factors of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FactorQuestion {
     /// Two meshes of one body have different factors.
@@ -183,7 +183,7 @@ pub enum FactorQuestion {
     /// Left and right have different factors in models that are not scaled copies of each other.
     Sides {
         bodies: [String; 2],
-        /// What each would get along x, y and z; NaN where it is not known.
+        /// Factors by both sources along x, y and z; NaN where one is not known.
         factors: [[f64; 3]; 2],
     },
     /// A mesh of one name shows another animal's bone: what its factors say of a distance, and the distance itself, are far apart.
@@ -206,7 +206,7 @@ pub enum FactorQuestion {
 }
 
 impl FactorQuestion {
-    /// What is not known, and how to say it.
+    /// The unknown factors, and how to say them.
     pub(super) fn phrase(&self) -> Phrase {
         let one = |factor: f64| if factor.is_nan() { "unknown".to_owned() } else { format!("{factor:.4}") };
         let three = |factors: &[f64; 3]| factors.map(one).join(", ");
@@ -253,7 +253,7 @@ impl FactorQuestion {
     }
 }
 
-/// What to do where a verb takes the factors of `bodies`.
+/// Advice on a verb that takes the factors of `bodies`.
 fn body_scale_hint(how: &'static str, bodies: &[&String]) -> Part {
     let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();

@@ -18,7 +18,7 @@ pub struct Failure {
     pub model: FileName,
     /// Stable short name, as in the JSON `code`.
     pub code: &'static str,
-    /// What is wrong, what was expected, and a way out.
+    /// The message: what is wrong, what was expected, and a way out.
     pub message: Phrase,
     /// Line of the place, from 1.
     pub line: Option<usize>,
@@ -109,7 +109,7 @@ struct CompanionFile {
     path: PathBuf,
     bytes: Vec<u8>,
     included_by: Option<ElementId>,
-    /// As the model names it in `file="..."`.
+    /// Name of the file in the model's `file="..."`.
     include_name: Option<String>,
 }
 

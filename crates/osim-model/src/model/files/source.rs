@@ -1,4 +1,4 @@
-//! Where bytes come from, and the names of files.
+//! Reading of bytes from a source, and the names of files.
 
 use std::collections::BTreeMap;
 use std::fmt;

@@ -123,7 +123,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// As in the JSON and on the command line.
+    /// Name of the verdict in the JSON and on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Remark => "remark",
@@ -133,7 +133,7 @@ impl Severity {
     }
 }
 
-/// What a verdict is on. Each rule about a model belongs to one of them, or to none.
+/// The subject of a verdict. Each rule about a model belongs to one of them, or to none.
 ///
 /// Exhaustive: there are six, and one more where a recording is given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -155,7 +155,7 @@ pub enum VerdictOn {
 }
 
 impl VerdictOn {
-    /// Those of every model, in the order in which they are shown.
+    /// Verdicts of every model, in the order in which they are shown.
     pub const ALL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 

@@ -31,7 +31,7 @@ pub struct Finding {
     pub severity: Severity,
     pub message: Phrase,
     pub why: Phrase,
-    /// What to do about it, from the rule.
+    /// Advice about the finding, from the rule.
     pub advice: Phrase,
     /// Component path of the force, sphere or body concerned, where it is one; of the worst where it is several.
     pub place: Option<String>,
@@ -123,7 +123,7 @@ pub enum Repair {
     OnlyInChange(&'static str),
 }
 
-/// What raises a finding, and what does not. Models are those of `fixtures/`.
+/// An example that raises a finding, and one that does not. Models are those of `fixtures/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Example {
     /// A piece of a model: it has `good`, and raises the finding with `bad` in its place.

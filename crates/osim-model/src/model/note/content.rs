@@ -1,4 +1,4 @@
-//! What a note says: masses, sizes, steps, and a record of the contacts.
+//! The content of a note: masses, sizes, steps, and a record of the contacts.
 
 use std::collections::BTreeMap;
 
@@ -37,11 +37,11 @@ pub struct Note {
     /// Gravity the contacts were made for, m/s²; `None` where the model has none.
     pub gravity_m_s2: Option<f64>,
     pub scope: Scope,
-    /// What was done to the contacts, the oldest step first: at least one.
+    /// Steps of change of the contacts, the oldest first: at least one.
     pub steps: Vec<Step>,
     /// Limbs that share the body weight, where somebody said how many.
     pub stance_limbs: Option<f64>,
-    /// What the bodies weighed together when it was written, kg; `None` where no mass is known, or the note before could not be read.
+    /// Mass of all bodies together when the note was written, kg; `None` where no mass is known, or the note before could not be read.
     pub weighed_kg: Option<f64>,
     /// Mesh scale factors of the bodies that carried spheres when it was written.
     pub sizes: Vec<BodySize>,
@@ -53,7 +53,7 @@ pub struct Note {
     pub parts: NotedParts,
     /// The first 8 digits of a digest of the spheres' locations; `None` where the note before could not be read.
     pub places: Option<String>,
-    /// One letter for each thing that was added to the file, so that it can be removed with the contacts; `-` for nothing.
+    /// A letter for each thing that was added to the file, so that it can be removed with the contacts; `-` for nothing.
     pub added_to_file: String,
     /// Names of the forces that were added beside others, as [`Note::operation_text`] has them; none where all were added.
     pub added_forces: Vec<String>,
@@ -90,16 +90,16 @@ const OF: &str = " of reference ";
 /// Before the date.
 const ON: &str = " on ";
 
-/// One change of the contacts, as the note records it.
+/// A change of the contacts, as the note records it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Step {
-    /// What was done, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
+    /// The operation of the step, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
     pub operation: String,
     /// Options that mattered, for example `level=true only=radius`; empty where there were none.
     pub options: String,
     /// Mass the contacts were made for before, kg, where another was known.
     pub from_mass_kg: Option<f64>,
-    /// What the contacts were taken from.
+    /// Source of the contacts that the step took.
     pub reference: Option<Source>,
     /// When, as `2026-11-25`.
     pub date: Option<String>,
@@ -108,7 +108,7 @@ pub struct Step {
 /// The model or the preset that contacts were taken from.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
-    /// Its name, without folders and blanks.
+    /// Name of the file, without folders and blanks.
     pub name: String,
     /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
     pub digest: Option<String>,
@@ -125,7 +125,7 @@ impl Step {
         Verb::named(self.operation.split(' ').next()?)
     }
 
-    /// As a note has it, without `by`.
+    /// The source as text of a note, without `by`.
     pub(super) fn text(&self) -> String {
         let mut text = in_note_letters(&self.operation);
         if !self.options.is_empty() {
@@ -191,7 +191,7 @@ fn is_date(text: &str) -> bool {
 //
 // `12:01234567 6:89abcdef 0123.4567.-.-.-.-.-.-.-`: spheres, forces, and the properties of forces in their order.
 
-/// Where no force has the property, or places are not known.
+/// The digest of a property that no force has, or of places that are not known.
 pub(super) const NOTHING: &str = "-";
 /// Digits of what only names the difference that the digest of all numbers found.
 const PROPERTY_DIGITS: usize = 4;

@@ -15,7 +15,7 @@ use crate::model::note::content::{
 
 pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
-/// What follows mass and gravity in every note; text in square brackets without it is not a note.
+/// The text after mass and gravity in every note; text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
 /// Before each step.

@@ -31,10 +31,10 @@ const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Credits<'d> {
     pub element: ElementId,
-    /// Where the text is; empty where there is none. Of an element `<credits/>` the place after it.
+    /// Bytes of the credits' text; empty where there is none. Of an element `<credits/>` the place after it.
     pub span: Range<usize>,
     raw: &'d str,
-    /// As OpenSim reads it: entities resolved, white space condensed.
+    /// The credits as OpenSim reads them: entities resolved, white space condensed.
     text: String,
 }
 
@@ -110,7 +110,7 @@ impl<'d> Credits<'d> {
         self.text_around_note().is_empty()
     }
 
-    /// Where in the file is what comes before and after the note that is there.
+    /// Bytes of the credits before and after the note.
     fn text_around_note(&self) -> Vec<Range<usize>> {
         // People and their programs break lines where the note has a blank.
         let begins = |at: usize| self.raw.get(at..).is_some_and(begins_a_note);
@@ -201,18 +201,18 @@ fn inner(comment: &str) -> &str {
     text.strip_suffix("-->").unwrap_or(text).trim_ascii()
 }
 
-/// What is no longer as it was when the note was written.
+/// Differences between a model and its note.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedSinceNote {
-    /// What is different about the contacts themselves.
+    /// Differences of the contacts themselves.
     pub contacts: ChangedContacts,
     /// Whether bodies that carry spheres have other mesh factors.
     pub sizes: bool,
-    /// What the bodies weighed together then, and now, kg.
+    /// Mass of all bodies together when the note was written, and now, kg.
     pub weight_kg: Option<(f64, f64)>,
 }
 
-/// What is different about contacts: as much as the note's record can show.
+/// Differences of contacts: as much as the note's record can show.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedContacts {
     /// How many spheres there were and are, where that is different. Then nothing else can be compared.
@@ -235,7 +235,7 @@ impl Model {
         self.note.as_ref().and_then(|note| note.stance_limbs)
     }
 
-    /// What changed since the note was written; nothing where there is no note.
+    /// Differences since the note was written; nothing where there is no note.
     pub fn changed_since_note(&self) -> ChangedSinceNote {
         let Some(note) = &self.note else { return ChangedSinceNote::default() };
         let weighs = MassRequest::default().bodies_kg(self);
@@ -291,7 +291,7 @@ mod tests {
         Document::parse(text).unwrap()
     }
 
-    /// What the element becomes with the same note for 70 kg.
+    /// The text of the credits after the same note is written for 70 kg.
     fn with_70_kg(credits: &str) -> String {
         let document = document(credits);
         let found = Credits::of(&document).unwrap().unwrap();

@@ -26,7 +26,7 @@ const fn powers(mass: i8, length: i8, time: i8) -> Dimension {
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident, $code:literal, $words:literal, $unit:literal, $mass:literal $length:literal $time:literal;)*) => {
-        /// What a number is, in the order in which lists have them.
+        /// The kind of a number that follows size, in the order in which lists have them.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum SizedKind {
             $($(#[$doc])* $name,)*
@@ -36,7 +36,7 @@ macro_rules! kinds {
             /// All of them.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
-            /// As a word for scripts.
+            /// Name of the kind, a word for scripts.
             pub const fn as_str(self) -> &'static str {
                 match self { $(Self::$name => $code,)* }
             }
@@ -46,12 +46,11 @@ macro_rules! kinds {
                 match self { $(Self::$name => $words,)* }
             }
 
-            /// Its unit in OpenSim; an angle counts as 1.
+            /// Unit of the kind in OpenSim; an angle counts as 1.
             pub const fn unit(self) -> &'static str {
                 match self { $(Self::$name => $unit,)* }
             }
 
-            /// Its dimension.
             pub const fn dimension(self) -> Dimension {
                 match self { $(Self::$name => powers($mass, $length, $time),)* }
             }
@@ -140,7 +139,7 @@ impl SizedKind {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
 
-    /// Its place in lists.
+    /// Number of the kind in lists.
     pub const fn order(self) -> usize {
         self as usize
     }
@@ -153,7 +152,8 @@ impl SizedKind {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum KindRule {
     Always(SizedKind),
-    /// It acts on a coordinate: the kind where that is an angle (`None` is without dimension), and where it is a translation.
+    /// A property of an object that acts on a coordinate: its kind where that is an angle (`None` is without dimension), and where it is a
+    /// translation.
     ByCoordinate(Option<SizedKind>, SizedKind),
 }
 
@@ -162,7 +162,7 @@ pub(super) enum KindRule {
 pub(super) struct SizedProperty {
     pub(super) tag: &'static str,
     pub(super) kind: KindRule,
-    /// What OpenSim takes where the file says nothing.
+    /// The value that OpenSim takes where the file has none.
     pub(super) default: f64,
     pub(super) count: usize,
 }

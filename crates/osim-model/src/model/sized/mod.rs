@@ -54,8 +54,8 @@ pub struct SizedValues {
 }
 
 impl SizedValues {
-    /// Those of `model`, as OpenSim takes them: from the object, else `<defaults>`, else the class. A number that is not finite is
-    /// left out.
+    /// The values of `model` that follow size, as OpenSim takes them: from the object, else `<defaults>`, else the class. A number that is
+    /// not finite is left out.
     ///
     /// ```
     /// use osim_model::{Model, SizedKind, SizedValues};

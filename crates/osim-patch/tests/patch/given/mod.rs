@@ -265,7 +265,7 @@ impl Given {
     }
 }
 
-/// What came of it.
+/// Result of a change: the model after it, or the fault.
 pub(crate) struct Outcome {
     pub(crate) before: Vec<u8>,
     pub(crate) result: Result<(Plan, Vec<Vec<u8>>), Fault>,
@@ -346,7 +346,7 @@ impl Outcome {
         self
     }
 
-    /// There is a finding with this code.
+    /// Fails unless a finding has this code.
     #[track_caller]
     pub(crate) fn has_finding(&self, code: &str) -> &Self {
         let codes: Vec<_> = self.plan().findings.iter().map(|finding| finding.code().as_str()).collect();
@@ -354,7 +354,7 @@ impl Outcome {
         self
     }
 
-    /// It is refused with this code, and the message holds all of `words`.
+    /// Fails unless the change is refused with this code and a message that holds all of `words`.
     #[track_caller]
     pub(crate) fn is_refused(&self, code: &str, words: &[&str]) -> &Fault {
         let Err(fault) = &self.result else { panic!("not refused: {:?}", self.plan().changes) };

@@ -1,4 +1,4 @@
-//! What `check` finds in a model, and the sphere that has it.
+//! Findings of `check` in a model, and the sphere that has them.
 
 use osim_inspect::{CheckResult, FindingWithRemedy, InspectOptions};
 use osim_model::{FindingCode, Model, Rule};
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::feet::{Smooth, foot};
 
-/// What is found in a model that is called `name`.
+/// Findings in a model that is called `name`.
 pub fn check_with(name: &str, text: &str, options: &InspectOptions) -> CheckResult {
     let model = Model::parse(text).unwrap();
     check_with_trials(options, &model, &options.inspect(name, &model, None), &[])
@@ -52,7 +52,7 @@ pub fn remedy(result: &CheckResult, code: FindingCode) -> Value {
     said(find(result, code).remedy.as_ref())
 }
 
-/// What a remedy says, without the model that it is for.
+/// The fields of a remedy, without the model that it is for.
 pub fn said(remedy: Option<&Request>) -> Value {
     let Some(remedy) = remedy else { return Value::Null };
     let mut fields = remedy.to_map();

@@ -34,7 +34,7 @@ impl Desk {
         }
     }
 
-    /// What `check` finds in a file; `None` where it cannot be read, or there is nothing to check.
+    /// Findings of `check` in a file; `None` where it cannot be read, or there is nothing to check.
     pub fn check(&self, model: &Path) -> Option<CheckResult> {
         let inspector = Inspector::for_check(&self.request(model), &self.files);
         let opened = open_with(model, inspector.set_files().companion_paths(), &self.files).ok()?;
@@ -74,7 +74,7 @@ impl Desk {
         Ok((name, warned))
     }
 
-    /// What becomes of each verb on a file: the codes that it warns with, or why it is refused.
+    /// The result of each verb on a file: the codes that it warns with, or why it is refused.
     pub fn verbs(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
         let calls = [
             json!({"verb": "rescale", "target_mass": kg * 1.3}),
@@ -106,7 +106,7 @@ impl Desk {
     }
 }
 
-/// What is at least a warning, as code and place; about spheres it is one for all.
+/// Findings that are at least warnings, as code and place; about spheres it is one for all.
 pub fn wrong(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
     let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     bad.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect()

@@ -21,14 +21,14 @@ use cases::{NAME, models, options};
 use damage::damages;
 use desk::{Desk, wrong};
 
-/// What was run and what held.
+/// Numbers of things that were run, and of those that held.
 #[derive(Default)]
 struct Counts {
     models: usize,
     remedies: (usize, usize),
     chains: (usize, usize),
     prose: (usize, usize),
-    /// Of findings that are at least warnings: how many are there, and how many have no command.
+    /// Numbers of findings that are at least warnings, and of those without a command.
     findings: (usize, usize),
     /// Codes that have a command somewhere.
     proposed: BTreeSet<FindingCode>,

@@ -10,8 +10,8 @@ use super::cases::{NAME, models};
 use super::damage::damages;
 use super::desk::Desk;
 
-/// What each damage may be called. Damages that are absurd on some models only are not among them: three times the mass is right for
-/// contacts that were made for it.
+/// Codes that may be found for each damage. Damages that are absurd on some models only are not among them: three times the mass is right
+/// for contacts that were made for it.
 const NAMES: [(&str, &[&str]); 18] = [
     ("left ten times stiffer", &["left-right-differ"]),
     ("right ten times stiffer", &["left-right-differ"]),

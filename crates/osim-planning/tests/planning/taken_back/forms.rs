@@ -1,6 +1,6 @@
 //! Other forms of a model file that OpenSim reads as one model. Bytes are letters here, so that every file can be written so.
 
-/// What a form makes of a model; `None` where it has nothing that could be written so.
+/// A function that writes a model in another form; `None` where the model has nothing that could be written so.
 pub type Form = fn(&str) -> Option<String>;
 
 /// A form that may hold values, such as a text that it inserts.
@@ -128,7 +128,7 @@ const CREDITS: [&str; 23] = [
      record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made -)];\n\tB</credits>",
 ];
 
-/// Without what is white between tags.
+/// A document without white space between tags.
 fn one_line(text: &str) -> Option<String> {
     let mut made = String::new();
     for part in text.split_inclusive('>') {
@@ -167,7 +167,7 @@ fn with_credits(text: &str, credits: &str) -> Option<String> {
     Some(format!("{}\n\t\t{credits}{}", &bare[..at], &bare[at..]))
 }
 
-/// Where the first element of this name is, and what is in it.
+/// Bytes of the first element of this name, and its content.
 fn element<'t>(text: &'t str, tag: &str) -> Option<(std::ops::Range<usize>, &'t str)> {
     let tag_begins = format!("<{tag}");
     let mut starts = text.match_indices(&tag_begins).map(|(at, _)| at);

@@ -19,7 +19,7 @@ use documents::{Desk, Document, all_files, models};
 use forms::{bytes, forms, letters};
 use ways::{TABLE, Way, between, ways};
 
-/// What was tried and what held.
+/// Numbers of things that were tried, and of those that held.
 #[derive(Default)]
 struct Counts {
     back: usize,
@@ -28,7 +28,7 @@ struct Counts {
     failures: Vec<String>,
 }
 
-/// What is done in between, and how it is called.
+/// The name of requests that are applied one after the other, and the requests.
 type Steps = (&'static str, Vec<Value>);
 
 /// The bytes that a request makes of `bytes`, and why there are none.
@@ -85,7 +85,7 @@ fn try_one(
     }
 }
 
-/// What is around the first byte that differs.
+/// The bytes around the first one that differs.
 fn difference(expected: &[u8], seen: &[u8]) -> String {
     let at = expected.iter().zip(seen).take_while(|(one, other)| one == other).count();
     let around = |bytes: &[u8]| {
@@ -107,8 +107,8 @@ fn bare(desk: &mut Desk<'_>, document: &Document) -> Option<Document> {
     Some(Document { name: name.clone(), bytes })
 }
 
-/// Of how many forms each model is tried in one, where it is small and where it is large. Forms, ways and steps come by turns, so that every
-/// form comes with every kind of each.
+/// The share of forms that each model is tried in, where it is small and where it is large. Forms, ways and steps come by turns, so that
+/// every form comes with every kind of each.
 #[derive(Clone, Copy)]
 struct Share {
     small: usize,
@@ -155,7 +155,7 @@ fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Step
     Some((way, steps.swap_remove((turn + 3 * number) % steps.len())))
 }
 
-/// What comes of every model.
+/// Numbers of things tried with all models.
 fn tried(share: Share) -> Counts {
     let files = all_files();
     let documents = models(&files);

@@ -79,7 +79,7 @@ pub fn ways(name: &str, model: &Model) -> Vec<Way> {
     ways
 }
 
-/// What is done in between: none, one or two requests, about the new forces where there are others.
+/// Requests to apply in between: none, one or two, about the new forces where there are others.
 pub fn between(name: &str, way: &Way) -> Vec<(&'static str, Vec<Value>)> {
     let one = |mut request: Value| {
         request["models"] = json!([name]);

@@ -14,23 +14,23 @@ pub struct ErrorCode {
 }
 
 impl ErrorCode {
-    /// What is wrong.
+    /// What the error means.
     pub fn means(&self) -> Phrase {
         Phrase::template(self.means)
     }
 
-    /// What to do about it.
+    /// The way out of the error.
     pub fn way_out(&self) -> Phrase {
         Phrase::template(self.way_out)
     }
 }
 
-/// What failures are about.
+/// Groups of errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGroup {
     /// The file, before anything in it.
     File,
-    /// What is in it.
+    /// The content of a model.
     Model,
     /// Something that only the user can know.
     Question,
@@ -42,7 +42,7 @@ impl ErrorGroup {
     /// Every group, in the order of the documents.
     pub const ALL: [Self; 4] = [Self::File, Self::Model, Self::Question, Self::Request];
 
-    /// Its failures.
+    /// Codes of errors of this kind.
     pub const fn errors(self) -> &'static [ErrorCode] {
         match self {
             Self::File => FILE,

@@ -30,7 +30,7 @@ pub enum TopicRecord {
         schema_version: u32,
         /// The paper's number without brackets, or a name.
         label: &'static str,
-        /// What it says, in a few words.
+        /// What the equation says, in a few words.
         title: &'static str,
         /// The equation as printed first, then in other forms.
         formulas: Vec<FormulaRecord>,
@@ -49,15 +49,15 @@ pub enum TopicRecord {
         name: &'static str,
         /// Symbols and other words for the quantity.
         symbols: &'static [&'static str],
-        /// Its unit; empty for a pure number.
+        /// Unit of the quantity; empty for a pure number.
         unit: &'static str,
         /// Number of the equation in the paper; empty where there is none.
         equation: &'static str,
-        /// Its limit in words; null where it has none.
+        /// Limit of the quantity in words; null where it has none.
         limit: Option<String>,
-        /// What it is, in a sentence.
+        /// What the quantity is, in a sentence.
         what: String,
-        /// What is easily misunderstood about it.
+        /// What is easily misunderstood about the quantity.
         trap: String,
     },
     /// A finding, of a model or of a change.
@@ -70,11 +70,11 @@ pub enum TopicRecord {
         severity: &'static str,
         /// Whether a check looks for it; else changes alone report it.
         checked: bool,
-        /// What it is, in a sentence.
+        /// What the finding is, in a sentence.
         what: String,
         /// Why it matters.
         why: String,
-        /// What to do about it.
+        /// What to do about the finding.
         advice: String,
         /// What the command does that `check` proposes; null where it cannot propose one.
         fix: Option<String>,
@@ -87,9 +87,9 @@ pub enum TopicRecord {
         schema_version: u32,
         /// Stable short name.
         code: &'static str,
-        /// What is wrong.
+        /// What the error means.
         means: String,
-        /// What to do about it.
+        /// What to do about the error.
         way_out: String,
     },
 }
@@ -98,7 +98,7 @@ pub enum TopicRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct FormulaRecord {
-    /// What sets it apart, such as `for x`; empty for the first form.
+    /// What sets the form apart, such as `for x`; empty for the first form.
     pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,
@@ -116,9 +116,9 @@ pub struct SymbolRecord {
     pub symbol: &'static str,
     /// The symbol in ASCII.
     pub ascii: String,
-    /// What it means.
+    /// Meaning of the symbol.
     pub meaning: String,
-    /// Its unit; `1` for a pure number.
+    /// Unit of the formula's value; `1` for a pure number.
     pub unit: &'static str,
 }
 

@@ -118,7 +118,7 @@ impl UnknownTopic {
         Self { name: name.to_owned(), similar_names }
     }
 
-    /// That the name is not known, what may be meant, and how to list all names.
+    /// A message that the name is not known, which names may be meant, and how to list all of them.
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
         let quoted: Vec<String> = self.similar_names.iter().map(|name| format!("'{name}'")).collect();
         let proposal = if quoted.is_empty() {
@@ -140,11 +140,11 @@ pub struct QuantityTopic {
     pub name: &'static str,
     /// Other names that people know it by.
     pub symbols: &'static [&'static str],
-    /// Its unit; empty for a pure number.
+    /// Unit of the quantity; empty for a pure number.
     pub unit: &'static str,
     /// Number of the equation in the paper; empty where there is none.
     pub equation: &'static str,
-    /// Its limit in words, where it has one.
+    /// Limit of the quantity in words, where it has one.
     pub limit: Option<String>,
     what: String,
     trap: &'static str,
@@ -209,12 +209,12 @@ impl QuantityTopic {
         Self { equation: quantity.equation, limit, ..topic }
     }
 
-    /// What it is.
+    /// What the quantity is.
     pub fn what(&self) -> Phrase {
         Phrase::template(&self.what)
     }
 
-    /// What is easily misunderstood about it.
+    /// What is easily misunderstood about the quantity.
     pub fn trap(&self) -> Phrase {
         Phrase::template(self.trap)
     }
@@ -235,7 +235,7 @@ fn without_backticks_of_classes(text: &str) -> String {
     pieces.collect()
 }
 
-/// What a property of a contact is, and the equation by which it is scaled.
+/// The equation that scales a property of a contact, and the meaning of the property.
 const fn equation_and_meaning(property: Property) -> (&'static str, &'static str) {
     match property {
         Property::Stiffness => {

@@ -1,4 +1,4 @@
-//! What spheres do: as rows that the text and the page share, as a table, and as CSV.
+//! The figures of spheres: as rows that the text and the page share, as a table, and as CSV.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,7 +11,7 @@ use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
 use crate::report::extent::Extent;
 use crate::report::layout::{OUTSIDE, csv_text, table, wrapped};
 
-/// What the spheres of a table have in common.
+/// The common properties of the spheres of a table.
 #[derive(Clone, Copy)]
 pub struct Spheres {
     /// Whether spheres of a limb differ.
@@ -21,7 +21,7 @@ pub struct Spheres {
 }
 
 impl Spheres {
-    /// What `spheres` have in common; `mixed` says that those of a limb differ.
+    /// The common properties of `spheres`; `mixed` says that those of a limb differ.
     pub fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
         let smooth = spheres.any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         Self { mixed, smooth }
@@ -78,7 +78,7 @@ fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
         .filter(move |figure| extent.is_full() || figure.visibility() != FigureVisibility::Never)
 }
 
-/// What is shown of a sphere: spheres with the same figures share a column.
+/// The shown values of a sphere: spheres with the same values share a column.
 pub fn key(sphere: &SphereFigures, extent: Extent) -> Vec<String> {
     let text = |figure| sphere.value(figure).map(|value| extent.number(value, four_significant));
     shown(extent).map(|figure| text(figure).unwrap_or_default()).collect()
@@ -99,7 +99,7 @@ pub struct EquallyDeep<'f> {
     pub spheres: Vec<&'f str>,
 }
 
-/// What it is about, in words.
+/// Caption of the table of figures.
 pub(crate) const CAPTION: &str =
     "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
@@ -260,10 +260,10 @@ fn number_text(value: Option<f64>) -> String {
     value.map(shortest).unwrap_or_default()
 }
 
-/// What gives a cell.
+/// A function that gives a cell.
 type Cell = fn(&Place<'_>) -> String;
 
-/// What says which model, limb and sphere a row is about.
+/// Columns that say which model, limb and sphere a row is about.
 const PLACE: [(&str, Cell); 12] = [
     ("model_file", |p| p.model.model.clone()),
     ("model_name", |p| p.model.name.clone()),

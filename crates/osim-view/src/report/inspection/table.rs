@@ -319,7 +319,7 @@ fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
     ]
 }
 
-/// What the cells are made from: if it is equal, so are they.
+/// The numbers that the cells of a force are made from: forces with equal numbers have equal cells.
 fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
     let one = |&property: &Property| {
         (force.parameters.get(property).map(f64::to_bits), force.origin.is_default(property))

@@ -142,9 +142,9 @@ pub struct DropRecord<'d>(&'d DropResult);
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct DropDifferenceRecord {
-    /// The other body.
+    /// Name of the other body.
     pub other: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The other body's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_bytes: Option<Vec<u8>>,
     /// Up to which t/√(R/g).

@@ -51,7 +51,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
     text
 }
 
-/// What a fit cannot say.
+/// A doubt about a fit, in words.
 pub(super) fn in_words(doubt: &Doubt) -> String {
     match doubt {
         Doubt::LowRSquared { r_squared } => format!(
@@ -123,7 +123,7 @@ pub struct FitRecord {
     pub schema_version: u32,
     /// The measurement.
     pub file: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The file's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file_bytes: Option<Vec<u8>>,
     /// Spheres that shared the force.
@@ -162,7 +162,7 @@ pub struct FitRecord {
     pub restitution: Option<f64>,
     /// Whether it is within the Hunt–Crossley law.
     pub within_hunt_crossley_limit: Option<bool>,
-    /// What the fit leaves over.
+    /// Residuals of the fit.
     pub residuals: ResidualsRecord,
 }
 
@@ -180,21 +180,21 @@ pub struct FitWarningRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct EstimateRecord {
-    /// Its value.
+    /// Fitted value of the parameter.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub value: f64,
-    /// Its standard error.
+    /// Standard error of the fitted value.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub standard_error: f64,
     /// Begin of the 95 % confidence interval.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub low_95: f64,
-    /// Its end.
+    /// End of the 95 % interval.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub high_95: f64,
 }
 
-/// What a fit leaves over, row by row.
+/// Residuals of a fit, row by row.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct ResidualsRecord {

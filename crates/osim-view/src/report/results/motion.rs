@@ -13,7 +13,7 @@ pub use crate::report::results::motion_record::{
 
 // A motion in words, with figures of each foot and sphere.
 
-/// What the contacts do, in words first.
+/// The summary of contacts along a motion, words first.
 pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> String {
     let states = &result.states;
     let (first, last) = (states.time_s.first().copied(), states.time_s.last().copied());
@@ -122,7 +122,7 @@ fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {
 /// A column of the rows of a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionColumn {
-    /// Its name; it ends in the unit, where there is one.
+    /// Name of the number; it ends in the unit, where there is one.
     pub name: &'static str,
     pub cells: MotionCells,
 }
@@ -236,7 +236,7 @@ impl MotionCells {
 /// The contacts of one body.
 struct Load {
     body: String,
-    /// What its columns have between `ground_force_` and `_vx`.
+    /// The part of the columns' names between `ground_force_` and `_vx`.
     label: String,
     pairs: Vec<usize>,
 }

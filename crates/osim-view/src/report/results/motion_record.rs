@@ -17,12 +17,12 @@ pub struct MotionRecord {
     pub schema_version: u32,
     /// The model.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// The motion.
     pub motion: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The motion's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_bytes: Option<Vec<u8>>,
     /// How many frames it has.
@@ -31,7 +31,7 @@ pub struct MotionRecord {
     pub from_s: f64,
     /// The last time, s.
     pub to_s: f64,
-    /// What the model weighs, kg.
+    /// Mass of the model, kg.
     pub mass_kg: f64,
     /// Gravity, m/s².
     pub gravity_m_s2: f64,
@@ -71,9 +71,9 @@ pub struct MotionFootRecord {
     pub name: String,
     /// `right` or `left`, where names say it.
     pub side: Option<String>,
-    /// Its bodies with spheres.
+    /// Bodies of the foot that have spheres.
     pub bodies: Vec<String>,
-    /// Its largest force along the normal of the floor, N.
+    /// Largest force of the foot along the normal of the floor, N.
     pub peak_n: f64,
     /// When that is, s.
     pub peak_at_s: f64,
@@ -119,13 +119,13 @@ pub struct MotionStanceRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionSphereRecord {
-    /// Its name.
+    /// Name of the sphere.
     pub sphere: String,
     /// The force that presses it.
     pub force: String,
-    /// Its largest force along the normal, N.
+    /// Largest force of the sphere along the normal, N.
     pub peak_n: f64,
-    /// Its largest x/R; below 0 it never touches.
+    /// Largest x/R of the sphere; below 0 it never touches.
     pub largest_relative_indentation: f64,
     /// When that is, s.
     pub largest_at_s: f64,

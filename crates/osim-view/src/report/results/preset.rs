@@ -19,7 +19,7 @@ use crate::report::layout::{filled, table};
 pub struct PresetRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// Its name.
+    /// Name of the preset.
     pub name: String,
     /// Where its numbers are published.
     pub source: String,
@@ -41,7 +41,7 @@ pub struct PresetRecord {
     pub hertz_smoothing: Option<f64>,
     /// OpenSim's `hunt_crossley_smoothing`, s/m.
     pub hunt_crossley_smoothing: Option<f64>,
-    /// These contacts without dimensions.
+    /// The preset's contacts without dimensions.
     pub dimensionless: DimensionlessRecord,
 }
 
@@ -172,17 +172,17 @@ pub struct SweepRecord {
     pub schema_version: u32,
     /// The model, as it was named.
     pub model: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
     /// The table that says what is in which file; null if nothing was made.
     pub manifest: Option<String>,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The manifest's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub manifest_bytes: Option<Vec<u8>>,
     /// The folder of the variants.
     pub folder: String,
-    /// Its name in bytes, if it is not UTF-8.
+    /// The folder's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub folder_bytes: Option<Vec<u8>>,
     /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
