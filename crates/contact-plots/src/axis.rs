@@ -47,8 +47,8 @@ impl Axis {
         if self.logarithmic { value.log10() } else { value }
     }
 
-    /// From where to where it goes, as places: the limits, or all values and the wanted range. `room` leaves some room above
-    /// the values and begins at 0.
+    /// Start and end of the axis, as positions: the limits, or all values and the wanted range. `room` leaves some room above the values
+    /// and begins at 0.
     pub(crate) fn span(&self, values: impl Iterator<Item = f64>, room: bool) -> (f64, f64) {
         if let Some((from, to)) = self.limits {
             return (self.place(from), self.place(to));

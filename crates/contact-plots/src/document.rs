@@ -106,7 +106,7 @@ fn with_size_and_title(
     ))
 }
 
-/// To a thousandth, without zeros that say nothing.
+/// A number rounded to a thousandth, without zeros at its end.
 fn rounded(mm: f64) -> f64 {
     (1000.0 * mm).round() / 1000.0
 }
@@ -176,7 +176,7 @@ pub(crate) fn printable(text: &str) -> String {
 
 pub(crate) const MARGIN_PT: f64 = 4.0;
 const TITLE_LINE_PT: f64 = 9.6;
-/// Below the last line of a title.
+/// Distance below the last line of a title.
 const TITLE_GAP_PT: f64 = 3.4;
 
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;

@@ -18,7 +18,7 @@ pub struct Curve {
     pub label: String,
     /// Points of the curve, in order.
     pub points: Vec<Point>,
-    /// How it looks.
+    /// Colour, dash and width of the curve.
     pub look: Look,
 }
 
@@ -42,9 +42,9 @@ pub struct Area {
 /// Which way a straight line runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// At one value of the horizontal axis.
+    /// A limit at one value of the horizontal axis.
     Vertical,
-    /// At one value of the vertical axis.
+    /// A limit at one value of the vertical axis.
     Horizontal,
 }
 
@@ -143,7 +143,7 @@ pub enum Width {
 }
 
 impl Width {
-    /// In millimetres.
+    /// The width in millimetres.
     #[must_use]
     pub fn mm(self) -> f64 {
         match self {
@@ -160,7 +160,7 @@ pub struct Figure {
     pub title: String,
     /// Description in full sentences, the document's `<desc>`.
     pub description: String,
-    /// How wide it is.
+    /// Width of the figure.
     pub width: Width,
     /// Panels in a row.
     pub columns: usize,

@@ -14,14 +14,14 @@ use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, minor_ticks};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 
 const PLOT_HEIGHT_PT: f64 = 140.0;
-const BAR_PT: f64 = 9.0;
-const GAP_PT: f64 = 9.0;
-const RIGHT_PT: f64 = 6.0;
+const COLOUR_BAR_WIDTH_PT: f64 = 9.0;
+const COLOUR_BAR_GAP_PT: f64 = 9.0;
+const RIGHT_MARGIN_PT: f64 = 6.0;
 const SLICES: u32 = 64;
 /// Ticks along an axis and along the colour bar.
-const TICKS: usize = 7;
+const TICKS_PER_AXIS: usize = 7;
 /// Cells without a value.
-const BLANK: RGBColor = RGBColor(0xBB, 0xBB, 0xBB);
+const COLOUR_OF_EMPTY_CELLS: RGBColor = RGBColor(0xBB, 0xBB, 0xBB);
 
 /// A limit of the quantity, drawn between the cells that are within and those that are outside.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +64,7 @@ pub struct HeatMap {
 /// above 0, a quantity that is not a finite number, none at all, or too little room on the paper.
 pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
     let layout = HeatLayout::of(map, paper.layout_pt(Width::Column))?;
-    paper.check(Width::Column, layout.beside_pt + layout.bar_room_pt + 2.0 * MARGIN_PT + RIGHT_PT)?;
+    paper.check(Width::Column, layout.beside_pt + layout.bar_room_pt + 2.0 * MARGIN_PT + RIGHT_MARGIN_PT)?;
     let sheet = Sheet {
         width: Width::Column,
         paper,
@@ -114,10 +114,11 @@ impl HeatLayout {
     fn of(map: &HeatMap, width_pt: f64) -> Result<Self, PlotError> {
         let (x_edges, y_edges) = (edges(&map.x, &map.x_axis)?, edges(&map.y, &map.y_axis)?);
         let span = span(map)?;
-        let bar_ticks = map.value_axis.ticks(span, TICKS);
-        let y_ticks = map.y_axis.ticks((first(&y_edges), last(&y_edges)), TICKS);
+        let bar_ticks = map.value_axis.ticks(span, TICKS_PER_AXIS);
+        let y_ticks = map.y_axis.ticks((first(&y_edges), last(&y_edges)), TICKS_PER_AXIS);
         let beside_pt = NAME_PT + 3.0 * TICK_PT + y_ticks.width_pt().max(8.0);
-        let bar_room_pt = GAP_PT + BAR_PT + 3.0 * TICK_PT + bar_ticks.width_pt() + NAME_PT;
+        let bar_room_pt =
+            COLOUR_BAR_GAP_PT + COLOUR_BAR_WIDTH_PT + 3.0 * TICK_PT + bar_ticks.width_pt() + NAME_PT;
         let legend = Legend::new(entries(map, span), width_pt - 2.0 * MARGIN_PT - beside_pt);
         let title = Title::new(&map.title, width_pt);
         Ok(Self { width_pt, title, x_edges, y_edges, span, beside_pt, bar_room_pt, bar_ticks, legend })
@@ -134,7 +135,7 @@ impl HeatLayout {
     /// The ticks of an axis that ends with the outer edges of its cells.
     fn ticks(axis: &Axis, edges: &[f64]) -> Ticks {
         let (low, high) = (first(edges), last(edges));
-        let mut ticks = axis.ticks((low, high), TICKS);
+        let mut ticks = axis.ticks((low, high), TICKS_PER_AXIS);
         ticks.marks.retain(|(at, _)| (low..=high).contains(at));
         ticks
     }
@@ -147,7 +148,7 @@ impl HeatLayout {
             (Self::ticks(&map.x_axis, &self.x_edges), Self::ticks(&map.y_axis, &self.y_edges));
         let scale = |edges: &[f64], ticks: &Ticks| Scale::new((first(edges), last(edges)), ticks.at());
         let mut chart = ChartBuilder::on(&area)
-            .margin_right(units(RIGHT_PT))
+            .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
             .set_label_area_size(LabelAreaPosition::Bottom, units(BELOW_PT))
             .build_cartesian_2d(scale(&self.x_edges, &x_ticks), scale(&self.y_edges, &y_ticks))
@@ -224,14 +225,17 @@ impl HeatLayout {
     }
 
     fn draw_bar(&self, root: &Area<'_>, map: &HeatMap) -> Result<(), PlotError> {
-        let left = self.width_pt - MARGIN_PT - self.bar_room_pt + GAP_PT;
+        let left = self.width_pt - MARGIN_PT - self.bar_room_pt + COLOUR_BAR_GAP_PT;
         let area = root.clone().shrink(
             (units(left), units(self.top())),
-            (units(self.bar_room_pt - GAP_PT), units(PLOT_HEIGHT_PT)),
+            (units(self.bar_room_pt - COLOUR_BAR_GAP_PT), units(PLOT_HEIGHT_PT)),
         );
         let (low, high) = self.span;
         let mut chart = ChartBuilder::on(&area)
-            .set_label_area_size(LabelAreaPosition::Right, units(self.bar_room_pt - GAP_PT - BAR_PT))
+            .set_label_area_size(
+                LabelAreaPosition::Right,
+                units(self.bar_room_pt - COLOUR_BAR_GAP_PT - COLOUR_BAR_WIDTH_PT),
+            )
             .build_cartesian_2d(Scale::new((0.0, 1.0), vec![]), Scale::new((low, high), self.bar_ticks.at()))
             .map_err(PlotError::drawing)?;
         let at = |slice: u32| low + (high - low) * f64::from(slice) / f64::from(SLICES);
@@ -264,8 +268,9 @@ impl HeatLayout {
 
 /// The colour of a value; a grey where there is none.
 fn colour(axis: &Axis, (low, high): (f64, f64), value: Option<f64>) -> RGBColor {
-    value
-        .map_or(BLANK, |value| ViridisRGB.get_color_normalized(axis.place(value).clamp(low, high), low, high))
+    value.map_or(COLOUR_OF_EMPTY_CELLS, |value| {
+        ViridisRGB.get_color_normalized(axis.place(value).clamp(low, high), low, high)
+    })
 }
 
 /// Entries of the legend: only what the map shows.
@@ -286,7 +291,7 @@ fn entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String)> {
         }
     }
     if map.values.iter().flatten().any(Option::is_none) {
-        entries.push((Sample::Cell(BLANK), "no value".to_owned()));
+        entries.push((Sample::Cell(COLOUR_OF_EMPTY_CELLS), "no value".to_owned()));
     }
     entries
 }

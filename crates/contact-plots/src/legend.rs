@@ -13,10 +13,10 @@ use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, te
 use crate::text_width::{lines, width_with_reserve_pt};
 
 const ROW_PT: f64 = 10.0;
-/// Between lines of one name.
+/// Distance between lines of one name.
 const LINE_PT: f64 = 8.2;
 pub(crate) const SAMPLE_PT: f64 = 18.0;
-const GAP_PT: f64 = 4.0;
+const ENTRY_GAP_PT: f64 = 4.0;
 
 /// The sample of an entry, left of its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,10 +70,10 @@ impl Legend {
     /// cut.
     pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
         let name = |(_, label): &(Sample, String)| width_with_reserve_pt(label, TEXT_PT);
-        let widest = SAMPLE_PT + 3.0 * GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
+        let widest = SAMPLE_PT + 3.0 * ENTRY_GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
         let column_pt = room_pt / float(columns);
-        let room = column_pt - SAMPLE_PT - 2.0 * GAP_PT;
+        let room = column_pt - SAMPLE_PT - 2.0 * ENTRY_GAP_PT;
         let entry = |(sample, label): (Sample, String)| Entry {
             sample,
             lines: lines(&printable(&label), TEXT_PT, room),
@@ -90,7 +90,7 @@ impl Legend {
     pub(crate) fn height_pt(&self) -> f64 {
         let columns = self.entries.chunks(self.rows().max(1));
         let highest = columns.map(|column| column.iter().map(Entry::height_pt).sum()).fold(0.0, f64::max);
-        if self.entries.is_empty() { 0.0 } else { highest + GAP_PT }
+        if self.entries.is_empty() { 0.0 } else { highest + ENTRY_GAP_PT }
     }
 
     /// Draws it with its upper left corner at `(left_pt, top_pt)`.
@@ -113,16 +113,16 @@ impl Legend {
         sample: &dyn Fn(usize, f64, f64) -> Result<(), PlotError>,
     ) -> Result<(), PlotError> {
         // Down the first column, then down the next.
-        let (mut left, mut top) = (left_pt, top_pt + GAP_PT);
+        let (mut left, mut top) = (left_pt, top_pt + ENTRY_GAP_PT);
         for (index, entry) in self.entries.iter().enumerate() {
             if index > 0 && index % self.rows() == 0 {
-                (left, top) = (left + self.column_pt, top_pt + GAP_PT);
+                (left, top) = (left + self.column_pt, top_pt + ENTRY_GAP_PT);
             }
             sample(index, left, top + 0.5 * ROW_PT)?;
             for (row, line) in entry.lines.iter().enumerate() {
                 let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
                 let middle = top + 0.5 * ROW_PT + LINE_PT * float(row);
-                let at = (units(left + SAMPLE_PT + GAP_PT), units(middle));
+                let at = (units(left + SAMPLE_PT + ENTRY_GAP_PT), units(middle));
                 area.draw_text(line, &style, at).map_err(PlotError::drawing)?;
             }
             top += entry.height_pt();

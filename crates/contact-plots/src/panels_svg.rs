@@ -19,12 +19,12 @@ use crate::text_width::cut;
 const PANEL_TITLE_PT: f64 = 13.0;
 /// Tick labels and the axis's name below a panel.
 pub(crate) const BELOW_PT: f64 = 22.5;
-/// From the axis's name beside a panel to its tick labels.
+/// Distance from the axis's name beside a panel to its tick labels.
 pub(crate) const NAME_PT: f64 = 10.0;
 pub(crate) const TICK_PT: f64 = 2.2;
 /// Room on the right for half of the last tick's label.
-const RIGHT_PT: f64 = 5.0;
-const GAP_PT: f64 = 8.0;
+const RIGHT_MARGIN_PT: f64 = 5.0;
+const PANEL_GAP_PT: f64 = 8.0;
 /// The least width of panels side by side, between their axes; below each other they are wider.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Height over width of what is drawn between the axes.
@@ -44,7 +44,7 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
         panel.check()?;
     }
     let layout = Layout::of(figure, paper.layout_pt(figure.width));
-    paper.check(figure.width, layout.beside_pt + 2.0 * MARGIN_PT + RIGHT_PT)?;
+    paper.check(figure.width, layout.beside_pt + 2.0 * MARGIN_PT + RIGHT_MARGIN_PT)?;
     let sheet = Sheet {
         width: figure.width,
         paper,
@@ -82,12 +82,12 @@ impl Layout {
         let room = width - 2.0 * MARGIN_PT;
         let beside_pt =
             NAME_PT + 3.0 * TICK_PT + frames.iter().map(|frame| frame.y_ticks.width_pt()).fold(8.0, f64::max);
-        let panel_width = |columns: usize| (room - GAP_PT * float(columns - 1)) / float(columns);
+        let panel_width = |columns: usize| (room - PANEL_GAP_PT * float(columns - 1)) / float(columns);
         let wanted = figure.columns.clamp(1, figure.panels.len());
         let is_wide = |&columns: &usize| panel_width(columns) - beside_pt >= SIDE_BY_SIDE_PT;
         let columns = (1..=wanted).rev().find(is_wide).unwrap_or(1);
         let panel_width = panel_width(columns);
-        let plot_width = panel_width - beside_pt - RIGHT_PT;
+        let plot_width = panel_width - beside_pt - RIGHT_MARGIN_PT;
         let letters = figure.panels.len() > 1;
         let titled = letters || figure.panels.iter().any(|panel| !panel.title.is_empty());
         let title_pt = if titled { PANEL_TITLE_PT } else { 0.0 };
@@ -109,7 +109,7 @@ impl Layout {
     }
 
     fn legend_top_pt(&self) -> f64 {
-        self.title.bottom_pt() + float(self.rows) * (self.panel_pt.1 + GAP_PT) - GAP_PT
+        self.title.bottom_pt() + float(self.rows) * (self.panel_pt.1 + PANEL_GAP_PT) - PANEL_GAP_PT
     }
 
     fn height_pt(&self) -> f64 {
@@ -118,14 +118,14 @@ impl Layout {
 
     fn draw_panel(&self, root: &Area<'_>, panel: &Panel, index: usize) -> Result<(), PlotError> {
         let (width, height) = self.panel_pt;
-        let left = MARGIN_PT + float(index % self.columns) * (width + GAP_PT);
-        let top = self.title.bottom_pt() + float(index / self.columns) * (height + GAP_PT);
+        let left = MARGIN_PT + float(index % self.columns) * (width + PANEL_GAP_PT);
+        let top = self.title.bottom_pt() + float(index / self.columns) * (height + PANEL_GAP_PT);
         let area = root.clone().shrink((units(left), units(top)), (units(width), units(height)));
         self.draw_title(&area, panel, index)?;
         let frame = Frame::of(panel);
         let mut chart = ChartBuilder::on(&area)
             .margin_top(units(self.title_pt + self.limits_pt))
-            .margin_right(units(RIGHT_PT))
+            .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
             .set_label_area_size(LabelAreaPosition::Bottom, units(BELOW_PT))
             .build_cartesian_2d(
@@ -159,7 +159,7 @@ impl Layout {
 
     /// The names of vertical limits, above the panel.
     fn draw_limit_names(&self, area: &Area<'_>, panel: &Panel, frame: &Frame<'_>) -> Result<(), PlotError> {
-        let plot_width = self.panel_pt.0 - self.beside_pt - RIGHT_PT;
+        let plot_width = self.panel_pt.0 - self.beside_pt - RIGHT_MARGIN_PT;
         for (row, limits) in limit_rows(panel, frame, plot_width).into_iter().enumerate() {
             for (limit, along) in limits {
                 let y = self.title_pt + self.limits_pt - LIMIT_ROW_PT * (float(row) + 0.5) + 0.6;

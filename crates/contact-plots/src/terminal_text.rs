@@ -39,10 +39,13 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
         .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
         .collect();
     let y_labels: Vec<(usize, String)> =
-        y_ticks.marks.into_iter().map(|(at, label)| (whole(place((x.0, at)).1) / DOWN, label)).collect();
+        y_ticks.marks.into_iter().map(|(at, label)| (whole(place((x.0, at)).1) / DOTS_DOWN, label)).collect();
     let x_ticks = panel.x.ticks(x, dots.columns / 10 + 1);
-    let x_labels: Vec<(usize, String)> =
-        x_ticks.marks.into_iter().map(|(at, label)| (whole(place((at, y.0)).0) / ACROSS, label)).collect();
+    let x_labels: Vec<(usize, String)> = x_ticks
+        .marks
+        .into_iter()
+        .map(|(at, label)| (whole(place((at, y.0)).0) / DOTS_ACROSS, label))
+        .collect();
     lines.into_iter().for_each(|(from, to)| dots.line(from, to));
 
     let mut text = format!("{}\n", panel.y.label);
@@ -74,10 +77,10 @@ fn below(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
 }
 
 /// Dots in a letter, from left to right and from top to bottom.
-const ACROSS: usize = 2;
-const DOWN: usize = 4;
+const DOTS_ACROSS: usize = 2;
+const DOTS_DOWN: usize = 4;
 /// The bit of each dot of a letter, row by row, as Unicode numbers them.
-const BITS: [[u8; ACROSS]; DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+const DOT_BITS: [[u8; DOTS_ACROSS]; DOTS_DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
 struct Dots {
     columns: usize,
@@ -90,11 +93,11 @@ impl Dots {
     }
 
     fn across(&self) -> usize {
-        self.columns * ACROSS
+        self.columns * DOTS_ACROSS
     }
 
     fn down(&self) -> usize {
-        self.letters.len() / self.columns * DOWN
+        self.letters.len() / self.columns * DOTS_DOWN
     }
 
     fn line(&mut self, from: Point, to: Point) {
@@ -107,8 +110,8 @@ impl Dots {
     }
 
     fn set(&mut self, x: usize, y: usize) {
-        if let Some(letter) = self.letters.get_mut(y / DOWN * self.columns + x / ACROSS) {
-            *letter |= BITS[y % DOWN][x % ACROSS];
+        if let Some(letter) = self.letters.get_mut(y / DOTS_DOWN * self.columns + x / DOTS_ACROSS) {
+            *letter |= DOT_BITS[y % DOTS_DOWN][x % DOTS_ACROSS];
         }
     }
 

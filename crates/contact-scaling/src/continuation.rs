@@ -17,7 +17,7 @@ pub struct Step {
     pub dissipation_factor: f64,
 }
 
-/// More steps than anybody climbs, and few enough for the memory of any computer.
+/// The largest number of steps: more than anybody takes, and few enough for the memory of any computer.
 pub const MOST_STEPS: u32 = 100_000;
 
 /// Ratio of the composite moduli that belong to two dimensionless stiffnesses at one load,

@@ -231,9 +231,9 @@ fn first_rest(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64,
 /// The root of `value` by Newton's method from `start`. It is a guess: nothing says that the steps end at a root.
 fn newton_root(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
     // Each step doubles the digits that are right.
-    const STEPS: usize = 8;
+    const MOST_NEWTON_STEPS: usize = 8;
     let mut x = start;
-    for _ in 0..STEPS {
+    for _ in 0..MOST_NEWTON_STEPS {
         let next = x - value(x) / slope(x);
         let is_there = (next - x).abs() <= 1e-14 * next.abs();
         x = next;
@@ -278,8 +278,8 @@ fn smallest_transition(spheres: &[RaisedSpheres]) -> Option<f64> {
 /// [`bisect`] are. A bad guess costs two evaluations; NaN, which means no guess, costs none.
 fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -> f64 {
     // Far more than rounding moves the point, and far less than a guess is to be wrong.
-    const NEAR: f64 = 1e-12;
-    let near = NEAR * guess.abs().max(within - out);
+    const ROOT_TOLERANCE: f64 = 1e-12;
+    let near = ROOT_TOLERANCE * guess.abs().max(within - out);
     let (before, after) = (guess - near, guess + near);
     let is_close =
         guess.is_finite() && (before <= out || !holds(before)) && (within <= after || holds(after));

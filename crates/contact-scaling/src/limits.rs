@@ -5,12 +5,12 @@ use std::fmt;
 /// A design that asks for a limit gets it except for the last bits, which counts as within.
 const LAST_BITS: f64 = 1e-9;
 
-/// On which side of a limit a figure has to be.
+/// The side of a limit on which a figure has to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
-    /// Not above it.
+    /// The figure is not above the limit.
     AtMost,
-    /// Not below it.
+    /// The figure is not below the limit.
     AtLeast,
 }
 
@@ -54,7 +54,7 @@ impl Limit {
         }
     }
 
-    /// For sentences: `at most 0.16`.
+    /// The limit for sentences: `at most 0.16`.
     #[must_use]
     pub fn in_words(&self) -> String {
         let side = match self.bound {
@@ -65,7 +65,7 @@ impl Limit {
     }
 }
 
-/// For tables: `<= 0.16`.
+/// The limit for tables: `<= 0.16`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let side = match self.bound {

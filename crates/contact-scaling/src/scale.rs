@@ -341,23 +341,23 @@ mod tests {
 
     use super::*;
 
-    const HUMAN: ScaleValues =
+    const HUMAN_SCALE: ScaleValues =
         ScaleValues { mass_kg: 62.0, radius_m: 0.032, sphere_count: 6.0, gravity_m_s2: 9.81 };
 
     #[test]
     fn every_field_is_checked_by_name() {
         let refused = |values| Scale::new(values).unwrap_err().quantity();
-        assert_eq!(refused(ScaleValues { mass_kg: 0.0, ..HUMAN }), "mass");
-        assert_eq!(refused(ScaleValues { radius_m: f64::NAN, ..HUMAN }), "sphere radius");
-        assert_eq!(refused(ScaleValues { sphere_count: 0.5, ..HUMAN }), "sphere count");
-        assert_eq!(refused(ScaleValues { gravity_m_s2: 0.0, ..HUMAN }), "gravity");
+        assert_eq!(refused(ScaleValues { mass_kg: 0.0, ..HUMAN_SCALE }), "mass");
+        assert_eq!(refused(ScaleValues { radius_m: f64::NAN, ..HUMAN_SCALE }), "sphere radius");
+        assert_eq!(refused(ScaleValues { sphere_count: 0.5, ..HUMAN_SCALE }), "sphere count");
+        assert_eq!(refused(ScaleValues { gravity_m_s2: 0.0, ..HUMAN_SCALE }), "gravity");
     }
 
     #[test]
     fn reference_quantities_have_their_dimensions() {
         // Other units: metres × 2, kilograms × 3, seconds × 5.
         let (l, m, t) = (2.0, 3.0, 5.0);
-        let a = Scale::new(HUMAN).unwrap();
+        let a = Scale::new(HUMAN_SCALE).unwrap();
         let b = Scale::new(ScaleValues {
             mass_kg: 62.0 * m,
             radius_m: 0.032 * l,
@@ -375,7 +375,7 @@ mod tests {
     type Factor = fn(&Ratios) -> f64;
 
     /// Each factor with its exponents in μ, ν, ρ, γ (theory: the table under (C.10)).
-    const FACTORS: [(&str, Factor, [f64; 4]); 8] = [
+    const FACTORS_AND_EXPONENTS: [(&str, Factor, [f64; 4]); 8] = [
         ("stiffness", Ratios::plane_strain_modulus, [1.0, 1.0, -2.0, 1.0]),
         ("dissipation", Ratios::dissipation, [0.0, 0.0, -0.5, -0.5]),
         ("dissipation by mass", Ratios::dissipation_by_mass, [-1.0 / 6.0, 0.0, 0.0, -0.5]),
@@ -388,7 +388,7 @@ mod tests {
 
     #[test]
     fn identity_is_exactly_one_in_every_factor() {
-        for (name, factor, _) in FACTORS {
+        for (name, factor, _) in FACTORS_AND_EXPONENTS {
             assert_eq!(factor(&Ratios::identity()), 1.0, "{name}");
             assert_eq!(factor(&Ratios::isometric(1.0).unwrap()), 1.0, "{name}");
         }
@@ -427,7 +427,7 @@ mod tests {
     proptest! {
         #[test]
         fn factors_are_the_declared_powers(r in any_ratios()) {
-            for (name, factor, [mu, nu, rho, gamma]) in FACTORS {
+            for (name, factor, [mu, nu, rho, gamma]) in FACTORS_AND_EXPONENTS {
                 let expected = r.mass().powf(mu) * r.sphere_count().powf(-nu) * r.radius().powf(rho) * r.gravity().powf(gamma);
                 prop_assert!((factor(&r) / expected - 1.0).abs() < 1e-13, "{name}");
             }
@@ -441,7 +441,7 @@ mod tests {
                 radius: a.radius() * b.radius(),
                 gravity: a.gravity() * b.gravity(),
             }).unwrap();
-            for (name, factor, _) in FACTORS {
+            for (name, factor, _) in FACTORS_AND_EXPONENTS {
                 prop_assert!((factor(&a) * factor(&b) / factor(&direct) - 1.0).abs() < 1e-14, "{name}");
             }
         }

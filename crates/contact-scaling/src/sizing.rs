@@ -223,11 +223,11 @@ mod tests {
     use super::*;
 
     /// Table 1's human at body weight: 62 · 9.81 / 6 N, R, and mpmath 1.4.1's x̂, E*, k for E₁* = 1 MPa.
-    const HUMAN: [f64; 5] =
+    const HUMAN_AT_BODY_WEIGHT: [f64; 5] =
         [101.37, 0.032, 0.353_300_157_597_401_94, 353_553.390_593_273_76, 13_449.523_437_277_24];
 
     fn quantities_of_mask(mask: usize) -> KnownQuantities {
-        let pick = |i: usize| (mask & (1 << i) != 0).then(|| HUMAN[i]);
+        let pick = |i: usize| (mask & (1 << i) != 0).then(|| HUMAN_AT_BODY_WEIGHT[i]);
         KnownQuantities {
             load_per_sphere_n: pick(0),
             radius_m: pick(1),
@@ -241,7 +241,7 @@ mod tests {
     fn any_three_give_the_rest() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
             let sizing = quantities_of_mask(mask).solve().unwrap();
-            for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN) {
+            for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN_AT_BODY_WEIGHT) {
                 assert!((found / expected - 1.0).abs() < 1e-12, "{mask:05b} {name} {found} {expected}");
             }
         }

@@ -46,7 +46,7 @@ pub enum Column {
 }
 
 impl Column {
-    /// All, in the order of the table.
+    /// All columns, in the order of the table.
     pub const ALL: [Self; 6] = [
         Self::CompositeModulus,
         Self::PlaneStrainModulus,
@@ -153,7 +153,8 @@ impl Compared {
         self.is_near(self.computed)
     }
 
-    /// Whether it is not, but the number from the rounded one of the human is: then the paper has computed it so.
+    /// Whether the printed number is not that from the exact one of the human, but that from the rounded one: then the paper has computed
+    /// it so.
     #[must_use]
     pub fn is_from_rounded(&self) -> bool {
         !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.is_near(value))

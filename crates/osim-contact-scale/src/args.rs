@@ -20,7 +20,7 @@ macro_rules! equations {
     };
 }
 
-const NAME: &str = env!("CARGO_PKG_NAME");
+const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
 const USAGE: &str = concat!("osim-contact-scale [OPTIONS] [MODEL]...\n", "       osim-contact-scale <VERB>");
 
@@ -57,10 +57,10 @@ impl OwnVerb {
     pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
         match self {
             Self::Help(args) => Some(match args.verb.as_deref() {
-                Some(verb) => vec![NAME, verb, "--help"],
-                None => vec![NAME, "-h"],
+                Some(verb) => vec![PROGRAM_NAME, verb, "--help"],
+                None => vec![PROGRAM_NAME, "-h"],
             }),
-            Self::Version => Some(vec![NAME, "--version"]),
+            Self::Version => Some(vec![PROGRAM_NAME, "--version"]),
             _ => None,
         }
     }
@@ -115,7 +115,7 @@ fn listing(has_options: impl Fn(Verb) -> bool) -> Command {
 }
 
 fn root() -> Command {
-    Command::new(NAME)
+    Command::new(PROGRAM_NAME)
         .version(env!("CARGO_PKG_VERSION"))
         .override_usage(USAGE)
         .args_conflicts_with_subcommands(true)
@@ -270,15 +270,15 @@ fn verbs_of(group: VerbGroup) -> impl Iterator<Item = &'static str> {
 }
 
 /// The options of a call without a verb that its short help shows: rescale has them all.
-const SHOWN: [&str; 8] =
+const OPTIONS_OF_SHORT_HELP: [&str; 8] =
     ["models", "target_mass", "contacts_mass", "output", "in_place", "dry_run", "report", "help"];
 
 /// Lines are no longer than clap makes them.
-const LONGEST: usize = 100;
+const LONGEST_LINE: usize = 100;
 
 /// The parser with a help that shows examples first, and the verbs in groups.
 fn in_groups(command: Command, columns: Option<usize>) -> Command {
-    let width = columns.map_or(LONGEST, |columns| columns.min(LONGEST));
+    let width = columns.map_or(LONGEST_LINE, |columns| columns.min(LONGEST_LINE));
     let header = *Styles::styled().get_header();
     let name = command.get_name();
     let lines: Vec<String> = EXAMPLES
@@ -305,7 +305,7 @@ fn in_groups(command: Command, columns: Option<usize>) -> Command {
     );
     // What is hidden is in no list of clap's; it is found all the same.
     command.help_template(template).mut_subcommands(|verb| verb.hide(true)).mut_args(|argument| {
-        let is_shown = SHOWN.contains(&argument.get_id().as_str());
+        let is_shown = OPTIONS_OF_SHORT_HELP.contains(&argument.get_id().as_str());
         if is_shown { argument } else { argument.hide_short_help(true) }
     })
 }

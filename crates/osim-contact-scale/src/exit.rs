@@ -58,43 +58,44 @@ pub(crate) fn exit_of_cause(cause: Cause) -> Exit {
 //
 // A limit on the size of files (`ulimit -f`) is met like a full disk, not by ending the program.
 
-static CAME: AtomicBool = AtomicBool::new(false);
+static STOP_REQUESTED: AtomicBool = AtomicBool::new(false);
 
 /// Ctrl-C, and what else asks a program to end: a batch system that stops a job, a terminal that closes.
 #[cfg(unix)]
-const REQUESTS: [c_int; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
+const STOP_SIGNALS: [c_int; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
 /// Ctrl-C and Ctrl-Break. Windows itself ends a program whose window closes, whatever it listens to.
 #[cfg(windows)]
-const REQUESTS: [c_int; 2] = [consts::SIGINT, consts::SIGBREAK];
+const STOP_SIGNALS: [c_int; 2] = [consts::SIGINT, consts::SIGBREAK];
 
-/// From now on Ctrl-C is a wish, not an end.
+/// Makes Ctrl-C a request to stop after the models in hand.
 pub(crate) fn listen() {
-    static ONCE: Once = Once::new();
-    ONCE.call_once(|| {
-        for signal in REQUESTS {
+    static LISTENING: Once = Once::new();
+    LISTENING.call_once(|| {
+        for signal in STOP_SIGNALS {
             // In this order, so that the first one finds nothing yet that would end the program. What the second one
             // leaves behind has a temporary name, and the next run removes it. Where a signal cannot be caught, it
             // ends the program as ever: no file is torn by that.
-            let end = flag::register_conditional_shutdown(signal, Exit::Interrupted.code().into(), &CAME);
-            drop(end.and_then(|_| flag::register(signal, &CAME)));
+            let end =
+                flag::register_conditional_shutdown(signal, Exit::Interrupted.code().into(), &STOP_REQUESTED);
+            drop(end.and_then(|_| flag::register(signal, &STOP_REQUESTED)));
         }
     });
 }
 
-/// From now on a file that grows beyond the limit is an error of that file.
+/// Makes the growth of a file beyond the limit an error of that file, and no end of the program.
 #[cfg(unix)]
 pub(crate) fn outlive_size_limit() {
-    static MET: AtomicBool = AtomicBool::new(false);
+    static SIZE_LIMIT_MET: AtomicBool = AtomicBool::new(false);
     // Where it cannot be caught, it ends the program as ever: no file is torn by that.
-    drop(flag::register(consts::SIGXFSZ, &MET));
+    drop(flag::register(consts::SIGXFSZ, &SIZE_LIMIT_MET));
 }
 
 #[cfg(not(unix))]
 pub(crate) fn outlive_size_limit() {}
 
-/// Whether it was pressed.
+/// Whether Ctrl-C was pressed, or another program asked this one to end.
 pub(crate) fn came() -> bool {
-    CAME.load(Ordering::Relaxed)
+    STOP_REQUESTED.load(Ordering::Relaxed)
 }
 
 // What went wrong with one model, as one line and a snippet of the file.

@@ -21,7 +21,7 @@ use crate::terminal::Terminal;
 pub(crate) struct Session {
     /// Output streams of the call.
     pub terminal: Terminal,
-    /// How it spells what the reader can say.
+    /// The language in which the call spells options and calls.
     pub words: Words,
 }
 

@@ -33,7 +33,7 @@ impl Terminal {
         }
     }
 
-    /// From now on a program reads what people would read: no line is broken.
+    /// Breaks no line from now on, because a program reads what people would read.
     pub(crate) fn never_break(&mut self) {
         (self.out, self.err) = (None, None);
     }

@@ -99,7 +99,7 @@ impl LoadSharing {
         Self { limbs: model.limbs(&forces), forces }
     }
 
-    /// For a model in which no force can be chosen.
+    /// The load of a model in which no force can be chosen.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }

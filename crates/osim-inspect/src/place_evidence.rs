@@ -308,9 +308,9 @@ fn published_name(body: &str) -> &str {
 }
 
 fn layouts() -> &'static [PublishedLayout] {
-    static LAYOUTS: OnceLock<Vec<PublishedLayout>> = OnceLock::new();
+    static PUBLISHED_LAYOUTS: OnceLock<Vec<PublishedLayout>> = OnceLock::new();
     // A test checks that the table can be read.
-    LAYOUTS.get_or_init(|| serde_json::from_str(include_str!("layouts.json")).unwrap_or_default())
+    PUBLISHED_LAYOUTS.get_or_init(|| serde_json::from_str(include_str!("layouts.json")).unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -47,7 +47,7 @@ impl Quantity {
         Self { label, ..self }
     }
 
-    /// With the number of its equation in the paper; an empty text means none.
+    /// The quantity with the number of its equation in the paper; an empty text means none.
     pub const fn by_equation(self, equation: &'static str) -> Self {
         Self { equation, ..self }
     }
@@ -56,12 +56,12 @@ impl Quantity {
         Self { limit: Some(limit), ..self }
     }
 
-    /// With a sentence that says what the quantity is.
+    /// The quantity with a sentence that says what it is.
     pub const fn with_meaning(self, meaning: &'static str) -> Self {
         Self { meaning, ..self }
     }
 
-    /// With a name of its column in tables of models, in words and without the unit.
+    /// The quantity with a name of its column in tables of models, in words and without the unit.
     pub(crate) const fn with_column(self, column: &'static str) -> Self {
         Self { column, ..self }
     }

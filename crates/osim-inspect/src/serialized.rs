@@ -19,7 +19,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 pub struct FindingRecord {
     /// The finding's code, a short name that does not change.
     pub code: &'static str,
-    /// How bad it is: `error`, `warning` or `remark`.
+    /// Severity of the finding: `error`, `warning` or `remark`.
     pub severity: &'static str,
     /// Message of the finding, in words.
     pub message: String,

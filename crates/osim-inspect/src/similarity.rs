@@ -99,7 +99,7 @@ impl SizeList {
         more_than_bodies || !self.not_read.is_empty()
     }
 
-    /// Whether it compares two models; else it says what would follow a mass.
+    /// Whether the list compares two models; else it says what would follow a mass.
     pub fn is_of_two_models(&self) -> bool {
         self.kinds.iter().any(|row| row.verdict.is_some())
     }

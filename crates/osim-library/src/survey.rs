@@ -29,7 +29,7 @@ pub struct Survey<'s> {
     pub sources: &'s Sources,
     /// Files in memory, which go before those on the disk.
     pub memory: &'s BTreeMap<PathBuf, Vec<u8>>,
-    /// How they are inspected.
+    /// The inspector of all models.
     pub inspector: &'s Inspector,
     /// The options of the page.
     pub report: &'s ReportOptions,
@@ -249,7 +249,7 @@ pub struct SurveyText {
 }
 
 impl SurveyText {
-    /// For a front end in which several models cannot be asked for in full: the text does not name the option.
+    /// The survey for a front end in which several models cannot be asked for in full: the text does not name the option.
     pub fn without_full(self) -> Self {
         Self { names_full: false, ..self }
     }

@@ -21,7 +21,7 @@ pub struct Comparison {
     pub measured_peak_n: f64,
     /// Root mean square of the distance between both centres of pressure, m; `None` if no frame has both.
     pub cop_rms_m: Option<f64>,
-    /// In how many frames both have a centre of pressure.
+    /// The number of frames in which model and plates have a centre of pressure.
     pub cop_frames: usize,
 }
 

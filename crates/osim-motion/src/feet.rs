@@ -60,7 +60,7 @@ fn filter_pairs(states: &ContactStates, is_wanted: impl Fn(usize) -> bool) -> Ve
     (0..states.pairs.len()).filter(|&index| is_wanted(index)).collect()
 }
 
-/// For each sphere the pairs through which the ground pushes.
+/// The pairs through which the ground pushes each sphere.
 fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> {
     let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
     for index in filter_pairs(states, |index| is_reaction(states, index)) {
@@ -109,9 +109,9 @@ pub(crate) const OFF_BW: f64 = 0.03;
 pub struct Stance {
     pub first: usize,
     pub last: usize,
-    /// When the foot touches down, s; `None` if the recording begins in the stance, or the force before is not known.
+    /// Time at which the foot touches down, s; `None` if the recording begins in the stance, or the force before is not known.
     pub on_s: Option<f64>,
-    /// When the foot lifts off, s; `None` if the recording ends in the stance, or the force after is not known.
+    /// Time at which the foot lifts off, s; `None` if the recording ends in the stance, or the force after is not known.
     pub off_s: Option<f64>,
 }
 
@@ -140,7 +140,7 @@ impl Stance {
         stances
     }
 
-    /// How long it lasts, s; `None` if an end is not known.
+    /// Duration of the stance, s; `None` if an end is not known.
     pub fn duration_s(&self) -> Option<f64> {
         Some(self.off_s? - self.on_s?)
     }
@@ -150,7 +150,7 @@ impl Stance {
     }
 }
 
-/// When a value passes `level` between a frame and the one before; `None` if one of both is not known.
+/// The time at which a value passes `level` between a frame and the one before; `None` if one of both is not known.
 fn crossing_time(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
     let before = frame.checked_sub(1)?;
     let (t0, t1) = (*time_s.get(before)?, *time_s.get(frame)?);

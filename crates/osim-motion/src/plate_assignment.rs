@@ -7,14 +7,14 @@ use crate::feet::{Foot, OFF_BW, ON_BW};
 use crate::plates::Plate;
 use crate::states::{ContactState, ContactStates, Wrench};
 
-/// How it is known which foot a plate measured.
+/// The evidence for the foot that a plate measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AssignedBy {
-    /// By the body that the plate's load is applied to.
+    /// The body that the plate's load is applied to.
     Loads,
-    /// By the side in the name of the plate's columns.
+    /// The side in the name of the plate's columns.
     Name,
-    /// In each frame by the foot nearest to the centre of pressure, of those that may be on the plate.
+    /// In each frame the foot nearest to the centre of pressure, of those that may be on the plate.
     Nearest,
     OnlyFoot,
 }
@@ -38,11 +38,11 @@ pub struct MeasuredForces {
     /// The force for each foot and frame; `None` if a plate that the foot may be on has no data or no known foot, or the foot stands beside the
     /// plates.
     pub feet: Vec<Vec<Option<Wrench>>>,
-    /// For each foot the number of frames in which it seems to stand beside the plates.
+    /// The number of frames in which each foot seems to stand beside the plates.
     pub beside: Vec<usize>,
-    /// For each frame the force of all plates; `None` if one has no data, or a foot stands beside the plates.
+    /// The force of all plates in each frame; `None` if one has no data, or a foot stands beside the plates.
     pub total: Vec<Option<Wrench>>,
-    /// For each foot whether all its plates have centres of pressure; if not, its centre of pressure is not known.
+    /// Whether all plates of each foot have centres of pressure; if not, its centre of pressure is not known.
     pub has_points: Vec<bool>,
 }
 
@@ -185,8 +185,8 @@ const LOADED_BW: f64 = 0.5;
 /// The least depth of a foot on a plate is this quantile of its depths in the frames with a force.
 const LEAST_DEPTH_QUANTILE: f64 = 0.05;
 
-/// For each frame whether `foot` stands beside the plates: it comes as low as it usually is on a plate, and is as still, but no plate measures a
-/// force. Frames before and after count, too, while the foot is as low as on plates.
+/// The frames in which `foot` stands beside the plates: it comes as low as it usually is on a plate, and is as still, but no plate measures
+/// a force. Frames before and after count, too, while the foot is as low as on plates.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,

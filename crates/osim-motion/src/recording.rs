@@ -13,7 +13,7 @@ use crate::table::{AngleUnit, MotionFault, Table};
 /// A quintic spline needs at least so many rows.
 const LEAST_ROWS: usize = 6;
 /// Couplers that depend on each other are applied at most so many times.
-const MOST_PASSES: usize = 8;
+const MOST_COUPLER_PASSES: usize = 8;
 /// An angle beyond this is probably not in radians, rad.
 const FULL_TURN: f64 = std::f64::consts::TAU;
 
@@ -38,7 +38,7 @@ pub struct Recording {
     values: Vec<f64>,
     /// Frame by frame, rad/s or m/s.
     speeds: Vec<f64>,
-    /// For each joint whether its speeds are OpenSim's generalised speeds; if not, they are derivatives of its values.
+    /// Whether each joint's speeds are OpenSim's generalised speeds; if not, they are derivatives of its values.
     pub(crate) has_opensim_speeds: Vec<bool>,
 }
 
@@ -212,7 +212,7 @@ impl Recording {
         }
         let count = self.coordinates.len();
         for (values, speeds) in self.values.chunks_exact_mut(count).zip(self.speeds.chunks_exact_mut(count)) {
-            for _ in 0..MOST_PASSES {
+            for _ in 0..MOST_COUPLER_PASSES {
                 let mut changed = false;
                 for (coupler, from, to) in &applied {
                     let at = values.get(*from).copied().zip(speeds.get(*from).copied());
@@ -309,9 +309,9 @@ fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64
 // The low-pass filter of movement analysis.
 
 /// The order of the filter in one direction. It is applied forward and backward, so that nothing is delayed and the order doubles to 4.
-const ORDER: usize = 2;
+const FILTER_ORDER: usize = 2;
 /// The filter mirrors so many rows at both ends; there must be one more row.
-const MIRRORED_ROWS: usize = 3 * ORDER;
+const MIRRORED_ROWS: usize = 3 * FILTER_ORDER;
 
 /// `values` of the rows of `table` through a zero-lag Butterworth low-pass filter of 4th order.
 ///
@@ -334,7 +334,7 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
     if values.len() <= MIRRORED_ROWS {
         return Err(too_few());
     }
-    let filter = Filter::new(ORDER, rate_hz, Cutoff::LowPass(cutoff_hz));
+    let filter = Filter::new(FILTER_ORDER, rate_hz, Cutoff::LowPass(cutoff_hz));
     let filtered = filter.and_then(|filter| filter.bidirectional(&values.to_vec()));
     let filtered = filtered.map_err(|_| too_few())?;
     if !filtered.iter().all(|value| value.is_finite()) {

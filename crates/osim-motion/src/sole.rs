@@ -9,9 +9,9 @@ use crate::states::{ContactStates, Wrench};
 use crate::summary::FootSummary;
 
 /// If the middles of the left and the right spheres are closer than this, it is not known what is right, m.
-const LEAST_APART_M: f64 = 1e-3;
+const LEAST_DISTANCE_OF_SIDES_M: f64 = 1e-3;
 
-/// For each pair of `states` the direction into the floor at the default pose, of length 1 and in the frame of the sphere's body.
+/// The direction of each pair of `states` into the floor at the default pose, of length 1 and in the frame of the sphere's body.
 pub(crate) fn down_in_bodies(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
     let pose = DefaultPose::of(model);
     let each = states.pairs.iter().map(|pair| {
@@ -46,7 +46,7 @@ pub(crate) fn forward(left_to_right: DVec3, up: DVec3) -> DVec3 {
     let flat = left_to_right - left_to_right.dot(up) * up;
     let length = flat.length();
     // Also false where a side has no spheres.
-    let is_known = length > LEAST_APART_M;
+    let is_known = length > LEAST_DISTANCE_OF_SIDES_M;
     if is_known { up.cross(flat / length) } else { ViewAxes::with_up(up).forward }
 }
 

@@ -85,7 +85,7 @@ pub struct Summary {
     /// Body weight, N, by which forces are divided.
     pub weight_n: f64,
     pub feet: Vec<FootSummary>,
-    /// All feet together, frame by frame.
+    /// Forces of all feet together, frame by frame.
     pub total: Vec<Wrench>,
     /// The largest force of all feet along the normal, N.
     pub peak_n: f64,

@@ -14,7 +14,7 @@
 pub struct Table {
     /// The time of each row, s, rising.
     pub time_s: Vec<f64>,
-    /// All other columns, in the order of the file.
+    /// All columns but the time, in the order of the file.
     pub columns: Vec<Column>,
     /// The unit of angles, if the header says it.
     pub declared: Option<AngleUnit>,
@@ -166,7 +166,7 @@ fn check_rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
 // Names and numbers below the header.
 
 /// Messages show at most so many letters of a text of the file.
-const MOST_SHOWN: usize = 40;
+const MOST_LETTERS_SHOWN: usize = 40;
 
 impl Table {
     /// Reads the bytes of a file.
@@ -252,7 +252,7 @@ fn parse_number(cell: &str, column: &str, line: usize) -> Result<f64, MotionFaul
 }
 
 fn shortened(text: &str) -> String {
-    match text.char_indices().nth(MOST_SHOWN) {
+    match text.char_indices().nth(MOST_LETTERS_SHOWN) {
         Some((end, _)) => format!("{}...", text.get(..end).unwrap_or_default()),
         None => text.to_owned(),
     }
@@ -309,7 +309,7 @@ impl Table {
 pub struct MotionFault {
     /// The line in the file, from 1; `None` if the error is about the whole file.
     pub line: Option<usize>,
-    /// In words; texts from the file are quoted in it.
+    /// The message; texts from the file are quoted in it.
     pub message: String,
     /// Whether the caller has to give the unit of angles, because the file does not.
     pub needs_angles: bool,

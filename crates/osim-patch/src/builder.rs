@@ -11,7 +11,7 @@ use osim_model::{
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
 
 /// Relative rounding error of a few multiplications.
-const SAME_VALUE: f64 = 1e-14;
+const ROUNDING_OF_FACTORS: f64 = 1e-14;
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NewValue {
@@ -105,7 +105,7 @@ impl<'m> PlanBuilder<'m> {
     pub(crate) fn move_sphere(&mut self, sphere: SphereId, to: [f64; 3], by: ChangedBy) -> Result<(), Fault> {
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let from = sphere.location_m;
-        let close = |(a, b): (f64, f64)| (a - b).abs() <= SAME_VALUE * a.abs().max(b.abs());
+        let close = |(a, b): (f64, f64)| (a - b).abs() <= ROUNDING_OF_FACTORS * a.abs().max(b.abs());
         if from.into_iter().zip(to).all(close) {
             return Ok(());
         }
@@ -168,7 +168,7 @@ impl<'m> PlanBuilder<'m> {
         change.check()?;
         // A value that is computed again may differ in its last bits and mean the same; a given one is taken exactly.
         let computed = change.factor.is_none() && change.by != ChangedBy::Given;
-        let same = computed && (change.to - change.from).abs() <= SAME_VALUE * change.from.abs();
+        let same = computed && (change.to - change.from).abs() <= ROUNDING_OF_FACTORS * change.from.abs();
         if same || change.to.to_bits() == change.from.to_bits() {
             return Ok(());
         }

@@ -255,7 +255,7 @@ pub(crate) struct GravityChange {
 }
 
 impl GravityChange {
-    /// From gravity `now` to `target`; `now_for` is for the error if `now` is not known.
+    /// The change from gravity `now` to `target`; `now_for` is for the error if `now` is not known.
     ///
     /// # Errors
     /// A target that is not above 0, or a gravity that nobody knows.

@@ -20,10 +20,10 @@ use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DesignModulus {
-    /// By (11): this relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what
-    /// (C.9) leaves of it at rest, carries the load.
+    /// By (11), a relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what (C.9) leaves of
+    /// it at rest, carries the load.
     Indentation(f64),
-    /// By (A.1) and (A.5): this Young's modulus (N/m²) and Poisson's ratio on rigid ground.
+    /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young {
         /// E, N/m².
         young_n_m2: f64,

@@ -41,12 +41,12 @@ pub struct Edit {
 #[derive(Debug, Clone)]
 pub struct Patch<'b> {
     bytes: &'b [u8],
-    /// By place, without overlaps.
+    /// Edits sorted by place, without overlaps.
     edits: Vec<Edit>,
 }
 
 impl<'b> Patch<'b> {
-    /// All of `edits` or none. Edits at the same place are applied in the order given.
+    /// Takes all of `edits` or none. Edits at the same place are applied in the order given.
     ///
     /// # Errors
     /// Two edits overlap, or one reaches past the end ([`FaultKind::OverlappingEdits`]).

@@ -139,7 +139,7 @@ fn is_white(text: &str) -> bool {
     text.trim_ascii().is_empty()
 }
 
-/// By how much the children of `parent` are indented against it; a tab where that cannot be seen.
+/// The indentation of `parent`'s children against it; a tab where that cannot be seen.
 pub(crate) fn indentation_unit(tree: &Tree, parent: ElementId) -> &str {
     let of = |element| indentation_of(tree, tree.span(element).start);
     let child = tree.children(parent).next();
@@ -204,7 +204,7 @@ fn comments(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = R
 /// An element without content, and the white space for its children.
 struct EmptyElement<'t> {
     name: &'t str,
-    /// From the end of the start tag (or its `/>`) to the end of the element.
+    /// Bytes from the end of the start tag (or its `/>`) to the end of the element.
     span: Range<usize>,
     /// `>` where a `/>` is taken away, else nothing.
     closes_tag: &'static str,

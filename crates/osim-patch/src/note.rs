@@ -134,7 +134,7 @@ pub(crate) struct KeptMass {
 }
 
 impl KeptMass {
-    /// After a change of `model`, for whose contacts `contacts_mass` is known or taken:
+    /// The mass that a note keeps after a change of `model`, for whose contacts `contacts_mass` is known or taken:
     ///
     /// | the note before | who says the mass | the note afterwards |
     /// |---|---|---|

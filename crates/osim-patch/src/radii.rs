@@ -195,7 +195,7 @@ impl SphereRule {
     }
 }
 
-/// For each sphere, the forces that use it but are not changed with it.
+/// The forces that use a sphere but are not changed with it, for each sphere.
 pub(crate) struct UnchangedUsers<'m> {
     forces: HashMap<SphereId, Vec<&'m str>>,
     /// Forces of classes that do not follow Hertz, by sphere name.

@@ -101,7 +101,7 @@ pub struct Rescale {
     pub contacts_gravity_m_s2: Option<f64>,
     /// Move sphere centres so that their bottoms stay where they are.
     pub level: Option<LevelAxis>,
-    /// By how much OpenSim scaled the bodies, where their spheres are to follow.
+    /// The factors by which OpenSim scaled the bodies, where their spheres are to follow.
     pub bodies: Option<ScaleFile>,
 }
 

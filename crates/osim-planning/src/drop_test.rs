@@ -266,20 +266,20 @@ struct Entry {
 
 /// How to get a figure.
 enum FigureValue {
-    /// Every drop has it.
+    /// A figure that every drop has.
     Always(fn(&DropResult) -> f64),
-    /// Only some drops have it, for example those that lift off again.
+    /// A figure of some drops, for example those that lift off again.
     Shown(fn(&DropResult) -> Option<f64>),
 }
 
 /// The part of the table that shows a figure; JSON has all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropRow {
-    /// Not in the table: the line above has it, or it is not shown.
+    /// The figure is not in the table: the line above has it, or it is not shown.
     Nowhere,
-    /// In the order of the register.
+    /// The figure is in the order of the register.
     InOrder,
-    /// After all others.
+    /// The figure comes after all others.
     Last,
 }
 

@@ -1,4 +1,4 @@
-//! From a request and its models to a plan; sweeps, calculators, drop tests, fits and tables of rows.
+//! The way from a request and its models to a plan; sweeps, calculators, drop tests, fits and tables of rows.
 //!
 //! ```
 //! use osim_model::Model;

@@ -114,7 +114,8 @@ pub fn hard_linked(path: &Path, others: u64) -> Finding {
 
 /// Bodies of feet whose meshes are read at most. Each mesh is a file.
 const MOST_FEET_BODIES: usize = 40;
-/// In a model with more bodies and without spheres, bodies near the ground are not searched: that takes longer than all other rules.
+/// The number of bodies above which bodies near the ground are not searched if the model has no spheres: that takes longer than all other
+/// rules.
 const MOST_BODIES_TO_SEARCH: usize = 200;
 
 static ODD_MESH: Rule = Rule {

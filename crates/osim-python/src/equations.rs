@@ -12,7 +12,7 @@ use crate::scaling::{
 };
 
 /// The placeholder for the place of an element in a message; only Python knows the shapes of its arrays.
-const PLACE: &str = "{}";
+const PLACE_OF_ELEMENT: &str = "{}";
 
 /// A refusal: the argument, the element of the flattened array, and the message with `{}` for its place.
 type Refusal = (Option<&'static str>, Option<usize>, String);
@@ -141,7 +141,11 @@ fn unknown(name: &str) -> Problem {
 }
 
 fn refusal(failure: &Failure) -> Refusal {
-    (failure.parameter, failure.index, failure.message(if failure.index.is_some() { PLACE } else { "" }))
+    (
+        failure.parameter,
+        failure.index,
+        failure.message(if failure.index.is_some() { PLACE_OF_ELEMENT } else { "" }),
+    )
 }
 
 fn floats(bytes: &[u8]) -> Vec<f64> {

@@ -180,7 +180,7 @@ impl From<RequestError> for Problem {
 const MAX_SHOWN_LETTERS: usize = 80;
 
 /// Words of serde and of the standard library, each with the words that replace them for Python.
-const REASONS: [(&str, &str); 6] = [
+const REASONS_IN_PYTHON: [(&str, &str); 6] = [
     ("expected a boolean", "expected True or False"),
     ("expected a sequence", "expected a text, or a list of texts"),
     ("expected a string", "expected a text"),
@@ -257,7 +257,7 @@ pub(crate) fn keyword_for_field(field: &str) -> Option<String> {
 fn reason_in_python(reason: &str) -> String {
     let expected = reason.find(", expected").filter(|_| reason.starts_with("invalid type: "));
     let reason = expected.and_then(|place| reason.get(place + 2..)).unwrap_or(reason);
-    REASONS.iter().fold(reason.to_owned(), |reason, (from, to)| reason.replace(from, to))
+    REASONS_IN_PYTHON.iter().fold(reason.to_owned(), |reason, (from, to)| reason.replace(from, to))
 }
 
 /// A value as Python writes it. `given` is a text as it is, and all else in JSON.

@@ -103,7 +103,7 @@ pub(crate) fn rescale_many<'py>(
         let (bytes, name, folder) = match table {
             Some(table) => {
                 request.manifest = None;
-                (table.to_vec(), TABLE.to_owned(), PathBuf::new())
+                (table.to_vec(), NAME_OF_TABLE.to_owned(), PathBuf::new())
             }
             None => {
                 let path = request.manifest.clone().unwrap_or_default();
@@ -125,10 +125,10 @@ pub(crate) fn rescale_many<'py>(
 }
 
 /// How messages call a table without a file.
-const TABLE: &str = "table";
+const NAME_OF_TABLE: &str = "table";
 
 fn with_table_name(mut fields: Map<String, Value>) -> Map<String, Value> {
-    fields.insert("manifest".to_owned(), TABLE.into());
+    fields.insert("manifest".to_owned(), NAME_OF_TABLE.into());
     fields
 }
 

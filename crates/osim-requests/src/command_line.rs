@@ -16,10 +16,10 @@ use crate::spell::CommandLine;
 use crate::values::{assignment, path};
 
 /// Models and assignments, which `set` has in one list of words.
-const ITEMS: &str = "items";
+const MODELS_AND_ASSIGNMENTS: &str = "items";
 
-/// After all usual options under a heading of the help.
-const LAST: usize = 1000;
+/// The place of options that come after all usual ones under a heading of the help.
+const ORDER_OF_LAST: usize = 1000;
 
 /// Adds the options of `verb`; with their texts where the parser has a help.
 ///
@@ -39,7 +39,7 @@ pub fn with_options(command: Command, verb: Verb) -> Command {
 }
 
 fn items() -> Arg {
-    Arg::new(ITEMS)
+    Arg::new(MODELS_AND_ASSIGNMENTS)
         .value_name("MODEL|PROPERTY=VALUE|PROPERTY=xFACTOR")
         .required(true)
         .num_args(1..)
@@ -103,7 +103,7 @@ fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
         Value::Number(number) => argument.default_value(number.as_f64().map(shortest).unwrap_or_default()),
         _ => argument,
     };
-    if option.is_rare { argument.hide_short_help(true).display_order(LAST) } else { argument }
+    if option.is_rare { argument.hide_short_help(true).display_order(ORDER_OF_LAST) } else { argument }
 }
 
 /// The request that was typed for `verb`; `is_file` says which words name files, although they look like assignments.

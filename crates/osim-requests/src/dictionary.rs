@@ -9,7 +9,7 @@ use serde_json::{Map, Number, Value};
 use crate::fault::{Relation, RequestFault};
 
 /// A name that is this like another was probably meant.
-const NEAR: usize = 2;
+const MOST_WRONG_LETTERS: usize = 2;
 
 /// Reads a request from its fields. A field that is null counts as absent. Of `relations`, only those that are `checked` must hold.
 ///
@@ -140,7 +140,7 @@ fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
     let likely = |name: &&String| {
         name.starts_with(field)
             || field.starts_with(name.as_str())
-            || strsim::osa_distance(name, field) <= NEAR
+            || strsim::osa_distance(name, field) <= MOST_WRONG_LETTERS
     };
     known.keys().filter(likely).min_by_key(|name| strsim::osa_distance(name, field)).cloned()
 }

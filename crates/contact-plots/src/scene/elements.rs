@@ -32,7 +32,7 @@ pub struct Ball {
     pub radius: f64,
     /// Which state it shows.
     pub state: State,
-    /// Whether it is outside of what it belongs to: then it is drawn so that nobody overlooks it.
+    /// Whether the circle is outside of what it belongs to: then it is drawn so that nobody overlooks it.
     pub misplaced: bool,
 }
 
@@ -70,7 +70,7 @@ pub struct Level {
 /// A thing from one side.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct View {
-    /// From where it is seen.
+    /// The direction from which the view is seen.
     pub title: String,
     /// Text along the horizontal axis, with its unit.
     pub x_label: String,

@@ -6,7 +6,7 @@
 use crate::figure::Point;
 
 /// Directions in which a place is tried, a circle in 16 parts; constants, as a picture is the same on every machine.
-const DIRECTIONS: [(f64, f64); 16] = [
+const LABEL_DIRECTIONS: [(f64, f64); 16] = [
     (1.0, 0.0),
     (-1.0, 0.0),
     (0.0, -1.0),
@@ -24,16 +24,16 @@ const DIRECTIONS: [(f64, f64); 16] = [
     (0.383, 0.924),
     (-0.383, 0.924),
 ];
-/// From a point to the nearest edge of its name, at least.
+/// The least distance from a point to the nearest edge of its name.
 const LEAST_DISTANCE_PT: f64 = 3.0;
 const STEP_PT: f64 = 3.5;
-const STEPS: u32 = 400;
-/// Between the boxes of two names.
+const MOST_DISTANCE_STEPS: u32 = 400;
+/// Distance between the boxes of two names.
 const LABEL_GAP_PT: f64 = 1.0;
 /// A name that is nearer to its point than this has no line to it.
 pub(super) const LEADER_PT: f64 = 5.0;
 /// How often all names are placed again, now that the others have their places.
-const ROUNDS: usize = 3;
+const PLACING_ROUNDS: usize = 3;
 
 /// Costs of a place for a name that hides or crosses something, in points of distance.
 const COST_OF_CIRCLE: f64 = 3.0;
@@ -132,7 +132,7 @@ pub(super) fn place_names(
     let key = |index: usize| names.get(index).map_or((0.0, 0.0), |name| name.at);
     order.sort_by(|&a, &b| key(a).0.total_cmp(&key(b).0).then(key(a).1.total_cmp(&key(b).1)));
     let mut places: Vec<Option<Rect>> = vec![None; names.len()];
-    for round in 0..ROUNDS {
+    for round in 0..PLACING_ROUNDS {
         for &index in &order {
             let Some(name) = names.get(index) else { continue };
             let others: Vec<(Point, Rect)> = names
@@ -167,12 +167,12 @@ impl Search<'_> {
     fn cheapest_place(&self) -> Option<Rect> {
         let (width, height) = self.name.size;
         let mut best: Option<(f64, Rect)> = None;
-        for step in 0..STEPS {
+        for step in 0..MOST_DISTANCE_STEPS {
             let distance = LEAST_DISTANCE_PT + STEP_PT * f64::from(step);
             if best.is_some_and(|(cost, _)| distance >= cost) {
                 break;
             }
-            for (rank, (x, y)) in DIRECTIONS.into_iter().enumerate() {
+            for (rank, (x, y)) in LABEL_DIRECTIONS.into_iter().enumerate() {
                 let middle = (
                     self.name.at.0 + x * (distance + width / 2.0),
                     self.name.at.1 + y * (distance + height / 2.0),

@@ -11,14 +11,14 @@ use crate::style::{TEXT_PT, float};
 use crate::text_width::{cut, lines, width_pt};
 
 pub(super) const LINE_PT: f64 = 8.6;
-const GAP_PT: f64 = 10.0;
+const BLOCK_GAP_PT: f64 = 10.0;
 /// The row of the name of a block.
 const BLOCK_TITLE_PT: f64 = 13.0;
 /// Room on the right for half of the last tick's label.
 pub(super) const RIGHT_PT: f64 = 5.0;
 /// The least width of things side by side, between their axes; below each other they are wider.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
-/// Between what is drawn and the edge of its view.
+/// Distance between what is drawn and the edge of its view.
 const PAD_PT: f64 = 4.0;
 const NAME_HEIGHT_PT: f64 = 7.6;
 /// The longest name, as a share of a view.
@@ -31,9 +31,9 @@ const VISIBLE_SHARE: f64 = 0.01;
 const HIGHEST_PT: f64 = 260.0;
 /// Things that are this much larger than others have a scale of their own.
 const MOST_SCALE_RATIO: f64 = 4.0;
-/// More names than this want a page.
+/// A view with more names than this wants a page.
 const CROWDED_NAMES: usize = 12;
-/// More names than this are left out, all of them: nobody could read them.
+/// If a view has more names than this, all are left out: nobody could read them.
 const MOST_NAMES: usize = 80;
 /// How wide a thing is taken to be that has no width.
 const NO_WIDTH: f64 = 1.0;
@@ -155,7 +155,7 @@ impl<'s> SceneLayout<'s> {
         let width = paper.layout_pt(page);
         let beside = NAME_PT + 3.0 * TICK_PT + longest_tick(scene);
         let column =
-            |columns: usize| (width - 2.0 * MARGIN_PT - GAP_PT * float(columns - 1)) / float(columns);
+            |columns: usize| (width - 2.0 * MARGIN_PT - BLOCK_GAP_PT * float(columns - 1)) / float(columns);
         let is_wide = column(2) - beside - RIGHT_PT >= SIDE_BY_SIDE_PT;
         let columns = if scene.blocks.len() > 1 && is_wide { 2 } else { 1 };
         let column = column(columns);
@@ -177,7 +177,7 @@ impl<'s> SceneLayout<'s> {
             for (index, ((block, views), &(_, other))) in
                 row.iter().zip(align_axes(views)).zip(scales).enumerate()
             {
-                let left = MARGIN_PT + float(index) * (column + GAP_PT);
+                let left = MARGIN_PT + float(index) * (column + BLOCK_GAP_PT);
                 let mut remarks = block.remarks.clone();
                 if count_block_names(block) > MOST_NAMES {
                     remarks.push(format!("Without names, as there are more than {MOST_NAMES}."));
@@ -187,10 +187,10 @@ impl<'s> SceneLayout<'s> {
                 bottom = bottom.max(placed.remarks_top + LINE_PT * float(placed.remarks.len()));
                 blocks.push(placed);
             }
-            top = bottom + GAP_PT;
+            top = bottom + BLOCK_GAP_PT;
         }
         let legend = legend(width - 2.0 * MARGIN_PT - beside);
-        let legend_top = top - GAP_PT;
+        let legend_top = top - BLOCK_GAP_PT;
         let height_pt = legend_top + legend.height_pt() + MARGIN_PT;
         let legend_at = (MARGIN_PT + beside, legend_top);
         Self { width: page, title, height_pt, blocks, legend, legend_at, beside }

@@ -97,7 +97,7 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw_leader(root, name)?;
     }
     for ball in view.view.balls.iter().filter(|ball| ball.state == State::Now) {
-        let colour = if ball.misplaced { MISPLACED } else { rgb(NOW) };
+        let colour = if ball.misplaced { MISPLACED } else { rgb(PRESENT_LOOK) };
         draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
     }
     for spot in &view.view.spots {
@@ -235,12 +235,12 @@ fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Resul
 /// Bones: a grey that both colours stand out from.
 const BONE: RGBColor = RGBColor(0x88, 0x88, 0x88);
 const BONE_OPACITY: f64 = 0.22;
-const NOW: Look = Look::HERTZ;
+const PRESENT_LOOK: Look = Look::HERTZ;
 const MISPLACED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 /// The line of what is astray: twice as wide as that of others.
 const MISPLACED_PT: f64 = 2.2;
 /// A ring of dashes has this many corners.
-const CORNERS: u32 = 120;
+const RING_CORNERS: u32 = 120;
 const BALL_OPACITY: f64 = 0.13;
 /// A line of dashes on the page.
 type Dashes = DashedPathElement<std::vec::IntoIter<(i32, i32)>, i32>;
@@ -248,7 +248,8 @@ const SPOT_PT: f64 = 1.7;
 
 /// A circle with a light shade inside.
 fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
-    let (colour, width) = if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(NOW), NOW.width_pt) };
+    let (colour, width) =
+        if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(PRESENT_LOOK), PRESENT_LOOK.width_pt) };
     let (at, radius) = (place(centre), units(radius));
     draw(root, &Circle::new(at, radius, colour.mix(BALL_OPACITY).filled()))?;
     draw(root, &Circle::new(at, radius, stroke(colour, width)))
@@ -257,10 +258,10 @@ fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Resul
 /// A circle of dashes; the library's circles have none.
 fn ring((x, y): Point, radius: f64) -> Dashes {
     let corner = |index: u32| {
-        let (sin, cos) = (std::f64::consts::TAU * f64::from(index) / f64::from(CORNERS)).sin_cos();
+        let (sin, cos) = (std::f64::consts::TAU * f64::from(index) / f64::from(RING_CORNERS)).sin_cos();
         place((x + radius * cos, y + radius * sin))
     };
-    dashed((0..=CORNERS).map(corner).collect(), INK, 0.8)
+    dashed((0..=RING_CORNERS).map(corner).collect(), INK, 0.8)
 }
 
 fn dashed(points: Vec<(i32, i32)>, colour: RGBColor, width_pt: f64) -> Dashes {

@@ -142,7 +142,7 @@ pub struct Sample {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FirstContact {
-    /// When the bottoms reach the ground, in s.
+    /// Time at which the bottoms reach the ground, in s.
     pub start_s: f64,
     /// Speed of the bottoms at that moment, in m/s: the ẋ⁻ of (13).
     pub impact_speed_m_s: f64,

@@ -33,7 +33,7 @@ pub enum DropError {
         "the drop could not be followed past {time_s:?} s, expected a softer contact or a shorter duration"
     )]
     Integration {
-        /// How far it got, in s.
+        /// Time up to which the drop was computed, in s.
         time_s: f64,
     },
 }
@@ -110,7 +110,7 @@ const ABSOLUTE_TOLERANCE: f64 = 3e-14;
 /// Steps between two contact events; the paper's drops take some hundreds.
 const MOST_STEPS: usize = 1_000_000;
 /// Contact events of one drop.
-const MOST_EVENTS: usize = 100_000;
+const MOST_CONTACT_EVENTS: usize = 100_000;
 /// Points of a step at which the force is computed to find its peak.
 const PEAK_SAMPLES: u32 = 8;
 /// By this share of the largest force all points of a step may be below it, and the step is still searched for a larger one.
@@ -137,7 +137,7 @@ pub(super) fn integrate(body: &Body<'_>, values: &DropValues) -> Result<Record, 
     if contact {
         observer.record.crossings.push((0.0, 0.0));
     }
-    for _ in 0..MOST_EVENTS {
+    for _ in 0..MOST_CONTACT_EVENTS {
         observer.contact = contact;
         let before = observer.record.crossings.len();
         let fall = Fall { body, contact };
@@ -227,18 +227,18 @@ impl Observer<'_> {
 
 /// The largest value of a function that has one maximum.
 fn golden_section_maximum(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
-    const SHARE: f64 = 0.618_033_988_749_894_9;
-    let (mut a, mut b) = (high - SHARE * (high - low), low + SHARE * (high - low));
+    const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
+    let (mut a, mut b) = (high - GOLDEN_SHARE * (high - low), low + GOLDEN_SHARE * (high - low));
     let (mut fa, mut fb) = (f(a), f(b));
     let mut best = fa.max(fb);
     for _ in 0..36 {
         if fa < fb {
             (low, a, fa) = (a, b, fb);
-            b = low + SHARE * (high - low);
+            b = low + GOLDEN_SHARE * (high - low);
             fb = f(b);
         } else {
             (high, b, fb) = (b, a, fa);
-            a = high - SHARE * (high - low);
+            a = high - GOLDEN_SHARE * (high - low);
             fa = f(a);
         }
         best = best.max(fa).max(fb);

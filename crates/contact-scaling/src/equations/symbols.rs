@@ -118,7 +118,7 @@ pub const U_V: Symbol = symbol("viscous_friction", "friction that grows with sli
 pub struct Equation {
     /// The paper's number without brackets (`10`, `C.5`), or a name where the paper has no number.
     pub label: &'static str,
-    /// Other names under which it is found.
+    /// Other names under which the equation is found.
     pub aliases: &'static [&'static str],
     /// What the equation says, in a few words.
     pub title: &'static str,

@@ -17,7 +17,7 @@ pub struct Measurement<'a> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Rate<'a> {
-    /// Not known: the force is taken as the elastic one.
+    /// The rate is not known: the force is taken as the elastic one.
     Unknown,
     /// ẋ, in m/s, positive while going in.
     Speed(&'a [f64]),
@@ -28,16 +28,16 @@ pub enum Rate<'a> {
 /// The indentation at which contact begins: given, or to be fitted; exhaustive, so that a match on it is complete.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Onset {
-    /// At this indentation, in m: usually 0.
+    /// Contact begins at this indentation, in m: usually 0.
     At(f64),
-    /// Not known, to be fitted.
+    /// The onset is not known, and fitted.
     Fitted,
 }
 
 /// The part of the measurement to fit: one way, the other, or both; there is no fourth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
-    /// All of it.
+    /// Both branches of the measurement.
     Both,
     /// Going in: ẋ ≥ 0, or the rows up to the deepest where no rate is known.
     Loading,

@@ -35,13 +35,13 @@ pub struct Fit {
     pub r_squared: f64,
     /// The largest x̂ of these rows, from the onset.
     pub largest_relative_indentation: f64,
-    /// Whether that is within the Hertz law.
+    /// Whether the largest indentation is within the Hertz law.
     pub within_hertz_limit: bool,
     /// The largest |ẋ| in contact, in m/s; `None` where no rate is known.
     pub largest_speed_m_s: Option<f64>,
     /// Restitution by (13) at that speed; `None` also where (13) has none.
     pub restitution: Option<f64>,
-    /// Whether that is within the Hunt–Crossley law; `None` where no rate is known.
+    /// Whether the largest rate is within the Hunt–Crossley law; `None` where no rate is known.
     pub within_hunt_crossley_limit: Option<bool>,
 }
 
@@ -49,7 +49,7 @@ pub struct Fit {
 const LOW_R_SQUARED: f64 = 0.5;
 
 /// Residuals of less than this share of the largest force are those of calculated numbers.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING_OF_RESIDUALS: f64 = 1e-12;
 
 /// Why a result must not be taken as it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,8 +65,7 @@ pub enum Doubt {
         /// The parameter.
         parameter: Parameter,
     },
-    /// Nothing is left over, as with calculated data: how sure the parameters are is not known, and their intervals are not
-    /// numbers.
+    /// The fit has no residuals, as with calculated data: how sure the parameters are is not known, and their intervals are not numbers.
     NoResiduals,
 }
 
@@ -85,7 +84,7 @@ impl Doubt {
 /// Whether nothing is left over but rounding.
 pub(super) fn is_exact(residuals_n: &[f64], forces_n: impl Iterator<Item = f64>) -> bool {
     let most = forces_n.fold(0.0, |most: f64, force| most.max(force.abs()));
-    residuals_n.iter().all(|residual| residual.abs() <= ROUNDING * most)
+    residuals_n.iter().all(|residual| residual.abs() <= ROUNDING_OF_RESIDUALS * most)
 }
 
 /// Doubts about fitted parameters.

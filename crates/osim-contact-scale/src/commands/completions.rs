@@ -97,7 +97,7 @@ fn entry(value: &PossibleValue) -> String {
 
 // `man`: the manual pages, one for the command and one for each verb.
 
-const NAME: &str = env!("CARGO_PKG_NAME");
+const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
 /// Prints one page, or writes all of them.
 ///
@@ -117,7 +117,7 @@ pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
     }
     let page = match &args.verb {
         None => pages.last(),
-        Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{NAME}-{verb}.1")),
+        Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{PROGRAM_NAME}-{verb}.1")),
     };
     let Some(page) = page else {
         bail!("there is no such page");
@@ -148,7 +148,7 @@ fn rendered(page: &Man) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// All pages, or none.
+/// Writes all pages, or none.
 fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
     let refused = |fault: osim_library::LibraryFault| anyhow!(fault.spelled(words));
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;

@@ -165,7 +165,7 @@ struct LoadedLimb<'s> {
     model: &'s Model,
     /// The chosen spheres, which get figures.
     chosen: &'s [&'s SphereContacts],
-    /// All spheres of the limb; `None` if not all can be read.
+    /// Contacts of all spheres of the limb; `None` if not all can be read.
     all: Option<Vec<&'s SphereContacts>>,
     /// Spheres that share the weight.
     count: Option<f64>,
@@ -272,7 +272,7 @@ fn sphere_rest(one: &SphereContacts, level: &LevelLimb) -> SphereRest {
 
 // Spheres of a limb at their own heights: how deep each is while together they carry the body.
 
-/// For each sphere over a floor, the joint tree that it belongs to.
+/// The joint tree of each sphere over a floor.
 type StandingBySphere<'s> = HashMap<SphereId, &'s Standing>;
 
 fn standing_by_sphere(standing: &[Standing]) -> StandingBySphere<'_> {
@@ -286,7 +286,7 @@ struct OwnHeightRest {
 }
 
 impl OwnHeightRest {
-    /// For `all` spheres of a limb; on average each carries its share of `load`.
+    /// Figures for `all` spheres of a limb; on average each carries its share of `load`.
     fn compute(all: &[&SphereContacts], load: SharedLoad, standing: &StandingBySphere<'_>) -> Self {
         let spheres: Vec<SphereId> = all.iter().map(|one| one.sphere).collect();
         let tree = spheres.first().and_then(|first| standing.get(first));

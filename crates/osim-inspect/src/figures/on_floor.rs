@@ -45,7 +45,7 @@ pub(super) struct SphereOnFloor<'s> {
     pub(super) one_body_weight: Option<SharedLoad>,
     /// Speed before an impact, m/s.
     pub(super) impact_speed_m_s: Option<f64>,
-    /// How it rests under one and two body weights, if it is known.
+    /// Rests of the sphere under one and two body weights, if they are known.
     pub(super) rests: &'s [SphereRest],
 }
 

@@ -167,7 +167,7 @@ fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
     Some(hertz.stiffness_at_relative_indentation(x_hat))
 }
 
-/// When a table or page shows a figure; JSON and CSV have all figures.
+/// The condition on which a table or page shows a figure; JSON and CSV have all figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureVisibility {
     Always,
@@ -222,7 +222,7 @@ pub struct SphereFigures {
     pub path: String,
     /// Names of the forces that press it on the floor.
     pub forces: Vec<String>,
-    /// In the order of [`Figure::ALL`].
+    /// Values of the figures, in the order of [`Figure::ALL`].
     pub(super) answers: Vec<Answer>,
 }
 

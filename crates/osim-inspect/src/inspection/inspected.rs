@@ -96,7 +96,7 @@ pub struct Inspection {
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct ContactsMass {
-    /// In kg.
+    /// The mass in kg.
     pub value: f64,
     /// Source of the mass, as a word for scripts.
     pub source: &'static str,
@@ -149,7 +149,7 @@ pub struct InspectedSphere {
     pub name: String,
     /// Its component path.
     pub path: String,
-    /// In m; NaN if the file has that, null in JSON.
+    /// Radius of the sphere in m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub radius_m: f64,
     /// Centre in its frame, m; NaN if the file has that, null in JSON.
@@ -298,7 +298,7 @@ pub struct InspectedBody {
     pub name: String,
     /// Its component path.
     pub path: String,
-    /// In kg; NaN if the file has that, null in JSON.
+    /// Mass of the body in kg; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub mass_kg: f64,
 }

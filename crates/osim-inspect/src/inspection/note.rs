@@ -71,7 +71,8 @@ impl From<&Step> for NoteStep {
     }
 }
 
-/// For example `These contacts were made for 41 kg: taken from falisse2022, made for 62 kg, on 2026-11-25; with 2 stance limbs.`
+/// A note in words, for example `These contacts were made for 41 kg: taken from falisse2022, made for 62 kg, on 2026-11-25; with 2 stance
+/// limbs.`
 fn note_in_words(note: &Note) -> String {
     let which = match note.scope {
         Scope::All => "These contacts",
@@ -88,7 +89,7 @@ fn note_in_words(note: &Note) -> String {
     format!("{which} were made {mass}{}: {}.", limbs.unwrap_or_default(), steps.join("; then "))
 }
 
-/// For example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
+/// A step in words, for example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
 pub(crate) fn step_in_words(step: &Step) -> String {
     let from = step.from_mass_kg.map(|kg| format!("{} kg", readable(kg)));
     let mut text = match (step.operation.as_str(), &step.reference) {

@@ -14,17 +14,17 @@ use serde::Serialize;
 /// Bottoms whose heights differ by no more than this are equally low, m.
 const SAME_HEIGHT_M: f64 = 1e-9;
 /// A sphere that is deeper than this, in its radius, is inside the floor.
-const INSIDE_RADII: f64 = 0.5;
+const INSIDE_FLOOR_RADII: f64 = 0.5;
 /// A body that is higher than this is above the floor, m.
-const ABOVE_M: f64 = 0.020;
+const ABOVE_FLOOR_M: f64 = 0.020;
 /// A body that is no more than this below the place where it rests, in the radius of its lowest sphere, stands.
 const STANDS_RADII: f64 = 0.1;
 
-/// For which bodies it is computed how they rest, because that takes as long as reading their spheres.
+/// The bodies whose rest is computed: that takes as long as reading their spheres.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum RestsToCompute {
     All,
-    /// Only for bodies that may be inside their floor or above it, and only on all feet.
+    /// The rest of bodies that may be inside their floor or above it, and only on all feet.
     OfOddBodies,
 }
 
@@ -50,11 +50,11 @@ pub struct StandingBody {
     pub touching_m: Option<f64>,
     /// The tree's spheres that press on floors, in file order.
     pub bottoms: Vec<Bottom>,
-    /// At rest on all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it, or
-    /// a number is more than a double holds.
+    /// The body at rest on all its feet, each sphere at its own height; null if its weight or a contact is not known, nothing carries it,
+    /// or a number is more than a double holds.
     pub as_posed: Option<BodyAtRest>,
-    /// At rest on the spheres of its lowest limb alone (of equally low ones the first), with the share of the weight that one of several
-    /// stance limbs has. Null also if limbs are not known.
+    /// The body at rest on the spheres of its lowest limb alone (of equally low ones the first), with the share of the weight that one of
+    /// several stance limbs has. Null also if limbs are not known.
     pub on_one_limb: Option<BodyAtRest>,
 }
 
@@ -100,7 +100,7 @@ pub struct StandingSphere {
     pub sphere: String,
     /// Component path of the sphere.
     pub path: String,
-    /// How deep it is in the floor, in its radius; not above 0 if it does not touch.
+    /// Depth of the sphere in the floor, in its radius; not above 0 if it does not touch.
     pub relative_indentation: f64,
     /// Load of the sphere along the normal, N.
     pub force_n: f64,
@@ -202,11 +202,11 @@ impl StandingBody {
 
 impl Bottom {
     fn is_inside(&self) -> bool {
-        self.height_m < -INSIDE_RADII * self.radius_m
+        self.height_m < -INSIDE_FLOOR_RADII * self.radius_m
     }
 
     fn is_above(&self) -> bool {
-        self.height_m > ABOVE_M
+        self.height_m > ABOVE_FLOOR_M
     }
 }
 

@@ -52,7 +52,7 @@ pub struct SphereKind {
 }
 
 impl SphereKind {
-    /// For a body whose spheres are all of this kind.
+    /// The kind of a body whose spheres are all alike.
     pub fn new(radius_m: f64, contact: Contact) -> Self {
         Self { spheres: String::new(), radius_m, contact }
     }
@@ -268,7 +268,7 @@ pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result
 // Names for spheres that are drawn as one curve.
 
 /// If there are more names than this, only the first and the last are listed.
-const MOST_LISTED: usize = 4;
+const MOST_NAMES_LISTED: usize = 4;
 /// Endings of names on the right and on the left side.
 const SIDE_ENDINGS: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
 
@@ -283,7 +283,7 @@ pub(super) fn list_spheres(names: &[String]) -> String {
 
 fn listed(names: &[&str]) -> String {
     match names {
-        [first, .., last] if names.len() > MOST_LISTED => {
+        [first, .., last] if names.len() > MOST_NAMES_LISTED => {
             format!("{first} to {last} ({} spheres)", names.len())
         }
         few => few.join(", "),

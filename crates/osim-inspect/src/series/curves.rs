@@ -11,11 +11,11 @@ use crate::series::sampling::{ForceUnit, Point, Units, equal_breaks, sample_curv
 /// Force against indentation of one kind of sphere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceSeries {
-    /// By the Hertz law.
+    /// The curve of the Hertz law.
     pub hertz: Vec<Point>,
-    /// With the constant indentation (C.1); empty for a `HuntCrossleyForce`.
+    /// The curve with the constant indentation (C.1); empty for a `HuntCrossleyForce`.
     pub with_constant: Vec<Point>,
-    /// By the smoothed law of the file at rest, (C.9) at speed 0; empty for a `HuntCrossleyForce`.
+    /// The curve of the smoothed law of the file at rest, (C.9) at speed 0; empty for a `HuntCrossleyForce`.
     pub model_law: Vec<Point>,
     /// The point at which the sphere rests under its share of the body weight.
     pub rest: Option<Point>,
@@ -40,7 +40,7 @@ pub struct DropSeries {
 }
 
 /// The number of intervals of a curve before it is refined.
-const INTERVALS: u32 = 24;
+const FIRST_INTERVALS: u32 = 24;
 /// Curves begin so many radii above the ground, where smoothed laws push already.
 const START_ABOVE_RADII: f64 = 0.5;
 /// Curves end at the latest when the sphere is in the ground up to its centre, unless the caller wants more: the laws end long before.
@@ -48,17 +48,17 @@ const DEEPEST_RADII: f64 = 1.0;
 /// Curves reach at least so many radii deep: a little beyond the limit of the Hertz law, and deeper if a body rests beyond that limit or nowhere.
 const LEAST_DEPTHS_RADII: (f64, f64) = (0.25, 0.5);
 /// Curves reach so many times deeper than the deepest body rests.
-const TIMES_REST_DEPTH: f64 = 1.25;
+const DEPTH_OVER_REST_DEPTH: f64 = 1.25;
 /// The share of the contact state at which thresholds are drawn, as in section C.2.
-const THRESHOLD: f64 = limits::TRANSITION_THRESHOLD;
+const CONTACT_STATE_THRESHOLD: f64 = limits::TRANSITION_THRESHOLD;
 /// The default duration of a drop in √(R/g).
 const DROP_TIME_UNITS: f64 = 20.0;
 /// Samples of a drop for each shortest time in which its force rises and falls, and the least and largest number of samples. They are enough
 /// to find peaks to a ten-thousandth; samples on straight lines are left out afterwards.
 const SAMPLES_PER_IMPACT: f64 = 200.0;
-const SAMPLES: (f64, f64) = (2001.0, 200_001.0);
+const DROP_SAMPLES: (f64, f64) = (2001.0, 200_001.0);
 /// A force that differs by no more than this from the body weight has settled, in body weights.
-const SETTLED: f64 = 0.01;
+const SETTLED_BODY_WEIGHTS: f64 = 0.01;
 
 /// The unit of the force axis in N: 1 N, or the sphere's share of the body weight.
 fn force_unit(units: Units, body: &Body) -> Result<f64, Failure> {
@@ -90,7 +90,7 @@ pub fn default_range(bodies: &[Body]) -> (f64, f64) {
     let (within_limit, otherwise) = LEAST_DEPTHS_RADII;
     let depth = match deepest {
         Some(deepest) if deepest <= limits::INDENTATION.value => within_limit,
-        Some(deepest) => (TIMES_REST_DEPTH * deepest).clamp(otherwise, DEEPEST_RADII),
+        Some(deepest) => (DEPTH_OVER_REST_DEPTH * deepest).clamp(otherwise, DEEPEST_RADII),
         None => otherwise,
     };
     (-START_ABOVE_RADII.min(depth), depth)
@@ -114,7 +114,7 @@ pub fn force(
     let law = law(body, kind)?;
     let unit = force_unit(units, body)?;
     // A break at 0, where the curve before contact ends.
-    let breaks = equal_breaks(from_m, to_m, INTERVALS, 0.0);
+    let breaks = equal_breaks(from_m, to_m, FIRST_INTERVALS, 0.0);
     let curve = |force: &dyn Fn(f64) -> f64| -> Vec<Point> {
         sample_curve(|x| (units.x(x, kind.radius_m), force(x) / unit), &breaks)
     };
@@ -144,15 +144,16 @@ pub fn contact_state(
     let (from_m, to_m) =
         range_m.unwrap_or((-START_ABOVE_RADII * kind.radius_m, START_ABOVE_RADII * kind.radius_m));
     let curve = |x: f64| (units.x(x, kind.radius_m), law.contact_state(x));
-    Ok(Some(sample_curve(curve, &equal_breaks(from_m, to_m, INTERVALS, 0.0))))
+    Ok(Some(sample_curve(curve, &equal_breaks(from_m, to_m, FIRST_INTERVALS, 0.0))))
 }
 
 /// The two thresholds (C.6), contact states t and 1 − t with their indentations; empty for a law without smoothing.
 pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
     let bd = kind.contact.smoothing().map(|smoothing| smoothing.hertz_smoothing);
-    let at = bd.and_then(|bd| smoothing::threshold_indentation(THRESHOLD, bd, kind.radius_m).ok());
+    let at =
+        bd.and_then(|bd| smoothing::threshold_indentation(CONTACT_STATE_THRESHOLD, bd, kind.radius_m).ok());
     let Some(at) = at.map(|relative| units.x(relative * kind.radius_m, kind.radius_m)) else { return vec![] };
-    vec![(THRESHOLD, -at), (1.0 - THRESHOLD, at)]
+    vec![(CONTACT_STATE_THRESHOLD, -at), (1.0 - CONTACT_STATE_THRESHOLD, at)]
 }
 
 /// The speed with which the bottoms reach the ground, √(2 g h), in m/s.
@@ -170,7 +171,7 @@ fn loop_depth(body: &Body, kind: &SphereKind) -> Result<f64, Failure> {
 pub fn force_at_rest(body: &Body, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
     let law = law(body, kind)?;
     let unit = force_unit(units, body)?;
-    let breaks = equal_breaks(0.0, loop_depth(body, kind)?, INTERVALS, 0.0);
+    let breaks = equal_breaks(0.0, loop_depth(body, kind)?, FIRST_INTERVALS, 0.0);
     Ok(sample_curve(|x| (units.x(x, kind.radius_m), law.rest_force(x) / unit), &breaks))
 }
 
@@ -188,7 +189,7 @@ pub fn hysteresis(
         let x = depth * phase.sin();
         (units.x(x, kind.radius_m), law.force(x, speed_m_s * phase.cos()) / unit)
     };
-    let points = sample_curve(curve, &equal_breaks(0.0, std::f64::consts::PI, INTERVALS, 0.0));
+    let points = sample_curve(curve, &equal_breaks(0.0, std::f64::consts::PI, FIRST_INTERVALS, 0.0));
     let restitution =
         restitution::exact(kind.contact.dissipation(), speed_m_s).map_err(|error| body.failure(&error))?;
     let name = format!("{speed_m_s:.3} m/s, restitution {restitution:.2}");
@@ -216,7 +217,7 @@ pub fn drop_force(body: &Body, height: DropHeight, duration_s: f64) -> Result<Dr
     let report = run_drop_test(body, height, duration_s, samples)?;
     let force = |sample: &Sample| (sample.time_s, sample.force_n / report.body_weight_n);
     let series: Vec<Point> = report.series.iter().map(force).collect();
-    let unsettled = series.iter().rposition(|(_, force)| (force - 1.0).abs() > SETTLED);
+    let unsettled = series.iter().rposition(|(_, force)| (force - 1.0).abs() > SETTLED_BODY_WEIGHTS);
     let settled = unsettled.map_or(0, |last| last + 1);
     Ok(DropSeries {
         name: body.name.clone(),
@@ -233,7 +234,7 @@ fn sample_count(report: &DropReport, weight: &Weight, duration_s: f64) -> usize 
     let stiffness_n_m = weight.sphere_count * report.equilibrium_stiffness_n_m;
     let oscillation_s = std::f64::consts::PI * (weight.mass_kg / stiffness_n_m).sqrt();
     let shortest_s = contact_s.unwrap_or(oscillation_s).min(oscillation_s);
-    let wanted = (SAMPLES_PER_IMPACT * duration_s / shortest_s).clamp(SAMPLES.0, SAMPLES.1);
+    let wanted = (SAMPLES_PER_IMPACT * duration_s / shortest_s).clamp(DROP_SAMPLES.0, DROP_SAMPLES.1);
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between the two bounds")]
     let samples = wanted as usize;
     samples

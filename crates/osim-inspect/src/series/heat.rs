@@ -68,7 +68,7 @@ pub struct Profile {
 /// A profile has so many times as many values as the grid.
 const PROFILE_STEPS: u32 = 8;
 /// Quantities whose relative difference is no more than this are the same.
-const SAME_VALUE: f64 = 1e-9;
+const SAME_QUANTITY: f64 = 1e-9;
 
 /// The only kind of sphere of a body.
 ///
@@ -121,7 +121,7 @@ pub fn heat(
 /// The parameter that alone changes the values; `None` if both change them, or none does.
 fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     let same = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
-        (Some(a), Some(b)) => (a - b).abs() <= SAME_VALUE * a.abs(),
+        (Some(a), Some(b)) => (a - b).abs() <= SAME_QUANTITY * a.abs(),
         (None, None) => true,
         _ => false,
     };

@@ -44,7 +44,7 @@ impl Units {
 }
 
 /// Lines stay closer to their curve than this share of the plot's height or width, about a hundredth of a millimetre.
-const TOLERANCE: f64 = 2e-4;
+const DISTANCE_FROM_CURVE: f64 = 2e-4;
 /// An interval is halved at most so many times.
 const MOST_HALVINGS: u32 = 10;
 
@@ -74,7 +74,8 @@ fn refine(
     };
     // Not only in the middle, where a curve that bends both ways may cross its line.
     let inner = [point_at(0.25), point_at(0.5), point_at(0.75)];
-    let bends = inner.iter().any(|(_, point)| distance_to_line(*point, (from.1, to.1), size) > TOLERANCE);
+    let bends =
+        inner.iter().any(|(_, point)| distance_to_line(*point, (from.1, to.1), size) > DISTANCE_FROM_CURVE);
     if halvings_left == 0 || !bends {
         points.push(to.1);
         return;

@@ -142,7 +142,7 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
 /// The bodies of both sides.
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
-    /// By the name without its side; sorted, so that sums have the same last bit in each run.
+    /// Bodies by the name without its side; sorted, so that sums have the same last bit in each run.
     by_name: BTreeMap<String, SameName>,
     /// The signs of the mirror that fits most bodies.
     common_mirror: DVec3,

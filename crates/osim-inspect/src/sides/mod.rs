@@ -29,7 +29,7 @@ pub struct BothSides<'m> {
     pub(crate) unpaired: Vec<UnpairedSphere<'m>>,
     /// All spheres, if only one side has some although both have bodies.
     pub(crate) one_side: Vec<SideSphere<'m>>,
-    /// In the order of the forces on the left.
+    /// Pairs of parameter sets, in the order of the forces on the left.
     set_pairs: Vec<SetPair<'m>>,
 }
 

@@ -27,10 +27,10 @@ use unix as system;
 use windows as system;
 
 /// The largest file or pipe that is read, bytes: far above any model, summary or table.
-const MOST_OF_FILE: u64 = 2 << 30;
+const MOST_BYTES_OF_FILE: u64 = 2 << 30;
 
 /// The most that is read of a device, bytes: nobody types more in a terminal, and `/dev/zero` does not end.
-const MOST_OF_DEVICE: u64 = 16 << 20;
+const MOST_BYTES_OF_DEVICE: u64 = 16 << 20;
 
 /// Which kinds of files may be read under a name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -149,7 +149,7 @@ pub(crate) fn open_to_read(path: &Path) -> std::io::Result<(File, u64)> {
 /// # Errors
 /// It cannot be read, or gives more than is read of it.
 pub(crate) fn standard_input() -> Result<Vec<u8>, ReadRefusal> {
-    let most = if system::standard_input_is_device() { MOST_OF_DEVICE } else { MOST_OF_FILE };
+    let most = if system::standard_input_is_device() { MOST_BYTES_OF_DEVICE } else { MOST_BYTES_OF_FILE };
     read_to_limit(std::io::stdin().lock(), most)
 }
 
@@ -228,14 +228,14 @@ fn check_kind(metadata: &Metadata, kinds: FileKinds) -> Result<(), ReadRefusal> 
 }
 
 fn limit_of(metadata: &Metadata) -> u64 {
-    if system::is_device(metadata) { MOST_OF_DEVICE } else { MOST_OF_FILE }
+    if system::is_device(metadata) { MOST_BYTES_OF_DEVICE } else { MOST_BYTES_OF_FILE }
 }
 
 /// Reads an ordinary file. Refuses it if its length or its time changes while it is read.
 fn read_to_length(mut file: &File, metadata: &Metadata) -> Result<Vec<u8>, ReadRefusal> {
     let length = metadata.len();
-    if length > MOST_OF_FILE {
-        return Err(ReadRefusal::Large(MOST_OF_FILE));
+    if length > MOST_BYTES_OF_FILE {
+        return Err(ReadRefusal::Large(MOST_BYTES_OF_FILE));
     }
     let mut bytes = Vec::new();
     let capacity = usize::try_from(length).map_err(|_| ReadRefusal::Memory)?;
@@ -305,7 +305,7 @@ mod tests {
     #[test]
     fn limits_are_written_as_in_the_documentation() {
         assert_eq!(
-            (size_in_words(MOST_OF_FILE), size_in_words(MOST_OF_DEVICE)),
+            (size_in_words(MOST_BYTES_OF_FILE), size_in_words(MOST_BYTES_OF_DEVICE)),
             ("2 GiB".to_owned(), "16 MiB".to_owned())
         );
     }

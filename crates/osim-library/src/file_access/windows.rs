@@ -50,8 +50,9 @@ pub(super) fn is_device(_metadata: &Metadata) -> bool {
 /// Whether a name is that of a device: `CON`, `nul.osim`, `\\.\COM1`, `\\.\pipe\name`. Ports have the numbers 1 to 9; 1 to 3 may
 /// be superscripts.
 pub(super) fn is_device_name(path: &Path) -> bool {
-    const NUMBERS: [&str; 12] = ["1", "2", "3", "4", "5", "6", "7", "8", "9", "\u{b9}", "\u{b2}", "\u{b3}"];
-    const NAMES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
+    const DEVICE_NUMBERS: [&str; 12] =
+        ["1", "2", "3", "4", "5", "6", "7", "8", "9", "\u{b9}", "\u{b2}", "\u{b3}"];
+    const DEVICE_NAMES: [&str; 6] = ["CON", "PRN", "AUX", "NUL", "CONIN$", "CONOUT$"];
     if let Some(Component::Prefix(prefix)) = path.components().next()
         && matches!(prefix.kind_name(), Prefix::DeviceNS(_))
     {
@@ -59,8 +60,9 @@ pub(super) fn is_device_name(path: &Path) -> bool {
     }
     let name = path.file_name().map(|name| name.to_string_lossy().to_ascii_uppercase()).unwrap_or_default();
     let stem = name.split(['.', ':']).next().unwrap_or_default().trim_end_matches(' ');
-    let numbered = |port: &str| stem.strip_prefix(port).is_some_and(|number| NUMBERS.contains(&number));
-    NAMES.contains(&stem) || numbered("COM") || numbered("LPT")
+    let numbered =
+        |port: &str| stem.strip_prefix(port).is_some_and(|number| DEVICE_NUMBERS.contains(&number));
+    DEVICE_NAMES.contains(&stem) || numbered("COM") || numbered("LPT")
 }
 
 pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {

@@ -31,7 +31,7 @@ pub(super) struct RunContext<'r> {
 pub struct Outcome<S> {
     /// The model's line in a summary.
     pub record: Record,
-    /// Whether it was done by an earlier run.
+    /// Whether an earlier run has changed the model.
     pub earlier: bool,
     /// The front end's text about the model; `None` if there is only the record.
     pub shown: Option<S>,
@@ -59,9 +59,9 @@ impl<S> Outcome<S> {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Counts {
     pub written: usize,
-    /// Nothing had to change.
+    /// The number of models in which nothing had to change.
     pub unchanged: usize,
-    /// Only planned, in a dry run.
+    /// The number of models that were only planned, in a dry run.
     pub dry: usize,
     /// Models of folders without contacts.
     pub no_contacts: usize,

@@ -9,18 +9,18 @@ use rustix::io::Errno;
 use tempfile::NamedTempFile;
 
 /// The attribute by which Linux gives and takes the list of a file.
-const NAME: &str = "system.posix_acl_access";
-/// More than any list has: 64 KiB is the most that Linux takes as one attribute.
-const MOST: usize = 1 << 16;
+const ATTRIBUTE_NAME: &str = "system.posix_acl_access";
+/// The largest list: 64 KiB is the most that Linux takes as one attribute.
+const MOST_ATTRIBUTE_BYTES: usize = 1 << 16;
 
 /// Gives `file` the access list of `existing`, or takes away that of its folder where `existing` has none. Where the file system has no
 /// such lists there is nothing to do.
 pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
-    let mut list: Vec<u8> = Vec::with_capacity(MOST);
+    let mut list: Vec<u8> = Vec::with_capacity(MOST_ATTRIBUTE_BYTES);
     // A file that could not be read would not be replaced.
-    let kept = match getxattr(existing, NAME, spare_capacity(&mut list)) {
-        Ok(_) => fsetxattr(file, NAME, &list, XattrFlags::empty()),
-        Err(Errno::NODATA) => fremovexattr(file, NAME),
+    let kept = match getxattr(existing, ATTRIBUTE_NAME, spare_capacity(&mut list)) {
+        Ok(_) => fsetxattr(file, ATTRIBUTE_NAME, &list, XattrFlags::empty()),
+        Err(Errno::NODATA) => fremovexattr(file, ATTRIBUTE_NAME),
         Err(_) => Ok(()),
     };
     // Where that is not possible, the mode bits are still those of the file.
@@ -51,8 +51,8 @@ mod tests {
     }
 
     fn read(path: &Path) -> Option<Vec<u8>> {
-        let mut seen = vec![0; MOST];
-        let length = getxattr(path, NAME, &mut seen).ok()?;
+        let mut seen = vec![0; MOST_ATTRIBUTE_BYTES];
+        let length = getxattr(path, ATTRIBUTE_NAME, &mut seen).ok()?;
         seen.truncate(length);
         Some(seen)
     }
@@ -72,7 +72,7 @@ mod tests {
         replace();
         assert_eq!(read(&path), None);
         // One of its own stays.
-        setxattr(&path, NAME, &list(4), XattrFlags::empty()).unwrap();
+        setxattr(&path, ATTRIBUTE_NAME, &list(4), XattrFlags::empty()).unwrap();
         replace();
         assert_eq!(read(&path), Some(list(4)));
     }

@@ -51,9 +51,9 @@ pub(super) fn exchange(_one: &Path, _other: &Path) -> Exchange {
     Exchange::NotPossible
 }
 
-const INFIX: &str = ".replaced-";
+const INFIX_OF_REPLACED: &str = ".replaced-";
 
-/// Most file systems do not allow longer names.
+/// The longest name that most file systems allow, in bytes.
 const LONGEST_NAME: usize = 255;
 
 /// Renames a complete successor of `target` for the exchange. From now on it is not removed automatically.
@@ -64,7 +64,7 @@ pub(super) fn rename_for_exchange(
 ) -> std::io::Result<NamedTempFile> {
     let owner =
         temporary::host_and_process(successor.path().file_name().unwrap_or_default()).unwrap_or_default();
-    let end = format!("{INFIX}{owner}-{}", short_digest(after));
+    let end = format!("{INFIX_OF_REPLACED}{owner}-{}", short_digest(after));
     let mut name = shortened(target.file_name().unwrap_or_default(), LONGEST_NAME.saturating_sub(end.len()));
     name.push(end);
     let name = target.with_file_name(name);
@@ -100,7 +100,7 @@ fn short_digest(parts: &[&[u8]]) -> String {
 
 /// Splits a name of an exchange into the name of the model, host and process, and the digest of the successor.
 fn parts_of_name(name: &OsStr) -> Option<(&str, &str, &str)> {
-    let (model, rest) = name.to_str()?.rsplit_once(INFIX)?;
+    let (model, rest) = name.to_str()?.rsplit_once(INFIX_OF_REPLACED)?;
     let (owner, digest) = rest.rsplit_once('-')?;
     Some((model, owner, digest))
 }

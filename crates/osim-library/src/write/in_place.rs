@@ -224,19 +224,19 @@ mod tests {
     use super::*;
     use crate::write::backup;
 
-    const READ: &[u8] = b"as it was read";
+    const BYTES_READ: &[u8] = b"as it was read";
     const SUCCESSOR: &[u8] = b"the successor of it";
 
     /// A model that was read, its backup and its successor.
     fn prepared_successor(folder: &Path) -> (PathBuf, Successor<'static>) {
         let target = folder.join("model.osim");
-        std::fs::write(&target, READ).unwrap();
-        let (copy, kept) = backup(&target, READ).unwrap();
+        std::fs::write(&target, BYTES_READ).unwrap();
+        let (copy, kept) = backup(&target, BYTES_READ).unwrap();
         copy.unwrap().commit().unwrap();
         let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
         let successor = Successor {
             prepared,
-            read_bytes: READ,
+            read_bytes: BYTES_READ,
             written_bytes: vec![b"the successor", b" of it"],
             backup: Some(kept),
         };
@@ -277,7 +277,7 @@ mod tests {
         assert!(fault.contains("another program changed") && fault.contains("model.osim.bak"), "{fault}");
         assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
         assert_eq!(read(folder.path(), "model.osim"), b"saved");
-        assert_eq!(read(folder.path(), "model.osim.bak"), READ);
+        assert_eq!(read(folder.path(), "model.osim.bak"), BYTES_READ);
     }
 
     /// The newest save stays under the name, the one before it as a further backup.
@@ -309,7 +309,8 @@ mod tests {
 
     #[test]
     fn a_file_displaced_by_a_killed_run_becomes_a_backup() {
-        for (saved, kept) in [(READ, None), (b"saved".as_slice(), Some("model.osim.bak2")), (SUCCESSOR, None)]
+        for (saved, kept) in
+            [(BYTES_READ, None), (b"saved".as_slice(), Some("model.osim.bak2")), (SUCCESSOR, None)]
         {
             let folder = tempfile::tempdir().unwrap();
             let (_, successor) = prepared_successor(folder.path());
@@ -319,7 +320,7 @@ mod tests {
             assert_eq!(exchange::settle_leftover(&left), expected);
             let all: Vec<&str> = ["model.osim", "model.osim.bak"].into_iter().chain(kept).collect();
             assert_eq!(names(folder.path()), all);
-            assert_eq!(read(folder.path(), "model.osim.bak"), READ);
+            assert_eq!(read(folder.path(), "model.osim.bak"), BYTES_READ);
             assert!(kept.is_none_or(|name| read(folder.path(), name) == saved));
         }
     }
@@ -328,10 +329,10 @@ mod tests {
     fn a_model_with_a_very_long_name_is_changed_too() {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join(format!("{}.osim", "\u{fc}".repeat(122)));
-        std::fs::write(&target, READ).unwrap();
+        std::fs::write(&target, BYTES_READ).unwrap();
         let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
         let successor =
-            Successor { prepared, read_bytes: READ, written_bytes: vec![SUCCESSOR], backup: None };
+            Successor { prepared, read_bytes: BYTES_READ, written_bytes: vec![SUCCESSOR], backup: None };
         successor.take_place().unwrap().finish();
         assert_eq!(names(folder.path()).len(), 1);
         assert_eq!(std::fs::read(&target).unwrap(), SUCCESSOR);
@@ -351,7 +352,7 @@ mod tests {
             let undone = in_place.put_back();
             assert_eq!(undone.remark().is_none(), whole);
             assert!(undone.remark().is_none_or(|remark| remark.contains("model.osim.bak")));
-            assert_eq!(read(folder.path(), "model.osim"), saved.map_or(READ, str::as_bytes));
+            assert_eq!(read(folder.path(), "model.osim"), saved.map_or(BYTES_READ, str::as_bytes));
             assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
         }
     }

@@ -60,7 +60,7 @@ impl PendingFile {
         Self::with_parts(target, std::iter::once(bytes), like, mode)
     }
 
-    /// Like [`new`](Self::new), with bytes in several parts.
+    /// A replacement as by [`new`](Self::new), with bytes in several parts.
     pub(crate) fn with_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
@@ -130,7 +130,7 @@ impl PendingFile {
         format!("cannot write {}", self.shown.display())
     }
 
-    /// Whether it replaces an existing file.
+    /// Whether the new file replaces an existing one.
     pub fn replaces(&self) -> bool {
         self.replaces
     }
@@ -278,7 +278,7 @@ pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// After a rename, the folder's entry itself has to reach the disk.
+/// Brings the entry of a renamed file in its folder to the disk.
 pub(super) fn sync_folder_of(path: &Path) {
     // Windows cannot open folders, and needs no synchronisation after a rename. A failure is harmless.
     if let Ok(folder) = file_access::open_folder(folder_of(path)) {

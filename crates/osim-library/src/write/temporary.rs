@@ -16,17 +16,17 @@ use tempfile::NamedTempFile;
 
 use crate::file_access;
 
-const PREFIX: &str = ".osim-contact-scale-";
-const SUFFIX: &str = ".tmp";
+const TEMPORARY_PREFIX: &str = ".osim-contact-scale-";
+const TEMPORARY_SUFFIX: &str = ".tmp";
 
 /// A new file in `folder` that only this process writes, with the mode bits of `like`.
 ///
 /// The file is locked while it is open, so that other processes see that it is in use, even if they run in another container with the
 /// same host name and cannot see this process.
 pub(crate) fn new_file(folder: &Path, like: Option<&Metadata>) -> std::io::Result<NamedTempFile> {
-    let prefix = format!("{PREFIX}{}-{}-", host_in_names(), std::process::id());
+    let prefix = format!("{TEMPORARY_PREFIX}{}-{}-", host_in_names(), std::process::id());
     let mut builder = tempfile::Builder::new();
-    builder.prefix(&prefix).suffix(SUFFIX);
+    builder.prefix(&prefix).suffix(TEMPORARY_SUFFIX);
     let temporary = create_in(&mut builder, folder, like)?;
     // Some network file systems have no locks: there, only the process in the name shows whether the file is in use.
     drop(temporary.as_file().try_lock());
@@ -38,9 +38,9 @@ pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
     host_and_process(name).is_some_and(|owner| has_dead_owner(owner, &folder.join(name)))
 }
 
-/// `HOST-PROCESS-XXXXXX` of the name of a temporary file.
+/// `HOST_NAME-PROCESS-XXXXXX` of the name of a temporary file.
 pub(super) fn host_and_process(name: &OsStr) -> Option<&str> {
-    name.to_str()?.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)
+    name.to_str()?.strip_prefix(TEMPORARY_PREFIX)?.strip_suffix(TEMPORARY_SUFFIX)
 }
 
 /// Whether `path` is that of a process of this computer that is gone.
@@ -49,7 +49,7 @@ pub(super) fn has_dead_owner(owner: &str, path: &Path) -> bool {
     process != std::process::id() && !is_alive(process) && is_open_nowhere(path)
 }
 
-/// The process of this computer in `HOST-PROCESS-XXXXXX`.
+/// The process of this computer in `HOST_NAME-PROCESS-XXXXXX`.
 fn process_of_owner(owner: &str) -> Option<u32> {
     let rest = owner.strip_prefix(host_in_names())?.strip_prefix('-')?;
     let (process, random) = rest.split_once('-')?;
@@ -78,8 +78,8 @@ fn is_open_nowhere(path: &Path) -> bool {
 
 /// The computer's name, with only those letters that every file system allows.
 fn host_in_names() -> &'static str {
-    static HOST: OnceLock<String> = OnceLock::new();
-    HOST.get_or_init(|| {
+    static HOST_NAME: OnceLock<String> = OnceLock::new();
+    HOST_NAME.get_or_init(|| {
         let name = host_name();
         let plain = |c: char| if c.is_ascii_alphanumeric() || c == '.' || c == '_' { c } else { '_' };
         let name: String = name.chars().take(64).map(plain).collect();
@@ -148,7 +148,8 @@ mod tests {
     fn no_other_process_can_write_a_file_until_it_has_its_final_name() {
         let folder = tempfile::tempdir().unwrap();
         let mut builder = tempfile::Builder::new();
-        let file = create_in(builder.prefix(PREFIX).suffix(SUFFIX), folder.path(), None).unwrap();
+        let file = create_in(builder.prefix(TEMPORARY_PREFIX).suffix(TEMPORARY_SUFFIX), folder.path(), None)
+            .unwrap();
         let path = file.path().to_owned();
         assert!(!is_open_nowhere(&path));
         let target = folder.path().join("model.osim");
@@ -169,7 +170,9 @@ mod tests {
             .unwrap();
         let dead = child.id();
         child.wait().unwrap();
-        let name = |process: u32| format!("{PREFIX}{}-{process}-abcdef{SUFFIX}", host_in_names());
+        let name = |process: u32| {
+            format!("{TEMPORARY_PREFIX}{}-{process}-abcdef{TEMPORARY_SUFFIX}", host_in_names())
+        };
         let of_dead = folder.path().join(name(dead));
         let held = File::create(&of_dead).unwrap();
         held.lock().unwrap();

@@ -10,7 +10,7 @@ use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, Step};
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;
 /// A place or radius that differs by no more than this, relative to the radius, is as it was.
-const UNTOUCHED: f64 = 1e-6;
+const UNTOUCHED_RADII: f64 = 1e-6;
 /// Factors that differ by no more than this (relative) are equal.
 const SAME_FACTOR: f64 = 1e-9;
 /// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
@@ -48,7 +48,7 @@ pub struct PlacedSphere {
     pub was_m: [f64; 3],
     /// Place where the sphere belongs: that in the model that was scaled, times the factors of its body.
     pub belongs_m: [f64; 3],
-    /// Whether it is where it belongs, or its bottom is on the scaled sole.
+    /// Whether the sphere is where it belongs, or its bottom is on the scaled sole.
     pub follows: bool,
     /// Whether place and radius are those in the model that was scaled.
     untouched: bool,
@@ -132,7 +132,7 @@ impl SpherePlacements {
 }
 
 impl PlacedSphere {
-    /// Whether it is where it was in the model that was scaled.
+    /// Whether the sphere is where it was in the model that was scaled.
     pub fn stayed(&self) -> bool {
         is_same_place(self.here_m, self.was_m)
     }
@@ -199,7 +199,7 @@ fn placed_spheres(
     Ok((spheres, unmatched(model, scaled, original), uneven && !stretched))
 }
 
-/// By how much the y factor differs from √(x z), relatively.
+/// The relative difference of the y factor from √(x z).
 fn stretch([x, y, z]: [f64; 3]) -> f64 {
     (y / (x * z).sqrt() - 1.0).abs()
 }
@@ -217,7 +217,7 @@ fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: Leve
 
 /// Whether a sphere is as it was, as a transfer asks before it moves one.
 fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
-    let same = |a: f64, b: f64| (a - b).abs() <= UNTOUCHED * old.radius_m;
+    let same = |a: f64, b: f64| (a - b).abs() <= UNTOUCHED_RADII * old.radius_m;
     same(now.radius_m, old.radius_m) && now.location_m.iter().zip(old.location_m).all(|(a, b)| same(*a, b))
 }
 

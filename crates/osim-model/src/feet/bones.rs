@@ -154,15 +154,15 @@ fn mesh_file(
 // Where mesh files are looked for, and under which names.
 
 /// Marks of the right and the left side in names of bones that are common: before and after the name.
-const RIGHT: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
-const LEFT: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
+const MARKS_OF_RIGHT: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
+const MARKS_OF_LEFT: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
 
 /// The folders in which meshes are looked for, in this order: that of the model, its `Geometry`, and others.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MeshFolders(Vec<PathBuf>);
 
 impl MeshFolders {
-    /// For the model at `path`.
+    /// The folders in which OpenSim looks for meshes of the model at `path`.
     ///
     /// ```
     /// use std::path::Path;
@@ -221,7 +221,7 @@ fn other_names(mesh: &str) -> Vec<(String, bool)> {
 
 /// The name of a bone without the mark of its side; without one it is the right one.
 fn without_mark(stem: &str) -> (String, Side) {
-    for (side, (before, behind)) in [(Side::Left, LEFT), (Side::Right, RIGHT)] {
+    for (side, (before, behind)) in [(Side::Left, MARKS_OF_LEFT), (Side::Right, MARKS_OF_RIGHT)] {
         let bare = before.iter().find_map(|mark| stem.strip_prefix(mark));
         let bare = bare.or_else(|| behind.iter().find_map(|mark| stem.strip_suffix(mark)));
         if let Some(bare) = bare.filter(|bare| !bare.is_empty()) {
@@ -233,7 +233,7 @@ fn without_mark(stem: &str) -> (String, Side) {
 
 /// The names of files of a bone of one side.
 fn names_of_side(bone: &str, side: Side) -> Vec<String> {
-    let (before, behind) = if side == Side::Right { RIGHT } else { LEFT };
+    let (before, behind) = if side == Side::Right { MARKS_OF_RIGHT } else { MARKS_OF_LEFT };
     let marked = before.iter().map(|mark| format!("{mark}{bone}"));
     let marked = marked.chain(behind.iter().map(|mark| format!("{bone}{mark}")));
     // An unmarked bone is the right one.

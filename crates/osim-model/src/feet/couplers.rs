@@ -9,8 +9,8 @@ use crate::xml::opensim_text;
 /// OpenSim leaves coordinates that are this close to what a constraint says.
 const ASSEMBLY_TOLERANCE: f64 = 1e-10;
 /// How often constraints that depend on each other are followed, at most.
-const PASSES: usize = 8;
-/// From this version on, a constraint says whether it is enforced, not whether it is disabled.
+const MOST_COUPLER_PASSES: usize = 8;
+/// The first version in which a constraint says whether it is enforced, not whether it is disabled.
 const FIRST_WITH_IS_ENFORCED: u32 = 30509;
 
 /// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
@@ -66,7 +66,7 @@ fn unknown_constraint(document: &Document, constraint: ElementId) -> PoseFault {
 /// The values of the coordinates of a model at its default pose.
 #[derive(Debug)]
 pub(crate) struct CoordinateValues {
-    /// By name, those whose value is known, rad or m.
+    /// Values of coordinates that are known, by name, rad or m.
     pub(crate) values: HashMap<String, f64>,
     /// The first constraint that is not understood.
     pub(crate) doubt: Option<PoseFault>,
@@ -178,7 +178,7 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
 /// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
 fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
     let mut unknown = Vec::new();
-    for pass in 0..PASSES {
+    for pass in 0..MOST_COUPLER_PASSES {
         let mut changed = false;
         for coupler in couplers {
             let Some(&independent) = values.get(&coupler.independent) else { continue };

@@ -11,7 +11,7 @@ use super::fault::PoseFault;
 use crate::model::{Model, ModelJoint, Placement};
 
 /// If two ways over joints lead to places as close as this, they lead to one place, m.
-const SAME_PLACE: f64 = 1e-9;
+const SAME_PLACE_M: f64 = 1e-9;
 
 /// Where each body is in ground at the default pose, as OpenSim's `initSystem` leaves it: coordinates at `default_value`, locked
 /// and clamped ones too; prescribed ones where their function is at time 0; those that a CoordinateCouplerConstraint makes
@@ -130,7 +130,7 @@ impl JointPlacements<'_> {
 fn are_equal_placements(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
     let places = [DVec3::ZERO, DVec3::X, DVec3::Y];
-    places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME_PLACE))
+    places.into_iter().all(|point| known.point(point).abs_diff_eq(other.point(point), SAME_PLACE_M))
 }
 
 // All joints in the order in which they are reached from ground.
@@ -143,7 +143,7 @@ pub struct JointStep<'j> {
     pub from: Option<&'j str>,
     /// The body that it leads to.
     pub to: Option<&'j str>,
-    /// Whether it leads from its parent to its child.
+    /// Whether the step leads from the joint's parent to its child.
     pub forward: bool,
     /// Whether `to` was reached over other joints before: the joint closes a loop.
     pub closes: bool,
@@ -190,7 +190,7 @@ pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
 
 /// Bodies that WeldJoints hold together, directly or through others.
 pub(crate) struct Welds<'j> {
-    /// From each body to another one of its group; the first of a group has none. `None` is ground.
+    /// For each body another one of its group; the first of a group has none. `None` is ground.
     leaders: HashMap<Option<&'j str>, Option<&'j str>>,
 }
 

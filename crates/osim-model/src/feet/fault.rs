@@ -105,10 +105,10 @@ impl FeetFault {
 }
 
 /// Names that are shown at most, so that a message stays readable.
-const SHOWN: usize = 20;
+const MOST_NAMES_SHOWN: usize = 20;
 
 fn shown(names: &[String]) -> String {
-    listed(names, SHOWN)
+    listed(names, MOST_NAMES_SHOWN)
 }
 
 fn shown_paths(paths: &[PathBuf]) -> String {

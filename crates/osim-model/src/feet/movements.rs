@@ -11,7 +11,7 @@ use crate::model::{Model, ModelJoint, Placement};
 /// How far a coordinate is moved to see what it moves, rad or m.
 const TRIAL_STEP: f64 = 0.1;
 /// Rotations and translations whose components differ by no more than this are one.
-const SAME_CELL: f64 = 1e-9;
+const SAME_COMPONENT: f64 = 1e-9;
 /// The most bodies on a path to ground.
 const MOST_JOINTS: usize = 64;
 
@@ -200,7 +200,7 @@ fn freedom_of_class(class: &str) -> Freedom {
 }
 
 fn freedom_between(here: &Placement, there: &Placement) -> Freedom {
-    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_CELL)).any();
+    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_COMPONENT)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);
     Freedom { turns, slides: !turns && differ(here.translation_m, there.translation_m) }

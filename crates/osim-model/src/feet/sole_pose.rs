@@ -12,7 +12,7 @@ use crate::model::{Model, ModelJoint, Placement, without_side};
 /// A coordinate that tilts a foot by less than this does not count, rad: 0.3 degrees.
 const LEAST_TILT_RAD: f64 = 0.005;
 /// Coordinates that are named at most.
-const MOST_NAMED: usize = 4;
+const MOST_COORDINATES_NAMED: usize = 4;
 /// Joints above a body, at most.
 const MOST_JOINTS: usize = 64;
 
@@ -104,9 +104,9 @@ impl TiltingCoordinate {
     /// Their names and values for a sentence: `ankle_angle_r = 0.2 rad`; of many the first.
     pub fn listed(all: &[Self]) -> String {
         let one = |own: &Self| format!("{} = {} rad", shown(&own.name), readable(own.value));
-        let mut named: Vec<String> = all.iter().take(MOST_NAMED).map(one).collect();
-        if all.len() > MOST_NAMED {
-            named.push(format!("{} more", all.len() - MOST_NAMED));
+        let mut named: Vec<String> = all.iter().take(MOST_COORDINATES_NAMED).map(one).collect();
+        if all.len() > MOST_COORDINATES_NAMED {
+            named.push(format!("{} more", all.len() - MOST_COORDINATES_NAMED));
         }
         named.join(", ")
     }
@@ -119,9 +119,9 @@ const MIRRORS: [DVec3; 3] =
     [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(-1.0, 1.0, 1.0)];
 
 impl Sole {
-    /// By how much the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad: the
-    /// largest angle between where one's body sees up, or the way to the other foot, and the mirror image of where the other's body
-    /// sees it. `None` unless they are the feet of both sides and have a body in common.
+    /// The angle by which the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad:
+    /// the largest angle between where one's body sees up, or the way to the other foot, and the mirror image of where the other's does;
+    /// `None` where a pose is not known.
     pub fn pose_asymmetry(&self, other: &Self, model: &Model) -> Option<f64> {
         (self.side? != other.side?).then_some(())?;
         let pose = DefaultPose::of(model);

@@ -155,8 +155,8 @@ pub fn shortest(value: f64) -> String {
 
 /// Formats a number into a string that is allocated once.
 fn formatted(number: fmt::Arguments<'_>) -> String {
-    const LONGEST: usize = 24;
-    let mut text = String::with_capacity(LONGEST);
+    const LONGEST_ESCAPE: usize = 24;
+    let mut text = String::with_capacity(LONGEST_ESCAPE);
     // Writing to a string cannot fail.
     let _ = text.write_fmt(number);
     text
@@ -164,9 +164,9 @@ fn formatted(number: fmt::Arguments<'_>) -> String {
 
 /// A number for people: exact if the exact text is short, else eight significant digits.
 pub fn readable(value: f64) -> String {
-    const SHORT: usize = 10;
+    const SHORT_TEXT: usize = 10;
     let exact = shortest(value);
-    if exact.len() <= SHORT || !value.is_finite() {
+    if exact.len() <= SHORT_TEXT || !value.is_finite() {
         return exact;
     }
     shortest(rounded(value, 7))

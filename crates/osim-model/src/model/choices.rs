@@ -93,9 +93,9 @@ pub enum RadiusRule {
     /// R ∝ M^{1/3}, with the linear dimensions of the body (8). In a transfer, as large against the body as the reference's.
     Isometric,
     Keep,
-    /// All become this, in m.
+    /// All radii become this, in m.
     Metres(f64),
-    /// All are multiplied by this.
+    /// All radii are multiplied by this.
     Factor(f64),
 }
 

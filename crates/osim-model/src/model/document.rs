@@ -101,7 +101,7 @@ impl Document {
         self.data_root
     }
 
-    /// Whether it holds a whole model, and no set that stands alone.
+    /// Whether the document holds a whole model, and no set that stands alone.
     pub fn is_model(&self) -> bool {
         self.tree.name(self.data_root()) == "Model"
     }

@@ -13,7 +13,7 @@ impl Rotation {
         Self(DMat3::from_cols_array_2d(&rows).transpose())
     }
 
-    /// From OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
+    /// The rotation of OpenSim's `orientation`: body-fixed angles about x, then y, then z, in rad.
     pub fn body_fixed_xyz([x, y, z]: [f64; 3]) -> Self {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
@@ -129,7 +129,7 @@ pub struct LevelAxis {
     pub axis: Axis,
     /// Whether the axis points down: then away from the ground is its negative direction.
     pub down: bool,
-    /// Whether it is an axis of the body: then in each sphere's frame the nearest axis is taken. Otherwise it is an axis of every
+    /// Whether the axis is one of the body: then in each sphere's frame the nearest axis is taken. Otherwise it is an axis of every
     /// sphere's own frame.
     pub of_body: bool,
 }
@@ -197,7 +197,7 @@ pub struct Placement {
 impl Placement {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: DVec3::ZERO };
 
-    /// From OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
+    /// The placement of OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
     pub(crate) fn from_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
         Self { rotation: Rotation::body_fixed_xyz(orientation), translation_m: translation_m.into() }
     }
@@ -248,7 +248,7 @@ pub(crate) fn six_digits(value: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MovingPlacement {
     pub at: Placement,
-    /// How it turns, rad/s, seen from the other one.
+    /// Angular velocity of the frame, rad/s, seen from the other one.
     pub angular_velocity: DVec3,
     /// How its origin moves, m/s, seen from the other one.
     pub velocity_m_s: DVec3,

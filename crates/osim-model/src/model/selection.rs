@@ -128,10 +128,10 @@ fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
 impl Model {
     /// Up to six names of forces, so that a message stays readable.
     pub fn short_force_names(&self, forces: &[ForceId]) -> String {
-        const SHOWN: usize = 6;
+        const MOST_NAMES_SHOWN: usize = 6;
         let named: Vec<&str> =
             forces.iter().filter_map(|&id| self.force(id)).map(|force| force.name.as_str()).collect();
-        listed(&named, SHOWN)
+        listed(&named, MOST_NAMES_SHOWN)
     }
 }
 

@@ -17,8 +17,8 @@ pub struct Body {
     pub file: FileId,
     /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
     pub fixed: bool,
-    /// Whether it does not count in the mass of the model: it is fixed, and has no child body, such as a platform. A body joined to it
-    /// by a joint along which it can move away does not count as its child.
+    /// Whether the body does not count in the mass of the model: it is fixed, and has no child body, such as a platform. A body joined to
+    /// it by a joint along which it can move away does not count as its child.
     pub excluded_from_mass: bool,
 }
 
@@ -52,7 +52,7 @@ struct JointRelations {
     loops: Loops,
     /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
     ignored_joints: Vec<ComponentId>,
-    /// For each body that is joined to another one, the body on top of its joint tree.
+    /// The body on top of the joint tree of each body that is joined to another one.
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies welded to ground, directly or through others.
     welded: HashSet<ComponentId>,
@@ -99,7 +99,7 @@ impl Skeleton {
         self.joined.tops.get(&body).copied().unwrap_or(body)
     }
 
-    /// Whether it is ground or a body welded to ground.
+    /// Whether `base` is ground or a body welded to ground.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
         match base {
             Base::Ground => true,
@@ -244,7 +244,7 @@ struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
     pub weld: bool,
-    /// Whether it is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
+    /// Whether the joint is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
     pub counts_twice: bool,
     /// Whether what it joins moves away from each other, as an animal from the ground that it walks on.
     pub moves_away: bool,

@@ -36,7 +36,7 @@ pub struct Model {
     pub(crate) forces: Vec<Force>,
     /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
     pub(crate) note_fault: Option<NoteDoubt>,
-    /// For each companion, the `file="…"` that names it, where one does.
+    /// The `file="…"` that names each companion, where one does.
     pub(crate) included: Vec<Option<String>>,
     pub name: String,
     /// Gravity vector, m/s²; `None` where its text is not three numbers.

@@ -49,13 +49,13 @@ pub struct LineIndex {
 }
 
 /// Bytes of a block: a look-up counts half of one in the mean.
-const BLOCK: usize = 1 << 11;
+const BLOCK_BYTES: usize = 1 << 11;
 
 impl LineIndex {
     /// Counts the line ends of `bytes` (LF and CRLF alike; a lone CR does not end a line).
     pub fn new(bytes: &[u8]) -> Self {
         let mut lines = 0;
-        let counted = bytes.chunks(BLOCK).map(|block| {
+        let counted = bytes.chunks(BLOCK_BYTES).map(|block| {
             let before = lines;
             lines += line_ends(block);
             before
@@ -67,9 +67,9 @@ impl LineIndex {
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
         let offset = offset.min(bytes.len());
         // The end of a file of whole blocks is in none of them.
-        let block = (offset / BLOCK).min(self.before.len().saturating_sub(1));
+        let block = (offset / BLOCK_BYTES).min(self.before.len().saturating_sub(1));
         let before = self.before.get(block).copied().unwrap_or_default();
-        before + line_ends(bytes.get(block * BLOCK..offset).unwrap_or_default()) + 1
+        before + line_ends(bytes.get(block * BLOCK_BYTES..offset).unwrap_or_default()) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`, the same bytes this index was built from.
@@ -112,8 +112,18 @@ mod tests {
     #[test]
     fn lines_are_counted_across_blocks() {
         // One line end in every eight bytes, and a file of exactly three blocks.
-        let text = "1234567\n".repeat(3 * BLOCK / 8);
-        for offset in [0, 7, 8, BLOCK - 1, BLOCK, BLOCK + 8, 2 * BLOCK + 1, 3 * BLOCK - 1, 3 * BLOCK] {
+        let text = "1234567\n".repeat(3 * BLOCK_BYTES / 8);
+        for offset in [
+            0,
+            7,
+            8,
+            BLOCK_BYTES - 1,
+            BLOCK_BYTES,
+            BLOCK_BYTES + 8,
+            2 * BLOCK_BYTES + 1,
+            3 * BLOCK_BYTES - 1,
+            3 * BLOCK_BYTES,
+        ] {
             assert_eq!(line_and_column(&text, offset).0, offset / 8 + 1, "{offset}");
         }
     }

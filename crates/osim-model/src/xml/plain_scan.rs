@@ -7,7 +7,7 @@
 
 use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space};
 
-/// More attributes than this on one tag are compared by the full scan.
+/// The number of attributes on one tag above which the full scan compares them.
 const FEW_ATTRIBUTES: usize = 8;
 /// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
 const BYTES_PER_PIECE: usize = 8;

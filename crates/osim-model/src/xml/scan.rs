@@ -55,7 +55,7 @@ pub enum SyntaxFault {
     Truncated { what: String },
     #[error("a zero byte is here: the file is damaged or not text, copy it again from where it came")]
     Nul,
-    /// More than 4 GiB.
+    /// The file has more than 4 GiB.
     #[error("the file is larger than 4 GiB")]
     TooLarge,
 }
@@ -283,7 +283,7 @@ fn tag_name(tag: &str) -> String {
     tag.get(1..end).unwrap_or_default().to_owned()
 }
 
-/// Every attribute must parse and be there once; linear also for absurdly many.
+/// Checks that every attribute can be parsed and is there once; linear also for absurdly many.
 fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
     let name = tag.name();
     if tag.len() == name.as_ref().len() {

@@ -162,7 +162,7 @@ impl Tree {
         element.open == element.close
     }
 
-    /// From the `<` of the start tag to the `>` of the end tag.
+    /// The bytes of an element, from the `<` of the start tag to the `>` of the end tag.
     pub fn span(&self, id: ElementId) -> Range<usize> {
         let element = self.element(id);
         self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end

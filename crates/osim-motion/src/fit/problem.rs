@@ -121,7 +121,7 @@ impl Unknowns {
 pub enum FittedHeight {
     /// The floor of each trial.
     Floor,
-    /// All spheres, in their bodies. The floor of the first trial stays; each other trial has one of its own.
+    /// All spheres move in their bodies. The floor of the first trial stays; each other trial has one of its own.
     Spheres,
 }
 
@@ -311,7 +311,7 @@ impl<'t> FitProblem<'t> {
 pub(super) struct Limits {
     pub(super) stiffness_log: (f64, f64),
     pub(super) dissipation: (f64, f64),
-    /// For each trial, m: see [`Unknowns::heights_m`].
+    /// The ranges of heights of each trial, m: see [`Unknowns::heights_m`].
     pub(super) heights_m: Vec<(f64, f64)>,
     /// The x/R above which spheres that move down in their bodies get a penalty; `None` if the limits of heights bound the depth, or nothing does.
     pub(super) sphere_depth: Option<f64>,

@@ -7,17 +7,17 @@ use super::trial::FitTrial;
 use crate::feet::ON_BW;
 
 /// The number of heights that are tried first.
-const HEIGHTS: usize = 48;
+const FIRST_HEIGHTS: usize = 48;
 /// Dissipations that are tried with each height, s/m.
 const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
 /// Stiffness factors are searched from its inverse to this.
 const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
 /// Dissipations are searched up to this, s/m.
-const MOST_DISSIPATION: f64 = 10.0;
+const MOST_DISSIPATION_S_M: f64 = 10.0;
 /// If nothing bounds x/R, the fit looks for the floor up to this far above the height at which the first sphere touches, m.
-const UNBOUNDED_M: f64 = 0.25;
+const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
 /// Spheres are searched up to this far up or down in their bodies, and floors of other trials up to this far from the first, m.
-const MOST_IN_SPHERES_M: f64 = 0.25;
+const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitBounds {
@@ -134,7 +134,7 @@ pub(super) fn search_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<L
     if bounds.wanted.height != Some(FittedHeight::Spheres) {
         return Ok(limits);
     }
-    let heights_m = vec![(-MOST_IN_SPHERES_M, MOST_IN_SPHERES_M); trials.len()];
+    let heights_m = vec![(-MOST_SHIFT_OF_SPHERES_M, MOST_SHIFT_OF_SPHERES_M); trials.len()];
     Ok(Limits { heights_m, sphere_depth: bounds.most_relative_indentation, ..limits })
 }
 
@@ -163,12 +163,12 @@ fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitEr
         if !has_force {
             return Err(FitError::NoForce);
         }
-        let most_m = if most_m.is_finite() { most_m } else { least_m + UNBOUNDED_M };
+        let most_m = if most_m.is_finite() { most_m } else { least_m + MOST_RISE_WITHOUT_BOUND_M };
         heights_m.push((least_m.min(most_m - 1e-6), most_m));
     }
     Ok(Limits {
         stiffness_log: (-largest, largest),
-        dissipation: (0.0, MOST_DISSIPATION),
+        dissipation: (0.0, MOST_DISSIPATION_S_M),
         heights_m,
         sphere_depth: None,
     })
@@ -185,8 +185,8 @@ fn scan(
         if bounds.wanted.dissipation { DISSIPATIONS.map(Some).to_vec() } else { vec![unchanged.dissipation] };
     let mut best: Option<(f64, Unknowns)> = None;
     for dissipation in dissipations {
-        for step in 0..if bounds.wanted.height.is_some() { HEIGHTS } else { 1 } {
-            let part = (step as f64 + 0.5) / HEIGHTS as f64;
+        for step in 0..if bounds.wanted.height.is_some() { FIRST_HEIGHTS } else { 1 } {
+            let part = (step as f64 + 0.5) / FIRST_HEIGHTS as f64;
             let floor_up_m = match bounds.wanted.height.is_some() {
                 true => limits.heights_m.iter().map(|(low, high)| low + part * (high - low)).collect(),
                 false => unchanged.floor_up_m.clone(),

@@ -127,15 +127,15 @@ pub(super) fn test_on_held_out(
 
 // Ranges of values with which the other parameters fit nearly as well.
 
-/// To find the end of a range, the step doubles at most so many times, and then halves so many times.
-const DOUBLES: usize = 4;
-const HALVES: usize = 6;
+/// The largest number of times that a step doubles to find the end of a range, before it halves.
+const MOST_DOUBLINGS: usize = 4;
+const HALVINGS: usize = 6;
 /// The first step of a height, m.
 const HEIGHT_STEP_M: f64 = 0.002;
-/// A fit is nearly as good if its error is at most so many times larger, or larger by `NEARLY_BW`.
-const NEARLY: f64 = 1.05;
-/// See `NEARLY`; body weights.
-const NEARLY_BW: f64 = 0.005;
+/// A fit is nearly as good if its error is at most so many times larger, or larger by `NEARLY_BEST_BW`.
+const NEARLY_BEST_FACTOR: f64 = 1.05;
+/// See `NEARLY_BEST_FACTOR`; body weights.
+const NEARLY_BEST_BW: f64 = 0.005;
 
 /// Ranges are computed with at most about so many frames of a foot.
 const MOST_FRAMES: usize = 400;
@@ -212,16 +212,18 @@ impl<'b> NearlyAsGood<'b> {
 
 /// The last value, in the direction of `step`, with which the other parameters fit nearly as well.
 fn range_end(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>) -> f64 {
-    let is_near = |at: f64| tried(at).is_some_and(|rms| rms <= (rms_bw * NEARLY).max(rms_bw + NEARLY_BW));
+    let is_near = |at: f64| {
+        tried(at).is_some_and(|rms| rms <= (rms_bw * NEARLY_BEST_FACTOR).max(rms_bw + NEARLY_BEST_BW))
+    };
     let (mut inside, mut step) = (value, step);
-    for _ in 0..DOUBLES {
+    for _ in 0..MOST_DOUBLINGS {
         if !is_near(inside + step) {
             break;
         }
         inside += step;
         step *= 2.0;
     }
-    for _ in 0..HALVES {
+    for _ in 0..HALVINGS {
         step /= 2.0;
         if is_near(inside + step) {
             inside += step;

@@ -19,7 +19,7 @@ pub struct FitTrial {
     pub beside: usize,
     /// Names of feet that are left out because the plates measured no force under them.
     pub without_force: Vec<String>,
-    /// For each pair of the recording the direction down in the body of its sphere; empty if spheres do not move in their bodies.
+    /// The direction down in the body of each pair's sphere; empty if spheres do not move in their bodies.
     pub down: Vec<DVec3>,
 }
 
@@ -34,7 +34,7 @@ pub struct FootForces {
     pub measured_n: Vec<f64>,
     /// Indentation (m) and its rate (m/s) of each sphere, frame by frame.
     pub contacts: Vec<(f64, f64)>,
-    /// For each of `contacts` its change per metre that the spheres move down in their bodies; empty if they do not move.
+    /// The change of each of `contacts` per metre that the spheres move down in their bodies; empty if they do not move.
     per_metre_down: Vec<ChangePerMetre>,
 }
 
@@ -148,7 +148,7 @@ impl FootForces {
         self.measured_n.len()
     }
 
-    /// Only the frames from `first` up to `end`.
+    /// The trial with only the frames from `first` up to `end`.
     pub(crate) fn frame_range(&self, first: usize, end: usize) -> Self {
         let count = self.laws.len();
         Self {
@@ -209,7 +209,7 @@ pub(super) struct ChangePerMetre {
 pub(super) struct LoweredSpheres<'s> {
     unmoved: &'s ContactStates,
     along: [ContactStates; 3],
-    /// For each pair the direction down in the body of its sphere.
+    /// The direction down in the body of each pair's sphere.
     down: Vec<DVec3>,
 }
 

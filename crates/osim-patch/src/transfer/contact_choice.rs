@@ -33,7 +33,7 @@ pub(crate) enum ContactChoice<'t> {
 }
 
 pub(crate) struct ReferenceRadii<'t> {
-    /// By sphere name; of several spheres of one name the first counts.
+    /// Radii by sphere name; of several spheres of one name the first counts.
     by_name: HashMap<&'t str, f64>,
     /// The radius that all spheres have; `None` if they differ.
     one: Option<Option<f64>>,

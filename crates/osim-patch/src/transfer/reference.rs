@@ -135,7 +135,7 @@ pub struct Transfer {
     pub follow: Option<Follow>,
     /// Move sphere centres so that their bottoms stay where they are, where spheres do not follow their bodies.
     pub level: Option<LevelAxis>,
-    /// By which rule E₁* and α follow.
+    /// The rule that E₁* and α follow.
     pub rule: ScalingRule,
     /// Whether to refuse, instead of warning, if spheres of one force follow bodies with different factors.
     pub strict: bool,

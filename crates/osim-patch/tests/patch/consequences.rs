@@ -14,7 +14,7 @@ fn mass(kg: f64) -> Mass {
     Mass { kg, source: MassSource::ContactsMass }
 }
 
-/// From 10 kg to 80 kg: twice the length, to the last bit.
+/// A request from 10 kg to 80 kg: twice the length, to the last bit.
 fn wanted() -> Rescale {
     Rescale::new(80.0, mass(10.0))
 }

@@ -21,8 +21,8 @@ use serde::Serialize;
 pub(crate) use inputs::STANDARD_GRAVITY_M_S2;
 use inputs::{AtRest, DesignInputs, ModulusSource, domain_fault, solve_at_rest};
 
-/// Every figure that follows from what is known. Serialised it is the JSON contract of `design` without a model;
-/// `docs/reference/json.md` describes it.
+/// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
+/// describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignSheet {
@@ -51,7 +51,7 @@ pub struct DesignFigure {
     pub unit: &'static str,
     /// Number of the equation in the paper, or a word where there is none.
     pub equation: Cow<'static, str>,
-    /// Whether it was given; else it was calculated from other numbers.
+    /// Whether the figure was given; else it was calculated from other numbers.
     pub given: bool,
     /// Limit of the figure, where it has one.
     pub limit: Option<DesignLimit>,
@@ -61,7 +61,7 @@ pub struct DesignFigure {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignLimit {
-    /// In words.
+    /// The limit in words.
     pub text: String,
     /// Whether the figure is within it.
     pub within_limit: bool,

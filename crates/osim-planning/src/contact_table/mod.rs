@@ -198,7 +198,7 @@ enum ColumnMeaning {
 }
 
 /// Names of columns without their unit, in small letters: those for tables of users, then those of MuSkeMo's export.
-const MEANINGS: [(&str, ColumnMeaning); 15] = [
+const COLUMN_MEANINGS: [(&str, ColumnMeaning); 15] = [
     ("name", ColumnMeaning::Name),
     ("body", ColumnMeaning::Body),
     ("x", ColumnMeaning::OfBody(0)),
@@ -293,7 +293,7 @@ fn column_meaning(header: &str) -> Result<ColumnMeaning, String> {
     }
     let lower = header.to_ascii_lowercase();
     let (name, unit) = without_unit(&lower);
-    let Some((_, column_meaning)) = MEANINGS.iter().find(|(known, _)| *known == name) else {
+    let Some((_, column_meaning)) = COLUMN_MEANINGS.iter().find(|(known, _)| *known == name) else {
         return Err(format!("the column '{header}' is not known, expected {EXPECTED_COLUMNS}"));
     };
     match unit {

@@ -11,9 +11,9 @@ const SAME_PLACE_M: f64 = 1e-3;
 /// The place of a contact as its table gives it, m.
 #[derive(Debug, Clone, PartialEq)]
 pub enum TablePlace {
-    /// In the frame of its body.
+    /// A place in the frame of the body.
     OfBody([f64; 3]),
-    /// In MuSkeMo's global frame, in a local one, or in both.
+    /// A place in MuSkeMo's global frame, in a local one, or in both.
     Exported { global_m: Option<[f64; 3]>, local_m: Option<[f64; 3]> },
 }
 

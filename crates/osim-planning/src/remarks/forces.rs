@@ -14,7 +14,7 @@ use crate::prepared_change;
 
 /// Sets of smoothing values that are listed at most.
 const NUMBERS_LISTED: usize = 3;
-const PROPERTIES: [Property; 3] =
+const FRICTION_COEFFICIENTS: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
 /// Remarks on the smoothing values of new forces and their effects; `given` says that the caller gave all of these values.
@@ -61,7 +61,7 @@ fn smoothing_values(object: &ObjectChange) -> Option<[f64; 3]> {
     let value = |wanted: Property| {
         object.parameters.iter().find(|(property, _)| *property == wanted).map(|(_, value)| *value)
     };
-    let [force, hertz, hunt_crossley] = PROPERTIES.map(value);
+    let [force, hertz, hunt_crossley] = FRICTION_COEFFICIENTS.map(value);
     (object.class == ForceKind::SmoothSphereHalfSpace.as_str()).then_some([force?, hertz?, hunt_crossley?])
 }
 
@@ -69,7 +69,7 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     let one = |(property, value): (Property, &f64)| {
         format!("{} {} {}", property.name(), readable(*value), property.unit())
     };
-    let all: Vec<String> = PROPERTIES.into_iter().zip(values).map(one).collect();
+    let all: Vec<String> = FRICTION_COEFFICIENTS.into_iter().zip(values).map(one).collect();
     let forces = if count == 1 { "force" } else { "forces" };
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }

@@ -11,7 +11,7 @@ use serde::Serialize;
 /// Bodies fall from a quarter of the radius, as in the paper's drop tests.
 const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 /// Moments of a fall that are shown.
-const MOMENTS: usize = 361;
+const MOMENTS_OF_FALL: usize = 361;
 /// How long a fall is followed, in √(R/g): a body that bounces as feet do rests before.
 const DURATION_UNITS: f64 = 12.0;
 
@@ -53,13 +53,13 @@ impl Fall {
             forces_bw: Vec::new(),
             why_not: Some(failure.message.to_string()),
         };
-        let report = match series::run_drop_test(body, DROP_HEIGHT, duration_s, MOMENTS) {
+        let report = match series::run_drop_test(body, DROP_HEIGHT, duration_s, MOMENTS_OF_FALL) {
             Ok(report) => report,
             Err(failure) => return none(failure),
         };
         let of = |value: &dyn Fn(&Sample) -> f64| report.series.iter().map(value).collect();
         #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
-        let intervals = (MOMENTS - 1) as f64;
+        let intervals = (MOMENTS_OF_FALL - 1) as f64;
         Self {
             name: body.name.clone(),
             step_s: duration_s / intervals,
@@ -84,9 +84,9 @@ const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 pub struct AnimalFall {
     pub name: &'static str,
     pub mass_kg: f64,
-    /// On the contacts of the paper's human, left as they are.
+    /// Heights on the contacts of the paper's human, left as they are.
     pub left_behind: Vec<f64>,
-    /// On contacts that are scaled to it.
+    /// Heights on contacts that are scaled to the animal.
     pub scaled: Vec<f64>,
 }
 

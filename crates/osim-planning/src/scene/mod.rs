@@ -185,7 +185,7 @@ fn body_lines(model: &Model) -> Vec<BodyLine> {
     anatomy.joints.iter().filter_map(line).collect()
 }
 
-/// Most triangles of all bones together: a view with more is too slow to turn.
+/// The largest number of triangles of all bones together: a view with more is too slow to turn.
 const MOST_TRIANGLES: usize = 600_000;
 
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -247,7 +247,7 @@ fn in_units(metres: f64) -> i32 {
     (metres * UNITS_PER_M).round() as i32
 }
 
-/// Most frames that are shown: of a longer recording every second, third, ... frame is.
+/// The largest number of frames that are shown: of a longer recording every second, third, ... frame is.
 const MOST_FRAMES: usize = 600;
 
 /// A model along a recording, frame by frame: its bodies, and the forces of its contacts and of plates.
@@ -256,7 +256,7 @@ pub struct PlayedRecording {
     pub time_s: Vec<f64>,
     /// Bodies whose place is known.
     pub bodies: Vec<String>,
-    /// For each frame and each body, axes x, y and z and the origin in ground, in hundred-thousandths.
+    /// Axes x, y and z and the origin of each body in ground, frame by frame, in hundred-thousandths.
     pub poses: Vec<i32>,
     pub feet: Vec<PlayedFoot>,
     /// Remarks on the recording.
@@ -275,7 +275,7 @@ pub struct PlayedFoot {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedForce {
-    /// In each frame, body weights, in ground; `None` where it is not known.
+    /// Forces in each frame, body weights, in ground; `None` where one is not known.
     pub forces_bw: Vec<Option<[f64; 3]>>,
     /// The centre of pressure on the floor in each frame, m; `None` where the force is too small, or the point is not known.
     pub points_m: Vec<Option<[f64; 3]>>,

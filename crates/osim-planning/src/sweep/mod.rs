@@ -58,7 +58,7 @@ impl MadeVariant {
         &self.variant.digest
     }
 
-    /// Whether it has errors or warnings that the original does not have.
+    /// Whether the variant has errors or warnings that the original does not have.
     pub fn is_worse(&self) -> bool {
         !self.worse.is_empty()
     }
@@ -271,7 +271,7 @@ fn message_with_point(failure: &Failure, job: &VariantJob) -> Phrase {
 }
 
 /// Properties that are columns of the table of variants.
-const PROPERTIES: [Property; 6] = [
+const PROPERTY_COLUMNS: [Property; 6] = [
     Property::Radius,
     Property::Stiffness,
     Property::Dissipation,
@@ -280,7 +280,7 @@ const PROPERTIES: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// Before the name of an axis, in the name of its column.
+/// The beginning of the name of an axis's column.
 const GRID_PREFIX: &str = "grid_";
 /// The column with the aim of each step of a ladder.
 const LADDER_COLUMNS: [&str; 1] = ["wanted_dimensionless_stiffness"];
@@ -295,7 +295,7 @@ const FIRST_COLUMNS: [&str; 2] = ["index", "file"];
 
 /// Names of all columns: number and file, values of the grid or ladder, parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
-    let properties = PROPERTIES.map(|property| property.name().to_owned());
+    let properties = PROPERTY_COLUMNS.map(|property| property.name().to_owned());
     let follows = [
         HERTZ_INDENTATION,
         MODEL_LAW_INDENTATION,
@@ -329,7 +329,7 @@ fn row(
     (worse, sha256): (&[&str], String),
 ) -> Vec<String> {
     let cell = |value: Option<f64>| value.map(shortest).unwrap_or_default();
-    let properties = PROPERTIES.map(|property| cell(variant.common_value(property)));
+    let properties = PROPERTY_COLUMNS.map(|property| cell(variant.common_value(property)));
     let follows = [
         variant.indentations(Figure::Indentation),
         variant.indentations(Figure::IndentationModelLaw),

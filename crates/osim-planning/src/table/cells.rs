@@ -211,7 +211,7 @@ fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
 // Columns of masses: each row is judged by the others, because a slip is what is out of line.
 
 /// Columns in which a mass may be a slip.
-const MASSES: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];
+const MASS_COLUMNS: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];
 
 /// The masses of each such column, kg, from the lightest to the heaviest.
 #[derive(Debug, Default)]
@@ -230,7 +230,7 @@ impl Masses {
             masses.sort_by(f64::total_cmp);
             Some((input, masses))
         };
-        Self(MASSES.into_iter().filter_map(read).collect())
+        Self(MASS_COLUMNS.into_iter().filter_map(read).collect())
     }
 
     /// The masses in the other rows, for a row with these fields.

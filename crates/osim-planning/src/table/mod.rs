@@ -64,7 +64,7 @@ impl Table {
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
 
-    /// With answers to questions of all rows, beside those that rows give themselves.
+    /// The table with answers to questions of all rows, beside those that rows give themselves.
     pub fn answering(self, yes: Vec<Question>) -> Self {
         Self { yes, ..self }
     }

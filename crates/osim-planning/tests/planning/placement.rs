@@ -13,7 +13,8 @@ use serde_json::{Value, json};
 /// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
 const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 const CHILD: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
-/// Nobody's places on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's origin.
+/// A model with the spheres of no published one on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's
+/// origin.
 const NOBODYS: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
 /// The generic model and the model that the real Scale Tool made of it.
 const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");

@@ -29,7 +29,7 @@ impl Random {
         choices[self.index(choices.len())]
     }
 
-    /// From 0 to 1, with the 53 bits that a double has.
+    /// A random number from 0 to 1, with the 53 bits that a double has.
     pub(crate) fn part(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }

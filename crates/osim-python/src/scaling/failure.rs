@@ -5,7 +5,7 @@ use std::fmt;
 use contact_scaling::DomainError;
 
 /// The quantity of a failure about a list that is too long or too short.
-const ELEMENTS: &str = "the number of elements";
+const NUMBER_OF_ELEMENTS: &str = "the number of elements";
 
 /// Why an equation has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,7 +67,7 @@ impl Failure {
     pub(super) fn length(parameter: &'static str, found: usize) -> Self {
         Self {
             parameter: Some(parameter),
-            quantity: ELEMENTS,
+            quantity: NUMBER_OF_ELEMENTS,
             value: count(found),
             expected: "one, or as many as the other arguments have",
             index: None,
@@ -98,7 +98,7 @@ impl Failure {
     pub(crate) fn message(&self, place: &str) -> String {
         let Self { parameter, quantity, value, expected, .. } = *self;
         match parameter {
-            Some(name) if quantity == ELEMENTS => {
+            Some(name) if quantity == NUMBER_OF_ELEMENTS => {
                 format!("{name}: {quantity} is {value}, expected {expected}")
             }
             Some(name) => format!("{name}{place} is {value:?}, expected {expected}"),

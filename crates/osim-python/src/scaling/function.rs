@@ -25,9 +25,9 @@ pub(crate) struct Function {
 /// The Rust function behind a Python one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Call {
-    /// From numbers alone.
+    /// A function of numbers alone.
     Numbers(fn(&[f64]) -> Result<f64, Failure>),
-    /// From numbers, by one of two rules for the modulus of two surfaces: Python's keyword `rule`.
+    /// A function of numbers and one of two rules for the modulus of two surfaces: Python's keyword `rule`.
     WithRule(fn(MixingRule, &[f64]) -> Result<f64, Failure>),
 }
 
@@ -59,7 +59,7 @@ impl Function {
         Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
     }
 
-    /// Whether it takes the keyword `rule`.
+    /// Whether the function takes the keyword `rule`.
     pub(crate) fn takes_rule(&self) -> bool {
         matches!(self.call, Call::WithRule(_))
     }

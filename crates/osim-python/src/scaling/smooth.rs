@@ -13,25 +13,25 @@ pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_CF), "SmoothSphere::constant_indentation_force",
-        law(hertz(composite_modulus, radius, shape_factor)?, Smooth { constant_contact_force, ..Smooth::ANY })?
+        law(hertz(composite_modulus, radius, shape_factor)?, Smooth { constant_contact_force, ..Smooth::UNUSED })?
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(F_S), "SmoothSphere::elastic_force",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::ANY })?
+            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::stiffness",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::ANY })?
+            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::UNUSED })?
             .stiffness(indentation)),
     function!(contact_state(hertz_smoothing: BD, indentation: X)
         -> Value(S_C), "SmoothSphere::contact_state",
-        law(Hertz::sphere(1.0, 1.0)?, Smooth { hertz_smoothing, ..Smooth::ANY })?.contact_state(indentation)),
+        law(Hertz::sphere(1.0, 1.0)?, Smooth { hertz_smoothing, ..Smooth::UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
@@ -41,7 +41,7 @@ pub(super) const SMOOTH: &[Function] = &[
             .force(indentation, speed)),
     function!(speed_state(dissipation: ALPHA, hunt_crossley_smoothing: BV, speed: SPEED)
         -> Value(SPEED_STATE), "SmoothSphere::speed_state",
-        law(Hertz::sphere(1.0, 1.0)?, Smooth { dissipation, hunt_crossley_smoothing, ..Smooth::ANY })?
+        law(Hertz::sphere(1.0, 1.0)?, Smooth { dissipation, hunt_crossley_smoothing, ..Smooth::UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
         -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
@@ -76,8 +76,8 @@ struct Smooth {
 }
 
 impl Smooth {
-    /// For what an equation does not depend on.
-    const ANY: Self = Self {
+    /// Values for parameters that an equation does not depend on.
+    const UNUSED: Self = Self {
         dissipation: 0.0,
         constant_contact_force: 0.0,
         hertz_smoothing: 1.0,

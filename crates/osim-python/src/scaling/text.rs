@@ -6,7 +6,7 @@ use contact_scaling::equations::{Equation, Form, reference};
 use super::parameter::{Parameter, RULES, Returns};
 
 /// The type of an argument that is an array or one number, in docstrings.
-const ARRAY: &str = "float or array_like";
+const ARRAY_TYPE: &str = "float or array_like";
 
 /// An argument, with what can be given for it.
 pub(super) struct Argument {
@@ -18,7 +18,7 @@ pub(super) struct Argument {
 impl Argument {
     /// A number, or an array of numbers.
     pub(super) fn of_array(parameter: Parameter) -> Self {
-        Self::new(parameter, ARRAY)
+        Self::new(parameter, ARRAY_TYPE)
     }
 
     /// A list of numbers.
@@ -66,7 +66,7 @@ pub(super) fn docstring(
     for Argument { name, kind, symbol } in &arguments {
         text.push_str(&format!("{name} : {kind}\n    {}.\n", meaning(symbol, symbol.unit)));
     }
-    let is_array = arguments.iter().any(|argument| argument.kind.starts_with(ARRAY));
+    let is_array = arguments.iter().any(|argument| argument.kind.starts_with(ARRAY_TYPE));
     let kind = if is_array { "float or numpy.ndarray" } else { "float" };
     text.push_str(&format!("\nReturns\n-------\n{kind}\n    {}.\n", given(&forms, returns)));
     text.push_str("\nReferences\n----------\n");

@@ -40,7 +40,7 @@ choices! {
 }
 
 impl LengthUnit {
-    /// In m.
+    /// Length of the unit in m.
     pub const fn metres(self) -> f64 {
         match self {
             Self::M => 1.0,
@@ -51,7 +51,7 @@ impl LengthUnit {
 }
 
 impl ForceUnit {
-    /// In N.
+    /// The unit in N.
     pub const fn newtons(self) -> f64 {
         match self {
             Self::Newton => 1.0,
@@ -62,7 +62,7 @@ impl ForceUnit {
 }
 
 impl SpeedUnit {
-    /// In m/s.
+    /// The unit in m/s.
     pub const fn metres_per_second(self) -> f64 {
         match self {
             Self::MetresPerSecond => 1.0,
@@ -72,7 +72,7 @@ impl SpeedUnit {
 }
 
 impl TimeUnit {
-    /// In s.
+    /// The unit in s.
     pub const fn seconds(self) -> f64 {
         match self {
             Self::S => 1.0,

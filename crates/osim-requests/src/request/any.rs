@@ -11,7 +11,7 @@ use crate::dictionary::{self, map};
 use crate::fault::Relation;
 use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
-use crate::request::verbs::{Request, VERB};
+use crate::request::verbs::{Request, VERB_FIELD};
 use crate::values::typed::trimmed;
 
 impl Request {
@@ -75,12 +75,12 @@ impl Request {
     /// # Errors
     /// It has no verb, or as [`Request::read`].
     pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
-        let verb = fields.shift_remove(VERB).ok_or(RequestFault::Missing { field: VERB })?;
+        let verb = fields.shift_remove(VERB_FIELD).ok_or(RequestFault::Missing { field: VERB_FIELD })?;
         let known = verb.as_str().and_then(Verb::named);
         let Some(known) = known else {
             let names: Vec<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
             return Err(RequestFault::BadValue {
-                field: VERB.to_owned(),
+                field: VERB_FIELD.to_owned(),
                 value: verb.as_str().map_or_else(|| verb.to_string(), str::to_owned),
                 reason: format!("expected one of {}", names.join(", ")),
             });
@@ -97,10 +97,10 @@ impl Request {
 // What results follow from, and what the note of a changed model says of it.
 
 /// The fields that name the models which are changed.
-const MODELS: [&str; 2] = ["models", "file"];
+const FIELDS_OF_MODELS: [&str; 2] = ["models", "file"];
 
 /// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
-const SAID_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
+const FIELDS_NOTED_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
 
 /// The parts of a request that the note of a changed model records.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -119,7 +119,7 @@ impl Request {
         let others =
             [map(&AnswerOptions::default()), map(&OutputOptions::default()), map(&RunOptions::default())];
         let is_other = |name: &String| {
-            MODELS.contains(&name.as_str()) || others.iter().any(|fields| fields.contains_key(name))
+            FIELDS_OF_MODELS.contains(&name.as_str()) || others.iter().any(|fields| fields.contains_key(name))
         };
         self.to_map().into_iter().filter(|(name, _)| !is_other(name)).collect()
     }
@@ -137,7 +137,10 @@ impl Request {
             // A factor is in the operation.
             "radius" => value.as_str().is_some_and(|text| text.starts_with('x')),
             "level" => self.verb() == Verb::Set,
-            name => SAID_ELSEWHERE.contains(&name) || others.iter().any(|fields| fields.contains_key(name)),
+            name => {
+                FIELDS_NOTED_ELSEWHERE.contains(&name)
+                    || others.iter().any(|fields| fields.contains_key(name))
+            }
         };
         let said = self.to_map();
         let stance_limbs = said.get("stance_limbs").and_then(Value::as_f64);

@@ -41,7 +41,7 @@ impl InspectRequest {
 }
 
 choices! {
-    /// From which severity on a finding is a failure.
+    /// The severity from which on a finding is a failure.
     Deny: Error {
         Warning = "warning", "Limits of the paper and traps, too";
         Error = "error", "What OpenSim computes differently from what is written, or wrongly";

@@ -117,10 +117,10 @@ impl SweepRequest {
 
 // How many models a sweep makes, and whether its axes go together: what can be known without the model.
 
-/// More models than this are made only if the caller confirms it.
-const MANY: usize = 10_000;
-/// More than this no sweep makes.
-const MOST: usize = 1_000_000;
+/// The number of variants above which the caller has to confirm a sweep.
+const MANY_VARIANTS: usize = 10_000;
+/// The largest number of variants of a sweep.
+const MOST_VARIANTS: usize = 1_000_000;
 
 impl SweepRequest {
     /// Checks what can be known without the model.
@@ -130,7 +130,7 @@ impl SweepRequest {
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
-        if count > MOST && self.point.is_none() && !self.dry_run {
+        if count > MOST_VARIANTS && self.point.is_none() && !self.dry_run {
             let message = format!(
                 "{count} models are more than 1,000,000, the most that one sweep makes: give fewer values"
             );
@@ -151,7 +151,7 @@ impl SweepRequest {
 
     /// Whether there are so many models that they are made only if the caller confirms it.
     pub fn is_large(&self) -> bool {
-        self.count().is_ok_and(|count| count > MANY)
+        self.count().is_ok_and(|count| count > MANY_VARIANTS)
     }
 
     /// Checks that axes do not undo each other.

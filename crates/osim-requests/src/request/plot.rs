@@ -178,7 +178,7 @@ impl PlotRequest {
 }
 
 impl PlotRequest {
-    /// Whether it is a figure of the paper, which shows its own animals.
+    /// Whether the plot is a figure of the paper, which shows its own animals.
     pub(crate) fn is_of_paper(&self) -> bool {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
     }
@@ -230,12 +230,12 @@ impl PlotRequest {
         Ok(())
     }
 
-    /// Whether it is a figure of a recorded motion.
+    /// Whether the plot is a figure of a recorded motion.
     pub fn is_of_motion(&self) -> bool {
         self.kind == Some(PlotKind::Motion)
     }
 
-    /// Whether it is a figure of feet, which shows where spheres are and not what they do.
+    /// Whether the plot is a figure of feet, which shows where spheres are and not what they do.
     pub fn is_of_feet(&self) -> bool {
         self.kind == Some(PlotKind::Feet)
     }

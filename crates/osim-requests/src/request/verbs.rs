@@ -17,7 +17,7 @@ use crate::request::parameters::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
 
 /// The name under which a dictionary says which verb it is for.
-pub(super) const VERB: &str = "verb";
+pub(super) const VERB_FIELD: &str = "verb";
 
 /// Texts about a verb for the help and for pages.
 #[derive(Debug, Clone, Copy)]
@@ -87,7 +87,7 @@ impl VerbGroup {
 
     /// Verbs of the group, in the order of the help.
     pub fn verbs(self) -> impl Iterator<Item = Verb> {
-        REGISTERED.iter().copied().filter(move |verb| verb_entry(*verb).group == self)
+        ALL_VERBS.iter().copied().filter(move |verb| verb_entry(*verb).group == self)
     }
 }
 
@@ -107,7 +107,7 @@ macro_rules! verbs {
         }
 
         /// Every verb; those of a group are in the order in which the help lists them.
-        const REGISTERED: &[Verb] = &[$(Verb::$variant),+];
+        const ALL_VERBS: &[Verb] = &[$(Verb::$variant),+];
 
         /// The verbs that change models which they name.
         pub const CHANGING: &[Verb] = &[$($(marked!($change Verb::$variant),)?)+];
@@ -137,7 +137,7 @@ macro_rules! verbs {
             /// The fields that say something, as [`Request::read`] takes them; the verb among them.
             pub fn to_map(&self) -> Map<String, Value> {
                 let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
-                std::iter::once((VERB.to_owned(), self.verb().name().into())).chain(fields).collect()
+                std::iter::once((VERB_FIELD.to_owned(), self.verb().name().into())).chain(fields).collect()
             }
 
             /// Checks that its fields go together.

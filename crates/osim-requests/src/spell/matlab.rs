@@ -90,7 +90,7 @@ fn value_of(example: &Example) -> String {
 }
 
 /// Words that cannot be the name of a field.
-const RESERVED: [&str; 20] = [
+const RESERVED_NAMES: [&str; 20] = [
     "break",
     "case",
     "catch",
@@ -114,7 +114,7 @@ const RESERVED: [&str; 20] = [
 ];
 
 /// The longest name of a field.
-const LONGEST: usize = 63;
+const LONGEST_NAME: usize = 63;
 
 /// `TargetMass` for `target_mass`.
 fn option(name: &str) -> String {
@@ -150,7 +150,7 @@ fn literal(value: &FieldValue) -> String {
 fn is_field(name: &str) -> bool {
     let is_word = name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
-    is_word && is_name && name.len() <= LONGEST && !RESERVED.contains(&name)
+    is_word && is_name && name.len() <= LONGEST_NAME && !RESERVED_NAMES.contains(&name)
 }
 
 fn cell(items: impl Iterator<Item = String>) -> String {

@@ -6,7 +6,7 @@ use crate::request::{Request, verb_title};
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
 
 /// The button that answers a question.
-const MEANT: &str = "“It is meant as it is: go on”";
+const ANSWER_BUTTON: &str = "“It is meant as it is: go on”";
 
 /// A page: the field “mass of the model”.
 ///
@@ -23,7 +23,7 @@ pub struct Page;
 impl Dialect for Page {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         match example {
-            _ if input == Input::Yes => MEANT.to_owned(),
+            _ if input == Input::Yes => ANSWER_BUTTON.to_owned(),
             Some(Example::Value(value)) => format!("the field “{}” ({value})", input.label()),
             _ => format!("the field “{}”", input.label()),
         }

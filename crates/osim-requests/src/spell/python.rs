@@ -8,8 +8,8 @@ use crate::register::{FieldGroup, is_flag, option_named};
 use crate::request::Request;
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits, is_positional};
 
-const IMPORT: &str = "import osim_contact_scale as ocs";
-const SHOWN: &str = "print(result)";
+const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
+const PRINT_RESULT: &str = "print(result)";
 
 /// Fields that the plan of one model does not take as keywords, but which are done with it when it is there.
 const OF_PLAN: [&str; 2] = ["dry_run", "report"];
@@ -73,13 +73,13 @@ impl Speller for Python {
     /// Lines from the import on, which write and print the result of the call.
     fn script(&self, request: &Request) -> String {
         let fields = Fields::of(request);
-        let mut lines = vec![IMPORT.to_owned(), String::new(), format!("result = {}", call_of(&fields))];
+        let mut lines = vec![IMPORT_LINE.to_owned(), String::new(), format!("result = {}", call_of(&fields))];
         lines.extend(match fields.verb {
             Verb::Inspect => vec!["print(result.models)".to_owned()],
             Verb::Check => vec!["print(result.findings)".to_owned()],
             Verb::Plot => drawn(&fields),
             _ if is_plan(&fields) => carried_out(&fields),
-            _ => vec![SHOWN.to_owned()],
+            _ => vec![PRINT_RESULT.to_owned()],
         });
         lines.join("\n")
     }
@@ -132,7 +132,7 @@ fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
 /// The lines for a plan: it is written, or only printed.
 fn carried_out(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
-        Some(_) => SHOWN.to_owned(),
+        Some(_) => PRINT_RESULT.to_owned(),
         None => format!("result.write({})", joined(keywords(fields.only(FieldGroup::Output)))),
     }];
     if fields.option("diff").is_some() {

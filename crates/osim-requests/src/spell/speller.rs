@@ -67,7 +67,7 @@ pub(super) type Field = (String, FieldValue);
 #[derive(Debug)]
 pub(super) struct Fields {
     pub(super) verb: Verb,
-    /// Whether it changes models that it names.
+    /// Whether the verb changes models that it names.
     pub(super) changes: bool,
     /// Fields that have no name in a call, in its order there.
     pub(super) positional: Vec<Field>,

@@ -79,7 +79,7 @@ impl Assignments {
         Ok(())
     }
 
-    /// All of them.
+    /// All assignments.
     pub fn as_slice(&self) -> &[(Property, Assignment)] {
         &self.0
     }
@@ -89,7 +89,7 @@ impl Assignments {
         self.0.is_empty()
     }
 
-    /// From `stiffness=x2 dissipation=1`, with blanks or semicolons between them.
+    /// Reads assignments such as `stiffness=x2 dissipation=1`, with blanks or semicolons between them.
     ///
     /// # Errors
     /// A text that is not an assignment, or a property that appears twice.
@@ -127,7 +127,7 @@ impl Serialize for Assignments {
 }
 
 impl<'d> Deserialize<'d> for Assignments {
-    /// From a map, or from the text that [`Assignments::read`] takes.
+    /// Reads a map, or the text that [`Assignments::read`] takes.
     fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
         let mut all = Self::default();
         match Value::deserialize(deserializer)? {

@@ -62,7 +62,7 @@ pub struct BodyScale {
 const EXPECTED: &str =
     "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
 /// Factors beyond this, or below 1 over this, belong to no body.
-const LARGEST: f64 = 1e9;
+const LARGEST_FACTOR: f64 = 1e9;
 
 impl FromStr for BodyScale {
     type Err = String;
@@ -87,7 +87,7 @@ impl FromStr for BodyScale {
 }
 
 fn is_factor(factor: &f64) -> bool {
-    (1.0 / LARGEST..=LARGEST).contains(factor)
+    (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)
 }
 
 impl fmt::Display for BodyScale {

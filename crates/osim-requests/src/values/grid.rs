@@ -22,7 +22,7 @@ use crate::values::assignment::assignment;
 use crate::values::serial::{from_text, from_texts};
 use crate::values::typed::{Range, factor, plain, positive_number, respelled, spaced, trimmed, with_colons};
 
-/// Nobody runs a grid with more values than this.
+/// The largest number of values of a grid.
 const MOST_VALUES: u32 = 100_000;
 
 /// The quantity that varies along an axis.
@@ -79,11 +79,11 @@ impl FromStr for AxisName {
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GridValue {
-    /// In names of files and in notes: as typed, or to six digits.
+    /// The value in names of files and in notes: as typed, or to six digits.
     pub label: String,
     /// The number.
     pub number: f64,
-    /// Whether it is a factor of what the model has.
+    /// Whether the value is a factor of what the model has.
     pub is_factor: bool,
 }
 
@@ -237,7 +237,7 @@ pub struct Grid {
     factors: bool,
 }
 
-/// More values than this make a figure slow and show nothing more.
+/// The largest number of points along an axis: more make a figure slow and show nothing more.
 const MOST_POINTS: u32 = 200;
 
 impl Grid {
@@ -297,7 +297,7 @@ impl<'d> Deserialize<'d> for Grid {
     }
 }
 
-/// From one number to a larger one: `FROM..TO`.
+/// A range from one number to a larger one: `FROM..TO`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Span {

@@ -91,7 +91,7 @@ impl<'d> Deserialize<'d> for Radius {
 /// The expected form of a text, for messages.
 const EXPECTED: &str = "isometric, follow or a radius in metres";
 /// No radius is beyond this, in whatever unit, m.
-const LARGEST: f64 = 1e9;
+const LARGEST_LENGTH_M: f64 = 1e9;
 
 /// `isometric`, `follow` or metres.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -101,7 +101,7 @@ pub enum NewRadius {
     Isometric,
     /// The reference's times the geometric mean of the factors of the body that carries the sphere.
     Follow,
-    /// All are this, m.
+    /// All radii are this, m.
     Metres(f64),
 }
 
@@ -131,7 +131,7 @@ impl FromStr for NewRadius {
             "isometric" => Ok(Self::Isometric),
             "follow" => Ok(Self::Follow),
             _ => match positive(text, EXPECTED, LENGTHS)? {
-                metres if metres <= LARGEST => Ok(Self::Metres(metres)),
+                metres if metres <= LARGEST_LENGTH_M => Ok(Self::Metres(metres)),
                 _ => Err(format!("expected {EXPECTED}, at most 1e9")),
             },
         }
@@ -166,14 +166,14 @@ impl<'d> Deserialize<'d> for NewRadius {
 /// Height of the sphere bottoms at the start of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DropHeight {
-    /// In m.
+    /// A length in m.
     Metres(f64),
-    /// In radii of the sphere.
+    /// A length in radii of the sphere.
     Radii(f64),
 }
 
 impl DropHeight {
-    /// In m, for a sphere of this radius.
+    /// The length in m, for a sphere of this radius.
     pub fn metres(self, radius_m: f64) -> f64 {
         match self {
             Self::Metres(metres) => metres,
@@ -181,7 +181,7 @@ impl DropHeight {
         }
     }
 
-    /// For people: the number, and what it counts.
+    /// The length for people: the number, and what it counts.
     pub fn describe(self, metre: &str, radius: &str) -> String {
         match self {
             Self::Metres(metres) => format!("{} {metre}", readable(metres)),

@@ -40,8 +40,8 @@ impl Written {
 
     fn path(self) -> Result<PathBuf, &'static str> {
         match self {
-            Self::Text(text) if text.is_empty() => Err(EMPTY),
-            Self::Bytes { bytes } if bytes.is_empty() => Err(EMPTY),
+            Self::Text(text) if text.is_empty() => Err(EMPTY_NAME),
+            Self::Bytes { bytes } if bytes.is_empty() => Err(EMPTY_NAME),
             Self::Text(text) => Ok(text.into()),
             Self::Bytes { bytes } => of_bytes(bytes).map(PathBuf::from),
         }
@@ -65,7 +65,7 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
 const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
 /// The message about a name of no letters.
-const EMPTY: &str = "it is empty, expected the name of a file";
+const EMPTY_NAME: &str = "it is empty, expected the name of a file";
 
 /// A path as a value.
 pub fn to_value(path: &Path) -> serde_json::Value {

@@ -15,7 +15,7 @@ use crate::values::serial::{self, from_text};
 use crate::values::typed::trimmed;
 
 /// No cluster runs more jobs than this.
-const MOST: u64 = 1_000_000_000;
+const MOST_JOBS: u64 = 1_000_000_000;
 
 /// Share `i` (from 1) of `n`: `i/n`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,11 +65,11 @@ impl FromStr for Shard {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let expected = || format!("expected i/n with i from 1 to n, and n up to {MOST}, such as 2/8");
+        let expected = || format!("expected i/n with i from 1 to n, and n up to {MOST_JOBS}, such as 2/8");
         let (index, count) = text.split_once('/').ok_or_else(expected)?;
         let whole = |text: &str| trimmed(text).parse::<u64>().map_err(|_| expected());
         let shard = Self { index: whole(index)?, count: whole(count)? };
-        if shard.count <= MOST && (1..=shard.count).contains(&shard.index) {
+        if shard.count <= MOST_JOBS && (1..=shard.count).contains(&shard.index) {
             Ok(shard)
         } else {
             Err(expected())

@@ -186,7 +186,7 @@ pub(crate) fn with_colons(text: &str) -> Option<String> {
 struct Colons {
     /// The range as it is written here; `None` if it has no values.
     range: Option<String>,
-    /// Whether it is FROM:STEP:TO; otherwise FROM:TO:COUNT.
+    /// Whether the range is FROM:STEP:TO; otherwise FROM:TO:COUNT.
     has_steps: bool,
 }
 

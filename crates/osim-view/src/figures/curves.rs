@@ -162,7 +162,7 @@ pub fn loops(
     Ok(loop_figure(title_for("Dissipation", bodies, wanted_title), &motion, units, at_rest, loops))
 }
 
-/// Like [`loops`], with one loop for each kind of sphere of `bodies`, which begins with the speed of a fall from `height`.
+/// The loops of [`loops`], with one for each kind of sphere of `bodies`, which begins with the speed of a fall from `height`.
 ///
 /// # Errors
 /// The weight of a body is not known.

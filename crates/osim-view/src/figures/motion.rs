@@ -129,7 +129,7 @@ fn hertz_limit() -> Limit {
     Limit::horizontal("Hertz", limits::INDENTATION.value)
 }
 
-/// Most arrows of one stance.
+/// The largest number of arrows of one stance.
 const MOST_ARROWS: usize = 25;
 /// An arrow leans so far for a force of one body weight along the foot, mm.
 const LEAN_PER_BODY_WEIGHT_MM: f64 = 100.0;

@@ -30,7 +30,7 @@ fn table_failure(error: impl Display) -> Failure {
 /// How long drops of Fig. 4 are followed, s.
 const DURATION_S: f64 = 1.1;
 /// End of the time axis of Fig. 4, s: both animals rest.
-const SHOWN_S: f64 = 0.5;
+const END_OF_FIG_4_S: f64 = 0.5;
 /// Points for each √(R/g), so that the curves of all animals have equally many.
 const SAMPLES_PER_UNIT_OF_TIME: f64 = 40.0;
 
@@ -81,7 +81,7 @@ fn panel(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
     let in_seconds = time == TIME_IN_SECONDS;
     let unit_s = |fall: &AnimalDrop| if in_seconds { 1.0 } else { fall.time_unit_s };
     let drawn = falls.iter().map(|fall| (fall.taxon, fall.points.as_slice(), unit_s(fall)));
-    let mut panel = drop_panel(drawn, time, in_seconds.then_some(SHOWN_S));
+    let mut panel = drop_panel(drawn, time, in_seconds.then_some(END_OF_FIG_4_S));
     panel.title = title.to_owned();
     // All panels have one scale, so that they can be compared.
     panel.y.range = Some((0.0, MOST_BODY_WEIGHTS));
@@ -108,7 +108,7 @@ fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop
 const FIG_C5_ANIMAL: &str = "emu";
 
 /// Curves of Fig. C.5 go so many radii to either side.
-const SHOWN_RADII: f64 = 0.5;
+const WIDTH_OF_FIG_C5_RADII: f64 = 0.5;
 
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
 
@@ -158,7 +158,7 @@ fn body(scale: &Scale, contact: Contact) -> Body {
 fn force_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
     let mut laws = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
-        let reach_m = (-SHOWN_RADII * kind.radius_m, SHOWN_RADII * kind.radius_m);
+        let reach_m = (-WIDTH_OF_FIG_C5_RADII * kind.radius_m, WIDTH_OF_FIG_C5_RADII * kind.radius_m);
         let series = series::force(body, kind, UNITS, reach_m)?;
         laws.push(KindOfSphereLaws { name: body.name.clone(), series, remark: String::new() });
     }

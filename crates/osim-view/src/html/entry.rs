@@ -25,7 +25,7 @@ pub struct Entry {
     pub(super) outcome: String,
     /// Whether an earlier run has done it.
     pub(super) earlier: bool,
-    /// Whether it could not be done.
+    /// Whether the model could not be read or changed.
     pub(super) failed: bool,
     /// The cells after the outcome, in the order of the columns; empty if there is only the outcome.
     pub(super) cells: Vec<Cell>,
@@ -211,9 +211,9 @@ pub(super) struct Cell {
     pub(super) text: String,
     /// A second line, such as the factor below old and new values.
     pub(super) second_line: String,
-    /// Whether it is a figure outside its limit.
+    /// Whether the figure is outside its limit.
     pub(super) outside: bool,
-    /// Whether it has words, not numbers.
+    /// Whether the cell has words, not numbers.
     pub(super) words: bool,
 }
 

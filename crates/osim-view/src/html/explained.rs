@@ -186,8 +186,8 @@ pub(super) fn severity_tag(severity: Severity) -> Markup {
 
 /// The first names, and the number of the others.
 pub(super) fn listed_names(names: &[&str]) -> String {
-    const NAMED: usize = 8;
-    osim_model::messages::listed(names, NAMED)
+    const MOST_NAMES: usize = 8;
+    osim_model::messages::listed(names, MOST_NAMES)
 }
 
 /// A path in which lines may break after each folder.

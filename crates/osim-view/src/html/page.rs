@@ -14,7 +14,7 @@ use crate::html::shell;
 use crate::html::special::{Chosen, MAX_DRAWN};
 
 /// Models of a library that are shown in full; the others are rows of the table.
-const MOST_IN_FULL: usize = 1000;
+const MOST_MODELS_IN_FULL: usize = 1000;
 /// Folded details are opened on paper for at most this many models.
 const MOST_OPEN_ON_PAPER: usize = 20;
 
@@ -97,8 +97,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
             self.chosen.offer(number, &entry.model, facts, drawn);
         }
-        self.rows_only |= fragment.is_some() && self.shown_in_full >= MOST_IN_FULL;
-        let fragment = fragment.filter(|_| self.shown_in_full < MOST_IN_FULL);
+        self.rows_only |= fragment.is_some() && self.shown_in_full >= MOST_MODELS_IN_FULL;
+        let fragment = fragment.filter(|_| self.shown_in_full < MOST_MODELS_IN_FULL);
         let details = fragment.is_some().then_some(number);
         self.parts.rows.add(&terminal_safe(&models_table::row(
             &entry,
@@ -209,7 +209,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if self.rows_only {
             let call = Verb::Inspect.call_with_model().with_placeholder(Input::Report, "FILE.html");
             remarks_on_omissions.push(format!(
-                "Only the first {MOST_IN_FULL} models are shown in full. For any other, ask for a page of its own: {}",
+                "Only the first {MOST_MODELS_IN_FULL} models are shown in full. For any other, ask for a page of its own: {}",
                 self.dialect.command(&call)
             ));
         }

@@ -12,7 +12,7 @@ use crate::report::similarity::{about, cells, gaps, headings};
 
 pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Numbers are equal if they differ by less, relative to the larger one.
-const EQUAL_WITHIN: f64 = 1e-9;
+const RELATIVE_ROUNDING: f64 = 1e-9;
 
 type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
 
@@ -160,7 +160,7 @@ fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
         ]
     };
     numbers(one).into_iter().zip(numbers(other)).all(|pair| match pair {
-        (Some(a), Some(b)) => (a - b).abs() <= EQUAL_WITHIN * f64::max(a.abs(), b.abs()),
+        (Some(a), Some(b)) => (a - b).abs() <= RELATIVE_ROUNDING * f64::max(a.abs(), b.abs()),
         _ => true,
     })
 }

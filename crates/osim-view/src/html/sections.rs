@@ -23,7 +23,7 @@ pub struct Explained {
 /// Sections about one model, and everything that their links lead to.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize)]
 pub struct Sections {
-    /// In the order of a report.
+    /// Sections in the order of a report.
     pub sections: Vec<Section>,
     pub explained: Vec<Explained>,
 }

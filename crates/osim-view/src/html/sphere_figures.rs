@@ -21,14 +21,14 @@ const MAX_COLUMNS: usize = 6;
 pub(super) struct State<'s> {
     pub(super) name: String,
     pub(super) figures: &'s Figures,
-    /// Whether it is another body, whose spheres may have other names.
+    /// Whether the state is that of another body, whose spheres may have other names.
     pub(super) is_reference: bool,
 }
 
 /// The spheres of a state, to be looked up.
 struct Lookup<'s> {
     by_path: HashMap<&'s str, &'s SphereFigures>,
-    /// Only in a reference.
+    /// Spheres of a reference by name.
     by_name: HashMap<&'s str, &'s SphereFigures>,
     /// Any sphere of a reference where all are alike.
     any: Option<&'s SphereFigures>,

@@ -243,7 +243,7 @@ pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
 // The change as a unified diff, as version control shows it.
 
 /// Lines before and after each change.
-const CONTEXT: u32 = 1;
+const CONTEXT_LINES: u32 = 1;
 
 /// Differences between the bytes of a model before and after, under these names.
 pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> String {
@@ -256,7 +256,7 @@ pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> S
         return String::new();
     }
     let mut config = UnifiedDiffConfig::default();
-    config.context_len(CONTEXT);
+    config.context_len(CONTEXT_LINES);
     let lines = diff.unified_diff(&Lines(&input.interner), config, &input).to_string();
     format!("--- {old_name}\n+++ {new_name}\n{lines}")
 }

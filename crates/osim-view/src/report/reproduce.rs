@@ -23,7 +23,7 @@ pub struct ReproductionRecord {
     pub table1: Vec<AnimalRecord>,
     /// How many numbers were compared.
     pub numbers: usize,
-    /// How many of them are within half a unit of the last printed digit.
+    /// The number of values within half a unit of the last printed digit.
     pub within_last_digit: usize,
     /// What Fig. 1 shows and needs, in words: the figure is not computed.
     pub fig1: Vec<String>,
@@ -51,7 +51,7 @@ pub struct AnimalRecord {
 pub struct NumberRecord {
     /// Name of the column; it ends in the unit, which is the paper's.
     pub name: &'static str,
-    /// In words.
+    /// Label of the column.
     #[serde(skip)]
     pub label: &'static str,
     /// Unit of the column, for people; empty for a pure number.

@@ -7,7 +7,7 @@ use crate::report::extent::Extent;
 use crate::report::layout::{table, wrapped};
 
 /// Names that are listed; more are counted.
-const NAMED: usize = 6;
+const MOST_NAMES_LISTED: usize = 6;
 
 /// A description of the list, in sentences for any page.
 pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
@@ -29,7 +29,7 @@ pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];
     for (names, other) in pairs.into_iter().filter(|(names, _)| !names.is_empty()) {
-        sentences.push(format!("no counterpart in {other}: {}", extent.names(names, NAMED)));
+        sentences.push(format!("no counterpart in {other}: {}", extent.names(names, MOST_NAMES_LISTED)));
     }
     for unread in &list.not_read {
         sentences.push(format!("not read: {} {} ({})", unread.count, unread.class, unread.why));
@@ -76,7 +76,7 @@ pub fn cells(list: &SizeList, row: &SizeRow, extent: Extent) -> [String; 5] {
     }
 }
 
-/// By what factor numbers changed: `same`, or the median and the range.
+/// The factors by which numbers changed: `same`, or the median and the range.
 fn found(row: &SizeRow, extent: Extent) -> String {
     match (row.pairs, row.same, &row.factor) {
         (Some(pairs), Some(same), _) if pairs > 0 && same == pairs => "same".to_owned(),

@@ -181,7 +181,7 @@ pub(crate) struct Circle {
     pub(crate) radius: f64,
 }
 
-/// From places on the page to values.
+/// Converts positions on the page to values.
 pub(crate) struct Scale {
     pub(crate) from: (f64, f64),
     pub(crate) to: (f64, f64),

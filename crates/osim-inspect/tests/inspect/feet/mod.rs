@@ -72,7 +72,7 @@ impl Smooth {
         )
     }
 
-    /// Beside the `others` before it: no two spheres are at one place.
+    /// The XML of a sphere beside the `others` before it: no two spheres are at one place.
     fn sphere(&self, others: usize) -> String {
         format!(
             "<ContactSphere name=\"{}\">

@@ -93,7 +93,7 @@ const SHORTEST_OF_BONE: f64 = 0.2;
 #[derive(Debug)]
 pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
-    /// In the reference, m.
+    /// Place in the reference, m.
     pub(super) old_m: DVec3,
     new_m: DVec3,
 }

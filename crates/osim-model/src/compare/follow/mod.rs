@@ -27,14 +27,14 @@ use sources::Sources;
 // Where the spheres of a scaled model belong, and how large they are there.
 
 /// A location or radius that differs by less than this (relative to the radius) was not touched.
-const UNTOUCHED: f64 = 1e-6;
+const UNTOUCHED_RADII: f64 = 1e-6;
 
 /// Radii that do not follow from the factors of bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnRadii {
     /// A body as large as in the reference by (8): the reference's radii times this factor.
     Isometric(f64),
-    /// All are this, m.
+    /// All radii are this, m.
     Metres(f64),
 }
 
@@ -211,7 +211,7 @@ fn follow_one(
 
 /// Whether the scaled model's sphere is no longer as in the generic model.
 fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
-    let limit = UNTOUCHED * old.radius_m;
+    let limit = UNTOUCHED_RADII * old.radius_m;
     let moved = now.location_m.iter().zip(old.location_m).any(|(now, old)| (now - old).abs() > limit);
     moved || (now.radius_m - old.radius_m).abs() > limit
 }
@@ -290,7 +290,7 @@ fn refuse_moved(
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
-    /// In file order of the scaled model.
+    /// Factors of bodies, in file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
     /// Findings: sources disagree on bodies that carry spheres, by more than 1 % in a scaled copy, 5 % between different models; the models
     /// are different.

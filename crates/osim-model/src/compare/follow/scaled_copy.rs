@@ -10,9 +10,9 @@ use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
 
 /// Offsets that differ by more than this from what a factor gives are not explained by it, m.
-const EXPLAINED_M: f64 = 1e-6;
+const EXPLAINED_OFFSET_M: f64 = 1e-6;
 /// Factors of meshes that differ by more than this (relative) are not the same.
-const SAME_FACTOR: f64 = 1e-6;
+const SAME_MESH_FACTOR: f64 = 1e-6;
 /// Offsets shorter than this do not show a factor, m.
 pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
@@ -50,7 +50,7 @@ pub enum CopyDifference {
 }
 
 impl CopyDifference {
-    /// In words, as the beginning of a sentence.
+    /// The difference in words, as the beginning of a sentence.
     pub fn phrase(&self) -> Phrase {
         let text = match self {
             Self::Fragment => "the reference has some bodies only: ".to_owned(),
@@ -155,14 +155,14 @@ fn unexplained(
         .max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
     let factor = meshes.first().copied().or(longest.map(|(_, old, new)| new / old));
     let positive = |value: f64| value.is_finite() && value > 0.0;
-    let same = |value: f64, factor: f64| (value - factor).abs() <= SAME_FACTOR * factor;
+    let same = |value: f64, factor: f64| (value - factor).abs() <= SAME_MESH_FACTOR * factor;
     if meshes.iter().any(|&value| !positive(value) || factor.is_some_and(|factor| !same(value, factor))) {
         return Some(CopyDifference::Meshes { body: body.to_owned(), axis: name });
     }
     // Without a factor, both offsets have to be next to nothing.
     let wrong = offsets.iter().find(|(_, old, new)| match factor {
-        Some(factor) => !positive(factor) || (new - factor * old).abs() > EXPLAINED_M,
-        None => new.abs() > EXPLAINED_M,
+        Some(factor) => !positive(factor) || (new - factor * old).abs() > EXPLAINED_OFFSET_M,
+        None => new.abs() > EXPLAINED_OFFSET_M,
     });
     wrong.map(|(joint, old, new)| CopyDifference::Offset {
         body: body.to_owned(),
@@ -178,8 +178,8 @@ fn unexplained(
 /// A joint that is further than this from where the file puts it, relative to its distance from the body's origin, says that
 /// the file was applied to another model.
 const OTHER_REFERENCE: f64 = 0.01;
-/// Below this, a difference is one of spelling, m.
-const SPELLING_M: f64 = 1e-6;
+/// A difference of offsets that the spelling of a number makes, m.
+const SPELLING_DIFFERENCE_M: f64 = 1e-6;
 
 /// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`](crate::compare::follow::Factors) for an example.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -265,7 +265,7 @@ impl ScaleFile {
             for &SharedOffset { joint, old_m: old, new_m: new } in joints.on(body) {
                 let expected = old * DVec3::from(factors);
                 let apart_m = new.distance(expected);
-                if apart_m > SPELLING_M + OTHER_REFERENCE * expected.length() {
+                if apart_m > SPELLING_DIFFERENCE_M + OTHER_REFERENCE * expected.length() {
                     let (body, joint) = (body.to_owned(), joint.to_owned());
                     let question = FactorQuestion::OtherReference { body, joint, apart_m };
                     return Err(Fault::new(Needed::Factors(question)));

@@ -14,11 +14,11 @@ use crate::model::{Anatomy, FactorQuestion, Fault, Needed, Side, without_side};
 /// Sources of a scaled copy that differ by more than this (relative) disagree.
 const AGREEMENT_IN_A_COPY: f64 = 0.01;
 /// Sources that differ by more than this between different models disagree.
-const AGREEMENT: f64 = 0.05;
+const AGREEMENT_OF_FACTORS: f64 = 0.05;
 
 /// A bone in a mesh that differs by more than this ratio from what the joints of its body say is another animal's: bones of one name
 /// have other proportions, and no two published models differ so much in them.
-const OTHER_BONE: f64 = 2.0;
+const FACTOR_OF_OTHER_BONE: f64 = 2.0;
 
 /// The factors of one body by source.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub(super) struct Sources<'a> {
     pub(super) by_source: Vec<(FactorSource, [Option<f64>; 3])>,
     /// Meshes that show the same bone.
     pub(super) meshes: Vec<BonePair>,
-    /// Between different models: the joint that the distance goes to.
+    /// Between different models, the joint at the other end of the distance.
     distance: Option<ComparedJoint<'a>>,
     in_a_copy: bool,
 }
@@ -74,7 +74,7 @@ impl<'a> Sources<'a> {
 
     /// Sources that do not say what was taken.
     pub(super) fn disagreements(&self, taken: &[Option<AxisFactor>; 3]) -> Vec<String> {
-        let limit = if self.in_a_copy { AGREEMENT_IN_A_COPY } else { AGREEMENT };
+        let limit = if self.in_a_copy { AGREEMENT_IN_A_COPY } else { AGREEMENT_OF_FACTORS };
         let mut messages = Vec::new();
         for (axis, name) in AXIS_NAMES.iter().enumerate() {
             let Some(AxisFactor { factor, source }) = taken[axis] else { continue };
@@ -100,7 +100,7 @@ impl<'a> Sources<'a> {
     /// A distance is one number: it is compared with what the factors make of the same distance.
     fn distance_disagrees(&self, taken: &[Option<AxisFactor>; 3]) -> Option<String> {
         let (distance, source, [along, ratio]) = self.distance_ratios(taken)?;
-        ((ratio - along).abs() > AGREEMENT * along).then(|| {
+        ((ratio - along).abs() > AGREEMENT_OF_FACTORS * along).then(|| {
             format!(
                 "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
                  first",
@@ -126,7 +126,7 @@ impl<'a> Sources<'a> {
             Some((distance, x.source, [mean, distance.ratio()]))
         })?;
         let [by_mesh, by_joint] = ratios;
-        let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > OTHER_BONE;
+        let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > FACTOR_OF_OTHER_BONE;
         let (body, joint) = (self.body.to_owned(), distance.joint.to_owned());
         (apart && source == FactorSource::Mesh).then_some(FactorQuestion::OtherBone { body, joint, ratios })
     }
@@ -210,7 +210,7 @@ fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f
 // Factors between models of which neither is a scaled copy of the other.
 
 /// Meshes of one body that differ by more than this (relative) need an answer.
-const SAME_FACTOR: f64 = 0.01;
+const SAME_MESH_FACTOR: f64 = 0.01;
 
 /// Bodies at the end of a limb, for which there is no source, take the factors of their parent body. If one side of a pair
 /// does, the other does.
@@ -257,7 +257,7 @@ pub(super) fn inherit_from_body_above(
     remarks
 }
 
-/// For bodies that were passed, the nearest body above with known factors: limbs share these.
+/// The nearest body above with known factors, for bodies that were passed: limbs share these.
 type NearestKnown<'a> = HashMap<&'a str, Option<(&'a str, [AxisFactor; 3])>>;
 
 /// The nearest body above `body` whose factors are known.
@@ -336,7 +336,7 @@ fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
     let (first, others) = sources.meshes.split_first()?;
     let differs = |other: &&BonePair| {
         let apart = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
-            (Some(a), Some(b)) => (a - b).abs() > SAME_FACTOR * a.abs(),
+            (Some(a), Some(b)) => (a - b).abs() > SAME_MESH_FACTOR * a.abs(),
             _ => false,
         };
         first.factors.iter().zip(&other.factors).any(apart)
@@ -362,7 +362,7 @@ fn sides_differ(
     }
     let apart = |(one, two): (&Option<AxisFactor>, &Option<AxisFactor>)| match (one, two) {
         (Some(one), Some(two)) => {
-            (one.factor - two.factor).abs() > AGREEMENT * one.factor.min(two.factor).abs()
+            (one.factor - two.factor).abs() > AGREEMENT_OF_FACTORS * one.factor.min(two.factor).abs()
         }
         _ => false,
     };

@@ -19,7 +19,7 @@ pub enum LengthFrom {
     Mass,
 }
 
-/// By what factor numbers of one kind changed.
+/// Factors by which numbers of one kind changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFactors {
     /// Numbers that are in both models.
@@ -39,9 +39,9 @@ pub struct SimilarityRow {
     pub values: Spread,
     /// The factor that similarity gives; `None` where masses are not known.
     pub similar: Option<f64>,
-    /// By what factor they changed; `None` without an original.
+    /// Factors by which the numbers changed; `None` without an original.
     pub compared: Option<ComparedFactors>,
-    /// Whether they follow similarity; `None` without an original.
+    /// Whether the numbers follow similarity; `None` without an original.
     pub verdict: Option<SizeVerdict>,
 }
 
@@ -53,7 +53,7 @@ pub struct Similarity {
     /// How much larger the second is; `None` where a mass is not known.
     pub ratios: Option<SizeRatios>,
     pub length_from: LengthFrom,
-    /// By kind, those that the model has.
+    /// Rows for the kinds of numbers that the model has.
     pub rows: Vec<SimilarityRow>,
     /// Names of objects that have numbers in the model and none in the original.
     pub only_in_model: Vec<String>,

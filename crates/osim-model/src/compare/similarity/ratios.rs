@@ -102,7 +102,7 @@ pub enum SizeVerdict {
     Follows,
     /// None of the numbers changed.
     Left,
-    /// Some did not change.
+    /// Some numbers did not change.
     PartlyLeft,
     /// The numbers changed by another factor than similarity has.
     Other,

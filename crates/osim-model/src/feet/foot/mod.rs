@@ -18,7 +18,7 @@ pub use view::{ViewAxes, silhouette};
 /// Joints above a foot belong to it where they are within this share of its length.
 const ANKLE_DISTANCE: f64 = 0.5;
 /// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
-const SHOWN_HEIGHT: f64 = 0.8;
+const DRAWN_HEIGHT_OF_BONES: f64 = 0.8;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
@@ -48,7 +48,7 @@ pub struct FootSphere {
     pub centre_m: DVec3,
     /// Radius of the sphere, m.
     pub radius_m: f64,
-    /// Whether it is known to be in the wrong place. Callers that know it set it.
+    /// Whether the sphere is known to be in the wrong place. Callers that know it set it.
     pub misplaced: bool,
 }
 
@@ -133,7 +133,7 @@ impl Foot {
     /// Adds bones; points of bodies without spheres that are high above the foot are left out.
     pub fn add_bones(&mut self, anatomy: &Anatomy, bodies: &FootBodies, bones: &[Bone], pose: &DefaultPose) {
         let places = FootPlaces::of(anatomy, bodies, pose);
-        let top = self.lowest_m().map(|lowest| lowest + SHOWN_HEIGHT * self.length_m());
+        let top = self.lowest_m().map(|lowest| lowest + DRAWN_HEIGHT_OF_BONES * self.length_m());
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
         let mut shown_bones = Vec::new();
         for bone in bones {
@@ -158,7 +158,7 @@ impl Foot {
         spheres.or_else(|| bones().reduce(f64::min)).or_else(|| joints().reduce(f64::min))
     }
 
-    /// How far it reaches forward, m.
+    /// Distance over which the foot reaches forward, m.
     pub fn length_m(&self) -> f64 {
         let along = |point: DVec3| self.axes.forward.dot(point);
         let spheres = self.spheres.iter().flat_map(|sphere| {

@@ -16,7 +16,7 @@ use crate::messages::three_significant;
 pub use surface::{MeshFault, Surface};
 
 /// The largest coordinate or factor: products of these are finite.
-const LARGEST: f64 = 1e9;
+const LARGEST_NUMBER: f64 = 1e9;
 /// Points closer to a line than this part of its length are in it: single precision has seven digits.
 const SAME_LINE: f64 = 1e-6;
 
@@ -75,7 +75,7 @@ pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
 
 /// Whether a number can be a coordinate in some unit, or a factor of one.
 pub(crate) fn is_length(value: f64) -> bool {
-    value.abs() <= LARGEST
+    value.abs() <= LARGEST_NUMBER
 }
 
 /// Points, each once, if they are those of a surface.
@@ -126,24 +126,25 @@ fn in_one_line(points: &[[f64; 3]]) -> bool {
 // A point that is far from all others: a broken number, and no part of a bone.
 
 /// The least number of points for which a usual distance between them can be told.
-const LEAST: usize = 20;
+const LEAST_POINTS: usize = 20;
 /// Nine of ten points are within the reach of a mesh.
-const REACH: f64 = 0.9;
+const SHARE_IN_REACH: f64 = 0.9;
 /// A stray point is farther from the middle than this many reaches. In real bones (the foot, the toes and the talus of OpenSim) and
 /// in those of `fixtures/feet` the farthest point is at 1.00 to 1.47.
-const FAR: f64 = 2.0;
-/// And it has few neighbours within this part of the reach: in those meshes each point has at least three.
-const AROUND: f64 = 0.5;
+const FAR_OVER_REACH: f64 = 2.0;
+/// The distance within which a far point must have neighbours, as a part of the reach: in the meshes of `fixtures/feet` each point has at
+/// least three.
+const NEIGHBOUR_DISTANCE: f64 = 0.5;
 /// Broken numbers that lie together are still broken.
-const FEW: usize = 3;
+const FEW_NEIGHBOURS: usize = 3;
 /// The number of the farthest points that are compared pair by pair, so that the work grows with the points and not with their square.
-const LOOKED_AT: usize = 16;
+const MOST_POINTS_COMPARED: usize = 16;
 
 /// A point that is far from all others.
 struct Stray {
     /// Which, from 0.
     index: usize,
-    /// How far it is from the middle, in the unit of the points.
+    /// Distance of the point from the middle, in the unit of the points.
     distance: f64,
     /// Nine of ten points are not farther than this.
     reach: f64,
@@ -151,19 +152,22 @@ struct Stray {
 
 /// The farthest point that is far from all others; `points` are each there once.
 fn stray(points: &[[f64; 3]]) -> Option<Stray> {
-    if points.len() < LEAST {
+    if points.len() < LEAST_POINTS {
         return None;
     }
     let middle: [f64; 3] = std::array::from_fn(|axis| {
         quantile(&mut points.iter().map(|point| point[axis]).collect::<Vec<_>>(), 0.5)
     });
     let far: Vec<f64> = points.iter().map(|point| distance(*point, middle)).collect();
-    let reach = quantile(&mut far.clone(), REACH);
-    let mut farthest: Vec<usize> =
-        (0..points.len()).filter(|&index| far.get(index).is_some_and(|far| *far > FAR * reach)).collect();
+    let reach = quantile(&mut far.clone(), SHARE_IN_REACH);
+    let mut farthest: Vec<usize> = (0..points.len())
+        .filter(|&index| far.get(index).is_some_and(|far| *far > FAR_OVER_REACH * reach))
+        .collect();
     farthest.sort_by(|a, b| far.get(*b).partial_cmp(&far.get(*a)).unwrap_or(std::cmp::Ordering::Equal));
-    let index =
-        farthest.into_iter().take(LOOKED_AT).find(|&index| is_alone(points, index, AROUND * reach))?;
+    let index = farthest
+        .into_iter()
+        .take(MOST_POINTS_COMPARED)
+        .find(|&index| is_alone(points, index, NEIGHBOUR_DISTANCE * reach))?;
     Some(Stray { index, distance: *far.get(index)?, reach })
 }
 
@@ -171,7 +175,8 @@ fn stray(points: &[[f64; 3]]) -> Option<Stray> {
 fn is_alone(points: &[[f64; 3]], index: usize, around: f64) -> bool {
     let Some(&point) = points.get(index) else { return false };
     // The point itself is one of those that are found.
-    points.iter().filter(|other| distance(**other, point) <= around).take(FEW + 1).count() <= FEW
+    points.iter().filter(|other| distance(**other, point) <= around).take(FEW_NEIGHBOURS + 1).count()
+        <= FEW_NEIGHBOURS
 }
 
 /// The value that this share of `values` does not exceed.

@@ -47,8 +47,8 @@ pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
 // Stereolithography files, in text or binary.
 
 /// A binary file has this many bytes before its triangles: a title, and how many there are.
-const HEAD: usize = 84;
-const TITLE: usize = 80;
+const HEADER_BYTES: usize = 84;
+const TITLE_BYTES: usize = 80;
 /// Normal, three corners of single precision each, two bytes more.
 const TRIANGLE: usize = 50;
 const NORMAL: usize = 12;
@@ -56,14 +56,17 @@ const NORMAL: usize = 12;
 /// The corners of all triangles.
 pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     // Many binary files begin with "solid" too: the size decides.
-    let count = bytes.get(TITLE..HEAD).and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
-    let size = count.and_then(|count| HEAD.checked_add(usize::try_from(count).ok()?.checked_mul(TRIANGLE)?));
+    let count = bytes
+        .get(TITLE_BYTES..HEADER_BYTES)
+        .and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
+    let size =
+        count.and_then(|count| HEADER_BYTES.checked_add(usize::try_from(count).ok()?.checked_mul(TRIANGLE)?));
     let is_text = bytes.trim_ascii_start().starts_with(b"solid")
-        && bytes.iter().take(4 * HEAD).all(|&byte| byte.is_ascii() && byte != 0);
+        && bytes.iter().take(4 * HEADER_BYTES).all(|&byte| byte.is_ascii() && byte != 0);
     if is_text && size != Some(bytes.len()) {
         return in_text(&String::from_utf8_lossy(bytes));
     }
-    match size.and_then(|size| bytes.get(HEAD..size)) {
+    match size.and_then(|size| bytes.get(HEADER_BYTES..size)) {
         Some(triangles) => binary(triangles),
         None if count.is_none() => {
             Err(MeshFault::NotUnderstood("it is neither a text that begins with \"solid\" nor binary".into()))
@@ -114,7 +117,7 @@ mod tests {
 
     fn binary_of(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
         let mut bytes = title.to_vec();
-        bytes.resize(TITLE, 0);
+        bytes.resize(TITLE_BYTES, 0);
         bytes.extend(count.to_le_bytes());
         for triangle in triangles {
             bytes.extend([0; NORMAL]);

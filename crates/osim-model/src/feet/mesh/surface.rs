@@ -43,7 +43,7 @@ pub enum MeshFault {
     StrayPoint {
         /// Which point, from 1.
         point: usize,
-        /// How far it is from the middle, in the unit of the file.
+        /// Distance of the point from the middle, in the unit of the file.
         distance: String,
         /// How far nine of ten points are at most.
         reach: String,

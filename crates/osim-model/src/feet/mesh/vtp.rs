@@ -12,7 +12,7 @@ use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
 /// The element after which raw bytes may follow: a scanner of XML has to stop there.
-const APPENDED: &[u8] = b"<AppendedData";
+const APPENDED_DATA_TAG: &[u8] = b"<AppendedData";
 
 /// The points of all pieces of a .vtp file.
 pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
@@ -81,7 +81,7 @@ fn each_piece(
 
 /// The XML alone, and the appended bytes after their mark.
 fn split_appended_data(bytes: &[u8]) -> (Vec<u8>, Option<&[u8]>) {
-    let start = bytes.windows(APPENDED.len()).position(|window| window == APPENDED);
+    let start = bytes.windows(APPENDED_DATA_TAG.len()).position(|window| window == APPENDED_DATA_TAG);
     let mark = start.and_then(|start| {
         let open = start + bytes.get(start..)?.iter().position(|&byte| byte == b'>')? + 1;
         let mark = open + bytes.get(open..)?.iter().position(|byte| !byte.is_ascii_whitespace())?;
@@ -157,9 +157,9 @@ fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<
 // Arrays that are not text: base64 or raw, compressed or not.
 
 const ZLIB: &str = "vtkZLibDataCompressor";
-/// Nothing is unpacked to more bytes than the largest mesh has.
-const MOST_BYTES: usize = MOST_POINTS * 3 * 8;
-const CUT_OFF: MeshFault = MeshFault::Truncated("its points");
+/// The largest number of bytes that are unpacked: those of the largest mesh.
+const MOST_UNPACKED_BYTES: usize = MOST_POINTS * 3 * 8;
+const POINTS_CUT_OFF: MeshFault = MeshFault::Truncated("its points");
 
 /// How a file writes arrays.
 pub(super) struct Coding<'b> {
@@ -194,7 +194,7 @@ impl<'b> Coding<'b> {
     fn decode_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
         let no_data =
             || MeshFault::NotUnderstood("its points are in <AppendedData>, which is not there".into());
-        let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(CUT_OFF)?;
+        let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(POINTS_CUT_OFF)?;
         if !self.appended_is_text {
             return self.unpacked(bytes);
         }
@@ -206,8 +206,8 @@ impl<'b> Coding<'b> {
         match self.compressor.as_deref() {
             None => {
                 let size = self.header_number(bytes, 0)?;
-                let end = self.header.checked_add(size).ok_or(CUT_OFF)?;
-                Ok(bytes.get(self.header..end).ok_or(CUT_OFF)?.to_vec())
+                let end = self.header.checked_add(size).ok_or(POINTS_CUT_OFF)?;
+                Ok(bytes.get(self.header..end).ok_or(POINTS_CUT_OFF)?.to_vec())
             }
             Some(ZLIB) => self.inflated(bytes),
             Some(other) => {
@@ -221,13 +221,15 @@ impl<'b> Coding<'b> {
     fn inflated(&self, bytes: &[u8]) -> Result<Vec<u8>, MeshFault> {
         let [count, full, last] =
             [self.header_number(bytes, 0)?, self.header_number(bytes, 1)?, self.header_number(bytes, 2)?];
-        let start =
-            count.checked_add(3).and_then(|numbers| numbers.checked_mul(self.header)).ok_or(CUT_OFF)?;
-        let mut rest = bytes.get(start..).ok_or(CUT_OFF)?;
+        let start = count
+            .checked_add(3)
+            .and_then(|numbers| numbers.checked_mul(self.header))
+            .ok_or(POINTS_CUT_OFF)?;
+        let mut rest = bytes.get(start..).ok_or(POINTS_CUT_OFF)?;
         let mut all = Vec::new();
         for block in 0..count {
             let packed = self.header_number(bytes, 3 + block)?;
-            let (this, behind) = rest.split_at_checked(packed).ok_or(CUT_OFF)?;
+            let (this, behind) = rest.split_at_checked(packed).ok_or(POINTS_CUT_OFF)?;
             let size = if block + 1 == count && last > 0 { last } else { full };
             inflate(this, size, &mut all)?;
             rest = behind;
@@ -236,17 +238,17 @@ impl<'b> Coding<'b> {
     }
 
     fn header_number(&self, bytes: &[u8], index: usize) -> Result<usize, MeshFault> {
-        let start = index.checked_mul(self.header).ok_or(CUT_OFF)?;
-        let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(CUT_OFF)?;
+        let start = index.checked_mul(self.header).ok_or(POINTS_CUT_OFF)?;
+        let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(POINTS_CUT_OFF)?;
         let add = |value: u64, byte: &u8| value << 8 | u64::from(*byte);
         let value = if self.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) };
-        usize::try_from(value).map_err(|_| CUT_OFF)
+        usize::try_from(value).map_err(|_| POINTS_CUT_OFF)
     }
 }
 
 /// Adds `size` bytes that `packed` holds.
 fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFault> {
-    let end = all.len().checked_add(size).filter(|&end| end <= MOST_BYTES);
+    let end = all.len().checked_add(size).filter(|&end| end <= MOST_UNPACKED_BYTES);
     let end = end.ok_or(MeshFault::TooManyPoints { most: MOST_POINTS })?;
     // One more shows that there are too many.
     let most = u64::try_from(size).unwrap_or(u64::MAX).saturating_add(1);

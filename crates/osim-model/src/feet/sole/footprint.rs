@@ -11,7 +11,7 @@ pub(crate) const FLAT_SHARE: f64 = 0.8;
 const LEAST_TILT: f64 = 0.087;
 /// A foot that is tilted by more than this does not lie flat, whatever it covers, rad: 10 degrees. Bones of human feet that do rise by up to
 /// 4 degrees to the front and 8 to the side.
-const MOST_TILT: f64 = 0.175;
+const MOST_TILT_RAD: f64 = 0.175;
 
 /// How much of a foot is near the ground at the default pose, seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +32,7 @@ impl Footprint {
     /// Whether the foot lies flat: points near the ground cover most of it, or it is round, and it is not tilted.
     pub fn is_flat(&self) -> bool {
         let flat = |share: f64, tilt: f64| {
-            let most = if share >= FLAT_SHARE { MOST_TILT } else { LEAST_TILT };
+            let most = if share >= FLAT_SHARE { MOST_TILT_RAD } else { LEAST_TILT };
             tilt.abs() < most
         };
         flat(self.share_of_length, self.pitch_rad) && flat(self.share_of_width, self.roll_rad)
@@ -99,7 +99,7 @@ pub(super) struct BonePoint {
 pub(super) struct FlatPoint {
     /// Forward and outward from the foot's own rearmost and innermost point, m.
     pub at: DVec2,
-    /// Above the lowest point of the foot, m.
+    /// Height above the lowest point of the foot, m.
     pub height: f64,
     /// The place of its body among those of the foot.
     pub body: usize,
@@ -110,7 +110,7 @@ pub(super) struct FlatPoint {
 pub(super) struct FootAxes {
     pub up: DVec3,
     forward: DVec3,
-    /// To the right of a right foot and to the left of a left one.
+    /// Direction to the right of a right foot and to the left of a left one.
     outward: DVec3,
     /// The least value of the foot's points along the directions.
     rearmost: f64,
@@ -204,7 +204,7 @@ const DIRECTIONS: u32 = 48;
 /// Values that differ by less than this part are equal, and the first counts: bones that are their own mirror image have two of each.
 const EQUALITY_TOLERANCE: f64 = 1e-9;
 /// How often spheres between the extremes are moved, at most.
-const PASSES: usize = 20;
+const MOST_SPREADING_PASSES: usize = 20;
 
 /// `count` bottoms: in the `corners` of the outline, and for the rest under some of the points that are `near` the ground.
 ///
@@ -225,7 +225,7 @@ pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) ->
             _ => return Err(bottoms.len()),
         }
     }
-    for _ in 0..PASSES {
+    for _ in 0..MOST_SPREADING_PASSES {
         let before = bottoms.clone();
         for index in fixed..count {
             let moved = bottoms.remove(index);

@@ -96,7 +96,7 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
     soles.collect()
 }
 
-/// From where the left limb of a pair begins to where the right one does.
+/// The direction from where the left limb of a pair begins to where the right one does.
 fn across(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Option<DVec3> {
     let origin = |foot: &SoleBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
     let (own, other) = (origin(foot)?, origin(pair)?);

@@ -140,7 +140,7 @@ pub struct RestOnFloor {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestingSphere {
     pub sphere: SphereId,
-    /// How deep it is in its floor, in its radius: x/R; not above 0 if it does not touch.
+    /// Depth of the sphere in its floor, in its radius: x/R; not above 0 if it does not touch.
     pub relative_indentation: f64,
     /// Load of the sphere along the normal, N.
     pub force_n: f64,
@@ -156,7 +156,7 @@ impl RestLaw {
 }
 
 impl RestingSphere {
-    /// Whether it touches the floor: what a smoothed law does before that is not counted.
+    /// Whether the sphere touches the floor: what a smoothed law does before that is not counted.
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }

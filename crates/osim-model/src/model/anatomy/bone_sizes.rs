@@ -14,7 +14,7 @@ use crate::model::fault::NeedsAnswer;
 use crate::model::names::Side;
 use crate::xml::{ElementId, opensim_text};
 
-/// For each body three numbers along x, y and z of each of its meshes or frames, as in [`Anatomy`](crate::model::anatomy::Anatomy).
+/// Three numbers along x, y and z of each mesh or frame of each body, as in [`Anatomy`](crate::model::anatomy::Anatomy).
 pub type TriplesByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
 pub(crate) fn mesh_factors(components: &Components) -> TriplesByBody {
@@ -150,7 +150,7 @@ fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String
 // Distances between the joints of a body, and spheres that are larger than these.
 
 /// The outermost joints of a body whose distances from all others are compared: more than a body has.
-const MOST_OUTERMOST: usize = 32;
+const MOST_OUTERMOST_JOINTS: usize = 32;
 /// The length of a long bone over the radius of a sphere, where nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
 const BONE_LENGTH_IN_RADII: f64 = 13.0;
 
@@ -233,8 +233,8 @@ impl JointDistances {
     }
 }
 
-/// For each body that has a parent or a child, the longest bone of its limb; each joint is visited once. A limb ends where
-/// the names above it are not of its side.
+/// The longest bone of the limb of each body that has a parent or a child; each joint is visited once. A limb ends where the names above it
+/// are not of its side.
 fn longest_by_limb(
     joints: &[AnatomyJoint],
     by_body_m: &BTreeMap<String, f64>,
@@ -263,7 +263,7 @@ fn longest_by_limb(
 }
 
 /// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only
-/// pairs with one of the [`MOST_OUTERMOST`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
+/// pairs with one of the [`MOST_OUTERMOST_JOINTS`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
 /// as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far out.
 fn longest_m(places: &[DVec3]) -> Option<f64> {
     let mut places: Vec<DVec3> = places.iter().copied().filter(|place| place.is_finite()).collect();
@@ -280,7 +280,7 @@ fn longest_m(places: &[DVec3]) -> Option<f64> {
         places.into_iter().map(|place| (place.distance(middle), place)).collect();
     by_distance.sort_unstable_by(|a, b| b.0.total_cmp(&a.0));
     let mut longest: Option<f64> = None;
-    for (at, (far, a)) in by_distance.iter().enumerate().take(MOST_OUTERMOST) {
+    for (at, (far, a)) in by_distance.iter().enumerate().take(MOST_OUTERMOST_JOINTS) {
         for (near, b) in by_distance.iter().skip(at + 1) {
             // Far enough above rounding to lose no pair.
             if longest.is_some_and(|longest| (far + near) * (1.0 + 1e-9) < longest) {

@@ -122,8 +122,8 @@ impl JointMotion {
 }
 
 impl JointMotion {
-    /// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
-    /// distance along one, `None` if it is neither. The last axis counts, as in OpenSim.
+    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along one,
+    /// `None` if it is neither. The last axis counts, as in OpenSim.
     pub(crate) fn is_pure_rotation(&self, index: usize) -> Option<bool> {
         let Self::Spatial(axes) = self else { return None };
         axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.rotates)

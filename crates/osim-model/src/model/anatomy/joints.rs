@@ -122,7 +122,7 @@ impl Joints {
             .get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
     }
 
-    /// All but those that are `ignored`, with their frames as OpenSim converts them.
+    /// All joints but those that are `ignored`, with their frames as OpenSim converts them.
     pub(crate) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
         self.converted.get_or_init(|| {
             let ignored: HashSet<&ComponentId> = ignored.iter().collect();

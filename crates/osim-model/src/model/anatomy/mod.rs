@@ -30,7 +30,7 @@ pub struct Anatomy {
     pub spheres: Vec<AnatomySphere>,
     /// Joints between bodies of the files, in file order; those to ground are not among them.
     pub joints: Vec<AnatomyJoint>,
-    /// Whether it has some bodies of a larger model, too few to recognise scaled copies of that model.
+    /// Whether the model has some bodies of a larger model, too few to recognise scaled copies of that model.
     pub is_fragment: bool,
     index: AnatomyIndex,
 }
@@ -218,8 +218,8 @@ impl Model {
         self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
     }
 
-    /// For the name of each coordinate, whether it is an angle (else it is a length); `None` where it is neither. Of several of one
-    /// name the first counts.
+    /// Whether each coordinate, by name, is an angle (else it is a length); `None` where it is neither. Of several of one name the first
+    /// counts.
     pub(crate) fn coordinates_are_angles(&self) -> collections::HashMap<&str, Option<bool>> {
         let mut are_angles = collections::HashMap::new();
         for joint in self.joints() {
@@ -250,8 +250,8 @@ impl ModelJoint {
         self.moving_placement_at(model.components(), values, speeds)
     }
 
-    /// For the coordinate number `index` of a CustomJoint: `true` if it is the angle of a rotation about an axis, `false` if it is a
-    /// distance along one, `None` if it is neither.
+    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along one,
+    /// `None` if it is neither.
     pub fn is_pure_rotation(&self, model: &Model, index: usize) -> Option<bool> {
         self.motion(model.components())?.is_pure_rotation(index)
     }

@@ -197,14 +197,14 @@ pub(super) enum CountedSets {
     All,
     /// Only the contact geometry: of a model that is given for its spheres, beside another with masses and joints.
     Geometry,
-    /// All but forces, which are in the set that stands alone.
+    /// All classes but forces, which are in the set that stands alone.
     AllButForces,
-    /// All but forces and contact geometry, which other files have.
+    /// All classes but forces and contact geometry, which other files have.
     Bodies,
 }
 
 impl CountedSets {
-    /// For file number `index` of the `count` files that are given beside a set: first comes the geometry, then the model.
+    /// The classes of file number `index` of the `count` files that are given beside a set: first comes the geometry, then the model.
     pub(super) fn beside_set(index: usize, count: usize) -> Self {
         match (index, count) {
             (0, 1) => Self::AllButForces,

@@ -37,7 +37,7 @@ pub struct Components {
 pub(crate) struct Connectee {
     pub text: String,
     pub element: ElementId,
-    /// Whether it is spelled as in documents that name bodies instead of giving paths.
+    /// Whether the socket is spelled as in documents that name bodies instead of giving paths.
     pub legacy: bool,
 }
 
@@ -229,7 +229,7 @@ impl Components {
         Some(FoundFrame { component: Some(component), by_name: by_name && !connectee.legacy })
     }
 
-    /// Whether it is the body that older documents have for ground.
+    /// Whether `body` is the one that older documents have for ground.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
         self.doc(body).version() < FIRST_WITHOUT_GROUND && self.name(body) == "ground"
     }

@@ -38,7 +38,7 @@ pub struct Component {
     pub segment: Arc<str>,
     /// The name without the number, where siblings share a name.
     pub unnumbered_name: Option<Arc<str>>,
-    /// Whether it is in `<components>`, which OpenSim reads before all other properties.
+    /// Whether the component is in `<components>`, which OpenSim reads before all other properties.
     is_member: bool,
     children: ChildList,
     next: Option<ComponentId>,
@@ -76,7 +76,7 @@ pub struct ComponentTree {
 
 #[derive(Clone, Copy)]
 enum Role {
-    /// Nothing below here is an object.
+    /// No element below is an object.
     Nothing,
     Object(ComponentId),
     /// The children of this element are objects that belong to this one.
@@ -270,7 +270,7 @@ impl ComponentTree {
     /// Numbers the `children` of `owner`, which OpenSim reads in this order.
     fn number(&mut self, owner: ComponentId, children: &[ComponentId]) {
         // Hundreds of equal names are a mistake, not a model: no need to number them all.
-        const MOST: usize = 64;
+        const MOST_EQUAL_NAMES: usize = 64;
         let mut tried: HashMap<Arc<str>, usize> = HashMap::new();
         let mut by_segment: HashMap<Arc<str>, ComponentId> = HashMap::new();
         for &id in children {
@@ -282,7 +282,7 @@ impl ComponentTree {
                 let tried = tried.entry(Arc::clone(&name)).or_default();
                 loop {
                     object.segment = format!("{name}_{tried}").into();
-                    if *tried >= MOST || !by_segment.contains_key(&object.segment) {
+                    if *tried >= MOST_EQUAL_NAMES || !by_segment.contains_key(&object.segment) {
                         break;
                     }
                     *tried += 1;
@@ -301,7 +301,7 @@ impl ComponentTree {
         self.list.get(id.0 as usize)
     }
 
-    /// All of them: file by file, in the order of their elements.
+    /// All components: file by file, in the order of their elements.
     pub fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
         #[expect(clippy::cast_possible_truncation, reason = "see push")]
         self.list.iter().enumerate().map(|(index, object)| (ComponentId(index as u32), object))

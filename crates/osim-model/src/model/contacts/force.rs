@@ -75,7 +75,7 @@ pub struct Sphere {
     pub frame: String,
     /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Whether it is on ground or on a body welded to ground: such a sphere counts in nothing and is never changed.
+    /// Whether the sphere is on ground or on a body welded to ground: such a sphere counts in nothing and is never changed.
     pub fixed: bool,
     /// Line of its element, from 1.
     pub line: usize,
@@ -177,7 +177,7 @@ pub struct Force {
     /// Component path.
     pub path: String,
     pub kind: ForceKind,
-    /// Whether it is switched on (`appliesForce`, or `isDisabled` in old documents).
+    /// Whether the force is switched on (`appliesForce`, or `isDisabled` in old documents).
     pub applies: bool,
     /// Parameter sets: one for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
     pub sets: Vec<ParameterSet>,

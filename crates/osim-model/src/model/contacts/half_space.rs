@@ -10,7 +10,7 @@ use crate::model::property::Class;
 use crate::xml::ElementId;
 
 /// Components of a unit vector below this are what rounding left.
-const ROUNDING: f64 = 1e-12;
+const ROUNDING_OF_NORMAL: f64 = 1e-12;
 
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
@@ -132,7 +132,7 @@ impl HalfSpace {
 }
 
 fn without_rounding(part: f64) -> f64 {
-    if part.abs() < ROUNDING { 0.0 } else { part }
+    if part.abs() < ROUNDING_OF_NORMAL { 0.0 } else { part }
 }
 
 /// The slot of a half-space's place, or of the object that would get it: the half-space, or the force that keeps it inside.

@@ -143,8 +143,8 @@ impl Surfaces {
 
     /// The values of two equal surfaces that would touch as those of the sets `set` and `plane` do; (A.3), (A.4).
     pub fn mixed(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
-        const NONE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
-        let surface = self.sets.get(set.index()).copied().unwrap_or(NONE);
+        const NO_SURFACE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
+        let surface = self.sets.get(set.index()).copied().unwrap_or(NO_SURFACE);
         let plane = self.sets.get(plane.index()).copied().unwrap_or(surface);
         if surface == plane {
             return Ok(surface);
@@ -204,7 +204,7 @@ impl Model {
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
 impl Model {
-    /// For each sphere name, the forces of other contact classes whose geometry lists it.
+    /// The forces of other contact classes whose geometry lists a sphere, by the sphere's name.
     pub fn forces_of_other_classes(&self) -> HashMap<String, Vec<String>> {
         let components = self.components();
         let mut users: HashMap<String, Vec<String>> = HashMap::new();

@@ -27,7 +27,7 @@ use super::needs_answer::NeedsAnswer;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum FaultKind {
-    /// Not one well-formed document.
+    /// The file is not one well-formed document.
     Syntax(SyntaxFault),
     /// XML, but not an OpenSim document.
     NotOpenSim {
@@ -68,7 +68,7 @@ pub enum FaultKind {
         value: f64,
         /// The domain, in words.
         expected: &'static str,
-        /// How it was computed: the value before, the factor, the equation.
+        /// The computation of the value: the value before, the factor, the equation.
         origin: String,
     },
     ZeroConstantContactForce,

@@ -31,7 +31,7 @@ pub enum MassMistake {
 
 // A mass among those of the other rows of its table.
 
-/// With fewer other rows, a mass is not compared with theirs.
+/// The least number of other rows with whose masses a mass is compared.
 const FEWEST_ROWS: usize = 3;
 /// A mass that is lighter or heavier than all others by more than this factor looks wrong.
 const USUAL_MARGIN: f64 = 1.3;

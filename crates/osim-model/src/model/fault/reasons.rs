@@ -200,7 +200,7 @@ pub enum FactorQuestion {
         body: String,
         /// A joint on it that is somewhere else.
         joint: String,
-        /// How far it is from where the file puts it, m.
+        /// Distance of the joint from where the file puts it, m.
         apart_m: f64,
     },
 }

@@ -25,7 +25,7 @@ pub struct Failure {
     /// Column of the place in characters, from 1.
     pub column: Option<usize>,
     pub excerpt: Option<Excerpt>,
-    /// Whether it would succeed if the caller gave a fact that must not be guessed.
+    /// Whether the call would succeed if the caller gave a fact that must not be guessed.
     pub needs_answer: bool,
 }
 
@@ -185,7 +185,7 @@ impl ModelFiles {
         self.companions.iter().filter_map(|companion| companion.include_name.as_deref())
     }
 
-    /// With other bytes of the model's own; included files stay.
+    /// The files with other bytes of the model's own; included files stay.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
         Self { name: self.name.clone(), main: MainFile::Bytes(bytes), companions: self.companions.clone() }
     }

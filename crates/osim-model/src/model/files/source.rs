@@ -150,7 +150,7 @@ pub trait Files {
 pub struct FileError(String);
 
 impl FileError {
-    /// In words, without the name of the file.
+    /// The reason in words, without the name of the file.
     pub fn new(why: impl Into<String>) -> Self {
         Self(why.into())
     }

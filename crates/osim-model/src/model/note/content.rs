@@ -81,14 +81,14 @@ pub(crate) struct UnreadableNote;
 //
 // `by transfer radius=x2 with level=true from 62 kg of reference falisse2022.osim 0123456789abcdef on 2026-11-25`
 
-/// Before the options that mattered.
-const WITH: &str = " with ";
-/// Before the mass that the contacts were made for until then.
-const FROM: &str = " from ";
-/// Before the name and the digest of the reference.
-const OF: &str = " of reference ";
-/// Before the date.
-const ON: &str = " on ";
+/// The words of a step before the options that mattered.
+const BEFORE_OPTIONS: &str = " with ";
+/// The word of a step before the mass that the contacts were made for until then.
+const BEFORE_OLD_MASS: &str = " from ";
+/// The words of a step before the name and the digest of the reference.
+const BEFORE_REFERENCE: &str = " of reference ";
+/// The word of a step before the date.
+const BEFORE_DATE: &str = " on ";
 
 /// A change of the contacts, as the note records it.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -101,7 +101,7 @@ pub struct Step {
     pub from_mass_kg: Option<f64>,
     /// Source of the contacts that the step took.
     pub reference: Option<Source>,
-    /// When, as `2026-11-25`.
+    /// Date of the step, as `2026-11-25`.
     pub date: Option<String>,
 }
 
@@ -129,26 +129,26 @@ impl Step {
     pub(super) fn text(&self) -> String {
         let mut text = in_note_letters(&self.operation);
         if !self.options.is_empty() {
-            text.push_str(&format!("{WITH}{}", in_note_letters(&self.options)));
+            text.push_str(&format!("{BEFORE_OPTIONS}{}", in_note_letters(&self.options)));
         }
         if let Some(kg) = self.from_mass_kg {
-            text.push_str(&format!("{FROM}{} kg", readable(kg)));
+            text.push_str(&format!("{BEFORE_OLD_MASS}{} kg", readable(kg)));
         }
         if let Some(source) = &self.reference {
-            text.push_str(&format!("{OF}{}", source.text()));
+            text.push_str(&format!("{BEFORE_REFERENCE}{}", source.text()));
         }
         if let Some(date) = &self.date {
-            text.push_str(&format!("{ON}{date}"));
+            text.push_str(&format!("{BEFORE_DATE}{date}"));
         }
         text
     }
 
     /// Reads a step. Its parts are taken from the end; what is none of them belongs to the operation.
     pub(super) fn parse(text: &str) -> Self {
-        let (rest, date) = split(text, ON, |date| is_date(date).then(|| date.to_owned()));
-        let (rest, reference) = split(rest, OF, Source::parse);
-        let (rest, from_mass_kg) = split(rest, FROM, |kg| mass_kg(kg).flatten());
-        let (operation, options) = split(rest, WITH, |options| Some(options.to_owned()));
+        let (rest, date) = split(text, BEFORE_DATE, |date| is_date(date).then(|| date.to_owned()));
+        let (rest, reference) = split(rest, BEFORE_REFERENCE, Source::parse);
+        let (rest, from_mass_kg) = split(rest, BEFORE_OLD_MASS, |kg| mass_kg(kg).flatten());
+        let (operation, options) = split(rest, BEFORE_OPTIONS, |options| Some(options.to_owned()));
         let operation = operation.to_owned();
         Self { operation, options: options.unwrap_or_default(), from_mass_kg, reference, date }
     }
@@ -249,7 +249,7 @@ impl NotedNames {
 
 // How words and numbers are spelled in a note.
 
-/// Written in a note for a mass or gravity that was not known.
+/// The word of a note for a mass or gravity that was not known.
 pub(super) const UNKNOWN: &str = "unknown";
 /// Digits of the digest of all numbers, and of that of a reference.
 pub(super) const DIGEST_DIGITS: usize = 16;

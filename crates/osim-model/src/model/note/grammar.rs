@@ -18,13 +18,13 @@ pub(super) const ENDS: &str = ")]";
 /// The text after mass and gravity in every note; text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
-/// Before each step.
-const BY: &str = "by ";
+/// The word of a note before each step.
+const BEFORE_STEP: &str = "by ";
 const STANCE: &str = "stance limbs ";
-const WEIGHED: &str = "weighed ";
+const BEFORE_WEIGHT: &str = "weighed ";
 const RECORD: &str = "record ";
-/// Before the names of forces that were added beside others, where there are some.
-const ADDED: &str = "added ";
+/// The word of a note before the names of forces that were added beside others, where there are some.
+const BEFORE_ADDED_FORCES: &str = "added ";
 
 impl Note {
     pub fn text(&self) -> String {
@@ -36,7 +36,7 @@ impl Note {
             Scope::Partial => "partial",
         };
         let sizes: Vec<String> = self.sizes.iter().map(BodySize::text).collect();
-        let steps: String = self.steps.iter().map(|step| format!("; {BY}{}", step.text())).collect();
+        let steps: String = self.steps.iter().map(|step| format!("; {BEFORE_STEP}{}", step.text())).collect();
         let optional = |name: &str, value: Option<String>| {
             value.map(|value| format!("; {name}{value}")).unwrap_or_default()
         };
@@ -47,14 +47,14 @@ impl Note {
             known(self.gravity_m_s2, "m/s2"),
             self.version,
             optional(STANCE, self.stance_limbs.map(shortest)),
-            optional(WEIGHED, self.weighed_kg.map(|kg| format!("{} kg", readable(kg)))),
+            optional(BEFORE_WEIGHT, self.weighed_kg.map(|kg| format!("{} kg", readable(kg)))),
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
             self.radii,
             self.places.as_deref().unwrap_or(NOTHING),
             self.parts.text(),
             self.added_to_file,
-            optional(ADDED, added),
+            optional(BEFORE_ADDED_FORCES, added),
         )
     }
 
@@ -71,9 +71,9 @@ impl Note {
             _ => return None,
         };
         let mut next_if = |name: &str| fields.next_if(|field| field.starts_with(name))?.strip_prefix(name);
-        let steps: Vec<Step> = std::iter::from_fn(|| next_if(BY)).map(Step::parse).collect();
+        let steps: Vec<Step> = std::iter::from_fn(|| next_if(BEFORE_STEP)).map(Step::parse).collect();
         let stance_limbs = next_if(STANCE).map(positive);
-        let weighed_kg = next_if(WEIGHED).map(|text| mass_kg(text).flatten());
+        let weighed_kg = next_if(BEFORE_WEIGHT).map(|text| mass_kg(text).flatten());
         let sizes = sizes(next_if("sizes ")?)?;
         let mut record = next_if(RECORD)?.split(' ');
         let all = digest(record.next()?, DIGEST_DIGITS)?;
@@ -174,7 +174,7 @@ fn sizes(text: &str) -> Option<Vec<BodySize>> {
 
 /// `added heel toe`.
 fn names(text: &str) -> Option<Vec<String>> {
-    Some(text.strip_prefix(ADDED)?.split(' ').map(str::to_owned).collect())
+    Some(text.strip_prefix(BEFORE_ADDED_FORCES)?.split(' ').map(str::to_owned).collect())
 }
 
 #[cfg(test)]

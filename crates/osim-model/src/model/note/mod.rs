@@ -20,8 +20,8 @@ use crate::xml::{ElementId, PieceKind};
 
 pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 
-/// Between what was there and the note, and between authors.
-const AND: &str = "; ";
+/// The separator between what was there and the note, and between authors.
+const SEPARATOR: &str = "; ";
 const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 
 /// The `<credits>` of a model, where its note is, and its text: what comes in front of comments after it, without the white space
@@ -88,11 +88,11 @@ impl<'d> Credits<'d> {
         let mut end = self.span.start;
         let kept = self.text_around_note();
         for part in &kept {
-            let between = if end == self.span.start { "" } else { AND };
+            let between = if end == self.span.start { "" } else { SEPARATOR };
             edits.push((end..part.start, between.to_owned()));
             end = part.end;
         }
-        let and = if kept.is_empty() { "" } else { AND };
+        let and = if kept.is_empty() { "" } else { SEPARATOR };
         let last = note.map(|note| format!("{and}{}", note.text()));
         edits.push((end..self.span.end, last.unwrap_or_default()));
         edits.retain(|(span, text)| !(span.is_empty() && text.is_empty()));
@@ -101,7 +101,7 @@ impl<'d> Credits<'d> {
 
     /// Edits after which `note` comes after everything that is there, another note too.
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
-        let and = if self.raw.is_empty() { "" } else { AND };
+        let and = if self.raw.is_empty() { "" } else { SEPARATOR };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
     }
 
@@ -150,7 +150,7 @@ fn begins_a_note(text: &str) -> bool {
     behind.is_some_and(|behind| !behind.is_empty())
 }
 
-/// With single blanks, as OpenSim reads and writes it.
+/// A text with single blanks, as OpenSim reads and writes it.
 fn condensed(text: &str) -> String {
     words(text).collect::<Vec<_>>().join(" ")
 }

@@ -33,7 +33,7 @@ macro_rules! kinds {
         }
 
         impl SizedKind {
-            /// All of them.
+            /// All kinds.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
             /// Name of the kind, a word for scripts.
@@ -41,7 +41,7 @@ macro_rules! kinds {
                 match self { $(Self::$name => $code,)* }
             }
 
-            /// For people.
+            /// Name of the kind for people.
             pub const fn words(self) -> &'static str {
                 match self { $(Self::$name => $words,)* }
             }
@@ -134,7 +134,7 @@ kinds! {
 }
 
 impl SizedKind {
-    /// Whether it is a bound of a Moco problem, which is in a file beside the model.
+    /// Whether the kind is a bound of a Moco problem, which is in a file beside the model.
     pub(crate) const fn is_of_moco(self) -> bool {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
@@ -238,7 +238,7 @@ const COORDINATE_SPRING: &[SizedProperty] = &[
     on_coordinate("viscosity", Some(CoordinateRotationalDamping), CoordinateDamping, 0.0),
     on_coordinate("rest_length", None, CoordinateLength, 0.0),
 ];
-const LIMIT: &[SizedProperty] = &[
+const LIMIT_FORCE: &[SizedProperty] = &[
     on_coordinate("upper_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
     on_coordinate("lower_stiffness", Some(LimitRotationalStiffness), LimitStiffness, 1.0),
     on_coordinate("damping", Some(LimitRotationalDamping), LimitDamping, 0.001),
@@ -273,7 +273,7 @@ pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {
         "BushingForce" => BUSHING,
         "ExpressionBasedBushingForce" | "FunctionBasedBushingForce" => BUSHING_OF_FUNCTIONS,
         "SpringGeneralizedForce" => COORDINATE_SPRING,
-        "CoordinateLimitForce" => LIMIT,
+        "CoordinateLimitForce" => LIMIT_FORCE,
         "CoordinateActuator" => COORDINATE_ACTUATOR,
         "ActivationCoordinateActuator" => ACTIVATED_ACTUATOR,
         "PathActuator" | "PointActuator" | "PointToPointActuator" => FORCE_ACTUATOR,

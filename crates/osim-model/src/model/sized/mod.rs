@@ -48,7 +48,7 @@ impl NotRead {
 /// All numbers of a model that have mass, length or time in their unit, except those of contacts.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SizedValues {
-    /// In file order.
+    /// Values in file order.
     pub values: Vec<SizedValue>,
     pub not_read: Vec<NotRead>,
 }

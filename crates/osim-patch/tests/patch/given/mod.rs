@@ -335,7 +335,7 @@ impl Outcome {
         self.plan().changes.iter().filter(|change| change.property == property).collect()
     }
 
-    /// Every change of `property` goes to `to`, and there are `count` of them.
+    /// Fails unless every change of `property` goes to `to`, and there are `count` of them.
     #[track_caller]
     pub(crate) fn sets(&self, property: Property, count: usize, to: f64) -> &Self {
         let changes = self.changes_of(property);

@@ -146,13 +146,13 @@ fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
     each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
 }
 
-/// With all floors on the body that carries the first sphere.
+/// A model with all floors on the body that carries the first sphere.
 fn on_limb(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     each(text, model, "ContactHalfSpace", FRAME, |frame| named(frame, &body))
 }
 
-/// With the spheres of the first body on its counterpart.
+/// A model with the spheres of the first body on its counterpart.
 fn on_other_side(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     let is_counterpart = |other: &str| {
@@ -179,7 +179,7 @@ fn named(frame: &str, body: &str) -> Option<String> {
     })
 }
 
-/// With the first force once more.
+/// A model with the first force once more.
 fn doubled(text: &str, model: &Model) -> Option<String> {
     let force = model.forces().iter().find(|force| force.file == FileId::MAIN)?;
     let span = model.document().tree().span(force.element());

@@ -138,7 +138,7 @@ fn one_line(text: &str) -> Option<String> {
     Some(made)
 }
 
-/// With the first element `tag` below the model in another form, where nothing is in it.
+/// A model with its first element `tag` in another form, where nothing is in it.
 fn with_set(text: &str, tag: &str, written: &str) -> Option<String> {
     let Some((span, inner)) = element(text, tag) else {
         let at = text.rfind("</Model>")?;

@@ -115,7 +115,7 @@ struct Share {
     large: usize,
 }
 
-/// All there is would take most of an hour.
+/// A share of the forms, because all of them would take most of an hour.
 const FEW: Share = Share { small: 13, large: 61 };
 const MANY: Share = Share { small: 1, large: 7 };
 

@@ -45,10 +45,10 @@ impl ErrorGroup {
     /// Codes of errors of this kind.
     pub const fn errors(self) -> &'static [ErrorCode] {
         match self {
-            Self::File => FILE,
-            Self::Model => MODEL,
-            Self::Question => QUESTION,
-            Self::Request => REQUEST,
+            Self::File => FILE_ERRORS,
+            Self::Model => MODEL_ERRORS,
+            Self::Question => QUESTION_ERRORS,
+            Self::Request => REQUEST_ERRORS,
         }
     }
 }
@@ -69,7 +69,7 @@ const fn code(code: &'static str, means: &'static str, way_out: &'static str) ->
 
 // Inputs and calls are in backticks.
 
-const FILE: &[ErrorCode] = &[
+const FILE_ERRORS: &[ErrorCode] = &[
     code(
         "unreadable",
         "the file, or one that belongs to it, is not there or cannot be read; a link leads nowhere or back; another program is writing it; a pipe, a device or a folder is in the place of a file; it is larger than 2 GiB",
@@ -114,7 +114,7 @@ const FILE: &[ErrorCode] = &[
     ),
 ];
 
-const MODEL: &[ErrorCode] = &[
+const MODEL_ERRORS: &[ErrorCode] = &[
     code(
         "not-a-number",
         "a number that OpenSim reads as another one: 1,5e6 is 1 for OpenSim, abc is its default",
@@ -147,7 +147,7 @@ const MODEL: &[ErrorCode] = &[
     ),
 ];
 
-const QUESTION: &[ErrorCode] = &[
+const QUESTION_ERRORS: &[ErrorCode] = &[
     code(
         "no-mesh",
         "a body of `feet` shows no mesh, so nothing says where its sole is",
@@ -270,7 +270,7 @@ const QUESTION: &[ErrorCode] = &[
     ),
 ];
 
-const REQUEST: &[ErrorCode] = &[
+const REQUEST_ERRORS: &[ErrorCode] = &[
     code(
         "refused",
         "the request makes no sense for this model; the message says why (no force is left by `select`, say)",

@@ -66,7 +66,7 @@ pub enum TopicRecord {
         schema_version: u32,
         /// Stable short name.
         code: &'static str,
-        /// How bad it is.
+        /// Severity of the finding.
         severity: &'static str,
         /// Whether a check looks for it; else changes alone report it.
         checked: bool,

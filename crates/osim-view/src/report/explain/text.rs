@@ -119,10 +119,10 @@ fn paragraph(label: &str, body: &str) -> String {
 /// Which letters a text may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Letters {
-    /// All of them.
+    /// All letters of Unicode.
     #[default]
     Unicode,
-    /// Only those of old consoles: `alpha`, `sqrt(R)`.
+    /// Only the letters of old consoles: `alpha`, `sqrt(R)`.
     Ascii,
 }
 
@@ -139,7 +139,7 @@ impl Letters {
 // Formulas for consoles that can only show ASCII.
 
 /// Symbols and their spelling; longer ones first where one begins with another.
-const SPELLING: &[(&str, &str)] = &[
+const SPELLINGS_OF_SYMBOLS: &[(&str, &str)] = &[
     ("x̂", "xhat"),
     ("k̂", "khat"),
     ("ẋ⁻", "xdot_before"),
@@ -177,7 +177,7 @@ const SPELLING: &[(&str, &str)] = &[
 /// `text` in ASCII; roots become `sqrt(…)`.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = text.to_owned();
-    for (symbol, spelling) in SPELLING {
+    for (symbol, spelling) in SPELLINGS_OF_SYMBOLS {
         out = out.replace(symbol, spelling);
     }
     roots(&out)

@@ -138,7 +138,7 @@ impl UnknownTopic {
 pub struct QuantityTopic {
     /// OpenSim's name of a property, or the name in JSON and CSV.
     pub name: &'static str,
-    /// Other names that people know it by.
+    /// Other names of the quantity.
     pub symbols: &'static [&'static str],
     /// Unit of the quantity; empty for a pure number.
     pub unit: &'static str,

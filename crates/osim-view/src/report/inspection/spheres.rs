@@ -57,7 +57,7 @@ pub fn limit(figure: Figure) -> String {
 
 pub struct FigureText {
     pub text: String,
-    /// Whether it is outside its limit.
+    /// Whether the figure is outside its limit.
     pub outside: bool,
 }
 
@@ -129,11 +129,11 @@ pub(crate) fn equally_deep(figures: &Figures, extent: Extent) -> Vec<EquallyDeep
 
 /// Whether depths differ by more than rounding, and no sphere hangs above the floor.
 fn stands_unevenly(limb: &LimbFigures) -> bool {
-    const ROUNDING: f64 = 1e-6;
+    const ROUNDING_OF_FIGURES: f64 = 1e-6;
     let differs = |sphere: &SphereFigures| {
         let level = sphere.value(Figure::LevelIndentation).or(sphere.value(Figure::Indentation));
         let own = sphere.value(Figure::StandingIndentation);
-        own.zip(level).is_some_and(|(own, level)| (own - level).abs() > ROUNDING)
+        own.zip(level).is_some_and(|(own, level)| (own - level).abs() > ROUNDING_OF_FIGURES)
     };
     let touches =
         |sphere: &SphereFigures| sphere.value(Figure::StandingIndentation).is_some_and(|own| own > 0.0);
@@ -146,10 +146,10 @@ fn stands_unevenly(limb: &LimbFigures) -> bool {
 const GROUPS_ABREAST: usize = 4;
 
 /// Names that are listed; more are counted.
-const NAMED: usize = 6;
+const MOST_NAMES_LISTED: usize = 6;
 
-/// In place of a figure that is not known; its two blanks keep digits below digits.
-const NOTHING: &str = "-  ";
+/// The text in place of a figure that is not known; its two blanks keep digits below digits.
+const UNKNOWN_FIGURE: &str = "-  ";
 
 /// Spheres that do the same, wherever they are.
 struct Alike<'a> {
@@ -171,7 +171,10 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, extent
     for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
         for (index, group) in chunk.iter().enumerate() {
             let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
-            text.push_str(&wrapped(&format!("{label}  {}", extent.names(&group.names, NAMED)), "    "));
+            text.push_str(&wrapped(
+                &format!("{label}  {}", extent.names(&group.names, MOST_NAMES_LISTED)),
+                "    ",
+            ));
         }
         text.push('\n');
         text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, extent));
@@ -193,7 +196,7 @@ fn standing(inspected: &Inspection, extent: Extent) -> String {
     let mut table = table(&["limb", "Hertz", "model's law", "spheres"]);
     for row in rows {
         let [hertz, model_law] = &row.indentation;
-        table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, NAMED)]);
+        table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, MOST_NAMES_LISTED)]);
     }
     table.right_aligned(&[1, 2]);
     format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
@@ -226,7 +229,7 @@ fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize, extent: Ex
         if extent.is_full() { Figure::ALL.to_vec() } else { spheres.figures().collect() };
     for figure in figures {
         let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first, extent)).collect();
-        if values.iter().all(|value| value == NOTHING) {
+        if values.iter().all(|value| value == UNKNOWN_FIGURE) {
             continue;
         }
         let name = heading(figure, inspected.figures.impact_speed_m_s, extent);
@@ -238,7 +241,7 @@ fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize, extent: Ex
 
 fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
     match value(figure, sphere, extent) {
-        None => NOTHING.to_owned(),
+        None => UNKNOWN_FIGURE.to_owned(),
         Some(FigureText { text, outside: false }) => format!("{text}  "),
         Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE}"),
     }
@@ -264,7 +267,7 @@ fn number_text(value: Option<f64>) -> String {
 type Cell = fn(&Place<'_>) -> String;
 
 /// Columns that say which model, limb and sphere a row is about.
-const PLACE: [(&str, Cell); 12] = [
+const PLACE_COLUMNS: [(&str, Cell); 12] = [
     ("model_file", |p| p.model.model.clone()),
     ("model_name", |p| p.model.name.clone()),
     ("mass_kg", |p| number_text(p.model.mass_kg)),
@@ -282,7 +285,7 @@ const PLACE: [(&str, Cell); 12] = [
 ];
 
 /// The parameters of the first force that presses the sphere.
-const PARAMETERS: [Property; 9] = [
+const PARAMETER_COLUMNS: [Property; 9] = [
     Property::Stiffness,
     Property::Dissipation,
     Property::StaticFriction,
@@ -294,15 +297,15 @@ const PARAMETERS: [Property; 9] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// After the figures: the columns of those that are beyond their limits, and the codes of findings.
-const LAST: [&str; 2] = ["outside_limits", "findings"];
+/// Columns after the figures: names of those that are beyond their limits, and codes of findings.
+const LAST_COLUMNS: [&str; 2] = ["outside_limits", "findings"];
 
 /// The names of all columns. `docs/reference/json.md` explains them.
 fn header() -> Vec<String> {
-    let place = PLACE.iter().map(|(name, _)| (*name).to_owned());
-    let parameters = PARAMETERS.iter().map(|&property| Quantity::property(property).column());
+    let place = PLACE_COLUMNS.iter().map(|(name, _)| (*name).to_owned());
+    let parameters = PARAMETER_COLUMNS.iter().map(|&property| Quantity::property(property).column());
     let figures = Figure::ALL.iter().map(|figure| figure.info().column());
-    place.chain(parameters).chain(figures).chain(LAST.map(str::to_owned)).collect()
+    place.chain(parameters).chain(figures).chain(LAST_COLUMNS.map(str::to_owned)).collect()
 }
 
 fn cells(place: &Place<'_>) -> Vec<String> {
@@ -312,7 +315,7 @@ fn cells(place: &Place<'_>) -> Vec<String> {
     let outside: Vec<String> =
         Figure::ALL.iter().filter(is_outside).map(|figure| figure.info().column()).collect();
     let last = [outside.join(" "), place.findings.to_owned()];
-    let before = PLACE.iter().map(|(_, cell)| cell(place)).chain(PARAMETERS.map(parameter));
+    let before = PLACE_COLUMNS.iter().map(|(_, cell)| cell(place)).chain(PARAMETER_COLUMNS.map(parameter));
     before.chain(figures).chain(last).collect()
 }
 

@@ -169,7 +169,7 @@ fn body_factors(inspected: &Inspection, extent: Extent) -> String {
 // A body over its floor and on its feet, in sentences: the text and the page share them.
 
 /// Spheres that are named at most.
-const NAMED: usize = 6;
+const MOST_SPHERES_NAMED: usize = 6;
 
 /// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
 pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
@@ -236,7 +236,7 @@ fn depths(rest: &BodyAtRest, extent: Extent) -> String {
 
 fn named(spheres: &[&StandingSphere], extent: Extent) -> String {
     let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
-    extent.names(&names, NAMED)
+    extent.names(&names, MOST_SPHERES_NAMED)
 }
 
 // Forces with the same parameters together.
@@ -272,13 +272,13 @@ pub fn has_default(force: &InspectedForce) -> bool {
 
 /// How many forces of which class, and their names.
 pub fn described(members: &[&InspectedForce], extent: Extent) -> String {
-    const SHOWN: usize = 6;
+    const MOST_NOTE_STEPS: usize = 6;
     let Some(first) = members.first() else { return String::new() };
     let name = |force: &&InspectedForce| match force.set {
         Some(set) if set > 0 => format!("{} (set {set})", force.name),
         _ => force.name.clone(),
     };
-    let most = if extent.is_full() { members.len() } else { SHOWN };
+    let most = if extent.is_full() { members.len() } else { MOST_NOTE_STEPS };
     let mut names: Vec<String> = members.iter().take(most).map(name).collect();
     if members.len() > most {
         names.push(format!("{} more", members.len() - most));

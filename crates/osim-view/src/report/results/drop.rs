@@ -22,7 +22,7 @@ use serde::{Serialize, Serializer};
 use crate::report::layout::{WIDTH, table};
 
 /// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
-const ROUNDING: f64 = 1e-9;
+const ROUNDING_OF_CURVES: f64 = 1e-9;
 const CHART_ROWS: usize = 16;
 
 /// The figures of a drop, whether they are within what the laws were made for, and how far it is from another drop.
@@ -100,7 +100,7 @@ fn limits(drop: &DropResult) -> String {
 
 /// A difference; what rounding leaves counts as 0.
 fn apart(difference: f64) -> String {
-    if difference < ROUNDING { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
+    if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
 
 /// Force over body weight against time, in letters: for terminals, which can draw it.

@@ -154,13 +154,13 @@ pub struct FitRecord {
     pub residual_deviation_n: f64,
     /// Largest x̂.
     pub largest_relative_indentation: f64,
-    /// Whether it is within the Hertz law.
+    /// Whether the largest indentation is within the Hertz law.
     pub within_hertz_limit: bool,
     /// Largest speed, m/s.
     pub largest_speed_m_s: Option<f64>,
     /// c_r by (13) at that speed.
     pub restitution: Option<f64>,
-    /// Whether it is within the Hunt–Crossley law.
+    /// Whether the largest rate is within the Hunt–Crossley law.
     pub within_hunt_crossley_limit: Option<bool>,
     /// Residuals of the fit.
     pub residuals: ResidualsRecord,

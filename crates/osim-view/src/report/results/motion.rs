@@ -139,7 +139,7 @@ pub enum MotionCells {
 type Number = fn(&ContactPair, &ContactState) -> f64;
 
 /// The numbers after time, sphere and body.
-const NUMBERS: [(&str, Number); 15] = [
+const NUMBER_COLUMNS: [(&str, Number); 15] = [
     ("centre_x_m", |_, state| state.centre_m[0]),
     ("centre_y_m", |_, state| state.centre_m[1]),
     ("centre_z_m", |_, state| state.centre_m[2]),
@@ -182,7 +182,7 @@ pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
         MotionCells::Texts((0..frames).flat_map(|_| once.iter().cloned()).collect())
     };
     let times = states.time_s.iter().flat_map(|&time_s| states.pairs.iter().map(move |_| time_s)).collect();
-    let numbers = NUMBERS.iter().map(|(name, number)| {
+    let numbers = NUMBER_COLUMNS.iter().map(|(name, number)| {
         let of_frame = |frame: usize| {
             states.pairs.iter().zip(states.frame(frame)).map(|(pair, state)| number(pair, state))
         };

@@ -49,7 +49,7 @@ pub struct MotionRecord {
     pub comparison: Option<MotionComparisonRecord>,
     /// Each foot.
     pub feet: Vec<MotionFootRecord>,
-    /// In words.
+    /// Remarks in words.
     pub remarks: Vec<MotionRemarkRecord>,
 }
 
@@ -59,7 +59,7 @@ pub struct MotionRecord {
 pub struct MotionRemarkRecord {
     /// Stable short name.
     pub code: String,
-    /// In words.
+    /// The message in words.
     pub message: String,
 }
 
@@ -75,13 +75,13 @@ pub struct MotionFootRecord {
     pub bodies: Vec<String>,
     /// Largest force of the foot along the normal of the floor, N.
     pub peak_n: f64,
-    /// When that is, s.
+    /// Time of the largest force, s.
     pub peak_at_s: f64,
     /// Whether its stances are those of the plates; else they are those of the model.
     pub stands_by_plates: bool,
     /// The median depth of its deepest sphere in stance, m; below 0 it is above the floor.
     pub stance_depth_m: Option<f64>,
-    /// From the 5th to the 95th percentile of the depth of its deepest sphere in stance, m.
+    /// Range from the 5th to the 95th percentile of the depth of the foot's deepest sphere in stance, m.
     pub stance_scatter_m: Option<f64>,
     /// The depth of its deepest sphere in the whole recording, m.
     pub deepest_m: f64,
@@ -103,9 +103,9 @@ pub struct MotionFootRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionStanceRecord {
-    /// When it touches down, s; absent where the recording begins in it.
+    /// Time at which the foot touches down, s; absent where the recording begins in the stance.
     pub on_s: Option<f64>,
-    /// When it lifts off, s; absent where the recording ends in it.
+    /// Time at which the foot lifts off, s; absent where the recording ends in the stance.
     pub off_s: Option<f64>,
     /// The model's largest force along the normal, N.
     pub peak_n: f64,
@@ -127,11 +127,11 @@ pub struct MotionSphereRecord {
     pub peak_n: f64,
     /// Largest x/R of the sphere; below 0 it never touches.
     pub largest_relative_indentation: f64,
-    /// When that is, s.
+    /// Time of the largest x/R, s.
     pub largest_at_s: f64,
-    /// For how long x/R is beyond what the Hertz law holds for, s.
+    /// Time for which x/R is beyond what the Hertz law holds for, s.
     pub beyond_hertz_s: f64,
-    /// For how long its centre is below the plane, s.
+    /// Time for which the sphere's centre is below the plane, s.
     pub beyond_radius_s: f64,
     /// The median of its slip speed while it is in the plane, m/s.
     pub slip_m_s: Option<f64>,
@@ -143,7 +143,7 @@ pub struct MotionSphereRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionTouchDownRecord {
-    /// When, s.
+    /// Time of the touch-down, s.
     pub time_s: f64,
     /// How fast, m/s.
     pub impact_speed_m_s: f64,
@@ -171,7 +171,7 @@ pub struct MotionComparisonRecord {
     pub measured_peak_n: f64,
     /// Root mean square of the distance between both centres of pressure, m.
     pub cop_rms_m: Option<f64>,
-    /// In how many frames both have one.
+    /// The number of frames in which model and plates have a centre of pressure.
     pub cop_frames: usize,
 }
 

@@ -187,7 +187,7 @@ pub struct SweepRecord {
     pub folder_bytes: Option<Vec<u8>>,
     /// How many points the grid has, or steps the ladder: they are counted from 1 to this number.
     pub points: usize,
-    /// With `point`: the file of that point, by its name in `folder`.
+    /// With `point`, the file of that point, by its name in `folder`.
     pub file: Option<String>,
     /// How many models are there as they should be, or would be: of all points, of the one that `point` names, or of a share.
     pub models: usize,
