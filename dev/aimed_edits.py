@@ -48,7 +48,7 @@ def save(saver, model, mark, open_file):
 
 
 def one(number, program, seed, usual):
-    """One run and one save: what the run said, and where the save is."""
+    """The result of a run and a save: what the run said, and where the save is."""
     dice = random.Random(f"{seed} {number}")
     saver, aimed = SAVERS[number % 3], number % 2 == 0
     mark = f"<!-- saved {number} -->\n".encode()

@@ -19,17 +19,17 @@ LINK = re.compile(r"(?P<text>\[[^\[\]]*\])\((?P<path>[^\s():#]+)(?P<anchor>#[^\s
 
 
 def in_project(page):
-    """Where the source of a page is, from the top folder."""
+    """The path of a page's source, from the top folder."""
     return page.removeprefix(OUTSIDE) if page.startswith(OUTSIDE) else f"docs/{page}"
 
 
 def in_book(path):
-    """Where a file of the project is in the book."""
+    """The path in the book of a file of the project."""
     return path.removeprefix("docs/") if path.startswith("docs/") else OUTSIDE + path
 
 
 def target(link, page):
-    """What a link of a page leads to, from the top folder."""
+    """The file that a link of a page leads to, from the top folder."""
     return posixpath.normpath(posixpath.join(posixpath.dirname(in_project(page)), link["path"]))
 
 

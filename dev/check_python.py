@@ -26,7 +26,7 @@ ENVIRONMENTS = [
     ("3.12", ["numpy==2.4.6", "pandas==3.1.1"]),
     ("3.13", ["numpy==2.4.6", "pandas==3.1.1"]),
 ]
-#: What names of files in a wheel must contain.
+#: Parts of names of files that a wheel must contain.
 PARTS = ["_native", "py.typed", ".pyi", "scripts/osim-contact-scale", "LICENSE-MIT", "LICENSE-APACHE", "LICENSES-OF-LIBRARIES"]
 TESTS = ["test_errors.py", "test_result.py", "test_scaling.py", "test_scaling_pandas.py", "test_many.py"]
 

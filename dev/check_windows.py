@@ -36,7 +36,7 @@ __declspec(dllexport) BOOL WINAPI ProcessPrng(PBYTE bytes, SIZE_T count) {
 
 
 def cargo(verb, target, *options):
-    """Another compiler than the project's own, which has no libraries for other systems here; it builds them along."""
+    """Runs cargo with another compiler than the project's own, which has no libraries for other systems here; it builds them along."""
     call = ["cargo", verb, "--locked", "-Zbuild-std=std,panic_abort", "--target", target, "--target-dir", str(OTHER)]
     call += ["--config", "profile.dev.debug=false", *options]
     print("+", " ".join(call), flush=True)

@@ -179,7 +179,7 @@ def left_out(verbs):
 
 
 def shape_of(schema, definitions):
-    """What MATLAB makes of a value: the name of a kind, a dict for an object, a list of one for a list of objects."""
+    """The form of a value in MATLAB: the name of a kind, a dict for an object, a list of one for a list of objects."""
     if "$ref" in schema:
         return shape_of(definitions[schema["$ref"].split("/")[-1]], definitions)
     parts = [part for part in schema.get("anyOf", []) if part.get("type") != "null"]

@@ -64,10 +64,10 @@ OVERLOADS = [
     ("Scalar | Array | Frame", "Frame"),
 ]
 
-#: What comes out, by the kind of function.
+#: Types of the returned value, by the kind of function.
 RETURNS = {"numbers": ("float or numpy.ndarray\n", "float, numpy.ndarray, Series or DataFrame\n")}
 
-#: What `nan` does, by the kind of function.
+#: Help of `nan`, by the kind of function.
 NAN_HELP = {
     "numbers": "an element that has it in any argument is NaN, and not looked at further.",
     "list": "the result is NaN where any number of any list is.",

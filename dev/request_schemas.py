@@ -18,16 +18,16 @@ class Field:
 
     name: str
     description: str
-    """In plain words; other fields are in `backticks`."""
+    """The help of the field, in plain words; other fields are in `backticks`."""
     kinds: frozenset[str]
-    """What it takes: some of number, integer, boolean, string, path, list, object."""
+    """The kinds of value that the field takes: some of number, integer, boolean, string, path, list, object."""
     choices: tuple[str, ...]
     """The texts that it takes, where there are no others."""
     default: object
     group: str | None
-    """What it is about, where it says nothing about contacts: output, many or shown."""
+    """The subject of the field, where it says nothing about contacts: output, many or shown."""
     is_of_run: bool
-    """It is about a whole run: no row of a table can have its own."""
+    """Whether the field is about a whole run: no row of a table can have its own."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +41,7 @@ class Verb:
     positional: tuple[str, ...]
     """The options that a call has without their names, in its order."""
     changes: int
-    """Its place among the verbs that change models, from 1; 0 for others."""
+    """The place of the verb among those that change models, from 1; 0 for others."""
 
 
 def verbs() -> list[Verb]:
@@ -79,7 +79,7 @@ def _field(name: str, schema: dict, definitions: dict) -> Field:
 
 
 def _collect(schema: dict, definitions: dict, kinds: set[str], choices: list[str]) -> None:
-    """What a schema takes, with those that it is made of."""
+    """Collects the kinds of value that a schema takes, with those of the schemas that it is made of."""
     if "$ref" in schema:
         schema = definitions[schema["$ref"].rsplit("/", 1)[-1]]
     if "bytes" in schema.get("properties", {}):

@@ -1,4 +1,4 @@
-"""One fall and one stand of a model, in OpenSim, with numbers that do not depend on size."""
+"""A fall and a stand of a model, in OpenSim, with numbers that do not depend on size."""
 
 import numpy as np
 import opensim
@@ -56,7 +56,7 @@ def _settling_time(series):
 
 
 def _standing(path, depths):
-    """Of each sphere at rest: its share of the load, by (C.1) to (C.4) of the paper, and its place in front of the ankles, m."""
+    """For each sphere at rest: its share of the load, by (C.1) to (C.4) of the paper, and its place in front of the ankles, m."""
     model = opensim.Model(str(path))
     state = model.initSystem()
     model.realizePosition(state)

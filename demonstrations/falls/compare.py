@@ -27,7 +27,7 @@ SLIDES = ("law", "motion", "contacts", "animal", "mass_kg", *MEASURES, *(f"{name
 
 
 def curve(series, name, animal):
-    """One dimensionless curve of a fall; None if the fall has no such curve."""
+    """A dimensionless curve of a fall; None if the fall has no such curve."""
     if CURVES[name] not in series:
         return None
     values = np.asarray(series[CURVES[name]], dtype=float)

@@ -85,7 +85,7 @@ def slide_points(folder, animals, laws, motions, duration=slide.AFTER):
 
 
 def fall(path, joints, height_m, duration_s, samples, accuracy):
-    """One fall, in OpenSim."""
+    """A fall in OpenSim."""
     return simulate.Drop(height=height_m, duration=duration_s, joints=joints, samples=samples, accuracy=accuracy)(path)
 
 

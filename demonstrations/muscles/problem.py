@@ -37,7 +37,7 @@ GROUPS = {side: [f"contact{place}_{side}" for place in ("Heel", "Front")] for si
 
 
 def unit(path, size):
-    """What a state of this path is measured in, at this size: angles and activations have none."""
+    """The unit of a state of this path, at this size: angles and activations have none."""
     length = size.length if path.startswith(LENGTHS) else 1.0
     return length / size.time if path.endswith("/speed") else length
 

@@ -146,7 +146,7 @@ def _contact(body, name):
 
 
 def _depth(sphere, state):
-    """Of a sphere in the ground, over its radius; below 0: above it."""
+    """Depth of a sphere in the ground, over its radius; below 0: above it."""
     centre = sphere.getFrame().findStationLocationInGround(state, sphere.get_location())
     return 1 - centre.get(1) / sphere.getRadius()
 

@@ -30,7 +30,7 @@ def grid(folder, stiffnesses=5, dissipations=DISSIPATIONS):
 
 
 def ladder(folder, steps):
-    """From soft to stiff in so many steps: from k̂ = 1.2 and α = 1 s/m to the baseline's stiffness and a restitution of 0.9."""
+    """The steps from soft to stiff contacts: from k̂ = 1.2 and α = 1 s/m to the baseline's stiffness and a restitution of 0.9."""
     return ocs.sweep(
         str(baseline(folder)),
         ladder=steps,

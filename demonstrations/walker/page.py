@@ -13,7 +13,7 @@ CLAIM = 3  # times the error of the mesh: smaller effects are not claimed
 
 
 def read(name):
-    """One of the tables beside this program."""
+    """A table beside this program."""
     return pd.read_csv(HERE / f"{name}.csv")
 
 

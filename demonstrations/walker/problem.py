@@ -55,17 +55,17 @@ def bounds(length=1.0):
 
 
 def value_name(coordinate):
-    """What a coordinate's value is called in a series."""
+    """The name of a coordinate's value in a series."""
     return f"{coordinate}_m" if coordinate in ("forward", "up") else f"{coordinate}_rad"
 
 
 def speed_name(coordinate):
-    """What a coordinate's speed is called in a series."""
+    """The name of a coordinate's speed in a series."""
     return f"{coordinate}_m_s" if coordinate in ("forward", "up") else f"{coordinate}_rad_s"
 
 
 def control_name(joint):
-    """What a torque's control is called in a series; 1 is `model.TORQUE` × length⁴."""
+    """The name of a torque's control in a series; 1 is `model.TORQUE` × length⁴."""
     return f"{joint}_control"
 
 

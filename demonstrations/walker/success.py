@@ -38,7 +38,7 @@ COLUMNS = {
 
 
 def attempt(path, seed, below=()):
-    """One search from a random guess, by way of the models below if there are any; the check of what it found: its row."""
+    """The row of a search from a random guess, by way of the models below if there are any, with the check of what it found."""
     from walk import climb
 
     begun = time.process_time()
@@ -88,7 +88,7 @@ def guesses(arguments):
 
 
 def ladder(arguments):
-    """From the same random guesses: on the stiffest contacts at once, and after softer ones."""
+    """Searches from the same random guesses: on the stiffest contacts at once, and after softer ones."""
     rungs = {}
     for way, count in WAYS.items():
         # Any ladder has the same last model.
@@ -121,7 +121,7 @@ def summary():
 
 
 def summary_of_ladder():
-    """For each way: both counts, and medians of time, iterations and effort."""
+    """Both counts of each way, and medians of time, iterations and effort."""
     yield "|way|guesses|solved|and the same at twice the mesh|and holds for a step|iterations|time|effort|"
     yield "|---|---|---|---|---|---|---|---|"
     for way in WAYS:

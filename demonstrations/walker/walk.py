@@ -1,4 +1,4 @@
-"""One walk: the function that `simulate.run` calls for every model."""
+"""A walk: the function that `simulate.run` calls for every model."""
 
 import hashlib
 import time
@@ -64,7 +64,7 @@ def starting(start, seed=None):
 
 
 def solved(path, guess, mesh, length=1.0, max_iterations=3000, is_warm_start=False):
-    """One search from a guess, which may be near a solution: numbers and series."""
+    """Numbers and series of a search from a guess, which may be near a solution."""
     problem = study(path, length)
     search = solver(problem, mesh, max_iterations=max_iterations)
     search.setGuess(trajectory(search, guess))

@@ -40,7 +40,7 @@ class Table:
         print(f"\n{text}")
 
     def row(self, what, value, unit, limit=None, at_least=False):
-        """One figure against its limit, which it must not exceed (or, `at_least`, must reach)."""
+        """Writes a figure against its limit, which it must not exceed (or, `at_least`, must reach)."""
         if limit is None:
             verdict = ""
         elif value >= limit if at_least else value <= limit:

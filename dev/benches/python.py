@@ -39,7 +39,7 @@ def medians(works, runs, at_once=1):
 
 
 def by_opensim(path, factor):
-    """What a user would write for stiffness alone: load, multiply, print."""
+    """Load, multiply, print: the program that a user would write for stiffness alone."""
     import opensim
 
     model = opensim.Model(str(path))

@@ -147,7 +147,7 @@ def many_forces(table, command, folder, repeats):
 
 
 def odd_models(table, command, folder, repeats):
-    """What nobody writes by hand: 100,000 of it against 10,000."""
+    """Measures models that nobody writes by hand: 100,000 of something against 10,000."""
     table.head(f"10,000 and 100,000 of a kind, dry run, best of {repeats}")
     model = folder / "odd.osim"
     kinds = [

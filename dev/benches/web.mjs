@@ -27,7 +27,7 @@ function quantile(values, share) {
 
 const median = (values) => quantile(values, 0.5);
 
-/** One start of the page, and the first model in it; and the command by turns. */
+/** Starts the page and opens the first model in it; and runs the command by turns. */
 async function startAndOpen(browser, times, folder) {
   const user = await pageIn(browser);
   times.ready.push(await user.page.evaluate(() => performance.getEntriesByName("ready")[0].startTime));

@@ -198,7 +198,7 @@ class Result:
 
 @dataclass
 class Comparison:
-    """Where both programs do each case, one after the other: each process has its own folder."""
+    """The folders in which both programs do each case, one after the other: each process has its own folder."""
 
     cases: Cases
     old: Path
@@ -212,7 +212,7 @@ class Comparison:
         return self.folder / f"worker{os.getpid()}"
 
     def compare(self, call: str) -> Result:
-        """Both programs do the case; files that the case itself put there are compared without the map."""
+        """Lets both programs do the case; files that the case itself put there are compared without the map."""
         self.map.used = Counter()
         (old, given), (new, _) = self.run(self.old, call), self.run(self.new, call)
         failed = sum(left["exit status"] != b"0" for left in old)
@@ -232,7 +232,7 @@ class Comparison:
         return result
 
     def run(self, program: Path, call: str) -> tuple[list[dict[str, bytes]], set[tuple[str, bytes]]]:
-        """What each call of a case left, by what it is; and what was put into the folder before."""
+        """The outputs of each call of a case, by their kind; and the files that were put into the folder before."""
         shutil.rmtree(self.top, ignore_errors=True)
         for name in ("here", "home", "tmp"):
             (self.top / name).mkdir(parents=True)
@@ -251,7 +251,7 @@ class Comparison:
         return left, given
 
     def call(self, program: Path, words: list[str]) -> dict[str, bytes]:
-        """One call: exit status and both streams."""
+        """Exit status and both streams of a call."""
         environment = ENVIRONMENT | {"HOME": str(self.top / "home"), "TMPDIR": str(self.top / "tmp")}
         while words and re.match(r"[A-Z][A-Z_]*=", words[0]):
             environment.update([words.pop(0).split("=", 1)])
@@ -298,7 +298,7 @@ def change(here: Path, verb: str, name: str, *rest: str) -> None:
 
 
 def report_lines(differing: list[Result]) -> list[str]:
-    """What differs, by what differs first: how many cases, some of them, and what differs in one of them."""
+    """A report of the differing cases, by what differs first: how many cases, some of them, and what differs in one of them."""
     groups: dict[tuple[str, str], list[Result]] = defaultdict(list)
     for result in differing:
         part, old, new = result.differences[0]

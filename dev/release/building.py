@@ -25,7 +25,7 @@ def version():
 
 
 def time_of_sources():
-    """In seconds since 1970. With it, not with the time of the build, the same sources give the same bytes."""
+    """The time of the sources, in seconds since 1970. With it, not with the time of the build, the same sources give the same bytes."""
     last = ["git", "log", "-1", "--format=%ct"]
     return int(os.environ.get("SOURCE_DATE_EPOCH") or subprocess.run(last, cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout)
 

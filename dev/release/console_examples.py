@@ -21,7 +21,7 @@ COMMAND = "osim-contact-scale"
 BLOCK = re.compile(r"^```console[^\n]*\n(?P<body>.*?)^```$", re.S | re.M)
 #: A folder of fixtures in a command: its files may name one another, so that they belong together.
 FIXTURES = re.compile(r"(?<![\w/])fixtures/(\w+)(?=/|\s|$)")
-#: As in tests/documents.rs: no terminal, which would break lines, no colours, and the date of notes, 2025-11-26.
+#: Settings as in tests/documents.rs: no terminal, which would break lines, no colours, and the date of notes, 2025-11-26.
 SETTINGS = {"NO_COLOR": "1", "SOURCE_DATE_EPOCH": "1764115200"}
 SECONDS = 120
 
@@ -107,7 +107,7 @@ def differences(page, program, fixtures):
 
 
 def untrue(page, example, status, printed):
-    """What is wrong with an example: its status, and the lines that are not as the page has them."""
+    """The differences between an example and its run: its status, and the lines that are not as the page has them."""
     lines = difflib.unified_diff(example.output, printed.splitlines(), "expected", "printed", lineterm="")
     return "\n".join([f"{page}:{example.line}: $ {example.command}", f"status {status}, expected {example.status}", *lines])
 

@@ -108,7 +108,7 @@ __all__ = [
 ]
 
 
-#: What is imported when it is first used, and from where: a program that imports this package waits for that alone which it uses.
+#: Names that are imported when they are first used, and their modules: a program waits only for the modules that it uses.
 _HOMES = {
     **dict.fromkeys(
         ("Answer", "DesignSheet", "DropTest", "Explanation", "Fit", "Motion", "Preset", "Presets", "Reproduction"),

@@ -20,7 +20,7 @@ _THIN = {"color": "0.5", "linestyle": "--", "linewidth": 0.8}
 
 
 class Panel(NamedTuple):
-    """One panel of a figure: its name, its numbers and its look."""
+    """A panel of a figure: its name, its numbers and its look."""
 
     name: str
     rows: list[Row]

@@ -1,4 +1,4 @@
-"""What is wrong with a model, and the remedies."""
+"""Findings in a model, and their remedies."""
 
 from __future__ import annotations
 

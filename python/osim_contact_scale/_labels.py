@@ -17,7 +17,7 @@ from ._kinds import kind_of
 
 #: Types of most arguments. They have no labels, so that the search for labels is skipped.
 _PLAIN = frozenset({float, int, list, tuple, np.ndarray, np.float64})
-#: What must be equal in two arguments of one kind.
+#: Values that must be equal in two arguments of one kind.
 _MUST_MATCH = {
     ("pandas", "Series"): "indexes",
     ("pandas", "DataFrame"): "indexes or columns",

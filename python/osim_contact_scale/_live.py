@@ -16,7 +16,7 @@ from ._live_print import model_to_xml
 
 
 def is_model(source: Any) -> bool:
-    """Whether it is an `opensim.Model`."""
+    """Whether the source is an `opensim.Model`."""
     opensim = sys.modules.get("opensim")
     return opensim is not None and isinstance(source, opensim.Model)
 

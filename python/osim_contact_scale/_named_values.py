@@ -57,7 +57,7 @@ class NamedValues:
 
 
 def _is_attribute(kind: type, name: str) -> bool:
-    """Whether it is a public property or field of a class."""
+    """Whether a name is that of a public property or field of a class."""
     is_field = name in getattr(kind, "__dataclass_fields__", ())
     return not name.startswith("_") and (is_field or inspect.isdatadescriptor(getattr(kind, name, None)))
 

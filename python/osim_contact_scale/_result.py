@@ -157,7 +157,7 @@ class Result(NamedValues):
 
     @property
     def text(self) -> str:
-        """What changes, as the command prints it."""
+        """The changes, as the command prints them."""
         return self._planned.text()
 
     def diff(self, output: str | os.PathLike[str] | None = None) -> str:

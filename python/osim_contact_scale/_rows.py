@@ -84,7 +84,7 @@ def _readers(data: Any) -> tuple[str, ...]:
 
 
 def _is_foreign(data: Any) -> bool:
-    """Whether it is a table of a library other than pandas and polars."""
+    """Whether the data are a table of a library other than pandas and polars."""
     # A column also has the interface of Arrow, and a type, which a table does not have.
     is_arrow = hasattr(data, "__arrow_c_stream__") and not (hasattr(data, "dtype") or hasattr(data, "type"))
     can_be_read = is_arrow or hasattr(data, "__dataframe__")

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger("osim_contact_scale")
 
-#: From the worst on.
+#: Severities of findings, from the worst on.
 _SEVERITIES = ("error", "warning", "remark")
 
 #: Columns of the table of models.

@@ -75,14 +75,14 @@ class ArrowTable(Protocol):
     """A table that other libraries can read by the interface of Arrow, such as a `pyarrow.Table`."""
 
     def __arrow_c_stream__(self, requested_schema: Any = None) -> object:
-        """Its data."""
+        """The data of the table."""
 
 
 class InterchangeTable(Protocol):
     """A table that other libraries can read by the interchange protocol of DataFrames."""
 
     def __dataframe__(self, nan_as_null: bool = False, allow_copy: bool = True) -> Any:
-        """Its data."""
+        """The data of the table."""
 
 
 class Polars(Protocol):

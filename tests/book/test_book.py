@@ -30,7 +30,7 @@ PAGES = sorted(BOOK.rglob("*.html"))
 
 
 def public(module):
-    """What a module lists in `__all__`."""
+    """The names that a module lists in `__all__`."""
     tree = ast.parse((PACKAGE / module).read_text(encoding="utf-8"))
     (names,) = (node.value for node in tree.body if isinstance(node, ast.Assign) and node.targets[0].id == "__all__")
     return ast.literal_eval(names)
@@ -49,7 +49,7 @@ def text_of(page):
 
 
 def entry(name):
-    """What the reference says of a public name, up to the next one."""
+    """The entry of a public name in the reference, up to the next one."""
     page = (BOOK / "reference" / "api.html").read_text(encoding="utf-8")
     match = re.search(rf'<h\d id="osim_contact_scale\.{re.escape(name)}".*?(?=<h[1-4] id=|</article>)', page, re.S)
     assert match, f"docs/reference/api.md has no {name}"

@@ -34,7 +34,7 @@ def missing():
 
 
 class Browser:
-    """One browser window, closed at the end of the `with` block."""
+    """A browser window, closed at the end of the `with` block."""
 
     def __enter__(self):
         self.profile = tempfile.TemporaryDirectory()
@@ -113,7 +113,7 @@ class Browser:
         return self._tell("execute/async", {"script": script, "args": []})
 
     def logs(self, kind):
-        """What was logged since the last time: `browser` for the console, `performance` for events."""
+        """Messages that were logged since the last time: `browser` for the console, `performance` for events."""
         return self._tell("se/log", {"type": kind})
 
     def requests(self):

@@ -125,7 +125,7 @@ def one(program, folder, verb, kind):
 
 
 def exponent(least, few, many):
-    """Of what grows; a function that is not called for N grows from nothing."""
+    """The exponent with which something grows; a function that is not called for N grows from nothing."""
     if many <= least:
         return 0.0
     return math.log((many - least) / max(few - least, 1)) / math.log(TIMES)
@@ -146,7 +146,7 @@ def counted(program, folder, verb, kind, size):
 
 
 def run(call, place):
-    """What the program says on one thread; `None` where it refuses."""
+    """The output of the program on one thread; `None` where it refuses."""
     environment = os.environ | {"RAYON_NUM_THREADS": "1"}
     process = subprocess.run(call, cwd=place, env=environment, capture_output=True)
     if process.returncode not in (0, 1) or b"\nerror:" in b"\n" + process.stderr:
@@ -219,7 +219,7 @@ COST = re.compile(r"^(?:\+|-|\*|\d)\S* (\d+)$")
 
 
 def functions(out):
-    """What each function executes itself, without those that it calls, from callgrind's file."""
+    """The instructions that each function executes itself, without those that it calls, from callgrind's file."""
     counts, names = collections.Counter(), {}
     current, skip = None, False
     with open(out, encoding="utf-8", errors="replace") as lines:

@@ -29,7 +29,7 @@ def feet_of_their_own(n):
 
 
 def circle(n):
-    """As `feet_of_their_own`, the joints on a circle: each pair of them may be the one that is farthest apart."""
+    """A model as of `feet_of_their_own`, the joints on a circle: each pair of them may be the one that is farthest apart."""
     bodies, joints = feet(n)
     angles = [2 * math.pi * i / n for i in range(n)]
     places = [f"{0.1 * math.cos(angle)} -0.1 {0.1 * math.sin(angle)}" for angle in angles]
@@ -43,7 +43,7 @@ def chain(n):
 
 
 def chain_with_spheres(n):
-    """As `chain`, with a sphere and a force on every body."""
+    """A model as of `chain`, with a sphere and a force on every body."""
     return model(legs(n), spheres(n, lambda i: foot(i, n)), [smooth(i, i) for i in range(n)])
 
 
@@ -81,7 +81,7 @@ def same_name(n):
 
 
 def sunk_in(n):
-    """As `forces`, each with findings of its own: no smoothness, dissipation below nothing, a long name."""
+    """A model as of `forces`, each with findings of its own: no smoothness, dissipation below nothing, a long name."""
     some = [smooth(i, i).replace("<dissipation>2", "<dissipation>0").replace("<stiffness>1e6", f"<stiffness>1e{2 + i % 3}") for i in range(n)]
     return model(feet(2), spheres(n, foot), some)
 
@@ -146,7 +146,7 @@ def legs(n):
 
 
 def body(name, of):
-    """One of `of` bodies that weigh 40 kg together."""
+    """A body, one of `of` bodies that weigh 40 kg together."""
     return (
         f'<Body name="{name}"><attached_geometry><Mesh name="bone"><scale_factors>1 1 1</scale_factors>'
         f"<mesh_file>{name}.vtp</mesh_file></Mesh></attached_geometry><mass>{40 / of}</mass><mass_center>0 0 0</mass_center>"

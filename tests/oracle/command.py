@@ -31,7 +31,7 @@ class Outcome:
 
 
 def run(*arguments):
-    """One run with `--format json`; stdout must be exactly one JSON object on one line, or nothing."""
+    """A run with `--format json`; stdout must be exactly one JSON object on one line, or nothing."""
     process = subprocess.run([str(BINARY), *map(str, arguments), "--format", "json"], capture_output=True, timeout=60)
     text = process.stdout.decode("utf-8")
     if not text:

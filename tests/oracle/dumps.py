@@ -6,7 +6,7 @@ import compare
 
 
 def parsed(dump):
-    """As XML, in which names of elements have no `::`."""
+    """A dump as XML, in which names of elements have no `::`."""
     return ElementTree.fromstring(dump.replace("::", "__"))
 
 

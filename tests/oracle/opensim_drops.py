@@ -19,7 +19,7 @@ def drops(jobs):
 
 
 def here(job):
-    """One drop, in this process."""
+    """Runs a drop in this process."""
     import opensim
 
     model, down = build(opensim, job)

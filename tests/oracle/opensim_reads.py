@@ -60,7 +60,7 @@ def here(job):
         reading["dump"] = model.dump()
     reading |= simulated(model)
     # In what cannot be built, OpenSim may look for the body of a frame for ever.
-    reading["scenery"] = sorted(welded - welded_bodies(model, welded) - {"/ground"}) if reading["builds"] else []
+    reading["uncounted"] = sorted(welded - welded_bodies(model, welded) - {"/ground"}) if reading["builds"] else []
     return reading
 
 
@@ -180,7 +180,7 @@ def welded_to_ground(model):
 
 
 def welded_bodies(model, welded):
-    """Those of the welded bodies on which others hang by joints without a coordinate along which they move away."""
+    """The welded bodies on which others hang by joints without a coordinate along which they move away."""
     import opensim
 
     def moves_away(joint):

@@ -35,7 +35,7 @@ def save(model, output, how):
 
 
 def here(job):
-    """One job, in this process."""
+    """Runs a job in this process."""
     import opensim
 
     model, output, how = job

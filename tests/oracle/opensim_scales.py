@@ -17,7 +17,7 @@ def scaled(job):
 
 
 def here(job):
-    """One job, in this process."""
+    """Runs a job in this process."""
     import opensim
 
     if "setup" in job:

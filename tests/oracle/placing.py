@@ -98,7 +98,7 @@ class Sizes:
                             yield np.array(old["places"][end]), np.array(joint["places"][end])
 
     def factors_from_offsets(self, body):
-        """One factor for each axis; NaN where no offset says it. And whether they explain all offsets."""
+        """A factor for each axis; NaN where no offset says it. And whether they explain all offsets."""
         offsets = list(self.offsets(body))
         mesh = self.mesh(body)
         factors, fits = np.full(3, np.nan), True
@@ -182,7 +182,7 @@ def floor_of(anatomy):
 
 
 def reference_contacts(reading):
-    """One contact for each moving sphere that a force presses on a half-space, in the order of the forces."""
+    """A contact for each moving sphere that a force presses on a half-space, in the order of the forces."""
     planes = {plane["path"] for plane in reading["half_spaces"]}
     spheres = {sphere["path"]: sphere for sphere in reading["spheres"] if sphere["base"] not in reading["fixed"]}
     together = {}

@@ -138,7 +138,7 @@ def planned_is_read(report, reading):
 
 @pytest.fixture
 def added(name, added_models):
-    """One case; that it was not refused is tested above, once."""
+    """The result of a case; that it was not refused is tested above, once."""
     if added_models[name].outcome.status != 0:
         pytest.skip(f"refused: {added_models[name].outcome.error}")
     return added_models[name]
@@ -215,7 +215,7 @@ def test_spheres_in_the_floor_are_pushed_out(name, added, readings, pushed):
 
 @pytest.mark.parametrize("name", ALL)
 def test_left_is_the_mirror_image_of_right(added, readings):
-    """Where the meshes' factors and the reference's spheres are."""
+    """Left spheres are mirror images of right ones if the meshes' factors and the reference's spheres are."""
     sizes = placing.Sizes(added.of(added.before), added.of(added.case.reference), added.case.given, False)
     bodies = {sphere["base"].rsplit("/", 1)[-1] for sphere in readings[added.after]["spheres"]}
     factors = [[added.case.given.get(body, sizes.mesh(body)) for body in (body, placing.other_side(body))] for body in bodies]

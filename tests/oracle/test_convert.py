@@ -181,7 +181,7 @@ def test_both_classes_press_alike(path, converted_models, moved, readings):
 
 
 def lost(path, converted_models, moved, readings):
-    """What the model's own Hunt-Crossley forces lack on the half-space, in N, by state; and the largest that they should be."""
+    """The force that the model's own Hunt-Crossley forces lack on the half-space, in N, by state; and the largest that it should be."""
     hunt = contacts(readings[converted_models[path]["hunt"]])
     own = contacts(readings[path])
     result = []

@@ -36,7 +36,7 @@ CONFIRMED = [word for question in ("implausible-mass", "mass-in-pounds", "implau
 
 
 def model(draw):
-    """One of these models with one to three numbers at the edge of a double."""
+    """A model of these with one to three numbers at the edge of a double."""
     return with_edges(draw, draw.choice(MODELS))
 
 
@@ -106,7 +106,7 @@ def test_nothing_that_is_not_finite_is_written(seed, runs):
 
 
 def test_opensim_reads_what_was_written(runs):
-    """Of every change, the numbers that it says; of `convert`, all numbers of each new force."""
+    """OpenSim reads the numbers that every change says; of `convert`, all numbers of each new force."""
     written = [(path, call, outcome, output) for path, outcomes in runs.values() for call, outcome, output in outcomes if output and output.exists()]
     readings = opensim_reads.read_models({path for path, *_ in written} | {output for *_, output in written})
     compared = 0

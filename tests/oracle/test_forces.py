@@ -36,7 +36,7 @@ FRICTION = {"static_friction": 0.0, "dynamic_friction": 0.0, "viscous_friction":
 
 @dataclass(frozen=True)
 class Contact:
-    """One sphere; the second surface is of the same material and flat unless told."""
+    """A sphere; the second surface is of the same material and flat unless told."""
 
     kind: str
     radius: float
@@ -66,7 +66,7 @@ class Contact:
         return self.dissipation * share + (self.second or self.material)["dissipation"] * (1 - share)
 
     def scale(self, x, rate):
-        """What the difference of two forces is compared with, in N: F_cf or F_e (1, A.3, C.1), times the speed's part."""
+        """The force with which the difference of two forces is compared, in N: F_cf or F_e (1, A.3, C.1), times the speed's part."""
         one, other = self.moduli()
         radius = self.radius if self.second_radius is None else 1 / (1 / self.radius + 1 / self.second_radius)
         square = x * x + self.smoothing["constant_contact_force"] if self.smoothing else max(x, 0.0) ** 2

@@ -30,7 +30,7 @@ def test_inspect_equals_opensim(path, readings):
 
 
 def numbers_in_file_order(report, reading):
-    """Where OpenSim gives other names: the same numbers, in the same order."""
+    """If OpenSim gives other names, the reports have the same numbers in the same order."""
     compare.model_equals(report, reading)
     assert len(report["forces"]) == len(reading["forces"])
     for ours, theirs in zip(report["forces"], reading["forces"]):

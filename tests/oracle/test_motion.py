@@ -104,7 +104,7 @@ def agrees(pairs, record, tolerance):
     if pulls:
         chosen = [part for size in range(len(touching), -1, -1) for part in itertools.combinations(touching, size)]
     moving = {row["body"] for row, _ in pairs}
-    # Scenery that touches scenery pushes nothing that moves.
+    # A fixed body that touches another one pushes nothing that moves.
     record = {body: values for body, values in record.items() if body in moving or body == "Sphere"}
     assert any(all_agree([pairs[number] for number in part], record, tolerance) for part in chosen), (pairs, record)
     return 1

@@ -70,7 +70,7 @@ def contacts_mass(path):
 
 @pytest.fixture(scope="module")
 def walks(tmp_path_factory):
-    """For each model: its rescaled copy with the target, and that copy after each way through OpenSim."""
+    """The rescaled copy of each model with the target, and that copy after each way through OpenSim."""
     folder = tmp_path_factory.mktemp("notes")
     done = {}
     jobs = []

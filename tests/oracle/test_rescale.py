@@ -47,7 +47,7 @@ def test_opensim_reads_the_plan_and_nothing_else_differs(path, rescaled, reading
 
 
 def renamed(report, before, after):
-    """Where OpenSim gives other names than the file: the prints differ in the planned numbers."""
+    """If OpenSim gives other names than the file, the prints differ in the planned numbers."""
     expected = sorted((change["property"], change["from"].hex(), change["to"].hex()) for change in report["changes"])
     assert sorted(compare.differing_lines(before["dump"], after["dump"]).elements()) == expected
 

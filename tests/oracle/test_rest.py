@@ -83,7 +83,7 @@ def test_opensim_finds_the_weight_where_spheres_rest(stance, tmp_path):
 
 
 def rests(path, *options):
-    """Where the model's law rests by `drop-test`: indentation in m."""
+    """The indentation at which the model's law rests by `drop-test`, in m."""
     outcome = command.run("drop-test", path, "--duration", 0.1, "--samples", 2, *options)
     assert outcome.status == 0, outcome
     report = outcome.report
@@ -91,7 +91,7 @@ def rests(path, *options):
 
 
 def opensim_leaves(mass, contacts):
-    """Where a body that falls on the contacts comes to rest in OpenSim, in m; it has time until nothing moves."""
+    """The indentation at which a body that falls on the contacts comes to rest in OpenSim, in m; it has time until nothing moves."""
     spheres = [{"radius": one.radius, **one.material, **one.smoothing} for one in contacts]
     until = 4 + 1.1 * max(one.dissipation for one in contacts)
     job = {"class": SMOOTH, "mass": mass, "gravity": GRAVITY, "height": 0.25 * contacts[0].radius, "accuracy": 1e-10}

@@ -34,7 +34,7 @@ def scene(path):
 
 @cache
 def opensim(path):
-    """What OpenSim says, from a process of its own."""
+    """The answer of OpenSim, from a process of its own."""
     return one("opensim_scene", str(Path(path).absolute()))
 
 

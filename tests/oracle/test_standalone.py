@@ -65,7 +65,7 @@ def moco():
 
 
 def rescale(forces, geometry, model, folder):
-    """Both sets to 200 kg, into `folder`."""
+    """Rescales both sets to 200 kg, into `folder`."""
     outcome = command.run(forces, "--geometry", geometry, "--model", model, "--target-mass", "200", *command.YES, "-d", folder)
     assert outcome.status == 0, outcome
     return outcome

@@ -40,7 +40,7 @@ def standing(path, how):
 
 @cache
 def opensim(path, how, alone=None):
-    """What OpenSim finds where all bodies stand."""
+    """The answer of OpenSim where all bodies stand."""
     values = [[body["joint"], body["coordinate"], body[how]["value_m"]] for body in standing(path, how)]
     (found,) = posed([(path, values, alone and list(alone))])
     assert "error" not in found, found
@@ -59,7 +59,7 @@ def pressing(path):
 
 
 def on_sphere(path, found, sphere):
-    """What the forces press `sphere` with, and all others of its body that they press."""
+    """The forces that press `sphere`, and those that press all others of its body."""
     body = next(one["body"] for one in inspected(path)["spheres"] if one["path"] == sphere)
     total = 0.0
     for force, (kind, spheres) in pressing(path).items():

@@ -94,7 +94,7 @@ def test_one_foot_carries_the_body_at_its_own_heights(name, side, standing):
 
 
 def printed(path, side):
-    """What `inspect` says of each sphere of one limb: all its figures of indentation."""
+    """The figures of indentation that `inspect` gives for each sphere of one limb."""
     outcome = command.inspect(path)
     assert outcome.status == 0, outcome
     (own,) = [one for one in outcome.report["figures"]["limbs"] if one["side"] == {"r": "right", "l": "left"}[side]]

@@ -48,7 +48,7 @@ def stem_of(body):
 
 @pytest.fixture(scope="module")
 def walk(tmp_path_factory, readings):
-    """For each model and kind: the scaled file and the factors. Scaled all at once, because OpenSim is slow to start."""
+    """The scaled file and the factors for each model and kind. Scaled all at once, because OpenSim is slow to start."""
     if not models.CORPUS:
         pytest.skip(models.NO_CORPUS)
     folder = tmp_path_factory.mktemp("walk")

@@ -46,7 +46,7 @@ def readings_and_reports(tmp_path_factory):
 
 
 def inspect(path):
-    """As `command.inspect`, without the check of the JSON's form, which other tests make."""
+    """A report as of `command.inspect`, without the check of the JSON's form, which other tests make."""
     process = subprocess.run([str(command.BINARY), "inspect", str(path), "--format", "json"], capture_output=True, timeout=60)
     return process.returncode, json.loads(process.stdout) if process.stdout else None
 

@@ -15,7 +15,7 @@ from quirks import base, versions  # noqa: E402  (the fixtures' own building blo
 
 
 def variant(seed):
-    """One model of one to two feet of one to five spheres."""
+    """A model of one to two feet of one to five spheres."""
     draw = Draw(seed)
     if draw.chance("an OpenSim 3 document", 0.2):
         text = old_document(draw)

@@ -73,7 +73,7 @@ def program():
 
 
 def asked(**fields):
-    """What the command answers to a request: its JSON objects."""
+    """The JSON objects with which the command answers a request."""
     text = json.dumps({"format": "json", **fields}, default=os.fspath)
     ran = subprocess.run([program(), "request", "-"], input=text, capture_output=True, encoding="utf-8")
     lines = [json.loads(line) for line in ran.stdout.splitlines() if line.startswith("{")]

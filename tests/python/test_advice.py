@@ -1,4 +1,4 @@
-"""What a message advises can be said to the function that gave it, or to the function that it names: each `name=` is one of its keywords."""
+"""The advice of a message can be said to the function that gave it, or to the one that it names: each `name=` is one of its keywords."""
 
 import inspect
 import re
@@ -28,7 +28,7 @@ CALLS = [
 ]
 
 
-#: Of results.
+#: Methods of results that messages name.
 METHODS = {".write(": ocs.Result.write, ".save(": ocs.Figure.save}
 
 
@@ -37,7 +37,7 @@ def keywords(name):
 
 
 def foreign(text, name):
-    """What is advised that neither this function takes nor one that is named before it in the sentence."""
+    """The advised keywords that neither this function takes nor one that is named before them in the sentence."""
     found, name_of_function = [], name
     for word in re.split(r"(?<=[.;])\s|\s", text):
         if (call := re.match(r"\W*(?:ocs\.)?(\w+)\(", word)) and call[1] in FUNCTIONS:

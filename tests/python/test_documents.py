@@ -33,7 +33,7 @@ def missing(code):
 
 @pytest.fixture
 def top(tmp_path, monkeypatch):
-    """What the examples need of the top folder."""
+    """A folder with the files that the examples need of the top folder."""
     shutil.copytree(TOP / "fixtures", tmp_path / "fixtures")
     monkeypatch.chdir(tmp_path)
 

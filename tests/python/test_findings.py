@@ -9,7 +9,7 @@ import pytest
 from conftest import FIXTURES, HUMAN
 from osim_contact_scale._html import html_table
 
-#: Its contacts sink in too deep, and there is a remedy.
+#: A model whose contacts sink in too deep, for which there is a remedy.
 DEEP = FIXTURES / "check" / "sunk_in.osim"
 
 

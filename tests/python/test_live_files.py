@@ -19,7 +19,7 @@ from osim_contact_scale import _live, _live_print  # noqa: E402
 
 CONFIRMED = ("implausible-mass", "mass-in-pounds", "implausible-radius")
 
-#: What OpenSim keeps for later files. None of it is the default in OpenSim's code; the force of a PointActuator nearly is.
+#: Defaults that OpenSim keeps for later files. None of them is the default in OpenSim's code; the force of a PointActuator nearly is.
 DEFAULTS = """<?xml version="1.0" encoding="UTF-8" ?>
 <OpenSimDocument Version="40500">
     <Model name="before">
@@ -49,7 +49,7 @@ AUTHORS = re.compile("<credits>(Frank Anderson, [^;<]*)")
 
 
 def everything(model, path):
-    """What OpenSim prints of a model, all defaults with it. The clone has no `<defaults>` and no other files."""
+    """The text that OpenSim prints of a model, all defaults with it. The clone has no `<defaults>` and no other files."""
     clone = _live_print.connected_clone(model)
     opensim.OpenSimObject.setSerializeAllDefaults(True)
     try:
@@ -130,7 +130,7 @@ def quiet():
 
 
 def elsewhere(function, *arguments):
-    """What a function gives in a new process."""
+    """The result of a function in a new process."""
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
         return pool.submit(function, *arguments).result()
 
@@ -222,7 +222,7 @@ def test_a_set_of_another_file_is_in_the_model_as_it_is_in_memory(tmp_path):
 
 
 def settings():
-    """What OpenSim does for the whole process, and the registered defaults of some classes."""
+    """OpenSim's settings for the whole process, and the registered defaults of some classes."""
     own = opensim.OpenSimObject
     kinds = [own.getDefaultInstanceOfType(name) for name in ("Body", "ContactSphere", "SmoothSphereHalfSpaceForce")]
     values = [kind.getPropertyByIndex(index).toString() for kind in kinds for index in range(kind.getNumProperties())]
@@ -255,7 +255,7 @@ def test_settings_are_as_before(defaults, offline, monkeypatch):
 
 
 def marks_of(owner):
-    """Which properties of an object, and of all in it, no file and no call has set; and whether it counts as changed."""
+    """The properties of an object, and of all in it, that no file and no call has set; and whether it counts as changed."""
     marks = [owner.isObjectUpToDateWithProperties()]
     for index in range(owner.getNumProperties()):
         own = owner.getPropertyByIndex(index)

@@ -20,7 +20,7 @@ nbclient = pytest.importorskip("nbclient", reason="nbclient is not installed: no
 pytest.importorskip("ipykernel", reason="ipykernel is not installed: notebooks have no kernel")
 pytest.importorskip("pandas", reason="pandas is not installed: the notebooks show tables")
 
-#: What cells with the tag `needs-opensim` import.
+#: Modules that cells with the tag `needs-opensim` import and this machine lacks.
 MISSING = [name for name in ("opensim", "matplotlib") if importlib.util.find_spec(name) is None]
 
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
@@ -65,7 +65,7 @@ def test_a_notebook_runs(path, tmp_path):
 
 @pytest.mark.skipif(bool(MISSING), reason=f"{' and '.join(MISSING)} not installed: cells with OpenSim do not run")
 def test_opensim_finds_the_child_to_fall_as_the_adult(tmp_path):
-    """What the last cell shows, from OpenSim's own simulation."""
+    """The last cell shows, from OpenSim's own simulation, that the child falls as the adult."""
     notebook = executed(FOLDER / "ten_subjects.ipynb", tmp_path / "notebooks")
     (shown,) = (output for output in notebook.cells[-2].outputs if output.output_type == "execute_result")
     generic, left_behind, own = (float(line.split()[-1]) for line in shown["data"]["text/plain"].splitlines()[:3])

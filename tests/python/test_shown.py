@@ -1,4 +1,4 @@
-"""What Python and a notebook show: texts of the command, short `repr`s, cells of at most 60 kB, names, DataFrames."""
+"""Texts that Python and a notebook show: those of the command, short `repr`s, cells of at most 60 kB, names, DataFrames."""
 
 import contextlib
 import copy
@@ -25,7 +25,7 @@ CELL = 60_000
 
 
 def command(verb, *models):
-    """What the command prints on standard output."""
+    """The text that the command prints on standard output."""
     ran = subprocess.run([program(), verb, *map(str, models)], capture_output=True, encoding="utf-8")
     return ran.stdout
 
@@ -36,7 +36,7 @@ def words(text):
 
 
 def unlike(expected, actual):
-    """What differs and is no call or option, which each front end spells in its own way."""
+    """The lines that differ and are no call or option, which each front end spells in its own way."""
     one, other = words(expected), words(actual)
     changes = difflib.SequenceMatcher(None, one, other, autojunk=False).get_opcodes()
     pairs = [(" ".join(one[a:b]), " ".join(other[c:d])) for kind, a, b, c, d in changes if kind != "equal"]
@@ -141,7 +141,7 @@ THINGS = {
 
 @pytest.fixture(scope="module")
 def shown_objects():
-    """What tests look at is made once."""
+    """The objects that tests look at, made once."""
     things = {}
 
     def thing(name):

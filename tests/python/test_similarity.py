@@ -1,4 +1,4 @@
-"""What else follows size, as a table: the same as the command's JSON."""
+"""Numbers that follow size, as a table: the same as the command's JSON."""
 
 import osim_contact_scale as ocs
 import pytest

@@ -186,7 +186,7 @@ def test_a_letter_that_is_seen_is_not_written_by_its_number():
 
 
 def test_the_summary_has_texts_that_look_like_formulas(tmp_path):
-    """What a table says in a column of the user is the same in the file of the summary."""
+    """A text in a column of the user is the same in the table and in the file of the summary."""
     row = {"model": HUMAN, "target_mass": 70, "output": tmp_path / "a.osim", "#a": "=1", "#b": "two\rlines"}
     ocs.rescale_many([row], summary=tmp_path / "summary.ndjson", output_dir=tmp_path)
     text = (tmp_path / "summary.ndjson").read_text()

@@ -1,4 +1,4 @@
-"""What two type checkers know of the package: of every example of the documents, and of calls that give one thing or another."""
+"""Two type checkers on the package: every example of the documents, and calls that give one thing or another."""
 
 import ast
 import inspect
@@ -90,7 +90,7 @@ ocs.rescael("a.osim")  # type: ignore[attr-defined]
 
 
 def checked(folder):
-    """What mypy says of the Python files in a folder."""
+    """The messages of mypy about the Python files in a folder."""
     (folder / "mypy.ini").write_text(CONFIG, encoding="utf-8")
     command = [sys.executable, "-m", "mypy", "--cache-dir", folder / "cache", *sorted(folder.glob("*.py"))]
     environment = {**os.environ, "MYPYPATH": str(TOP / "python")}
@@ -107,7 +107,7 @@ def program(text):
 
 
 def found_by_pyright(folder):
-    """What pyright says of the Python files in a folder, in its strictest mode: place and message."""
+    """The messages of pyright about the Python files in a folder, in its strictest mode: place and message."""
     for package in WITHOUT_TYPES:
         (folder / "stubs" / package).mkdir(parents=True)
         (folder / "stubs" / package / "__init__.pyi").write_text(ANYTHING, encoding="utf-8")

@@ -169,7 +169,7 @@ def test_options_are_those_of_the_program():
 
 
 def messages(caplog, table, **call):
-    """What is said at which level of a run."""
+    """Messages of a run, by their level."""
     caplog.clear()
     with caplog.at_level("INFO", "osim_contact_scale"):
         ocs.rescale_many(table, dry_run=True, **call)

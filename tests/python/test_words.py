@@ -1,4 +1,4 @@
-"""What Python's users read names keywords, calls and values of Python: no options, no fields of JSON, no command.
+"""Texts for Python's users name keywords, calls and values of Python: no options, no fields of JSON, no command.
 
 Every function is called with every keyword set to something odd. All that is said about it is read.
 """
@@ -18,7 +18,7 @@ from osim_contact_scale import simulate
 FUNCTIONS = {name: made for name in (*ocs.__all__, "set") if inspect.isfunction(made := getattr(ocs, name))}
 KEYWORDS = {name for made in FUNCTIONS.values() for name in inspect.signature(made).parameters}
 
-#: What belongs to another front end.
+#: Words that belong to another front end.
 FOREIGN = {
     "an option": r"(?<![\w!-])--[a-z]",
     "a command": r"osim-contact-scale (?:" + "|".join(name.replace("_", "-") for name in FUNCTIONS) + r")\b",
@@ -30,7 +30,7 @@ FOREIGN = {
     "a request": r"\bin this request\b",
 }
 
-#: The same in messages; docstrings have names of keywords in such marks.
+#: The name of a field in messages; docstrings have names of keywords in such marks.
 FIELD = rf"`(?:{'|'.join(sorted({name.rstrip('_') for name in KEYWORDS} | {'set', 'file', 'models'}))})`"
 
 MODEL = HUMAN.read_text(encoding="utf-8")
@@ -93,7 +93,7 @@ CALLS = {
 
 
 def foreign_in(text, more=()):
-    """What a text has of another front end."""
+    """The words of another front end in a text."""
     result = [(name, match[0]) for name, pattern in FOREIGN.items() for match in re.finditer(pattern, text)]
     return result + [match[0] for pattern in more for match in re.finditer(pattern, text)]
 

@@ -12,17 +12,17 @@ PAGE = TOP / "docs" / "simulations.md"
 
 _SECTION = re.compile(r"^## (.*)$", re.M)
 _BLOCK = re.compile(r"^```(bash|python)\n(.*?)^```$", re.M | re.S)
-#: What a recipe's file begins with.
+#: The beginning of a recipe's file.
 NAME = re.compile(r"\A(?:#!.*\n)?# ([\w.]+): ")
 
 
 @dataclass(frozen=True)
 class Recipe:
-    """What one section of the page says."""
+    """A section of the page: what is typed, and what is printed."""
 
     #: Texts of files by their names.
     files: dict[str, str]
-    #: What is typed, in its order.
+    #: The lines that are typed, in their order.
     typed: tuple[str, ...]
 
     def write(self, folder):

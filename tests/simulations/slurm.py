@@ -29,7 +29,7 @@ NODES = ("node1", "node2")
 #: The names of the daemons' files. They start in this order, and end in the reverse one.
 DAEMONS = ("munged", "slurmctld", *(f"slurmd-{node}" for node in NODES))
 
-#: What each node has, whatever the machine has: `config_overrides` has Slurm believe it.
+#: Processors and memory of each node, whatever the machine has: `config_overrides` has Slurm believe it.
 CPUS, MEMORY_MB = 2, 8000
 
 _CONF = """\
@@ -166,7 +166,7 @@ class Slurm:
         return sorted(set(self.call("squeue", "--noheader", "--array", "--states=all", "--format", "%F").split()))
 
     def states(self, *jobs):
-        """What Slurm says of jobs, such as `RUNNING` or `COMPLETED`: by their number, or number_index in an array."""
+        """The states of jobs in Slurm, such as `RUNNING` or `COMPLETED`: by their number, or number_index in an array."""
         if not jobs:
             return {}
         said = self.call(
@@ -197,7 +197,7 @@ class Slurm:
             time.sleep(0.1)
 
     def call(self, name, *words, **options):
-        """What one of Slurm's programs prints."""
+        """The output of one of Slurm's programs."""
         return self._call(name, *words, **options).stdout
 
     def _call(self, name, *words, cwd=None, environment=None, check=True):

@@ -30,7 +30,7 @@ def series(path, **values):
 
 
 def process(path):
-    """Which process it was, and what it found there."""
+    """The number of the process, and what it found there."""
     import opensim
 
     before = getattr(opensim, "left_by_another", 0)

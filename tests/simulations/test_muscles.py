@@ -22,7 +22,7 @@ TABLES = [("muscles", "block", ("TABLE", "CURVES")), ("predictions", "predicted"
 
 
 def in_study(program):
-    """What a program prints that has the study's modules; other studies have modules of the same names."""
+    """The output of a program that has the study's modules; other studies have modules of the same names."""
     process = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=HERE, check=False)
     assert process.returncode == 0, process.stderr
     return process.stdout
@@ -38,7 +38,7 @@ def written(folder, mass):
 
 
 def accelerations(path, length):
-    """Of all coordinates, over those of similarity: at a pose with both feet in the ground, moving, muscles at work."""
+    """Accelerations of all coordinates, over those of similarity: at a pose with both feet in the ground, moving, muscles at work."""
     walker = opensim.Model(str(path))
     state = walker.initSystem()
     chosen = np.random.default_rng(1)
@@ -99,7 +99,7 @@ def test_each_size_needs_a_process_of_its_own(tmp_path):
 @needs_moco
 @pytest.mark.studies
 def test_the_heavy_walk_is_found_again(tmp_path):
-    """From the reference, at the first mesh: the cost is that of the table, and that of the original."""
+    """A walk from the reference, at the first mesh: the cost is that of the table, and that of the original."""
     words = ["solve", "--moco", MOCO, "--results", tmp_path, "--mass", 8, "--contacts", "rescaled", "--meshes", 15]
     words += ["--table", tmp_path / "muscles.csv", "--curves", tmp_path / "curves.csv"]
     process = subprocess.run([sys.executable, HERE / "muscles.py", *map(str, words)], capture_output=True, text=True)

@@ -52,7 +52,7 @@ def environment(tmp_path_factory):
 
 
 def type_in(folder, environment, *texts, seconds=90):
-    """What is printed where somebody types this in a folder."""
+    """The output when somebody types this in a folder."""
     for text in texts:
         process = subprocess.run(
             ["bash", "-e", "-c", text], cwd=folder, env=environment, capture_output=True, text=True, timeout=seconds
@@ -85,7 +85,7 @@ def assert_same_tables(folder, falling_models):
 
 
 def test_the_models_fall(falling_models):
-    """What the other tests compare with is about something."""
+    """The models of the other tests fall, so that comparing them means something."""
     import pandas as pd
 
     table = pd.read_parquet(falling_models / "walker.results" / "table.parquet")
@@ -217,7 +217,7 @@ class Killed:
 
 @needs_slurm
 def test_jobs_that_are_ended(tmp_path, environment, slurm):
-    """One is cancelled, one is killed, one has to make room and begins again by itself: the table is that of a run that nobody stopped."""
+    """A job is cancelled, one is killed, one has to make room and begins again: the table is that of a run that nobody stopped."""
     killed = Killed(tmp_path, environment)
     job = slurm.submit("array.sh", cwd=tmp_path, environment=environment)
     killed.wait_for_the_fifth(1)

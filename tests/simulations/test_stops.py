@@ -1,4 +1,4 @@
-"""After any process is killed, nothing that was written is lost, and `resume` gives the same table."""
+"""If any process is killed, nothing that was written is lost, and `resume` gives the same table."""
 
 import os
 import signal

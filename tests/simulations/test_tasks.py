@@ -49,7 +49,7 @@ ONE_SPHERE = [
     "v30000_bouncing_block",
     "v40000_bouncing_ball_smooth",
 ]
-#: Its half-space is turned by 1.5708, which is 3.7e-6 more than a right angle: the command takes it to be level.
+#: A model whose half-space is turned by 1.5708, which is 3.7e-6 more than a right angle: the command takes it to be level.
 NEARLY_LEVEL = ("v40000_human_12_hunt_crossley",)
 
 
@@ -72,12 +72,12 @@ def command_record(*words):
 
 
 def drop_test(path, task, *options):
-    """What the command says of the same drop."""
+    """The result of the command for the same drop."""
     return command_record("drop-test", path, "--duration", task.duration, "--samples", task.samples, *options)
 
 
 def limbs(path):
-    """For each limb: names of its forces, and x/R of its spheres where the limb carries the body at the default pose."""
+    """For each limb, names of its forces, and x/R of its spheres where the limb carries the body at the default pose."""
     for limb in command_record("inspect", path)["figures"]["limbs"]:
         forces = tuple(dict.fromkeys(name for sphere in limb["spheres"] for name in sphere["forces"]))
         yield (
@@ -155,7 +155,7 @@ def test_a_contact_with_little_dissipation_gives_contact_time_and_rebound(tmp_pa
 @needs_corpus
 @pytest.mark.parametrize("name", LIMBS)
 def test_a_published_model_falls_as_in_drop_test(name, tmp_path, apart):
-    """Its spheres are moved in their bodies first, until they are level at the default pose, as `drop-test` takes them to be."""
+    """The model's spheres are moved in their bodies first, until they are level at the default pose, as `drop-test` takes them to be."""
     path = tmp_path / f"{name}.osim"
     apart(task_models.level, os.path.join(CORPUS, f"{name}.osim"), str(path))
     forces, _ = next(limbs(path))
@@ -230,7 +230,7 @@ def test_a_locked_body_comes_to_rest_where_it_stands(apart):
 
 @pytest.mark.parametrize("kind", task_models.KINDS)
 def test_a_free_body_on_symmetric_spheres_falls_as_in_drop_test(kind, tmp_path, apart):
-    """It has no reason to turn."""
+    """The body has no reason to turn."""
     path = tmp_path / "model.osim"
     apart(task_models.write, str(path), {"kind": kind})
     task = Drop(joints="free", **SHORT)

@@ -16,7 +16,7 @@ from osim_contact_scale.simulate._table_file import read_rows
 
 
 def returns(path, what):
-    """What a task may return by mistake."""
+    """A value that a task may return by mistake."""
     made = {
         "long": 2**70,
         "no text": "\udcff",

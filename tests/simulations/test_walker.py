@@ -41,7 +41,7 @@ def test_a_bound_is_active_where_the_solution_touches_it():
 
 
 def accelerations(path, length):
-    """Of all coordinates, by OpenSim, without dimensions of length: at a pose with both feet in the ground, moving, all torques at work."""
+    """Dimensionless accelerations of all coordinates, by OpenSim: at a pose with both feet in the ground, moving, all torques at work."""
     walker = opensim.Model(str(path))
     state = walker.initSystem()
     root = math.sqrt(length)
@@ -67,7 +67,7 @@ def accelerations(path, length):
 
 @pytest.mark.parametrize("length", [0.25, 4.0])
 def test_a_walker_of_another_size_moves_alike_on_rescaled_contacts(length, tmp_path):
-    """In the real OpenSim: masses, torques, dampers, stops, contacts and friction are all in these accelerations."""
+    """In the real OpenSim, masses, torques, dampers, stops, contacts and friction are all in these accelerations."""
     paths = {(row["length"], row["contacts"]): row["path"] for row in contacts.sizes(tmp_path, (length,))}
     human = accelerations(paths[1.0, "rescaled"], 1.0)
     assert max(map(abs, human.values())) > 10

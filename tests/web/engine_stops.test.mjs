@@ -46,7 +46,7 @@ async function trap(user, trapped) {
   for (const worker of user.page.workers()) await worker.evaluate((yes) => (self.trapped = yes), trapped);
 }
 
-/** In the page: the text of the worker gets something before it. */
+/** Puts a text before that of the worker, in the page. */
 function trappable(before) {
   const Plain = Blob;
   window.Blob = class extends Plain {

@@ -1,4 +1,4 @@
-// What goes wrong: where, and the way out. What is open stays open.
+// Errors: where they are shown, and the way out. What is open stays open.
 
 import assert from "node:assert/strict";
 
@@ -99,7 +99,7 @@ inChromium("what was typed wrongly is said at its field", async (user) => {
   await user.done("human.scaled.osim");
 });
 
-/** What the command says about a file. */
+/** The command's error about a file. */
 async function commandsError(file) {
   const folder = new Folder(file);
   const { stdout, stderr } = await folder.run("inspect", file.name, "--format", "json");

@@ -20,7 +20,7 @@ import { testWith } from "./support/skipping.mjs";
 import { NAMES, waysOut } from "./support/ways_out.mjs";
 
 const WAIT_MS = 2500;
-// What the guard, the first script of the page, takes away: no policy governs it.
+// The ways out that the guard, the first script of the page, takes away: no policy governs them.
 const GUARDED = ["window-open", "turn-server"];
 const LEAVES_THE_PAGE = ["link-new-window"];
 // Chromium does nothing about these in a page from a folder, or not each time, also without a policy.
@@ -75,7 +75,7 @@ inChromium("the page keeps nothing: no cookies, no storage, no caches", async (u
   assert.deepEqual(kept, ["", 0, 0, 0]);
 });
 
-/** What reached a listener when a page whose head begins with `element` tried these ways, after a click. */
+/** The requests that reached a listener when a page whose head begins with `element` tried these ways, after a click. */
 async function tried(names, element, guard = GUARD) {
   const listener = await listen();
   const folder = mkdtempSync(join(tmpdir(), "osim-web-leak-"));

@@ -39,7 +39,7 @@ inChromium("all verbs on all published models", { corpus: true, limit: 120_000 }
   test.diagnostic(`${tallies.reduce((sum, one) => sum + one, 0)} of ${models.length * VERBS.length} were changed, the others refused`);
 });
 
-/** What the table says about each model. */
+/** The table's row about each model. */
 async function rowsOf(user, title) {
   const rows = await user.region(title).getByRole("row").filter({ has: user.page.getByRole("rowheader") }).all();
   return Promise.all(rows.map((row) => row.evaluate((one) => ({

@@ -67,7 +67,7 @@ function ask(engine, question) {
   return JSON.parse(engine.call(JSON.stringify(question)));
 }
 
-/** What has a button: findings that are wrong, and not mere remarks. */
+/** The findings that have a button: those that are wrong, and not mere remarks. */
 function remediesOf(Engine, bytes) {
   const engine = engineWith(Engine, bytes);
   const { ok } = ask(engine, { do: "look", model: "model.osim", parts: [] });
@@ -75,7 +75,7 @@ function remediesOf(Engine, bytes) {
   return (ok?.findings ?? []).filter(({ remedy, severity }) => remedy && severity !== "remark").map(({ remedy }) => remedy);
 }
 
-/** For each verb why it is refused; nothing where it is not. */
+/** The reason for which each verb is refused; nothing where it is not. */
 function allowed(engine, model) {
   return NEXT.map((request) => ask(engine, { do: "change", request: { ...request, models: [model] }, parts: [] }).error);
 }

@@ -1,4 +1,4 @@
-// What the page may do, as a Content-Security-Policy. Tests build another page with it, to see that nothing leaves.
+// The Content-Security-Policy of the page: what it may do. Tests build another page with it, to see that nothing leaves.
 
 import { createHash } from "node:crypto";
 

@@ -139,9 +139,9 @@ impl Ticks {
 
 fn linear_label(value: f64, power: i32, decimals: usize) -> String {
     if power == 0 || value == 0.0 {
-        return plain(value, if value == 0.0 { 0 } else { decimals });
+        return fixed_decimals(value, if value == 0.0 { 0 } else { decimals });
     }
-    format!("{}×{}", plain(value / 10_f64.powi(power), decimals), power_of_ten(power))
+    format!("{}×{}", fixed_decimals(value / 10_f64.powi(power), decimals), power_of_ten(power))
 }
 
 /// A linear coordinate of places, with ticks where we want them.
@@ -188,7 +188,7 @@ fn decimals(step: f64) -> usize {
         .map_or(3, |digits| digits.unsigned_abs() as usize)
 }
 
-fn plain(value: f64, decimals: usize) -> String {
+fn fixed_decimals(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(rest) if rest.bytes().any(|byte| (b'1'..=b'9').contains(&byte)) => format!("−{rest}"),
@@ -228,7 +228,7 @@ fn log_ticks(low: f64, high: f64) -> Vec<(f64, String)> {
 
 fn log_label(step: f64, power: i32) -> String {
     match power {
-        -3..=3 => plain(step * 10_f64.powi(power), usize::try_from(-power).unwrap_or(0)),
+        -3..=3 => fixed_decimals(step * 10_f64.powi(power), usize::try_from(-power).unwrap_or(0)),
         _ if step == 1.0 => power_of_ten(power),
         _ => format!("{step:.0}×{}", power_of_ten(power)),
     }

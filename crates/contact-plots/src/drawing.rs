@@ -139,7 +139,7 @@ impl Drawing {
         match self {
             Self::Panels(figure) => panels(figure),
             Self::HeatMap(map) => cells(map),
-            Self::Scene(scene) => things(scene),
+            Self::Scene(scene) => data_of_scene(scene),
         }
     }
 }
@@ -203,7 +203,7 @@ fn cells(map: &HeatMap) -> Vec<Datum> {
     data
 }
 
-fn things(scene: &Scene) -> Vec<Datum> {
+fn data_of_scene(scene: &Scene) -> Vec<Datum> {
     let mut data = Vec::new();
     for block in &scene.blocks {
         for view in &block.views {

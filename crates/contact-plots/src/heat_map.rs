@@ -80,7 +80,7 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
 }
 
 /// Edges of the cells around values, halfway between their places along the axis.
-fn edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
+fn cell_edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
     axis.check(values.iter().copied())?;
     if values.iter().any(|value| !value.is_finite()) || values.windows(2).any(|pair| pair[0] >= pair[1]) {
         return Err(PlotError::NotRising { axis: axis.label.clone() });
@@ -112,10 +112,10 @@ struct HeatLayout {
 
 impl HeatLayout {
     fn of(map: &HeatMap, width_pt: f64) -> Result<Self, PlotError> {
-        let (x_edges, y_edges) = (edges(&map.x, &map.x_axis)?, edges(&map.y, &map.y_axis)?);
+        let (x_edges, y_edges) = (cell_edges(&map.x, &map.x_axis)?, cell_edges(&map.y, &map.y_axis)?);
         let span = span(map)?;
         let bar_ticks = map.value_axis.ticks(span, TICKS_PER_AXIS);
-        let y_ticks = map.y_axis.ticks((first(&y_edges), last(&y_edges)), TICKS_PER_AXIS);
+        let y_ticks = map.y_axis.ticks((first_edge(&y_edges), last_edge(&y_edges)), TICKS_PER_AXIS);
         let beside_pt = NAME_PT + 3.0 * TICK_PT + y_ticks.width_pt().max(8.0);
         let bar_room_pt =
             COLOUR_BAR_GAP_PT + COLOUR_BAR_WIDTH_PT + 3.0 * TICK_PT + bar_ticks.width_pt() + NAME_PT;
@@ -134,7 +134,7 @@ impl HeatLayout {
 
     /// The ticks of an axis that ends with the outer edges of its cells.
     fn ticks(axis: &Axis, edges: &[f64]) -> Ticks {
-        let (low, high) = (first(edges), last(edges));
+        let (low, high) = (first_edge(edges), last_edge(edges));
         let mut ticks = axis.ticks((low, high), TICKS_PER_AXIS);
         ticks.marks.retain(|(at, _)| (low..=high).contains(at));
         ticks
@@ -146,7 +146,8 @@ impl HeatLayout {
         let area = root.clone().shrink((left, top), (width, units(PLOT_HEIGHT_PT + BELOW_PT)));
         let (x_ticks, y_ticks) =
             (Self::ticks(&map.x_axis, &self.x_edges), Self::ticks(&map.y_axis, &self.y_edges));
-        let scale = |edges: &[f64], ticks: &Ticks| Scale::new((first(edges), last(edges)), ticks.at());
+        let scale =
+            |edges: &[f64], ticks: &Ticks| Scale::new((first_edge(edges), last_edge(edges)), ticks.at());
         let mut chart = ChartBuilder::on(&area)
             .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
@@ -173,9 +174,9 @@ impl HeatLayout {
             .draw()
             .map_err(PlotError::drawing)?;
         let corner = |x: f64, y: f64| chart.backend_coord(&(x, y));
-        let origin = (first(&self.x_edges), first(&self.y_edges));
+        let origin = (first_edge(&self.x_edges), first_edge(&self.y_edges));
         minor_ticks(root, (&x_ticks.minor, &y_ticks.minor), origin, &corner)?;
-        let inside = |at: f64, edges: &[f64]| (first(edges)..=last(edges)).contains(&at);
+        let inside = |at: f64, edges: &[f64]| (first_edge(edges)..=last_edge(edges)).contains(&at);
         let mark = map.mark.as_ref().map(|(_, (x, y))| (map.x_axis.place(*x), map.y_axis.place(*y)));
         match mark {
             Some((x, y)) if inside(x, &self.x_edges) && inside(y, &self.y_edges) => {
@@ -187,7 +188,7 @@ impl HeatLayout {
 
     /// A rectangle for each cell, a little larger to the right and to the top so that no seam shows; the next one covers that.
     fn cells(&self, map: &HeatMap) -> Vec<Rectangle<(f64, f64)>> {
-        let (right, top) = (last(&self.x_edges), last(&self.y_edges));
+        let (right, top) = (last_edge(&self.x_edges), last_edge(&self.y_edges));
         let mut cells = Vec::new();
         for (row, y) in map.values.iter().zip(self.y_edges.windows(2)) {
             for (value, x) in row.iter().zip(self.x_edges.windows(2)) {
@@ -310,10 +311,10 @@ fn span(map: &HeatMap) -> Result<(f64, f64), PlotError> {
     if high - low <= 1e-12 * high.abs() { Ok((low - 0.5, high + 0.5)) } else { Ok((low, high)) }
 }
 
-fn first(edges: &[f64]) -> f64 {
+fn first_edge(edges: &[f64]) -> f64 {
     edges.first().copied().unwrap_or(0.0)
 }
 
-fn last(edges: &[f64]) -> f64 {
+fn last_edge(edges: &[f64]) -> f64 {
     edges.last().copied().unwrap_or(1.0)
 }

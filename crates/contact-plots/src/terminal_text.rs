@@ -31,20 +31,26 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let mut dots = Dots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
     let place = |(x_value, y_value): Point| {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
-        (share(x_value, x) * float(dots.across() - 1), share(y_value, (y.1, y.0)) * float(dots.down() - 1))
+        (
+            share(x_value, x) * float(dots.width_in_dots() - 1),
+            share(y_value, (y.1, y.0)) * float(dots.height_in_dots() - 1),
+        )
     };
     let parts =
         panel.curves.iter().flat_map(|curve| figure::clip_polyline(&frame.places(&curve.points), x, y));
     let lines: Vec<(Point, Point)> = parts
         .flat_map(|part| part.windows(2).map(|ends| (place(ends[0]), place(ends[1]))).collect::<Vec<_>>())
         .collect();
-    let y_labels: Vec<(usize, String)> =
-        y_ticks.marks.into_iter().map(|(at, label)| (whole(place((x.0, at)).1) / DOTS_DOWN, label)).collect();
+    let y_labels: Vec<(usize, String)> = y_ticks
+        .marks
+        .into_iter()
+        .map(|(at, label)| (rounded_index(place((x.0, at)).1) / DOTS_DOWN, label))
+        .collect();
     let x_ticks = panel.x.ticks(x, dots.columns / 10 + 1);
     let x_labels: Vec<(usize, String)> = x_ticks
         .marks
         .into_iter()
-        .map(|(at, label)| (whole(place((at, y.0)).0) / DOTS_ACROSS, label))
+        .map(|(at, label)| (rounded_index(place((at, y.0)).0) / DOTS_ACROSS, label))
         .collect();
     lines.into_iter().for_each(|(from, to)| dots.line(from, to));
 
@@ -59,12 +65,16 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let tick = |column| if x_labels.iter().any(|(at, _)| *at == column) { '┬' } else { '─' };
     let axis: String = (0..dots.columns).map(tick).collect();
     text.push_str(&format!("{:margin$}└{axis}\n", ""));
-    text.push_str(&format!("{}\n{:>columns$}\n", below(&x_labels, margin + 1, columns), panel.x.label));
+    text.push_str(&format!(
+        "{}\n{:>columns$}\n",
+        line_of_labels(&x_labels, margin + 1, columns),
+        panel.x.label
+    ));
     Ok(text)
 }
 
 /// Labels below their ticks, without those that would run into each other.
-fn below(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
+fn line_of_labels(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
     let mut line = String::new();
     for (at, label) in labels {
         let (used, width) = (line.chars().count(), label.chars().count());
@@ -92,20 +102,20 @@ impl Dots {
         Self { columns, letters: vec![0; columns * rows] }
     }
 
-    fn across(&self) -> usize {
+    fn width_in_dots(&self) -> usize {
         self.columns * DOTS_ACROSS
     }
 
-    fn down(&self) -> usize {
+    fn height_in_dots(&self) -> usize {
         self.letters.len() / self.columns * DOTS_DOWN
     }
 
     fn line(&mut self, from: Point, to: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
-        let steps = whole(dx.abs().max(dy.abs())).max(1);
+        let steps = rounded_index(dx.abs().max(dy.abs())).max(1);
         for step in 0..=steps {
             let part = float(step) / float(steps);
-            self.set(whole(from.0 + part * dx), whole(from.1 + part * dy));
+            self.set(rounded_index(from.0 + part * dx), rounded_index(from.1 + part * dy));
         }
     }
 
@@ -129,7 +139,7 @@ impl Dots {
     clippy::cast_sign_loss,
     reason = "a place in a terminal; none is negative"
 )]
-fn whole(value: f64) -> usize {
+fn rounded_index(value: f64) -> usize {
     value.round() as usize
 }
 

@@ -67,7 +67,7 @@ pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
 /// end, or anywhere. No line for a text without letters.
 pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
     let words = text.split_ascii_whitespace();
-    let pieces: Vec<Piece<'_>> = words.flat_map(|word| pieces(word, size_pt, most_pt)).collect();
+    let pieces: Vec<Piece<'_>> = words.flat_map(|word| pieces_of_word(word, size_pt, most_pt)).collect();
     let rows = wrap_first_fit(&pieces, &[most_pt]);
     rows.into_iter().filter(|row| !row.is_empty()).map(join_pieces).collect()
 }
@@ -108,7 +108,7 @@ fn join_pieces(row: &[Piece<'_>]) -> String {
 }
 
 /// A word as pieces that each fit into a line.
-fn pieces(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
+fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
     let parts: Vec<&str> = if width_with_reserve_pt(word, size_pt) <= most_pt {
         vec![word]
     } else {

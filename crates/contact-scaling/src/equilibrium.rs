@@ -83,7 +83,7 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
     };
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
-    let deepest = highest(spheres) + depth(load, positive("sum of force coefficients", sum)?);
+    let deepest = highest_bottom_m(spheres) + depth(load, positive("sum of force coefficients", sum)?);
     within(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
     // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
     // rises ever more.
@@ -121,7 +121,7 @@ pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f
     first_rest(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
 }
 
-fn highest(spheres: &[RaisedSpheres]) -> f64 {
+fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
     spheres.iter().map(|s| s.height_m).fold(0.0, f64::max)
 }
 

@@ -71,7 +71,7 @@ fn asks_for_help() -> bool {
 }
 
 /// A suggestion for this call, if words of it that are no options caused an unknown argument.
-fn instead() -> Option<String> {
+fn suggestion_for_call() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
     let is_verb = |word: &PathBuf| verb_names().any(|name| word.as_os_str() == name);
@@ -108,8 +108,11 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
         kind => {
             let words: Vec<String> =
                 std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-            let of_words =
-                || Some(kind).filter(|kind| *kind == ErrorKind::UnknownArgument).and_then(|_| instead());
+            let of_words = || {
+                Some(kind)
+                    .filter(|kind| *kind == ErrorKind::UnknownArgument)
+                    .and_then(|_| suggestion_for_call())
+            };
             let of_figure = || figure_meant(&words, WORDS);
             let meant = axis_meant(&words, WORDS).or_else(of_figure).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));

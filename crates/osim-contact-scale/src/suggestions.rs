@@ -14,7 +14,7 @@ use crate::args::verb_names;
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
-    let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| near(word));
+    let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| similar_verb(word));
     let split = SplitName::find(words);
     // What looks like a verb is hardly the begin of a name that is not there.
     if let Some(split) = split.filter(|split| split.exists || split.words.start > 0 || verb.is_none()) {
@@ -73,7 +73,7 @@ pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
 }
 
 /// A verb that is spelled almost like `word`. What a model alone means comes first where two are as near.
-fn near(word: &Path) -> Option<String> {
+fn similar_verb(word: &Path) -> Option<String> {
     let rescale = Verb::Rescale.name();
     let others = verb_names().filter(|name| *name != rescale);
     nearest(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)

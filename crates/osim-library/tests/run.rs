@@ -207,7 +207,11 @@ fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRow
 }
 
 /// Faults that `rows` finds in a table: line, column and message of each.
-fn wrong(request: &BatchRequest, table: &str, folder: &Path) -> Vec<(Option<usize>, Option<usize>, String)> {
+fn row_faults(
+    request: &BatchRequest,
+    table: &str,
+    folder: &Path,
+) -> Vec<(Option<usize>, Option<usize>, String)> {
     let CheckedRows::Invalid(wrong) = rows(request, table, folder).unwrap() else {
         panic!("nothing is wrong")
     };
@@ -257,7 +261,7 @@ fn all_wrong_rows_of_a_table_are_found_at_once() {
     let request = BatchRequest::default();
     let table = "model,target_mass,output\nmissing.osim,80,\na.osim,-1,\n.,80,\nc.osim,80,../outside.osim\n";
     let before = files(&models);
-    let found = wrong(&request, table, &models);
+    let found = row_faults(&request, table, &models);
     let places: Vec<_> = found.iter().map(|(line, column, _)| (*line, *column)).collect();
     assert_eq!(
         places,

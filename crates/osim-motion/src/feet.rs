@@ -106,7 +106,7 @@ pub(crate) const OFF_BW: f64 = 0.03;
 /// The frames in which a foot stands.
 /// The frames in which a foot stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stance {
+pub struct StancePhase {
     pub first: usize,
     pub last: usize,
     /// Time at which the foot touches down, s; `None` if the recording begins in the stance, or the force before is not known.
@@ -115,7 +115,7 @@ pub struct Stance {
     pub off_s: Option<f64>,
 }
 
-impl Stance {
+impl StancePhase {
     /// The stances of a foot by its force along the normal, N. Their times are interpolated between frames. NaN means an unknown force, and
     /// there is no stance.
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
@@ -160,7 +160,7 @@ fn crossing_time(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Op
 }
 
 /// Start and end of each whole stride, s: from one touch-down of a foot to the next.
-pub fn strides(stances: &[Stance]) -> Vec<(f64, f64)> {
+pub fn strides(stances: &[StancePhase]) -> Vec<(f64, f64)> {
     let on: Vec<f64> = stances.iter().filter_map(|stance| stance.on_s).collect();
     on.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.get(1)?))).collect()
 }
@@ -174,7 +174,7 @@ mod tests {
         // Body weight 100 N: on at 5 N, off at 3 N.
         let times: Vec<f64> = (0..10).map(f64::from).collect();
         let force = [0.0, 0.0, 10.0, 90.0, 4.0, 3.5, 1.5, 4.9, 6.9, 80.0];
-        let stances = Stance::all(&times, &force, 100.0);
+        let stances = StancePhase::all(&times, &force, 100.0);
         assert_eq!(stances.len(), 2);
         // 5 of 10 N between frames 1 and 2; 4 N does not end it; 3 N is a quarter of the way from 3.5 to 1.5.
         assert_eq!((stances[0].first, stances[0].last), (2, 5));
@@ -188,9 +188,9 @@ mod tests {
 
     #[test]
     fn a_recording_may_begin_on_the_ground_and_plates_may_end_there() {
-        let stances = Stance::all(&[0.0, 1.0], &[50.0, f64::NAN], 100.0);
+        let stances = StancePhase::all(&[0.0, 1.0], &[50.0, f64::NAN], 100.0);
         assert_eq!((stances[0].on_s, stances[0].last, stances[0].off_s), (None, 0, None));
-        let stances = Stance::all(&[0.0, 1.0, 2.0], &[f64::NAN, 50.0, 0.0], 100.0);
+        let stances = StancePhase::all(&[0.0, 1.0, 2.0], &[f64::NAN, 50.0, 0.0], 100.0);
         assert_eq!((stances[0].first, stances[0].on_s), (1, None));
     }
 }

@@ -24,7 +24,7 @@ mod table;
 
 pub use crate::comparison::{Comparison, ComparisonPlane, LeftOutForces};
 pub use crate::coordinates::{CoordinateKind, ModelCoordinate};
-pub use crate::feet::{Foot, ON_BW, Stance, strides};
+pub use crate::feet::{Foot, ON_BW, StancePhase, strides};
 pub use crate::joint_paths::Poses;
 pub use crate::pair::{ContactPair, TouchedSurface};
 pub use crate::plate_assignment::{AssignedBy, MeasuredForces, PlateAssignment};

@@ -238,7 +238,7 @@ mod tests {
     }
 
     /// The assignment of a plate whose columns begin with `stem`, with a load on `body`.
-    fn assigned(stem: &str, body: Option<&str>, feet: &[Foot]) -> (Option<usize>, Option<AssignedBy>) {
+    fn foot_of_plate(stem: &str, body: Option<&str>, feet: &[Foot]) -> (Option<usize>, Option<AssignedBy>) {
         let names: Vec<String> = ["v", "p"]
             .iter()
             .flat_map(|kind| ["x", "y", "z"].map(|axis| format!("{stem}{kind}{axis}")))
@@ -253,19 +253,28 @@ mod tests {
     #[test]
     fn a_side_with_one_foot_assigns_the_plate() {
         let two = [foot("right foot", Side::Right, "calcn_r"), foot("left foot", Side::Left, "calcn_l")];
-        assert_eq!(assigned("ground_force_l_", None, &two), (Some(1), Some(AssignedBy::Name)));
-        assert_eq!(assigned("ground_force_1_", None, &two), (None, Some(AssignedBy::Nearest)));
-        assert_eq!(assigned("ground_force_1_", Some("tibia_l"), &two), (Some(1), Some(AssignedBy::Loads)));
-        assert_eq!(assigned("ground_force_l_", None, &two[..1]), (None, None));
-        assert_eq!(assigned("ground_force_1_", None, &two[..1]), (Some(0), Some(AssignedBy::OnlyFoot)));
+        assert_eq!(foot_of_plate("ground_force_l_", None, &two), (Some(1), Some(AssignedBy::Name)));
+        assert_eq!(foot_of_plate("ground_force_1_", None, &two), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(
+            foot_of_plate("ground_force_1_", Some("tibia_l"), &two),
+            (Some(1), Some(AssignedBy::Loads))
+        );
+        assert_eq!(foot_of_plate("ground_force_l_", None, &two[..1]), (None, None));
+        assert_eq!(foot_of_plate("ground_force_1_", None, &two[..1]), (Some(0), Some(AssignedBy::OnlyFoot)));
     }
 
     #[test]
     fn a_side_with_two_feet_does_not_assign_the_plate() {
         let horse = [foot("hind", Side::Right, "pes_r"), foot("fore", Side::Right, "manus_r")];
-        assert_eq!(assigned("ground_force_r_", None, &horse), (None, Some(AssignedBy::Nearest)));
-        assert_eq!(assigned("ground_force_1_", Some("manus_r"), &horse), (Some(1), Some(AssignedBy::Loads)));
-        assert_eq!(assigned("ground_force_1_", Some("radius_r"), &horse), (None, Some(AssignedBy::Nearest)));
-        assert_eq!(assigned("ground_force_1_", Some("torso"), &horse), (None, None));
+        assert_eq!(foot_of_plate("ground_force_r_", None, &horse), (None, Some(AssignedBy::Nearest)));
+        assert_eq!(
+            foot_of_plate("ground_force_1_", Some("manus_r"), &horse),
+            (Some(1), Some(AssignedBy::Loads))
+        );
+        assert_eq!(
+            foot_of_plate("ground_force_1_", Some("radius_r"), &horse),
+            (None, Some(AssignedBy::Nearest))
+        );
+        assert_eq!(foot_of_plate("ground_force_1_", Some("torso"), &horse), (None, None));
     }
 }

@@ -42,7 +42,7 @@ pub(crate) fn left_to_right(states: &ContactStates, pose: &DefaultPose) -> Resul
 }
 
 /// The forward direction along the floor at the default pose, by the vector [`left_to_right`]; x if it is not known what is right.
-pub(crate) fn forward(left_to_right: DVec3, up: DVec3) -> DVec3 {
+pub(crate) fn forward_direction(left_to_right: DVec3, up: DVec3) -> DVec3 {
     let flat = left_to_right - left_to_right.dot(up) * up;
     let length = flat.length();
     // Also false where a side has no spheres.
@@ -94,7 +94,7 @@ impl PressureOnSole {
         let pairs: Vec<_> = foot.foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect();
         let first = foot.foot.pairs.first().copied().unwrap_or_default();
         let normal = states.frame(0).get(first).map_or(DVec3::Y, |state| state.normal);
-        let forward = project_on_floor(forward(across, normal), normal);
+        let forward = project_on_floor(forward_direction(across, normal), normal);
         let axes = [forward, forward.cross(normal)];
         let flat = |point_m: DVec3| axes.map(|axis| axis.dot(point_m));
         let mut spheres_m = Vec::new();

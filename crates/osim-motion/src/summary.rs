@@ -6,7 +6,7 @@ use contact_scaling::{limits, restitution};
 use osim_model::DVec3;
 
 use crate::comparison::{Comparison, ComparisonPlane, percentile};
-use crate::feet::{Foot, ON_BW, Stance, strides};
+use crate::feet::{Foot, ON_BW, StancePhase, strides};
 use crate::plate_assignment::MeasuredForces;
 use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 
@@ -70,7 +70,7 @@ pub struct FootSummary {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct StanceSummary {
-    pub stance: Stance,
+    pub stance: StancePhase,
     /// The model's largest force along the normal in it, N.
     pub peak_n: f64,
     /// The model's impulse along the normal, N s.
@@ -184,7 +184,7 @@ impl FootSummary {
             let force = |one: &Option<Wrench>| one.as_ref().map_or(f64::NAN, |one| one.force_n.dot(normal));
             measured.iter().map(force).collect::<Vec<f64>>()
         });
-        let stances = Stance::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
+        let stances = StancePhase::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
         let deepest: Vec<Option<&ContactState>> = (0..states.frames())
             .map(|frame| {
                 let contacts = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
@@ -192,7 +192,7 @@ impl FootSummary {
             })
             .collect();
         let standing_states: Vec<&ContactState> =
-            stances.iter().flat_map(Stance::frames).filter_map(|frame| *deepest.get(frame)?).collect();
+            stances.iter().flat_map(StancePhase::frames).filter_map(|frame| *deepest.get(frame)?).collect();
         let depths: Vec<f64> = standing_states.iter().map(|state| state.indentation_m).collect();
         let percentile = |part: f64| percentile(&depths, part);
         Self {
@@ -230,7 +230,7 @@ impl FootSummary {
 
     /// The times of its whole strides.
     pub fn strides(&self) -> Vec<(f64, f64)> {
-        let stances: Vec<Stance> = self.stances.iter().map(|one| one.stance).collect();
+        let stances: Vec<StancePhase> = self.stances.iter().map(|one| one.stance).collect();
         strides(&stances)
     }
 }
@@ -249,7 +249,7 @@ fn comparison_plane(
 }
 
 impl StanceSummary {
-    fn of(states: &ContactStates, stance: &Stance, forces: &[f64]) -> Self {
+    fn of(states: &ContactStates, stance: &StancePhase, forces: &[f64]) -> Self {
         let times = states.time_s.get(stance.first..=stance.last).unwrap_or_default();
         let forces = forces.get(stance.first..=stance.last).unwrap_or_default();
         let steps = || times.windows(2).zip(forces.windows(2));

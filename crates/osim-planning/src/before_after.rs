@@ -1,6 +1,6 @@
 //! A model before and after a planned change: figures, findings and feet of both states, before anything is written.
 
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
 use osim_model::files::{Failure, FileName, InMemory, ModelFiles, OpenModel};
 use osim_model::{Model, Property};
@@ -23,7 +23,7 @@ pub struct BeforeAfter {
     /// The new model; `None` if nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
     /// The model before and after the change, for figures of curves.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<ContactBody>,
     /// The feet of both states without their bones, if they were asked for; those of the old state only, if the spheres stay.
     pub feet: Vec<ModelFeet>,
     /// The model or preset that the contacts come from, if they are another body's.
@@ -147,7 +147,7 @@ pub struct BeforeAndAfterPlan<'s> {
 
 impl BeforeAndAfterPlan<'_> {
     /// The model before and after the change for figures of curves, without inspections and checks: fast enough to follow a slider.
-    pub fn bodies(self) -> Vec<Body> {
+    pub fn bodies(self) -> Vec<ContactBody> {
         let old = drawn_body("before", &self.change.options, &self.opened.model, self.opened);
         let new =
             self.changed.and_then(|changed| drawn_body("after", &self.options_after(), changed, self.opened));
@@ -168,7 +168,7 @@ impl BeforeAndAfterPlan<'_> {
         heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
         let old = drawn_body("before", &heavier, &self.opened.model, self.opened);
         let new = drawn_body("after", &after, changed, self.opened);
-        Fall::all(&old.into_iter().chain(new).collect::<Vec<Body>>())
+        Fall::all(&old.into_iter().chain(new).collect::<Vec<ContactBody>>())
     }
 
     fn options_after(self) -> InspectOptions {
@@ -183,8 +183,8 @@ pub(crate) fn drawn_body(
     options: &InspectOptions,
     model: &Model,
     opened: &OpenModel,
-) -> Option<Body> {
-    Body::from_inspected_model(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
+) -> Option<ContactBody> {
+    ContactBody::from_inspected_model(name.to_owned(), model, options, &|fault| opened.failure(fault)).ok()
 }
 
 #[cfg(test)]

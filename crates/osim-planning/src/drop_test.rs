@@ -283,7 +283,7 @@ pub enum DropRow {
     Last,
 }
 
-const fn nowhere(value: FigureValue) -> Entry {
+const fn only_in_json(value: FigureValue) -> Entry {
     Entry { row: DropRow::Nowhere, value }
 }
 
@@ -291,7 +291,7 @@ const fn in_order(value: FigureValue) -> Entry {
     Entry { row: DropRow::InOrder, value }
 }
 
-const fn last(value: FigureValue) -> Entry {
+const fn last_row(value: FigureValue) -> Entry {
     Entry { row: DropRow::Last, value }
 }
 
@@ -299,21 +299,21 @@ osim_inspect::quantities! {
     /// A figure of a drop, see [`Quantity`]; in the order of the JSON.
     DropFigure: Entry {
         /// Mass M of the body.
-        Mass = Quantity::new("mass_kg", "mass", "kg") => nowhere(Always(|drop| drop.values.mass_kg));
+        Mass = Quantity::new("mass_kg", "mass", "kg") => only_in_json(Always(|drop| drop.values.mass_kg));
         /// Spheres n that share the weight.
-        SphereCount = Quantity::new("sphere_count", "spheres", "") => nowhere(Always(|drop| drop.sphere_count));
+        SphereCount = Quantity::new("sphere_count", "spheres", "") => only_in_json(Always(|drop| drop.sphere_count));
         /// Gravity g.
-        Gravity = Quantity::new("gravity_m_s2", "gravity", "m/s2") => nowhere(Always(|drop| drop.values.gravity_m_s2));
+        Gravity = Quantity::new("gravity_m_s2", "gravity", "m/s2") => only_in_json(Always(|drop| drop.values.gravity_m_s2));
         /// Height of the sphere bottoms at the start.
-        Height = Quantity::new("height_m", "height", "m") => nowhere(Always(|drop| drop.values.height_m));
+        Height = Quantity::new("height_m", "height", "m") => only_in_json(Always(|drop| drop.values.height_m));
         /// How long the body was followed.
-        Duration = Quantity::new("duration_s", "duration", "s") => nowhere(Always(|drop| drop.values.duration_s));
+        Duration = Quantity::new("duration_s", "duration", "s") => only_in_json(Always(|drop| drop.values.duration_s));
         /// R = √(Σ R_i²/n): what lengths are divided by.
         ReferenceRadius = Quantity::new("reference_radius_m", "radius", "m")
-            => nowhere(Always(|drop| drop.report.reference_radius_m));
+            => only_in_json(Always(|drop| drop.report.reference_radius_m));
         /// √(R/g): what to divide times by before animals of different size are compared.
         ReferenceTime = Quantity::new("reference_time_s", "time unit sqrt(R/g)", "s")
-            => last(Always(|drop| drop.report.reference_time_s));
+            => last_row(Always(|drop| drop.report.reference_time_s));
         /// x̂ at the end of the series.
         FinalIndentation = Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
             => in_order(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));

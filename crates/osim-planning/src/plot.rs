@@ -4,7 +4,7 @@ use std::collections::HashSet;
 use std::path::Path;
 
 use contact_scaling::Ratios;
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{Stance, find_misplaced_spheres, unexplained_mass_slip};
 use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_model::files::{Failure, Files, OpenModel};
@@ -99,7 +99,7 @@ pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionRes
 ///
 /// # Errors
 /// A name that is neither a model's nor a preset's, or a model that cannot be read.
-pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<Body>, RequestError> {
+pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ContactBody>, RequestError> {
     let mut bodies = Vec::new();
     for path in &request.models {
         let body = plotted_body(request, path, &unique_name(request, path), files)?;
@@ -126,12 +126,12 @@ fn plotted_body(
     path: &Path,
     name: &str,
     files: &dyn Files,
-) -> Result<Body, RequestError> {
+) -> Result<ContactBody, RequestError> {
     let masses = request.masses.request();
     let stance = Stance::from(&request.counts.stance_options(None, request.gravity));
     match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
         Subject::Preset(preset) => {
-            let body = Body::from_preset(&preset, &masses, &stance);
+            let body = ContactBody::from_preset(&preset, &masses, &stance);
             Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
         }
         Subject::Model(open) => {
@@ -141,7 +141,14 @@ fn plotted_body(
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
             let failed = |fault| open.failure(fault);
-            Ok(Body::from_model(name.to_owned(), &open.model, &selected.forces, &masses, &stance, &failed)?)
+            Ok(ContactBody::from_model(
+                name.to_owned(),
+                &open.model,
+                &selected.forces,
+                &masses,
+                &stance,
+                &failed,
+            )?)
         }
     }
 }

@@ -8,7 +8,8 @@ use pyo3::types::PyByteArray;
 use crate::guard::guarded;
 use crate::problem::Problem;
 use crate::scaling::{
-    Failure, MEAN_SQUARE_RADIUS, OF_SPHERES, Parameter, RULES, all, continuation_steps, rule_by_name,
+    EquationError, MEAN_SQUARE_RADIUS, Parameter, RULES, SPHERE_LIST_FUNCTIONS, all, continuation_steps,
+    rule_by_name,
 };
 
 /// The placeholder for the place of an element in a message; only Python knows the shapes of its arrays.
@@ -31,7 +32,7 @@ pub(crate) fn equations() -> Vec<Described> {
         .collect();
     let list = MEAN_SQUARE_RADIUS;
     described.push((list.name, "list", named(&[list.parameter]), false, list.docstring()));
-    let spheres = OF_SPHERES.iter();
+    let spheres = SPHERE_LIST_FUNCTIONS.iter();
     described.extend(spheres.map(|one| (one.name, "spheres", named(one.spheres), false, one.docstring())));
     described
 }
@@ -43,7 +44,7 @@ pub(crate) fn mixing_rules() -> Vec<&'static str> {
 }
 
 /// The result of an equation, or why it gives none.
-type Given<T> = (Option<T>, Option<Refusal>);
+type ValueOrRefusal<T> = (Option<T>, Option<Refusal>);
 
 /// The values of an equation for rows of arguments, as bytes of float64.
 #[pyfunction]
@@ -52,7 +53,7 @@ pub(crate) fn equation<'py>(
     name: &str,
     rule_name: Option<&str>,
     columns: Vec<PyBackedBytes>,
-) -> PyResult<Given<Bound<'py, PyByteArray>>> {
+) -> PyResult<ValueOrRefusal<Bound<'py, PyByteArray>>> {
     let values = guarded(py, || {
         let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
         let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else {
@@ -77,14 +78,14 @@ pub(crate) fn equation_of_list(
     columns: Vec<PyBackedBytes>,
     heights: Option<PyBackedBytes>,
     load: f64,
-) -> PyResult<Given<f64>> {
+) -> PyResult<ValueOrRefusal<f64>> {
     let value = guarded(py, || {
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         if name == MEAN_SQUARE_RADIUS.name {
             return Ok(MEAN_SQUARE_RADIUS.value(columns.first().copied().unwrap_or_default()));
         }
-        let Some(function) = OF_SPHERES.iter().find(|one| one.name == name) else {
+        let Some(function) = SPHERE_LIST_FUNCTIONS.iter().find(|one| one.name == name) else {
             return Err(unknown(name));
         };
         Ok(function.value(&columns, heights.as_ref().map(|heights| floats(heights)).as_deref(), load))
@@ -109,7 +110,7 @@ pub(crate) fn steps(
     last: f64,
     dissipation_ratio: f64,
     count: &Bound<'_, PyAny>,
-) -> PyResult<Given<Columns>> {
+) -> PyResult<ValueOrRefusal<Columns>> {
     let count = match count.extract::<u32>() {
         Ok(count) if count <= MOST_STEPS => count,
         Err(error) if !error.is_instance_of::<PyOverflowError>(py) => return Err(error),
@@ -140,7 +141,7 @@ fn unknown(name: &str) -> Problem {
     Problem::defect(format!("there is no equation {name}"))
 }
 
-fn refusal(failure: &Failure) -> Refusal {
+fn refusal(failure: &EquationError) -> Refusal {
     (
         failure.parameter,
         failure.index,

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use contact_plots::{Axis, Curve, Drawing, PlotError};
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_library::{PendingFile, WriteMode, make_folder_of};
 use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
@@ -73,7 +73,10 @@ pub(crate) fn plot(
     })
 }
 
-fn drawn(request: &PlotRequest, files: &RequestFiles) -> Result<(Drawing, Vec<Body>, String), Problem> {
+fn drawn(
+    request: &PlotRequest,
+    files: &RequestFiles,
+) -> Result<(Drawing, Vec<ContactBody>, String), Problem> {
     if request.is_of_feet() {
         let states = plot_feet(request, files)?;
         let drawing = figures::draw_feet(request, &states)?;

@@ -67,7 +67,7 @@ pub(crate) fn survey<'py>(
         };
         // Python checked it with its own name.
         let jobs = jobs.and_then(|jobs| jobs.to_string().parse().ok());
-        done(&survey, jobs, call, &Watch::new(callback))
+        survey_models(&survey, jobs, call, &Watch::new(callback))
     })?;
     let rows = rows.into_iter().map(|surveyed| row(py, surveyed)).collect::<PyResult<_>>()?;
     Ok((rows, remarks, text))
@@ -91,7 +91,7 @@ fn sources(models: &[PathBuf], files: &RequestFiles) -> Sources {
 
 /// All models, those first that could not even be listed; remarks, and the text. Lines of the text have no end, as in a file: a cell of
 /// a notebook can be scrolled.
-fn done(
+fn survey_models(
     survey: &Survey<'_>,
     jobs: Option<Jobs>,
     call: String,

@@ -13,7 +13,7 @@ use contact_scaling::modulus::MixingRule;
 #[path = "../src/scaling/mod.rs"]
 mod scaling;
 
-use scaling::{Function, MEAN_SQUARE_RADIUS, OF_SPHERES, RULES, continuation_steps, rule_by_name};
+use scaling::{Function, MEAN_SQUARE_RADIUS, RULES, SPHERE_LIST_FUNCTIONS, continuation_steps, rule_by_name};
 
 /// Inputs and values in 50-digit arithmetic, by the function of `contact-scaling`; its tests say which tolerance it keeps.
 const REFERENCE: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
@@ -92,7 +92,7 @@ fn every_function_of_the_page_can_be_called() {
     let names = rows.flat_map(|row| row.split('|').nth(3).unwrap().split('`').skip(1).step_by(2));
     let page: BTreeSet<&str> = names.filter(|name| name.contains("::")).collect();
     assert!(page.len() > 60, "the tables of docs/reference/equations.md were not understood");
-    let of_spheres = OF_SPHERES.iter().flat_map(|function| [function.level, function.raised]);
+    let of_spheres = SPHERE_LIST_FUNCTIONS.iter().flat_map(|function| [function.level, function.raised]);
     let here: BTreeSet<&str> = scaling::all()
         .map(|function| function.computes)
         .chain(of_spheres)
@@ -129,14 +129,14 @@ fn arrays_have_the_values_of_their_elements() {
     }
 }
 
-fn named(name: &str) -> &'static Function {
+fn function_called(name: &str) -> &'static Function {
     scaling::all().find(|function| function.name == name).unwrap()
 }
 
 #[test]
 fn a_number_counts_for_all_elements() {
     // (14): α ∝ 1/√(ρ γ). With γ = 4: 1/√4 and 1/√16; on their own 1 and 1/2.
-    let dissipation = named("dissipation");
+    let dissipation = function_called("dissipation");
     let values = |lists: &[&[f64]]| dissipation.values(MixingRule::Sherman, lists);
     assert_eq!(values(&[&[1.0, 4.0], &[4.0]]).unwrap(), [0.5, 0.25]);
     assert_eq!(values(&[&[4.0], &[1.0]]).unwrap(), [0.5]);
@@ -162,8 +162,9 @@ fn a_number_counts_for_all_elements() {
 #[test]
 fn a_fault_of_several_arguments_together_says_where_it_is() {
     // 1 − 2 · 0.6 is below 0.
-    let failure =
-        named("approximate_restitution").values(MixingRule::Sherman, &[&[2.0], &[0.1, 0.6]]).unwrap_err();
+    let failure = function_called("approximate_restitution")
+        .values(MixingRule::Sherman, &[&[2.0], &[0.1, 0.6]])
+        .unwrap_err();
     assert_eq!((failure.parameter, failure.index), (None, Some(1)));
     let message = failure.to_string();
     assert!(
@@ -171,7 +172,8 @@ fn a_fault_of_several_arguments_together_says_where_it_is() {
         "{message}"
     );
     // 4/3 · 1e200 · (1e100)^(3/2) is more than a float holds.
-    let failure = named("hertz_force").value(MixingRule::Sherman, &[1e200, 1.0, 1e100, 1.0]).unwrap_err();
+    let failure =
+        function_called("hertz_force").value(MixingRule::Sherman, &[1e200, 1.0, 1e100, 1.0]).unwrap_err();
     assert_eq!(
         failure.to_string(),
         "the result is inf, expected a finite number: an argument is far too large or too small"
@@ -214,11 +216,15 @@ fn the_rule_of_two_surfaces_is_a_word() {
     for (name, factor) in [("johnson", 2.0), ("sherman", 2.0_f64 * 2.0_f64.sqrt())] {
         let rule = rule_by_name(name).unwrap();
         close(
-            named("plane_strain_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
+            function_called("plane_strain_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
             factor * 1e6,
             name,
         );
-        close(named("composite_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(), 1e6 / factor, name);
+        close(
+            function_called("composite_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
+            1e6 / factor,
+            name,
+        );
     }
     let with_rule = scaling::all().filter(|function| function.takes_rule()).count();
     assert_eq!(with_rule, 2);
@@ -227,7 +233,7 @@ fn the_rule_of_two_surfaces_is_a_word() {
 /// Names are Python's, each once; defaults are last, as Python wants them.
 #[test]
 fn functions_can_be_declared_in_python() {
-    let lists = OF_SPHERES.iter().map(|function| function.name).chain([MEAN_SQUARE_RADIUS.name]);
+    let lists = SPHERE_LIST_FUNCTIONS.iter().map(|function| function.name).chain([MEAN_SQUARE_RADIUS.name]);
     let mut seen = BTreeSet::from(["continuation_steps"]);
     for name in scaling::all().map(|function| function.name).chain(lists) {
         assert!(seen.insert(name), "{name} is there twice");
@@ -261,7 +267,7 @@ fn texts_come_from_the_register() {
         }
     }
     assert_eq!(
-        named("hertz_indentation").docstring(),
+        function_called("hertz_indentation").docstring(),
         "Hertz force of one sphere, solved for x.\n\n    \
          x = (F_e / (4/3 η √R E*))^(2/3)    (1)\n\n\
          Parameters\n----------\n\
@@ -275,28 +281,28 @@ fn texts_come_from_the_register() {
          References\n----------\n\
          (1): Van Bijlert (2026), section 2; Hertz's law as in Johnson (1985) and Sherman et al. (2011).\n"
     );
-    let [hertz, smooth] = &OF_SPHERES;
+    let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
     for text in [hertz.docstring(), smooth.docstring(), MEAN_SQUARE_RADIUS.docstring()] {
         assert!(
             text.contains("\nradius : sequence of float\n    R_i: ") && text.contains("beyond the paper"),
             "{text}"
         );
     }
-    let ratio = named("dissipation").docstring();
+    let ratio = function_called("dissipation").docstring();
     assert!(ratio.contains("The factor, without unit, of α: Hunt–Crossley dissipation"), "{ratio}");
-    let design = named("composite_modulus_for_indentation").docstring();
+    let design = function_called("composite_modulus_for_indentation").docstring();
     // What is in the formula and no argument.
     assert!(
         design.contains("where\n\n    η: shape factor, 1 for spheres; without unit\n\nParameters"),
         "{design}"
     );
-    let stiffness = named("dimensionless_hertz_stiffness").docstring();
+    let stiffness = function_called("dimensionless_hertz_stiffness").docstring();
     assert!(!stiffness.contains("where"), "k is not in k̂: {stiffness}");
 }
 
 #[test]
 fn bodies_rest_where_high_precision_says() {
-    let [hertz, smooth] = &OF_SPHERES;
+    let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
     for (name, raised) in [("indentation", false), ("indentation_of_lowest", true)] {
         for (prefix, function) in [("hertz_", hertz), ("", smooth)] {
             let computes = format!("equilibrium::{prefix}{name}");
@@ -319,7 +325,7 @@ fn bodies_rest_where_high_precision_says() {
 
 #[test]
 fn a_sphere_that_is_refused_is_named() {
-    let [hertz, smooth] = &OF_SPHERES;
+    let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
     let message = |columns: &[&[f64]], heights: Option<&[f64]>, load: f64| {
         hertz.value(columns, heights, load).unwrap_err().to_string()
     };

@@ -74,16 +74,23 @@ impl RequestFault {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
-                phrase![format!("there is no option '{field}': did you mean "), &named(nearest), "?"]
+                phrase![format!("there is no option '{field}': did you mean "), &name_of_field(nearest), "?"]
             }
             Self::UnknownField { field, nearest: None } => format!("there is no option '{field}'").into(),
             Self::BadValue { field, value, reason } => {
-                phrase![&named(field), format!(" '{}': {reason}", shown(value))]
+                phrase![&name_of_field(field), format!(" '{}': {reason}", shown(value))]
             }
-            Self::Missing { field } => phrase![&named(field), " is missing"],
-            Self::Needs { field, other } => phrase![&named(field), " says nothing without ", &named(other)],
+            Self::Missing { field } => phrase![&name_of_field(field), " is missing"],
+            Self::Needs { field, other } => {
+                phrase![&name_of_field(field), " says nothing without ", &name_of_field(other)]
+            }
             Self::Excludes { field, other } => {
-                phrase![&named(field), " and ", &named(other), " exclude each other: leave one out"]
+                phrase![
+                    &name_of_field(field),
+                    " and ",
+                    &name_of_field(other),
+                    " exclude each other: leave one out"
+                ]
             }
             Self::Refused { message, .. } => message.clone(),
         }
@@ -95,7 +102,7 @@ impl RequestFault {
 }
 
 /// A field as front ends know it.
-fn named(field: &str) -> Phrase {
+fn name_of_field(field: &str) -> Phrase {
     match Input::named(field) {
         Some(input) => input.into(),
         None => format!("`{field}`").into(),

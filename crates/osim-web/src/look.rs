@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, FindingRecord, FindingWithRemedy, Inspection, Verdict};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
@@ -198,8 +198,12 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
 /// How the model falls on its contacts, if they and its weight are known.
 fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
     let failed = |fault| opened.model.failure(fault);
-    let body =
-        Body::from_inspected_model("now".to_owned(), &opened.model.model, inspector.options(), &failed);
+    let body = ContactBody::from_inspected_model(
+        "now".to_owned(),
+        &opened.model.model,
+        inspector.options(),
+        &failed,
+    );
     body.map(|body| Fall::all(&[body])).unwrap_or_default()
 }
 

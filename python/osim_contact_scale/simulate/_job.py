@@ -1,4 +1,4 @@
-"""One model to simulate and its outcome, as messages to and from a worker."""
+"""A model to simulate and its outcome, as messages to and from a worker."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Versions:
 
 @dataclass(frozen=True)
 class Job:
-    """One model and the task to run on it."""
+    """A model and the task to run on it."""
 
     #: The run that it belongs to. Runs do not share processes, because the second run may have another version of a module.
     run: str

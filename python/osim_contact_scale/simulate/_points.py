@@ -19,7 +19,7 @@ from ._values import to_value
 
 @dataclass(frozen=True)
 class Point:
-    """One model and its row of the table."""
+    """A model and its row of the table."""
 
     #: Row of the table, from 1.
     row: int

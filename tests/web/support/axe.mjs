@@ -1,4 +1,4 @@
-// What axe-core finds on a page, in short.
+// Problems that axe-core finds on a page, in short.
 
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";

@@ -27,7 +27,7 @@ export function given(path, name = path.split("/").pop()) {
   return { name, bytes: readFileSync(fixture(path)) };
 }
 
-/** What a test needs and this machine lacks; nothing where all is there. */
+/** Programs and files that a test needs and this machine lacks; nothing where all is there. */
 export function lacking({ corpus = false, browser = CHROMIUM } = {}) {
   if (!existsSync(browser)) return `${browser}: not found`;
   if (corpus && !CORPUS) return "OSIM_CORPUS is not set";

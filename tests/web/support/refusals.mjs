@@ -3,7 +3,7 @@
 // Shorter than that, two messages have only an article in common.
 const LEAST = 20;
 
-/** What the command says in JSON about a model that it refuses; nothing where it did not. */
+/** The fault in JSON with which the command refuses a model; nothing where it did not. */
 export function refusal({ stdout }) {
   return JSON.parse(stdout.trim().split("\n").pop()).error ?? undefined;
 }

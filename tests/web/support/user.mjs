@@ -1,4 +1,4 @@
-// What a user does with the page: everything is found by its role and its name.
+// Actions of a user on the page: everything is found by its role and its name.
 
 import { readFile } from "node:fs/promises";
 

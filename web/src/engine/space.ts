@@ -21,7 +21,7 @@ export interface Scene {
   bodies: readonly { name: string; frame: readonly [Vector, Vector, Vector, Vector] }[];
   spheres: readonly PlacedSphere[];
   planes: readonly { point_m: Vector; normal: Vector }[];
-  /** From joint to joint, in the frame of the body. */
+  /** Lines from joint to joint, in the frame of the body. */
   lines: readonly { body: string; from_m: Vector; to_m: Vector }[];
   why_not_placed: string | null;
 }

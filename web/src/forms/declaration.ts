@@ -38,7 +38,7 @@ export interface Form {
   verb: string;
   fields: Field[];
   required: string[];
-  /** One or the other of each pair must be given. */
+  /** Pairs of fields of which one or the other must be given. */
   either: [string, string][];
   excludes: [string, string][];
   needs: [string, string[]][];

@@ -9,7 +9,7 @@ const MAX_BW = 3;
 
 export class ForceArrows {
   readonly group = new Group();
-  /** For each foot, the arrow of the contacts, then the arrow of its plates. */
+  /** Arrows of each foot: that of the contacts, then that of its plates. */
   #arrows: ArrowHelper[] = [];
   #played: PlayedMotion | undefined;
 

@@ -7,7 +7,7 @@ const WIDTH = 600;
 const LEFT = 34;
 const BOTTOM = 20;
 
-/** One curve: `kind` is its look, null is a gap. */
+/** A curve: `kind` is its look, null is a gap. */
 export interface Curve {
   kind: "new" | "old";
   values: readonly (number | null)[];

@@ -18,7 +18,7 @@ export function findingItems(findings: readonly Finding[], apply: Apply): HTMLEl
   return [...groups.values()].flatMap((group) => (group.length >= MIN_GROUP ? [groupItem(group, apply)] : group.map((finding) => item(finding, apply))));
 }
 
-/** From this number on, equal findings about different places are one item. */
+/** The number of equal findings about different places from which on they are one item. */
 const MIN_GROUP = 3;
 
 function groupItem(findings: readonly Finding[], apply: Apply): HTMLElement {

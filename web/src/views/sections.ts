@@ -14,7 +14,7 @@ interface Options {
   /** The prefix of ids in the place. */
   prefix: string;
   id: string;
-  /** Whether it is closed until its heading is clicked. */
+  /** Whether the section is closed until its heading is clicked. */
   folded?: boolean;
   /** The heading, in place of the section's title. */
   title?: string;

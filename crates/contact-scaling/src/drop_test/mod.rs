@@ -19,8 +19,8 @@ mod motion;
 
 use crate::error::{non_negative, positive, within};
 use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
-use motion::{Body, Record};
 pub use motion::{DropError, DropValues};
+use motion::{FallingBody, Record};
 
 /// A drop test that can be run.
 ///
@@ -107,8 +107,8 @@ impl DropTest {
         Self { values, spheres: self.spheres.clone() }
     }
 
-    fn body(&self) -> Body<'_> {
-        Body::new(&self.spheres, self.values.mass_kg, self.values.gravity_m_s2)
+    fn body(&self) -> FallingBody<'_> {
+        FallingBody::new(&self.spheres, self.values.mass_kg, self.values.gravity_m_s2)
     }
 }
 
@@ -170,7 +170,7 @@ pub struct LiftOff {
 pub struct DropReport {
     /// The motion, at equal steps of time.
     pub series: Vec<Sample>,
-    /// Body weight M g, in N.
+    /// FallingBody weight M g, in N.
     pub body_weight_n: f64,
     /// The radius lengths are compared with, √(Σ R_i² / n), in m.
     pub reference_radius_m: f64,
@@ -193,7 +193,7 @@ pub struct DropReport {
 }
 
 impl DropReport {
-    fn new(body: &Body<'_>, values: &DropValues, record: Record) -> Result<Self, DropError> {
+    fn new(body: &FallingBody<'_>, values: &DropValues, record: Record) -> Result<Self, DropError> {
         let hertz = equilibrium::hertz_indentation(body.spheres, body.weight_n)?;
         let own = equilibrium::indentation(body.spheres, body.weight_n)?;
         let last = record.states.last().map_or(0.0, |state| state[0] * body.length_m);
@@ -219,7 +219,7 @@ impl DropReport {
     }
 }
 
-fn first_contact(body: &Body<'_>, record: &Record) -> Result<Option<FirstContact>, DropError> {
+fn first_contact(body: &FallingBody<'_>, record: &Record) -> Result<Option<FirstContact>, DropError> {
     let Some(&(start, impact)) = record.crossings.first() else { return Ok(None) };
     let impact_speed_m_s = impact * body.speed_m_s();
     let alpha = body.dissipation();
@@ -236,7 +236,7 @@ fn first_contact(body: &Body<'_>, record: &Record) -> Result<Option<FirstContact
     }))
 }
 
-fn series(body: &Body<'_>, values: &DropValues, record: Record) -> Vec<Sample> {
+fn series(body: &FallingBody<'_>, values: &DropValues, record: Record) -> Vec<Sample> {
     let last = (values.samples - 1) as f64;
     let sample = |(i, state): (usize, [f64; 2])| {
         let (x, rate) = (state[0] * body.length_m, state[1] * body.speed_m_s());

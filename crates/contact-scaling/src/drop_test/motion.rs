@@ -9,7 +9,7 @@ use crate::{DomainError, Law, Spheres};
 /// The conditions of a drop test, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DropValues {
-    /// Body mass M, in kg.
+    /// FallingBody mass M, in kg.
     pub mass_kg: f64,
     /// Gravity g, in m/s².
     pub gravity_m_s2: f64,
@@ -40,7 +40,7 @@ pub enum DropError {
 
 /// A body on its spheres, with the length, time and force that make its motion dimensionless.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Body<'a> {
+pub(super) struct FallingBody<'a> {
     pub(super) spheres: &'a [Spheres],
     /// M g, in N.
     pub(super) weight_n: f64,
@@ -50,7 +50,7 @@ pub(super) struct Body<'a> {
     pub(super) time_s: f64,
 }
 
-impl<'a> Body<'a> {
+impl<'a> FallingBody<'a> {
     pub(super) fn new(spheres: &'a [Spheres], mass_kg: f64, gravity_m_s2: f64) -> Self {
         let weigh = |f: fn(&Spheres) -> f64| spheres.iter().map(|s| s.count() * f(s)).sum::<f64>();
         let square = weigh(|s| s.law().hertz().radius_m() * s.law().hertz().radius_m());
@@ -126,7 +126,7 @@ pub(super) struct Record {
 }
 
 /// Integrates the motion of the body, which starts at rest at its height.
-pub(super) fn integrate(body: &Body<'_>, values: &DropValues) -> Result<Record, DropError> {
+pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<Record, DropError> {
     let end = values.duration_s / body.time_s;
     let mut state = [-values.height_m / body.length_m, 0.0];
     let mut time = 0.0;
@@ -171,7 +171,7 @@ fn time_reached(error: &Error<f64, State>, start: f64) -> f64 {
 
 /// The equation of motion. In flight only smoothed forces act, even where a stage reaches into the ground.
 struct Fall<'a> {
-    body: &'a Body<'a>,
+    body: &'a FallingBody<'a>,
     contact: bool,
 }
 
@@ -184,7 +184,7 @@ impl ODE<f64, State> for Fall<'_> {
 
 /// Watches the steps: fills the series, finds the peak force and the crossings of x = 0.
 struct Observer<'a> {
-    body: &'a Body<'a>,
+    body: &'a FallingBody<'a>,
     record: Record,
     samples: usize,
     end: f64,

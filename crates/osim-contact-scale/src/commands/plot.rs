@@ -4,7 +4,7 @@ use std::path::Path;
 
 use anyhow::{Result, bail};
 use contact_plots::Drawing;
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_library::run::PathConflicts;
 use osim_library::{Disk, PendingFile, WriteMode};
 use osim_model::messages::Input;
@@ -157,7 +157,7 @@ impl<'o> Output<'o> {
     fn write(
         &self,
         drawing: &Drawing,
-        bodies: &[Body],
+        bodies: &[ContactBody],
         remarks: &str,
         request: &PlotRequest,
         session: &mut Session,

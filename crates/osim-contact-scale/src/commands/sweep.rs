@@ -46,7 +46,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     }
     announce(&sweep, request, session)?;
     if request.dry_run {
-        let record = begun(&sweep, None).counted(sweep.count(), 0);
+        let record = first_record(&sweep, None).counted(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
@@ -56,7 +56,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         };
         return report(&record, &text, request, session).map(|()| Exit::Done);
     }
-    let end = make(&sweep, request, session)?;
+    let end = make_variants(&sweep, request, session)?;
     if end.worse > 0 && !request.quiet {
         let (worse, made) = (end.worse, end.made + end.earlier);
         session.terminal.print_beside(&format!(
@@ -64,7 +64,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         ))?;
     }
     if !request.quiet {
-        session.terminal.print_beside(&aside(&end, &sweep))?;
+        session.terminal.print_beside(&remarks_of_sweep(&end, &sweep))?;
     }
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
@@ -73,7 +73,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             "remark: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
         ))?;
     }
-    let record = begun(&sweep, end.manifest.as_deref());
+    let record = first_record(&sweep, end.manifest.as_deref());
     let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
     report(&record, &text(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
@@ -84,7 +84,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
 }
 
 /// Remarks on what the table does not show, a line for each.
-fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
+fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     let mut remarks = String::new();
     if let Some((point, earlier)) = end.same.first {
         let such = if end.same.count > 1 { "such as " } else { "" };
@@ -108,12 +108,12 @@ fn aside(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
 }
 
 /// The record of a sweep before a model is made.
-fn begun(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
+fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
     record.of_points(sweep.points(), sweep.point_file())
 }
 
-fn make(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
+fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     exit::listen();
     let watch = Watch(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;

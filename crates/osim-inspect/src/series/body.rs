@@ -60,7 +60,7 @@ impl SphereKind {
 
 /// A body whose contacts are drawn: a model or a preset.
 #[derive(Debug, Clone)]
-pub struct Body {
+pub struct ContactBody {
     pub name: String,
     /// Kinds of the body's spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
@@ -72,7 +72,7 @@ pub struct Body {
     pub mismatch: Option<MassMismatch>,
 }
 
-impl Body {
+impl ContactBody {
     /// The body of a model with the chosen `forces`; `failed` adds the name of the file to a fault.
     ///
     /// # Errors
@@ -310,7 +310,7 @@ pub struct ReferenceState {
     /// The first 16 digits of the SHA-256 of its file; `None` for a preset.
     pub digest: Option<String>,
     /// The body to draw; `None` if it cannot be drawn.
-    pub body: Option<Body>,
+    pub body: Option<ContactBody>,
     pub figures: Option<Figures>,
 }
 
@@ -319,7 +319,12 @@ impl ReferenceState {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
         let name = preset.name.to_string();
-        Self { name, digest: None, body: Body::from_preset(preset, &masses, &stance).ok(), figures: None }
+        Self {
+            name,
+            digest: None,
+            body: ContactBody::from_preset(preset, &masses, &stance).ok(),
+            figures: None,
+        }
     }
 
     /// The mass, number of spheres and gravity are those that the contacts are made for.
@@ -335,9 +340,10 @@ impl ReferenceState {
             stance: Stance { spheres, gravity_m_s2, ..Stance::default() },
             ..InspectOptions::default()
         };
-        let body =
-            Body::from_inspected_model(name.clone(), &open.model, &options, &|fault| open.failure(fault))
-                .ok();
+        let body = ContactBody::from_inspected_model(name.clone(), &open.model, &options, &|fault| {
+            open.failure(fault)
+        })
+        .ok();
         let figures = options.inspect(open.name(), &open.model, None).figures;
         let digest = Some(short_digest(open.model.document().bytes()));
         Self { name, digest, body, figures: Some(figures) }

@@ -5,7 +5,7 @@ use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing}
 use osim_model::files::Failure;
 use osim_requests::DropHeight;
 
-use crate::series::body::{Body, SphereKind, Weight};
+use crate::series::body::{ContactBody, SphereKind, Weight};
 use crate::series::sampling::{ForceUnit, Point, Units, equal_breaks, sample_curve, thin_out};
 
 /// Force against indentation of one kind of sphere.
@@ -61,7 +61,7 @@ const DROP_SAMPLES: (f64, f64) = (2001.0, 200_001.0);
 const SETTLED_BODY_WEIGHTS: f64 = 0.01;
 
 /// The unit of the force axis in N: 1 N, or the sphere's share of the body weight.
-fn force_unit(units: Units, body: &Body) -> Result<f64, Failure> {
+fn force_unit(units: Units, body: &ContactBody) -> Result<f64, Failure> {
     match units.force {
         ForceUnit::Newton => Ok(1.0),
         ForceUnit::WeightShare => Ok(body.weight()?.share_n()),
@@ -69,7 +69,7 @@ fn force_unit(units: Units, body: &Body) -> Result<f64, Failure> {
 }
 
 /// The name of the curve of one kind of sphere. If there is only one body, its name is left out.
-pub fn curve_name(body: &Body, kind: &SphereKind, is_only_body: bool) -> String {
+pub fn curve_name(body: &ContactBody, kind: &SphereKind, is_only_body: bool) -> String {
     match (kind.spheres.as_str(), is_only_body) {
         ("", _) => body.name.clone(),
         (spheres, true) => spheres.to_owned(),
@@ -77,15 +77,15 @@ pub fn curve_name(body: &Body, kind: &SphereKind, is_only_body: bool) -> String 
     }
 }
 
-pub fn bodies_and_kinds(bodies: &[Body]) -> impl Iterator<Item = (&Body, &SphereKind)> {
+pub fn bodies_and_kinds(bodies: &[ContactBody]) -> impl Iterator<Item = (&ContactBody, &SphereKind)> {
     bodies.iter().flat_map(|body| body.kinds.iter().map(move |kind| (body, kind)))
 }
 
 /// The range of curves without given limits, in radii: from half a radius above the ground to a little deeper than the deepest body rests, but
 /// no deeper than a sphere's centre.
-pub fn default_range(bodies: &[Body]) -> (f64, f64) {
+pub fn default_range(bodies: &[ContactBody]) -> (f64, f64) {
     let rests = bodies_and_kinds(bodies)
-        .filter_map(|(body, kind)| Some(rest(body.weight.as_ref().ok()?, kind)?.0 / kind.radius_m));
+        .filter_map(|(body, kind)| Some(point_at_rest(body.weight.as_ref().ok()?, kind)?.0 / kind.radius_m));
     let deepest = rests.fold(None, |deepest: Option<f64>, rest| Some(deepest.map_or(rest, |d| d.max(rest))));
     let (within_limit, otherwise) = LEAST_DEPTHS_RADII;
     let depth = match deepest {
@@ -97,7 +97,7 @@ pub fn default_range(bodies: &[Body]) -> (f64, f64) {
 }
 
 /// The point at which one kind of sphere rests under its share of the body weight, by the law of the file: x in m, and the share in N.
-fn rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
+fn point_at_rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
     let law = Law::of(&kind.contact, kind.radius_m).ok()?;
     let spheres = [Spheres::new(law, 1.0).ok()?];
     let share = weight.share_n();
@@ -106,7 +106,7 @@ fn rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
 
 /// Force against indentation, between two indentations in m.
 pub fn force(
-    body: &Body,
+    body: &ContactBody,
     kind: &SphereKind,
     units: Units,
     (from_m, to_m): (f64, f64),
@@ -123,7 +123,7 @@ pub fn force(
         // Without smoothing the force is Hertz's.
         _ => (vec![], vec![]),
     };
-    let rest = body.weight.as_ref().ok().and_then(|weight| rest(weight, kind));
+    let rest = body.weight.as_ref().ok().and_then(|weight| point_at_rest(weight, kind));
     Ok(ForceSeries {
         hertz: curve(&|x| law.hertz().force(x)),
         with_constant,
@@ -135,7 +135,7 @@ pub fn force(
 /// Contact state against indentation, between two indentations in m (`None`: half a radius to either side); `None` for a law
 /// without smoothing.
 pub fn contact_state(
-    body: &Body,
+    body: &ContactBody,
     kind: &SphereKind,
     units: Units,
     range_m: Option<(f64, f64)>,
@@ -157,18 +157,18 @@ pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
 }
 
 /// The speed with which the bottoms reach the ground, √(2 g h), in m/s.
-pub fn impact_speed(body: &Body, kind: &SphereKind, height: DropHeight) -> Result<f64, Failure> {
+pub fn impact_speed(body: &ContactBody, kind: &SphereKind, height: DropHeight) -> Result<f64, Failure> {
     Ok((2.0 * body.weight()?.gravity_m_s2 * height.metres(kind.radius_m)).sqrt())
 }
 
 /// The deepest indentation of a loop, m: that under twice the body weight by the Hertz law.
-fn loop_depth(body: &Body, kind: &SphereKind) -> Result<f64, Failure> {
+fn loop_depth(body: &ContactBody, kind: &SphereKind) -> Result<f64, Failure> {
     let law = law(body, kind)?;
     law.hertz().indentation_from_force(2.0 * body.weight()?.share_n()).map_err(|error| body.failure(&error))
 }
 
 /// The force at rest against indentation, over the range of a loop.
-pub fn force_at_rest(body: &Body, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
+pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
     let law = law(body, kind)?;
     let unit = force_unit(units, body)?;
     let breaks = equal_breaks(0.0, loop_depth(body, kind)?, FIRST_INTERVALS, 0.0);
@@ -177,7 +177,7 @@ pub fn force_at_rest(body: &Body, kind: &SphereKind, units: Units) -> Result<Vec
 
 /// Force against indentation while a sphere goes in and out in half a sine wave, at first with this speed (m/s).
 pub fn hysteresis(
-    body: &Body,
+    body: &ContactBody,
     kind: &SphereKind,
     units: Units,
     speed_m_s: f64,
@@ -197,7 +197,7 @@ pub fn hysteresis(
 }
 
 /// The default duration of a drop, s: 20 √(R/g) of the slowest body.
-pub fn default_duration(bodies: &[Body]) -> Result<f64, Failure> {
+pub fn default_duration(bodies: &[ContactBody]) -> Result<f64, Failure> {
     let mut longest = 0.0_f64;
     for body in bodies {
         longest = longest.max(DROP_TIME_UNITS * time_unit(body)?);
@@ -205,14 +205,14 @@ pub fn default_duration(bodies: &[Body]) -> Result<f64, Failure> {
     Ok(longest)
 }
 
-fn time_unit(body: &Body) -> Result<f64, Failure> {
+fn time_unit(body: &ContactBody) -> Result<f64, Failure> {
     let weight = body.weight()?;
     let from_ground = drop_test(body, 0.0, 1.0, 2)?;
     Ok((from_ground.reference_radius_m() / weight.gravity_m_s2).sqrt())
 }
 
 /// Force over body weight against time in a drop.
-pub fn drop_force(body: &Body, height: DropHeight, duration_s: f64) -> Result<DropSeries, Failure> {
+pub fn drop_force(body: &ContactBody, height: DropHeight, duration_s: f64) -> Result<DropSeries, Failure> {
     let samples = sample_count(&run_drop_test(body, height, duration_s, 2)?, body.weight()?, duration_s);
     let report = run_drop_test(body, height, duration_s, samples)?;
     let force = |sample: &Sample| (sample.time_s, sample.force_n / report.body_weight_n);
@@ -241,7 +241,7 @@ fn sample_count(report: &DropReport, weight: &Weight, duration_s: f64) -> usize 
 }
 
 pub fn run_drop_test(
-    body: &Body,
+    body: &ContactBody,
     height: DropHeight,
     duration_s: f64,
     samples: usize,
@@ -254,7 +254,12 @@ pub fn run_drop_test(
     test.run().map_err(|error| body.failure(&error))
 }
 
-fn drop_test(body: &Body, height_m: f64, duration_s: f64, samples: usize) -> Result<DropTest, Failure> {
+fn drop_test(
+    body: &ContactBody,
+    height_m: f64,
+    duration_s: f64,
+    samples: usize,
+) -> Result<DropTest, Failure> {
     let weight = body.weight()?;
     let values = DropValues {
         mass_kg: weight.mass_kg,
@@ -266,6 +271,6 @@ fn drop_test(body: &Body, height_m: f64, duration_s: f64, samples: usize) -> Res
     DropTest::new(weight.spheres.iter().copied(), values).map_err(|error| body.failure(&error))
 }
 
-fn law(body: &Body, kind: &SphereKind) -> Result<Law, Failure> {
+fn law(body: &ContactBody, kind: &SphereKind) -> Result<Law, Failure> {
     Law::of(&kind.contact, kind.radius_m).map_err(|error| body.failure(&error))
 }

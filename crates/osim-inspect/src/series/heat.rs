@@ -6,7 +6,7 @@ use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{DropHeight, HeatQuantity, PlotRequest, Positive};
 
-use crate::series::body::{Body, SphereKind};
+use crate::series::body::{ContactBody, SphereKind};
 use crate::series::curves::impact_speed;
 use crate::series::sampling::Point;
 
@@ -74,7 +74,7 @@ const SAME_QUANTITY: f64 = 1e-9;
 ///
 /// # Errors
 /// The body has several kinds.
-fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
+fn only_kind(body: &ContactBody) -> Result<&SphereKind, Failure> {
     match body.kinds.as_slice() {
         [kind] => Ok(kind),
         kinds => {
@@ -95,7 +95,7 @@ fn only_kind(body: &Body) -> Result<&SphereKind, Failure> {
 /// # Errors
 /// The body has several contacts, its weight is not known, or its contact has no dissipation to multiply.
 pub fn heat(
-    body: &Body,
+    body: &ContactBody,
     request: &HeatRequest,
     x: impl FnOnce(f64) -> Vec<f64>,
     y: impl FnOnce(f64) -> Vec<f64>,
@@ -154,7 +154,7 @@ struct Sweep<'s> {
 }
 
 impl<'s> Sweep<'s> {
-    fn new(body: &'s Body, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
+    fn new(body: &'s ContactBody, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
         let weight = body.weight()?;
         let height_m = request.height.metres(kind.radius_m);
         let impact_speed_m_s = impact_speed(body, kind, request.height)?;

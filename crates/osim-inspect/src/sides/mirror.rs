@@ -158,7 +158,7 @@ struct SameName {
 }
 
 impl SameName {
-    fn both(&self) -> Option<(&str, &str)> {
+    fn left_and_right(&self) -> Option<(&str, &str)> {
         Some((self.right.as_deref()?, self.left.as_deref()?))
     }
 }
@@ -194,7 +194,7 @@ impl BodyPairs {
     /// The pair to which `body` belongs; `None` if it has no counterpart.
     pub(crate) fn pair(&self, body: &str, bones: &BoneSizes<'_>) -> Option<BodyPair<'_>> {
         let bodies = self.by_name.get(&without_side(body))?;
-        let (right, left) = bodies.both()?;
+        let (right, left) = bodies.left_and_right()?;
         let bone_m =
             [right, left].into_iter().filter_map(|body| bones.longest_bone_of_limb_m(body)).reduce(f64::max);
         let sizes = bones.ratios(left, right).map(DVec3::from);

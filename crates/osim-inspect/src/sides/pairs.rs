@@ -133,7 +133,7 @@ impl<'m> UnpairedOfBodies<'m> {
         let Some(images) = images else { return Vec::new() };
         let others: Vec<DVec3> = self.left.iter().map(|placed| placed.place_m).collect();
         let pairs = pair_nearest(&images, &others, within_m);
-        take(&mut self.right, &mut self.left, &pairs)
+        take_matched(&mut self.right, &mut self.left, &pairs)
     }
 
     fn into_unpaired(self) -> impl Iterator<Item = UnpairedSphere<'m>> {
@@ -152,11 +152,11 @@ fn take_same_names<T: Copy>(right: &mut Vec<T>, left: &mut Vec<T>, name: impl Fn
     }
     let pair = |(index, one): (usize, &T)| Some((right_by_name.remove(&without_side(name(one)))?, index));
     let pairs: Vec<(usize, usize)> = left.iter().enumerate().filter_map(pair).collect();
-    take(right, left, &pairs)
+    take_matched(right, left, &pairs)
 }
 
 /// Takes pairs, by their indices, out of both lists.
-fn take<T: Copy>(right: &mut Vec<T>, left: &mut Vec<T>, pairs: &[(usize, usize)]) -> Vec<(T, T)> {
+fn take_matched<T: Copy>(right: &mut Vec<T>, left: &mut Vec<T>, pairs: &[(usize, usize)]) -> Vec<(T, T)> {
     let taken = pairs.iter().filter_map(|&(r, l)| Some((*right.get(r)?, *left.get(l)?))).collect();
     let keep = |list: &mut Vec<T>, gone: std::collections::HashSet<usize>| {
         let mut index = 0..;

@@ -35,19 +35,19 @@ fn figures(text: &str) -> Figures {
 }
 
 /// The figures of the first sphere.
-fn first(figures: &Figures) -> &SphereFigures {
+fn first_sphere(figures: &Figures) -> &SphereFigures {
     figures.spheres().next().unwrap()
 }
 
 #[track_caller]
-fn near(value: f64, expected: f64, what: &str) {
+fn assert_near(value: f64, expected: f64, what: &str) {
     assert!((value - expected).abs() <= 1e-13 * expected.abs(), "{what}: {value}, expected {expected}");
 }
 
 #[track_caller]
 fn assert_figures(sphere: &SphereFigures, expected: &[(Figure, f64)]) {
     for &(figure, expected) in expected {
-        near(sphere.value(figure).unwrap(), expected, &format!("{figure:?} of {}", sphere.sphere));
+        assert_near(sphere.value(figure).unwrap(), expected, &format!("{figure:?} of {}", sphere.sphere));
     }
 }
 
@@ -132,13 +132,13 @@ fn on_a_slope_the_part_of_the_weight_along_its_normal_presses() {
         assert!(text.contains(&orientation));
         figures(&text)
     };
-    let value = |figures: &Figures, figure| first(figures).value(figure).unwrap();
+    let value = |figures: &Figures, figure| first_sphere(figures).value(figure).unwrap();
     let level = figures(&foot(&[HEEL]));
     // The normal of a half-space that is turned by a about z is (-cos a, -sin a, 0), and sin 0.927295... = 0.8.
     for angles in ["0 0 -0.9272952180016122", "0 0 -2.214297435588181"] {
         let slope = turned(angles);
-        near(value(&slope, Figure::Load), 0.8 * 600.0, angles);
-        near(value(&slope, Figure::RestitutionExact), value(&level, Figure::RestitutionExact), angles);
+        assert_near(value(&slope, Figure::Load), 0.8 * 600.0, angles);
+        assert_near(value(&slope, Figure::RestitutionExact), value(&level, Figure::RestitutionExact), angles);
         // x grows with load^(2/3), (3).
         let x = value(&level, Figure::Indentation) * 0.8_f64.powf(2.0 / 3.0);
         assert!((value(&slope, Figure::Indentation) - x).abs() < 1e-12);
@@ -178,12 +178,12 @@ fn spheres_of_two_heights_share_the_load_by_how_deep_each_is() {
 #[test]
 fn an_impact_is_a_fall_from_a_quarter_of_the_mean_radius() {
     // R² is the mean of 0.05² and 0.03², 0.0017; √(10 √0.0017 / 2).
-    near(figures(&foot(&[HEEL, TOE])).impact_speed_m_s.unwrap(), 0.454_043_259_261_585_2, "speed");
+    assert_near(figures(&foot(&[HEEL, TOE])).impact_speed_m_s.unwrap(), 0.454_043_259_261_585_2, "speed");
     let given = Stance { impact_speed_m_s: Some(0.7), ..Stance::default() };
     let seen = inspect_with(&foot(&[HEEL, TOE]), given).figures;
     assert_eq!(seen.impact_speed_m_s, Some(0.7));
     // 1 − 0.3 s/m · 0.7 m/s.
-    near(first(&seen).value(Figure::RestitutionApproximate).unwrap(), 0.79, "restitution");
+    assert_near(first_sphere(&seen).value(Figure::RestitutionApproximate).unwrap(), 0.79, "restitution");
 }
 
 #[test]
@@ -197,14 +197,14 @@ fn spheres_beside_those_of_the_limb_take_their_share() {
         (Figure::LevelIndentationAtTwo, 0.176_379_512_541_541_36),
         (Figure::NaturalFrequency, 7.903_789_067_342_769),
     ];
-    assert_figures(first(&seen), &expected);
+    assert_figures(first_sphere(&seen), &expected);
 }
 
 #[test]
 fn a_sphere_that_two_forces_press_has_the_sum_of_their_forces_and_the_most_of_their_smoothing() {
     let softer = TWO_FORCES.replacen(">1.5e-05<", ">1e-05<", 1).replacen(">310<", ">155<", 1);
     let figures = figures(&softer);
-    let sphere = first(&figures);
+    let sphere = first_sphere(&figures);
     assert_eq!(sphere.forces, ["contact_1", "contact_2"]);
     // E* = (1.2345678 + 2) MPa / 2^(3/2); √1.5e-5 and ln 19 / 155 over 0.0325 m; (C.9) at x = 0 of both.
     let expected = [
@@ -225,13 +225,13 @@ fn a_force_without_smoothing_carries_nothing_while_it_just_touches() {
         (Figure::ConstantIndentation, 0.119_168_718_344_843_6),
         (Figure::ForceJustTouching, 12.644_126_080_384_072),
     ];
-    assert_figures(first(&figures), &expected);
+    assert_figures(first_sphere(&figures), &expected);
 }
 
 #[test]
 fn forces_of_different_dissipation_on_one_sphere_have_no_restitution() {
     let figures = figures(&TWO_FORCES.replacen("<dissipation>2.25<", "<dissipation>2<", 1));
-    let sphere = first(&figures);
+    let sphere = first_sphere(&figures);
     for figure in [Figure::Dissipation, Figure::RestitutionExact, Figure::RestitutionApproximate] {
         assert_eq!(sphere.value(figure), None, "{figure:?}");
         assert_eq!(sphere.is_within(figure), None, "{figure:?}");
@@ -241,7 +241,7 @@ fn forces_of_different_dissipation_on_one_sphere_have_no_restitution() {
 #[test]
 fn a_hunt_crossley_force_has_no_figures_of_smoothing() {
     let figures = figures(HUNT_CROSSLEY);
-    let sphere = first(&figures);
+    let sphere = first_sphere(&figures);
     for figure in [
         Figure::ConstantIndentation,
         Figure::TransitionWidth,
@@ -289,7 +289,7 @@ fn spheres_are_in_their_own_order_not_in_that_of_their_forces() {
     let figures = figures(&format!("{spheres}{swapped}"));
     let named: Vec<&str> = figures.spheres().map(|sphere| sphere.sphere.as_str()).collect();
     assert_eq!(named, ["heel_r", "toe_r"]);
-    assert_eq!(first(&figures).forces, ["contact_toe_r"]);
+    assert_eq!(first_sphere(&figures).forces, ["contact_toe_r"]);
 }
 
 #[test]
@@ -303,7 +303,7 @@ fn spheres_that_are_alike_stand_level_with_equal_shares_to_the_last_bit() {
             (Figure::LevelIndentationAtTwo, Figure::IndentationAtTwo),
             (Figure::LevelIndentationModelLawAtTwo, Figure::IndentationModelLawAtTwo),
         ] {
-            let sphere = first(&figures);
+            let sphere = first_sphere(&figures);
             assert!(sphere.value(level).is_some());
             assert_eq!(sphere.value(level), sphere.value(equal), "{level:?} of {count}");
         }
@@ -357,7 +357,7 @@ fn a_gravity_that_pulls_nothing_is_none() {
     // On the moon the same foot weighs 60 · 1.62 N.
     let moon = Stance { gravity_m_s2: Some(1.62), ..Stance::default() };
     let seen = inspect_with(&foot(&[HEEL]), moon).figures;
-    near(first(&seen).value(Figure::Load).unwrap(), 97.2, "load");
+    assert_near(first_sphere(&seen).value(Figure::Load).unwrap(), 97.2, "load");
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{Figure, InspectOptions, LoadSharing, Stance};
 use osim_model::files::Failure;
 use osim_model::{CountedSpheres, Fault, ForceId, Model, Pattern, Selection};
@@ -48,7 +48,8 @@ fn what_falls_weighs_the_same_on_chosen_spheres() {
     let failed = |fault: Fault| Failure::outside("human.osim", "plot", fault.to_string());
     for pattern in ["*", "contact_s1_*", "contact_s3_r"] {
         let body =
-            Body::from_inspected_model("human".to_owned(), &model, &selecting(pattern), &failed).unwrap();
+            ContactBody::from_inspected_model("human".to_owned(), &model, &selecting(pattern), &failed)
+                .unwrap();
         let weight = body.weight().unwrap();
         let carried: f64 = weight.spheres.iter().map(contact_scaling::Spheres::count).sum();
         assert_eq!((weight.sphere_count, carried), (6.0, 6.0), "{pattern}");

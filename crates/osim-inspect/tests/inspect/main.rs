@@ -5,6 +5,7 @@
 #[allow(dead_code, unreachable_pub, reason = "osim-planning has these feet, too")]
 mod feet;
 mod figures;
+mod fixed_to_ground;
 mod load_sharing;
 mod loops;
 mod names;
@@ -14,5 +15,4 @@ mod places;
 mod random;
 mod register;
 mod rules;
-mod scenery;
 mod sides;

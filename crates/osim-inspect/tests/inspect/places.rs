@@ -57,7 +57,7 @@ fn moved(text: &str, change: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> String {
     new
 }
 
-fn found(text: &str) -> BTreeSet<FindingCode> {
+fn finding_codes(text: &str) -> BTreeSet<FindingCode> {
     model_findings(&Model::parse(text).unwrap()).iter().map(Finding::code).collect()
 }
 
@@ -65,7 +65,7 @@ fn found(text: &str) -> BTreeSet<FindingCode> {
 #[track_caller]
 fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 3]) -> [f64; 3]) {
     let models = published();
-    let not_named = models.iter().filter(|(_, text)| !found(&moved(text, &change)).contains(&code));
+    let not_named = models.iter().filter(|(_, text)| !finding_codes(&moved(text, &change)).contains(&code));
     let not_named: Vec<&str> = not_named.map(|(name, _)| name.as_str()).collect();
     let expected: Vec<&str> = if models.is_empty() { Vec::new() } else { spared.to_vec() };
     assert_eq!(not_named, expected, "of {} models", models.len());
@@ -75,8 +75,8 @@ fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 
 fn places_that_are_as_published_are_not_named() {
     let judged = [FindingCode::OddPlace, FindingCode::CrowdedSpheres, FindingCode::LeftRightSwapped];
     for (name, text) in published() {
-        assert!(found(&text).is_disjoint(&judged.into()), "{name}");
-        assert_eq!(found(&moved(&text, |_, place| place)), found(&text), "{name}");
+        assert!(finding_codes(&text).is_disjoint(&judged.into()), "{name}");
+        assert_eq!(finding_codes(&moved(&text, |_, place| place)), finding_codes(&text), "{name}");
     }
 }
 

@@ -21,7 +21,7 @@ fn figures(text: &str) -> Figures {
 }
 
 /// The figures of the first sphere.
-fn first(figures: &Figures) -> &SphereFigures {
+fn first_sphere(figures: &Figures) -> &SphereFigures {
     figures.spheres().next().unwrap()
 }
 
@@ -32,7 +32,7 @@ fn check(checks: &[LimitCheck], figure: Figure) -> &LimitCheck {
 #[test]
 fn each_limit_is_compared_with_its_figure() {
     let figures = figures(&foot(&[HEEL, TOE]));
-    let checks: Vec<LimitCheck> = first(&figures).limits().collect();
+    let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
     let limited: Vec<&str> = checks.iter().map(|check| check.figure).collect();
     let indentations = Figure::ALL.iter().map(|figure| figure.info().name);
     // Depths at the default pose say as much about the pose as about the contacts.
@@ -49,25 +49,25 @@ fn each_limit_is_compared_with_its_figure() {
     ] {
         let check = check(&checks, figure);
         assert_eq!((check.limit, check.within_limit), (limit, within), "{figure:?}");
-        assert_eq!(check.value, first(&figures).value(figure));
+        assert_eq!(check.value, first_sphere(&figures).value(figure));
     }
-    assert_eq!(first(&figures).is_within(Figure::Load), None, "it has no limit");
+    assert_eq!(first_sphere(&figures).is_within(Figure::Load), None, "it has no limit");
 }
 
 #[test]
 fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
     // 1 − 2.25 · 0.454 is −0.02 by (13).
     let figures = figures(&foot(&[Smooth { dissipation: 2.25, ..HEEL }, TOE]));
-    let checks: Vec<LimitCheck> = first(&figures).limits().collect();
+    let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
     let check = check(&checks, Figure::RestitutionApproximate);
     assert_eq!((check.value, check.within_limit), (None, false));
-    assert!(first(&figures).value(Figure::RestitutionExact).unwrap() > 0.0);
+    assert!(first_sphere(&figures).value(Figure::RestitutionExact).unwrap() > 0.0);
 }
 
 #[test]
 fn what_is_not_known_is_in_no_list_of_limits() {
     let figures = figures(NO_SIDES);
-    let limited: Vec<&str> = first(&figures).limits().map(|check| check.figure).collect();
+    let limited: Vec<&str> = first_sphere(&figures).limits().map(|check| check.figure).collect();
     assert_eq!(limited, ["restitution_approximate", "constant_indentation", "transition_width"]);
 }
 
@@ -83,7 +83,7 @@ fn the_schema_of_a_sphere_lists_exactly_what_is_serialised() {
     let required = schema.get("required").and_then(|all| all.as_array()).unwrap();
     assert_eq!(required.iter().map(|name| name.as_str().unwrap()).collect::<Vec<_>>(), expected);
     let inspected = self::figures(&foot(&[HEEL, TOE]));
-    let serialised = serde_json::to_value(first(&inspected)).unwrap();
+    let serialised = serde_json::to_value(first_sphere(&inspected)).unwrap();
     let serialised = serialised.as_object().unwrap();
     assert_eq!(serialised.keys().collect::<Vec<_>>(), expected);
     assert_eq!(schema.get("additionalProperties"), Some(&false.into()));
@@ -120,7 +120,7 @@ fn a_table_heads_a_figure_with_unit_and_equation() {
 #[test]
 fn a_sphere_is_serialised_with_its_numbers_and_limits() {
     let figures = figures(NO_SIDES);
-    let json = serde_json::to_value(first(&figures)).unwrap();
+    let json = serde_json::to_value(first_sphere(&figures)).unwrap();
     assert_eq!(json["sphere"], "heel_a");
     assert_eq!(json["path"], "/contactgeometryset/heel_a");
     assert_eq!(json["forces"], serde_json::json!(["contact_heel_a"]));

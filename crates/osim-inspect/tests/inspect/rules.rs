@@ -84,7 +84,7 @@ fn a_set_beside_its_model_shows_what_the_model_shows() {
 }
 
 /// The findings about numbers of the one sphere's location, or of gravity where `tag` is that.
-fn found(tag: &str, text: &str) -> Vec<(&'static str, String)> {
+fn codes_and_messages(tag: &str, text: &str) -> Vec<(&'static str, String)> {
     let (radius, gravity) = ("<radius>0.03</radius>", "<gravity>0 -9.81 0</gravity>");
     let element = format!("<{tag}>{text}</{tag}>");
     let model = match tag {
@@ -105,11 +105,15 @@ fn found(tag: &str, text: &str) -> Vec<(&'static str, String)> {
 #[test]
 fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
     for plain in ["0 -9.8 0", "1, 2, 3", "+1 .5 1e-3", " 1\u{b}2 3 "] {
-        assert_eq!((found("location", plain), found("gravity", plain)), (vec![], vec![]), "{plain}");
+        assert_eq!(
+            (codes_and_messages("location", plain), codes_and_messages("gravity", plain)),
+            (vec![], vec![]),
+            "{plain}"
+        );
     }
     // Of these OpenSim reads nothing, and takes its default.
     for text in ["0,-9.8,0", "(0 -9.8 0)", "0 -9.8", "0 1 2 3", "0\u{a0}1 2", "0 1 x", "", "0 1 2&#32;"] {
-        let (location, gravity) = (found("location", text), found("gravity", text));
+        let (location, gravity) = (codes_and_messages("location", text), codes_and_messages("gravity", text));
         assert_eq!((location.len(), gravity.len()), (1, 1), "{text}");
         assert_eq!((location[0].0, gravity[0].0), ("odd-number", "odd-number"), "{text}");
         assert!(location[0].1.ends_with("which OpenSim reads as 0 0 0"), "{}", location[0].1);
@@ -119,12 +123,15 @@ fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
     for (text, read) in [("0,5 1 2", "0 1 2"), ("1x 2 3", "1 2 3"), ("1 2 3 4 5 6", "1 2 3")] {
         let said =
             format!("location of /contactgeometryset/heel_r is '{text}', which OpenSim reads as {read}");
-        assert_eq!(found("location", text), [("odd-number", said)]);
-        assert_eq!(found("gravity", text).len(), 1);
+        assert_eq!(codes_and_messages("location", text), [("odd-number", said)]);
+        assert_eq!(codes_and_messages("gravity", text).len(), 1);
     }
     let said = "location of /contactgeometryset/heel_r is 1 NaN 3".to_owned();
-    assert_eq!(found("location", "1 nan 3"), [("not-finite", said)]);
-    assert_eq!(found("gravity", "0 -inf 0"), [("not-finite", "gravity of the model is 0 -inf 0".to_owned())]);
+    assert_eq!(codes_and_messages("location", "1 nan 3"), [("not-finite", said)]);
+    assert_eq!(
+        codes_and_messages("gravity", "0 -inf 0"),
+        [("not-finite", "gravity of the model is 0 -inf 0".to_owned())]
+    );
 }
 
 #[test]

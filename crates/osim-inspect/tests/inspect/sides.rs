@@ -228,7 +228,7 @@ fn spheres_at_one_place_are_an_error() {
 }
 
 /// `text` in which the numbers of `property` of the object are `factor` times as large.
-fn times(text: &str, object: (&str, &str), property: &str, factor: f64) -> String {
+fn with_property_multiplied(text: &str, object: (&str, &str), property: &str, factor: f64) -> String {
     let own = element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
     let old = &own[start..start + own[start..].find('<').unwrap()];
@@ -241,12 +241,12 @@ fn times(text: &str, object: (&str, &str), property: &str, factor: f64) -> Strin
 fn larger_left_foot(factor: f64, with_bones: bool) -> String {
     let mut text = HUMAN.to_owned();
     for name in ["heel_l", "ball_l", "toe_l"] {
-        text = times(&text, (SPHERE, name), "radius", factor);
-        text = times(&text, (SPHERE, name), "location", factor);
+        text = with_property_multiplied(&text, (SPHERE, name), "radius", factor);
+        text = with_property_multiplied(&text, (SPHERE, name), "location", factor);
     }
-    text = times(&text, ("PhysicalOffsetFrame", "calcn_l_ball"), "translation", factor);
+    text = with_property_multiplied(&text, ("PhysicalOffsetFrame", "calcn_l_ball"), "translation", factor);
     for name in ["calcn_l", "toes_l"].iter().filter(|_| with_bones) {
-        text = times(&text, ("Body", name), "scale_factors", factor);
+        text = with_property_multiplied(&text, ("Body", name), "scale_factors", factor);
     }
     text
 }
@@ -275,10 +275,10 @@ fn parameters_that_follow_other_radii_are_right() {
     // (10) at one mass: E* goes with R^-2. The speeds and friction stay.
     let mut text = larger_left_foot(1.5, true);
     for name in ["contact_heel_l", "contact_ball_l", "contact_toe_l"] {
-        text = times(&text, (SMOOTH, name), "stiffness", 1.0 / (1.5 * 1.5));
+        text = with_property_multiplied(&text, (SMOOTH, name), "stiffness", 1.0 / (1.5 * 1.5));
     }
     assert_found(&text, &[]);
-    let text = times(&text, (SMOOTH, "contact_toe_l"), "stiffness", 1.5);
+    let text = with_property_multiplied(&text, (SMOOTH, "contact_toe_l"), "stiffness", 1.5);
     assert_found(&text, &[FindingCode::LeftRightDiffer]);
 }
 
@@ -328,8 +328,9 @@ fn radii_places_and_friction_in_other_units_are_named() {
         "{found}"
     );
     let places = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
-    let in_mm =
-        places.iter().fold(HUMAN.to_owned(), |text, name| times(&text, (SPHERE, name), "location", 1000.0));
+    let in_mm = places.iter().fold(HUMAN.to_owned(), |text, name| {
+        with_property_multiplied(&text, (SPHERE, name), "location", 1000.0)
+    });
     assert_found(&in_mm, &[FindingCode::OddPlace]);
     let per_cent = HUMAN.replace("<static_friction>0.80000000000000004<", "<static_friction>80<");
     assert_found(&per_cent, &[FindingCode::LargeFriction]);
@@ -342,7 +343,7 @@ fn radii_places_and_friction_in_other_units_are_named() {
 const SPHERES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
 
 /// `text` with the place of a sphere moved along z, m.
-fn aside(text: &str, name: &str, by_m: f64) -> String {
+fn with_sphere_moved(text: &str, name: &str, by_m: f64) -> String {
     let own = element(text, SPHERE, name);
     let start = own.find("<location>").unwrap() + "<location>".len();
     let old = &own[start..start + own[start..].find('<').unwrap()];
@@ -355,8 +356,9 @@ fn aside(text: &str, name: &str, by_m: f64) -> String {
 #[test]
 fn places_aside_and_in_thousandths_are_named() {
     // Outwards on both sides, so that they are mirror images; the ball is in a frame that is turned.
-    let outwards =
-        |text: String, name: &&str| aside(&text, name, if name.ends_with("_r") { 0.2 } else { -0.2 });
+    let outwards = |text: String, name: &&str| {
+        with_sphere_moved(&text, name, if name.ends_with("_r") { 0.2 } else { -0.2 })
+    };
     let text = ["heel_r", "toe_r", "heel_l", "toe_l"].iter().fold(HUMAN.to_owned(), outwards);
     assert_found(&text, &[FindingCode::OddPlace]);
     let found = message(&text, FindingCode::OddPlace);
@@ -365,13 +367,15 @@ fn places_aside_and_in_thousandths_are_named() {
         "{found}"
     );
     // 0.05 m are the width of a foot.
-    let outwards =
-        |text: String, name: &&str| aside(&text, name, if name.ends_with("_r") { 0.05 } else { -0.05 });
+    let outwards = |text: String, name: &&str| {
+        with_sphere_moved(&text, name, if name.ends_with("_r") { 0.05 } else { -0.05 })
+    };
     assert_found(&["heel_r", "heel_l"].iter().fold(HUMAN.to_owned(), outwards), &[]);
 
     let places = (1..=6).flat_map(|number| [format!("s{number}_r"), format!("s{number}_l")]);
-    let text =
-        places.fold(PUBLISHED.to_owned(), |text, name| times(&text, (SPHERE, &name), "location", 0.001));
+    let text = places.fold(PUBLISHED.to_owned(), |text, name| {
+        with_property_multiplied(&text, (SPHERE, &name), "location", 0.001)
+    });
     assert_found(&text, &[FindingCode::CrowdedSpheres]);
     let found = message(&text, FindingCode::CrowdedSpheres);
     // The toes' spheres are 15 mm apart in x and 80.617 mm in z, and the calcaneus is 163.42 mm long.

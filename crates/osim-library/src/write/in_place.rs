@@ -299,7 +299,7 @@ mod tests {
     }
 
     /// Leaves the displaced file as a killed process would.
-    fn left(in_place: ExchangedModel<'_>) -> PathBuf {
+    fn kept_path(in_place: ExchangedModel<'_>) -> PathBuf {
         let path = in_place.displaced.as_ref().unwrap().path().to_owned();
         let name = path.file_name().unwrap().to_str().unwrap();
         assert!(name.starts_with("model.osim.replaced-"), "{name}");
@@ -314,7 +314,7 @@ mod tests {
         {
             let folder = tempfile::tempdir().unwrap();
             let (_, successor) = prepared_successor(folder.path());
-            let left = left(successor.take_place().unwrap());
+            let left = kept_path(successor.take_place().unwrap());
             std::fs::write(&left, saved).unwrap();
             let expected = kept.map(|name| folder.path().join(name));
             assert_eq!(exchange::settle_leftover(&left), expected);

@@ -10,7 +10,7 @@ use crate::model::files::FileError;
 /// Why bones cannot be read or spheres not be laid.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FeetFault {
-    #[error("there is no body {body}, the model has {}", shown(.bodies))]
+    #[error("there is no body {body}, the model has {}", listed_names(.bodies))]
     NoBody { body: String, bodies: Vec<String> },
     /// Nothing is known about the form of a body.
     #[error(
@@ -64,7 +64,7 @@ pub enum FeetFault {
     /// Bottoms would be closer than 1 mm.
     #[error(
         "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
-        shown(.bodies)
+        listed_names(.bodies)
     )]
     TooManySpheres {
         bodies: Vec<String>,
@@ -107,7 +107,7 @@ impl FeetFault {
 /// Names that are shown at most, so that a message stays readable.
 const MOST_NAMES_SHOWN: usize = 20;
 
-fn shown(names: &[String]) -> String {
+fn listed_names(names: &[String]) -> String {
     listed(names, MOST_NAMES_SHOWN)
 }
 

@@ -353,7 +353,7 @@ fn where_limbs_are_not_known_it_says_why_and_guesses_nothing() {
 }
 
 #[test]
-fn masses_are_summed_in_file_order_without_ground_and_scenery() {
+fn masses_are_summed_in_file_order_without_ground_and_fixed_bodies() {
     for (file, kg) in [
         ("left_out_smoothing", 61.5),
         ("v20001", 61.5),

@@ -102,7 +102,7 @@ impl TakenNames {
     pub(super) fn of(model: &Model) -> Self {
         let geometry = model.spheres().iter().map(|sphere| sphere.name.clone());
         let planes = model.half_spaces().into_iter().map(|plane| plane.name);
-        let members = ["ContactGeometrySet", "ForceSet"].into_iter().flat_map(|set| members(model, set));
+        let members = ["ContactGeometrySet", "ForceSet"].into_iter().flat_map(|set| names_in_set(model, set));
         let mut taken: HashSet<String> = geometry.chain(planes).chain(members).collect();
         let document = model.document();
         for element in geometry_references(document) {
@@ -134,7 +134,7 @@ pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<(), Faul
     )))
 }
 
-fn members(model: &Model, set: &str) -> Vec<String> {
+fn names_in_set(model: &Model, set: &str) -> Vec<String> {
     let document = model.document();
     let tree = document.tree();
     let objects = tree.child(document.data_root(), set).and_then(|set| tree.child(set, "objects"));

@@ -11,7 +11,7 @@ const SMOOTH: &str = "table1/human_62kg_smooth_sphere.osim";
 const HUNT_CROSSLEY: &str = "scale_tool/generic_hunt_crossley.osim";
 
 /// The fixture with a note that its contacts were made for 62 kg.
-fn noted(name: &str) -> String {
+fn with_note(name: &str) -> String {
     let model = Model::parse(fixture(name)).unwrap();
     let plan = note(&model, 62.0, Some(9.81), None).unwrap();
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
@@ -27,13 +27,13 @@ fn edited(text: &str, edits: &[(&str, &str)]) -> Model {
     Model::parse(text).unwrap()
 }
 
-fn nothing() -> ChangedSinceNote {
+fn no_change() -> ChangedSinceNote {
     ChangedSinceNote::default()
 }
 
 #[track_caller]
 fn assert_properties(changed: &ChangedSinceNote, expected: &[Property], what: &str) {
-    let mut all = nothing();
+    let mut all = no_change();
     all.contacts.properties.extend(expected);
     assert_eq!(*changed, all, "{what}");
 }
@@ -42,8 +42,8 @@ fn assert_properties(changed: &ChangedSinceNote, expected: &[Property], what: &s
 #[test]
 fn the_property_that_changed_is_named() {
     for name in [SMOOTH, HUNT_CROSSLEY] {
-        let text = noted(name);
-        assert_eq!(Model::parse(text.clone()).unwrap().changed_since_note(), nothing());
+        let text = with_note(name);
+        assert_eq!(Model::parse(text.clone()).unwrap().changed_since_note(), no_change());
         let mut found = 0;
         for property in Property::ALL.into_iter().filter(|property| *property != Property::Radius) {
             let open = format!("<{}>", property.name());
@@ -61,7 +61,7 @@ fn the_property_that_changed_is_named() {
 
 #[test]
 fn all_that_changed_is_named_together() {
-    let text = noted(SMOOTH);
+    let text = with_note(SMOOTH);
     let both =
         edited(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")]).changed_since_note();
     let ChangedContacts { radii: true, places: false, exchanged: false, properties, .. } = both.contacts
@@ -75,7 +75,7 @@ fn all_that_changed_is_named_together() {
 
 #[test]
 fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
-    let text = noted(SMOOTH);
+    let text = with_note(SMOOTH);
     let (_, spheres) = text.split_once("<ContactSphere name=").unwrap();
     let (location, _) = spheres.split_once("<location>").unwrap().1.split_once('<').unwrap();
     let model = edited(&text, &[(&format!("<location>{location}<"), "<location>1 1 1<")]);
@@ -90,7 +90,7 @@ fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
 /// A new name changes no number: the note can be relied on, and the spheres are where they were.
 #[test]
 fn new_names_alone_are_named_and_put_nothing_in_doubt() {
-    let text = noted(SMOOTH);
+    let text = with_note(SMOOTH);
     let plain = Model::parse(text.clone()).unwrap();
     let (sphere, force) = (plain.spheres()[0].name.clone(), plain.forces()[0].name.clone());
     for (name, of_spheres) in [(sphere, true), (force, false)] {
@@ -109,7 +109,7 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
 
 #[test]
 fn contacts_that_went_are_counted() {
-    let text = noted(SMOOTH);
+    let text = with_note(SMOOTH);
     let start = text.rfind("<SmoothSphereHalfSpaceForce ").unwrap();
     let end = text.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();
     let count = Model::parse(text.clone()).unwrap().forces().len();

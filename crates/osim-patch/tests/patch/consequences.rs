@@ -15,13 +15,13 @@ fn mass(kg: f64) -> Mass {
 }
 
 /// A request from 10 kg to 80 kg: twice the length, to the last bit.
-fn wanted() -> Rescale {
+fn rescale_to_80_kg() -> Rescale {
     Rescale::new(80.0, mass(10.0))
 }
 
 fn try_rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Result<Plan, Fault> {
     let model = Model::parse(text.as_bytes()).unwrap();
-    let mut wanted = wanted();
+    let mut wanted = rescale_to_80_kg();
     change(&mut wanted);
     rescale(&model, &Selection::default().apply(&model).unwrap(), &wanted)
 }
@@ -190,5 +190,5 @@ fn contacts_in_an_included_file_are_read_and_refused() {
     let model = Model::read_with(document, companions.collect()).unwrap();
     assert!(!model.forces().is_empty() && !model.spheres().is_empty());
     let selected = Selection::default().apply(&model).unwrap();
-    assert_eq!(rescale(&model, &selected, &wanted()).unwrap_err().code(), "included-file");
+    assert_eq!(rescale(&model, &selected, &rescale_to_80_kg()).unwrap_err().code(), "included-file");
 }

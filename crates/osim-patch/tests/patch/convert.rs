@@ -67,7 +67,7 @@ fn converted(text: &str, to: ForceKind) -> Converted {
 
 /// The force between `heel` and the half-space `plane`.
 #[track_caller]
-fn against<'m>(model: &'m Model, plane: &str) -> &'m Force {
+fn force_against<'m>(model: &'m Model, plane: &str) -> &'m Force {
     let meets = |force: &&Force| {
         force.sets.iter().flat_map(|set| model.half_spaces_of(set)).any(|own| own.name == plane)
     };
@@ -91,10 +91,10 @@ fn each_half_space_has_its_own_material() {
         for to in BOTH {
             let made = converted(&foot(&hunt("foot", "", &materials)), to);
             let model = made.rebuilt.model();
-            let own = against(model, "floor");
+            let own = force_against(model, "floor");
             assert_eq!((value(own, Property::Stiffness), value(own, Property::Dissipation)), (1e6, 2.0));
             assert_eq!(value(own, Property::StaticFriction), 0.8);
-            let other = against(model, "wall");
+            let other = force_against(model, "wall");
             for (property, wanted) in [
                 (Property::Stiffness, 1_569_720.9),
                 (Property::Dissipation, 1.350_667_0),

@@ -17,7 +17,7 @@ fn converted(text: &str, to: ForceKind) -> Result<Converted, osim_model::Fault> 
 }
 
 /// A second force like the first, on the same plane.
-fn two() -> String {
+fn two_feet() -> String {
     let text = old();
     let from = text.find("\t\t\t\t<SmoothSphereHalfSpaceForce").unwrap();
     let end = "</SmoothSphereHalfSpaceForce>\n";
@@ -30,7 +30,7 @@ fn two() -> String {
 #[test]
 fn sphere_and_plane_become_members_of_the_geometry_set() {
     for to in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
-        let made = converted(&two(), to).unwrap();
+        let made = converted(&two_feet(), to).unwrap();
         let model = made.rebuilt.model();
         assert!(!model.spheres().iter().any(Sphere::is_inside_force));
         let places: Vec<_> = model

@@ -10,7 +10,7 @@ use crate::given::fixture;
 
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
-fn assigned(text: &str, property: Property, value: Assignment) -> Result<Plan, osim_model::Fault> {
+fn assigned_plan(text: &str, property: Property, value: Assignment) -> Result<Plan, osim_model::Fault> {
     let model = Model::parse(text).unwrap();
     set(&model, &Selection::default().apply(&model).unwrap(), &Set::new(vec![(property, value)]))
 }
@@ -18,7 +18,7 @@ fn assigned(text: &str, property: Property, value: Assignment) -> Result<Plan, o
 #[test]
 fn the_message_names_property_line_and_where_the_number_comes_from() {
     // <stiffness>1000000</stiffness> times 1e305 is more than a double holds.
-    let fault = assigned(ONE_FOOT, Property::Stiffness, Assignment::Factor(1e305)).unwrap_err();
+    let fault = assigned_plan(ONE_FOOT, Property::Stiffness, Assignment::Factor(1e305)).unwrap_err();
     let line = ONE_FOOT.lines().position(|line| line.contains("<stiffness>")).unwrap() + 1;
     assert_eq!(fault.clone().located(ONE_FOOT.as_bytes()).position.map(|place| place.line), Some(line));
     assert_eq!(fault.code(), "out-of-domain");
@@ -27,7 +27,7 @@ fn the_message_names_property_line_and_where_the_number_comes_from() {
         "the new stiffness is inf, expected a finite number above 0: it comes from 1000000 times 1e305, what the request says"
     );
     // Less than the least number there is.
-    let fault = assigned(ONE_FOOT, Property::Radius, Assignment::Factor(5e-324)).unwrap_err();
+    let fault = assigned_plan(ONE_FOOT, Property::Radius, Assignment::Factor(5e-324)).unwrap_err();
     assert!(fault.to_string().contains("the new radius is 0, expected a finite number above 0"), "{fault}");
 }
 

@@ -13,7 +13,7 @@ fn patched(plan: &Plan, model: &Model) -> String {
 }
 
 /// The fixture with a note that its contacts were made for 62 kg.
-fn noted(name: &str) -> String {
+fn fixture_with_note(name: &str) -> String {
     let model = Model::parse(fixture(name)).unwrap();
     patched(&note(&model, 62.0, Some(9.81), None).unwrap(), &model)
 }
@@ -45,14 +45,14 @@ fn the_text_of_the_credits_stays_and_the_note_ends_it() {
         ("brackets", "[contacts made for fun]<", "[contacts made for fun]; NOTE<"),
     ] {
         let name = format!("format/credits_{name}.osim");
-        let with = noted(&name);
+        let with = fixture_with_note(&name);
         let text = String::from_utf8_lossy(&fixture(&name)).into_owned();
         let last = with.rfind("[contacts made for ").unwrap();
         let expected = text.replacen(before, after, 1);
         assert_ne!(expected, text, "{name}");
         assert_eq!(with.replacen(&note(&with[last..]), "NOTE", 1), expected, "{name}");
     }
-    let in_defaults = noted("format/credits_in_defaults.osim");
+    let in_defaults = fixture_with_note("format/credits_in_defaults.osim");
     assert!(in_defaults.contains("<credits>A. Default</credits></Model></defaults>"), "{in_defaults}");
     assert!(in_defaults.contains("</gravity>\n\t\t<credits>[contacts made for 62 kg"), "{in_defaults}");
 }
@@ -77,7 +77,7 @@ fn without_a_note_a_file_is_what_it_was_before_there_was_one() {
 #[test]
 fn a_note_is_replaced_and_says_the_same_as_before() {
     for name in credits_fixtures() {
-        let once = noted(&name);
+        let once = fixture_with_note(&name);
         let model = Model::parse(once.as_str()).unwrap();
         let (mass, _) = MassRequest::default().contacts_mass(&model).unwrap();
         assert_eq!((mass.kg, mass.source), (62.0, MassSource::Note), "{name}");
@@ -93,7 +93,7 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
 
 #[test]
 fn a_note_goes_on_saying_for_which_size_of_bones_the_spheres_are_placed() {
-    let generic = noted("scale_tool/generic_smooth.osim");
+    let generic = fixture_with_note("scale_tool/generic_smooth.osim");
     let sizes = |text: &str| Model::parse(text).unwrap().note.unwrap().sizes;
     assert!(!sizes(&generic).is_empty());
     // What OpenSim's scaling does to meshes: the note and the spheres stay.
@@ -118,7 +118,7 @@ fn what_open_sim_refuses_is_refused_with_its_place() {
 
 #[test]
 fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
-    let scaled = noted("scale_tool/generic_smooth.osim").replace(
+    let scaled = fixture_with_note("scale_tool/generic_smooth.osim").replace(
         "<scale_factors>1.01 1 1.02</scale_factors>",
         "<scale_factors>0.505 0.5 0.51</scale_factors>",
     );
@@ -199,7 +199,7 @@ fn operations(text: &str) -> Vec<String> {
 
 #[test]
 fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
-    let text = rescaled_again(&noted("table1/human_62kg_smooth_sphere.osim"), 124.0);
+    let text = rescaled_again(&fixture_with_note("table1/human_62kg_smooth_sphere.osim"), 124.0);
     assert_eq!(operations(&text), ["note", "rescale from 62"]);
     let edited = text.replacen("<dissipation>", "<dissipation>1", 1);
     let model = Model::parse(edited).unwrap();
@@ -210,7 +210,7 @@ fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
 
 #[test]
 fn the_first_and_the_latest_of_many_steps_are_kept() {
-    let first = noted("table1/human_62kg_smooth_sphere.osim");
+    let first = fixture_with_note("table1/human_62kg_smooth_sphere.osim");
     let text = (1..=12).fold(first, |text, step| rescaled_again(&text, 62.0 + f64::from(step)));
     let kept = operations(&text);
     assert_eq!((kept.len(), kept[0].as_str(), kept[7].as_str()), (8, "note", "rescale from 73"));

@@ -10,7 +10,7 @@ use osim_patch::{Plan, Rescale, rescale};
 
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
-fn wanted(target_mass_kg: f64, origin_kg: f64) -> Rescale {
+fn rescale_to(target_mass_kg: f64, origin_kg: f64) -> Rescale {
     let contacts_mass = Mass { kg: origin_kg, source: MassSource::ContactsMass };
     Rescale::new(target_mass_kg, contacts_mass)
 }
@@ -24,7 +24,7 @@ fn plan(model: &Model, wanted: &Rescale) -> Plan {
 fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan, String) {
     let model = Model::parse(text.as_bytes()).unwrap();
     let origin = MassRequest::default().contacts_mass(&model).unwrap().0.kg;
-    let mut wanted = wanted(8.0 * origin, origin);
+    let mut wanted = rescale_to(8.0 * origin, origin);
     change(&mut wanted);
     let mut plan = plan(&model, &wanted);
     if !note {
@@ -122,7 +122,7 @@ fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none()
     let model = Model::read_with(forces_document, companions).unwrap();
     let beside: Vec<FileId> = model.companions().map(|(file, _)| file).collect();
     let [main, geometry, bones_file] = [FileId::MAIN, beside[0], beside[1]];
-    let mut wanted = wanted(8.0, 1.0);
+    let mut wanted = rescale_to(8.0, 1.0);
     let plan_of = |wanted: &Rescale| plan(&model, wanted);
     let grown = plan_of(&wanted);
     let text = |plan: &Plan, file| String::from_utf8(plan.patched(&model, file).unwrap()).unwrap();

@@ -3,7 +3,7 @@
 use contact_scaling::drop_test::{DropError, DropReport, DropTest, Sample};
 use contact_scaling::table1::{Animal, animals};
 use contact_scaling::{Contact, falisse2022};
-use osim_inspect::series::{self, Body};
+use osim_inspect::series::{self, ContactBody};
 use osim_model::files::Failure;
 use osim_requests::DropHeight;
 use serde::Serialize;
@@ -34,7 +34,7 @@ pub struct Fall {
 
 impl Fall {
     /// The falls of `bodies`, all followed for the same time.
-    pub fn all(bodies: &[Body]) -> Vec<Self> {
+    pub fn all(bodies: &[ContactBody]) -> Vec<Self> {
         let radii = bodies.iter().filter_map(|body| {
             let weight = body.weight().ok()?;
             let largest = body.kinds.iter().map(|kind| kind.radius_m).fold(0.0, f64::max);
@@ -44,7 +44,7 @@ impl Fall {
         bodies.iter().map(|body| Self::of_body(body, duration_s)).collect()
     }
 
-    fn of_body(body: &Body, duration_s: f64) -> Self {
+    fn of_body(body: &ContactBody, duration_s: f64) -> Self {
         let none = |failure: Failure| Self {
             name: body.name.clone(),
             step_s: 0.0,

@@ -68,8 +68,8 @@ impl Cells {
                 return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
             }
             match column.kind {
-                Kind::Model => cells.model = below(folder, cell),
-                Kind::Path => cells.path(&column.field, below(folder, cell)),
+                Kind::Model => cells.model = path_below(folder, cell),
+                Kind::Path => cells.path(&column.field, path_below(folder, cell)),
                 Kind::From => {
                     let presets = presets(row, columns, folder);
                     let from = from(folder, cell, presets.as_deref(), files);
@@ -81,7 +81,7 @@ impl Cells {
                     cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
                 }
                 Kind::Paths => {
-                    let paths = items(cell, &[';']).map(|item| path::to_value(&below(folder, item)));
+                    let paths = items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
                     cells.say(&column.field, paths.collect::<Vec<Value>>());
                 }
                 Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
@@ -152,17 +152,17 @@ fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
 
 fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
     let (_, cell) = filled(row, columns).find(|(column, _)| column.field == "presets")?;
-    Some(below(folder, cell))
+    Some(path_below(folder, cell))
 }
 
 /// A path of the table: below the table's own folder.
-fn below(folder: &Path, path: &str) -> PathBuf {
+fn path_below(folder: &Path, path: &str) -> PathBuf {
     if path == "-" { PathBuf::from(path) } else { folder.join(path) }
 }
 
 /// A preset, else a model below the table's folder.
 fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
-    let path = below(folder, cell);
+    let path = path_below(folder, cell);
     let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
     let is_file = !is_preset() && (files.exists(&path) || looks_like_file(Path::new(cell)));
     if is_file { path } else { cell.into() }

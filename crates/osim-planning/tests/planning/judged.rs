@@ -152,14 +152,14 @@ fn compare(
     };
     compared.worse += plan.findings.iter().filter(|one| is_worse(one)).count();
     if let (Some(renumbered), Some(changed)) = (plan.with_contact_numbers(&opened.model), changed) {
-        assert_eq!(seen(&renumbered), seen(&changed), "{what}");
+        assert_eq!(seen_contacts(&renumbered), seen_contacts(&changed), "{what}");
         compared.models += 1;
     }
     Some(plan)
 }
 
 /// Everything of a model but where it is in a file.
-fn seen(model: &Model) -> String {
+fn seen_contacts(model: &Model) -> String {
     let number =
         |number: &Number| (number.property, number.number.to_bits(), number.origin, number.fault.clone());
     let sphere = |sphere: &Sphere| {

@@ -24,7 +24,7 @@ fn check(text: &str) -> CheckResult {
 }
 
 /// Name and mass of the contacts.
-fn known(text: &str) -> Option<(&'static str, f64)> {
+fn recognised_contacts(text: &str) -> Option<(&'static str, f64)> {
     let (_, inspected) = inspect(text, &InspectOptions::default());
     inspected.known_contacts.map(|known| (known.name, known.made_for_kg))
 }
@@ -32,7 +32,7 @@ fn known(text: &str) -> Option<(&'static str, f64)> {
 /// The name, where the mass is `kg`.
 #[track_caller]
 fn assert_known(text: &str, kg: f64) {
-    let Some((name, made_for_kg)) = known(text) else { panic!("not known") };
+    let Some((name, made_for_kg)) = recognised_contacts(text) else { panic!("not known") };
     assert_eq!(name, "falisse2022");
     assert!((made_for_kg / kg - 1.0).abs() < 1e-5, "{made_for_kg}, expected {kg}");
 }
@@ -55,7 +55,7 @@ fn published_contacts_are_known_in_both_classes_and_at_any_size() {
     // With the radii of 62 kg instead, under a body of 7.75 kg: (10) has 1/8 of the stiffness, and the rest stays.
     let kept = FALISSE.replace("<stiffness>1000000<", "<stiffness>125000<");
     assert_known(&kept.replace("<mass>60<", "<mass>5.75<"), 7.75);
-    assert_eq!(known(&kept), None, "under 62 kg it is nobody's");
+    assert_eq!(recognised_contacts(&kept), None, "under 62 kg it is nobody's");
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
         assert!(FALISSE.contains(value), "{value}");
         // In one force or sphere alone, and in all.
         for text in [FALISSE.replacen(value, off, 1), FALISSE.replace(value, off)] {
-            assert_eq!(known(&text), None, "{off}");
+            assert_eq!(recognised_contacts(&text), None, "{off}");
             let found = check(&text);
             let hertz = found.findings.iter().find(|one| one.code() == FindingCode::BeyondHertz).unwrap();
             assert!(!hertz.is_published, "{off}");

@@ -21,7 +21,7 @@ fn assert_copied(text: &str, expected: &Value) {
 }
 
 /// `text` in which the first `old` after `start` is `new`.
-fn after(text: &str, start: &str, old: &str, new: &str) -> String {
+fn with_text_replaced(text: &str, start: &str, old: &str, new: &str) -> String {
     let (before, rest) = text.split_at(text.find(start).unwrap());
     assert!(rest.contains(old), "{old}");
     format!("{before}{}", rest.replacen(old, new, 1))
@@ -29,8 +29,9 @@ fn after(text: &str, start: &str, old: &str, new: &str) -> String {
 
 #[test]
 fn a_left_force_gets_each_number_of_the_right_one_that_it_lacks() {
-    let text = after(UNEQUAL_STIFFNESS, "contact_heel_l", "<dissipation>2.25<", "<dissipation>1<");
-    let text = after(&text, "contact_toe_l", "<stiffness>1200000<", "<stiffness>1000000<");
+    let text =
+        with_text_replaced(UNEQUAL_STIFFNESS, "contact_heel_l", "<dissipation>2.25<", "<dissipation>1<");
+    let text = with_text_replaced(&text, "contact_toe_l", "<stiffness>1200000<", "<stiffness>1000000<");
     assert_copied(&text, &json!({"stiffness": 1e6, "dissipation": 2.25}));
 }
 
@@ -39,25 +40,27 @@ fn a_left_sphere_gets_the_radius_of_the_right_one() {
     // Up to 10 % is as in published models. A third pair shows which radius is meant; without it, one is as likely as the other.
     let unequal = UNEQUAL_RADII.replace("<radius>0.035<", "<radius>0.045<");
     assert_copied(&unequal, &Value::Null);
-    let text = after(&unequal, "<ContactSphere name=\"toe_l\"", "<radius>0.045<", "<radius>0.0325<");
+    let text =
+        with_text_replaced(&unequal, "<ContactSphere name=\"toe_l\"", "<radius>0.045<", "<radius>0.0325<");
     assert_copied(&text, &json!({"radius": 0.0325}));
 }
 
 #[test]
 fn radii_of_several_spheres_cannot_be_copied_by_one_value() {
-    let text = after(MIXED_RADII, "<ContactSphere name=\"heel_l\"", "<radius>0.05<", "<radius>0.06<");
+    let text =
+        with_text_replaced(MIXED_RADII, "<ContactSphere name=\"heel_l\"", "<radius>0.05<", "<radius>0.06<");
     assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn parameters_of_several_sets_cannot_be_copied_by_one_value() {
-    let text = after(THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
+    let text = with_text_replaced(THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
     assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn a_constant_contact_force_of_0_is_not_copied() {
-    let text = after(
+    let text = with_text_replaced(
         UNEQUAL_STIFFNESS,
         "contact_heel_r",
         "<constant_contact_force>1.5e-05<",
@@ -69,8 +72,12 @@ fn a_constant_contact_force_of_0_is_not_copied() {
 #[test]
 fn the_side_that_is_a_slip_is_put_right_whichever_it_is() {
     for side in ["l", "r"] {
-        let text =
-            after(HUMAN, &format!("name=\"contact_s1_{side}\""), "<stiffness>1000000<", "<stiffness>1e7<");
+        let text = with_text_replaced(
+            HUMAN,
+            &format!("name=\"contact_s1_{side}\""),
+            "<stiffness>1000000<",
+            "<stiffness>1e7<",
+        );
         let result = check_with("human.osim", &text, &InspectOptions::default());
         let expected =
             json!({"verb": "set", "set": {"stiffness": 1e6}, "select": [format!("contact_s1_{side}")]});

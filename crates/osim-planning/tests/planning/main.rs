@@ -15,6 +15,7 @@ mod compose;
 #[path = "../../../osim-inspect/tests/inspect/feet/mod.rs"]
 mod feet;
 mod findings;
+mod fixed_to_ground;
 mod judged;
 mod known_contacts;
 mod left_behind;
@@ -27,7 +28,6 @@ mod placement;
 mod random;
 mod remedies;
 mod rules;
-mod scenery;
 mod sizes;
 mod sizes_by_chance;
 mod space;

@@ -78,7 +78,7 @@ fn who_says_what_the_contacts_are_made_for_knows_it() {
 // Notes of another mass than the bodies'.
 
 /// `text` with a note that its contacts are made for `kg`.
-fn noted(text: &str, kg: f64) -> String {
+fn with_note(text: &str, kg: f64) -> String {
     let model = Model::parse(text).unwrap();
     let note = Note {
         version: "0.1.0".to_owned(),
@@ -105,7 +105,7 @@ fn mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
 
 #[test]
 fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
-    let text = noted(&foot(&[SOLE]), 75.5);
+    let text = with_note(&foot(&[SOLE]), 75.5);
     let found = mismatch(&text, &MassRequest::default()).unwrap();
     let expected = "its contacts are made for 75.5 kg (note in the file) and carry its body of 60 kg here: \
                     say `mass` 75.5, or scale the body first";
@@ -115,8 +115,12 @@ fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
 #[test]
 fn masses_that_agree_or_are_said_are_no_mismatch() {
     assert_eq!(mismatch(&foot(&[SOLE]), &MassRequest::default()), None, "without a note");
-    assert_eq!(mismatch(&noted(&foot(&[SOLE]), 60.05), &MassRequest::default()), None, "within a thousandth");
-    let text = noted(&foot(&[SOLE]), 75.5);
+    assert_eq!(
+        mismatch(&with_note(&foot(&[SOLE]), 60.05), &MassRequest::default()),
+        None,
+        "within a thousandth"
+    );
+    let text = with_note(&foot(&[SOLE]), 75.5);
     for masses in [
         MassRequest { model_kg: Some(80.0), ..MassRequest::default() },
         MassRequest { model_kg: Some(75.5), ..MassRequest::default() },
@@ -130,7 +134,7 @@ fn masses_that_agree_or_are_said_are_no_mismatch() {
 
 #[test]
 fn a_mismatch_is_said_after_the_finding_of_masses_and_nowhere_else() {
-    let text = noted(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
+    let text = with_note(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
     let result = check_text(&text);
     let aside = "; figures are those under 60 kg: for the others say `mass` 75.5";
     for finding in &result.findings {

@@ -24,7 +24,7 @@ const PLACES: [FindingCode; 3] =
     [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
 
 /// The findings about places in one file.
-fn alone(text: &str) -> Vec<FindingCode> {
+fn codes_without_reference(text: &str) -> Vec<FindingCode> {
     codes(&check(text, None))
 }
 
@@ -52,13 +52,13 @@ fn with_x(text: &str, sphere: &str, millimetres: f64) -> String {
 
 #[test]
 fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
-    assert_eq!(alone(RIGHT), []);
-    assert_eq!(alone(CHILD), [FindingCode::SpheresMisplaced]);
+    assert_eq!(codes_without_reference(RIGHT), []);
+    assert_eq!(codes_without_reference(CHILD), [FindingCode::SpheresMisplaced]);
     // Published at 1.0, too; half a millimetre on a foot is no other size.
     for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
     {
         let text = RIGHT.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
-        assert_eq!(alone(&text), expected, "{size}");
+        assert_eq!(codes_without_reference(&text), expected, "{size}");
     }
 }
 
@@ -79,7 +79,7 @@ fn a_layout_that_grew_with_its_bones_is_right() {
         assert_eq!(text.matches(old).count(), 2, "{old}");
         text.replace(old, new)
     });
-    assert_eq!(alone(&grown), []);
+    assert_eq!(codes_without_reference(&grown), []);
 }
 
 #[test]
@@ -90,7 +90,11 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
         (1.26 * 143.04, FindingCode::SpheresMisplaced),
         (100.0, FindingCode::SpheresNotCompared),
     ] {
-        assert_eq!(alone(&with_x(NOBODYS, "s2_r", millimetres)), [expected], "{millimetres}");
+        assert_eq!(
+            codes_without_reference(&with_x(NOBODYS, "s2_r", millimetres)),
+            [expected],
+            "{millimetres}"
+        );
     }
 }
 
@@ -99,9 +103,9 @@ fn a_joint_nearer_than_a_radius_says_nothing() {
     // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
     assert!(NOBODYS.contains(">0.14304034 "));
     let near = NOBODYS.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
-    assert_eq!(alone(&near), [FindingCode::SpheresNotCompared]);
+    assert_eq!(codes_without_reference(&near), [FindingCode::SpheresNotCompared]);
     // At 40 mm it is the next joint, and spheres are beyond it.
-    assert_eq!(alone(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
+    assert_eq!(codes_without_reference(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
 }
 
 #[test]
@@ -115,7 +119,7 @@ fn a_foot_is_filled_as_in_published_models() {
         (-50.0, FindingCode::SpheresMisplaced),
     ] {
         let text = ["s5_r", "s6_r"].iter().fold(NOBODYS.to_owned(), |text, name| with_x(&text, name, x));
-        assert_eq!(alone(&text), [expected], "{x}");
+        assert_eq!(codes_without_reference(&text), [expected], "{x}");
         let found = check(&text, None);
         let odd = found.findings.iter().find(|one| one.code() == FindingCode::SpheresMisplaced);
         let odd = odd.map(|odd| odd.message.to_string());
@@ -128,7 +132,7 @@ fn nothing_is_asked_where_nothing_shows_a_scaling() {
     // Unscaled bones, and meshes in millimetres.
     for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
         let text = NOBODYS.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
-        assert_eq!(alone(&text), [], "{size}");
+        assert_eq!(codes_without_reference(&text), [], "{size}");
     }
 }
 
@@ -177,7 +181,7 @@ fn a_model_that_cannot_be_compared_says_why() {
 }
 
 /// The text with a note that its contacts were made for 62 kg, of this operation.
-fn noted(text: &str, operation: &str) -> String {
+fn with_note(text: &str, operation: &str) -> String {
     let model = Model::parse(text).unwrap();
     let mut plan = note(&model, 62.0, model.gravity(), None).unwrap();
     plan.name_operation(operation);
@@ -185,8 +189,8 @@ fn noted(text: &str, operation: &str) -> String {
 }
 
 /// The text with a note that its spheres were placed with their bodies.
-fn placed(text: &str) -> String {
-    noted(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
+fn placed_by_tool(text: &str) -> String {
+    with_note(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
 }
 
 /// A model with its meshes scaled as by OpenSim; spheres and note stay.
@@ -196,7 +200,7 @@ fn bones_of(text: &str, size: &str) -> String {
 
 #[test]
 fn the_note_comes_before_everything_else() {
-    let scaled = bones_of(&noted(RIGHT, "note"), "0.6306 0.6397 0.6306");
+    let scaled = bones_of(&with_note(RIGHT, "note"), "0.6306 0.6397 0.6306");
     let found = check(&scaled, None);
     let left =
         found.findings.iter().find(|finding| finding.code() == FindingCode::SpheresLeftBehind).unwrap();
@@ -207,26 +211,26 @@ fn the_note_comes_before_everything_else() {
     level["level"] = json!(true);
     assert_eq!(said(left.remedy.as_ref()), level);
     // Stretched by more than 20 %: bottoms are not kept.
-    let stretched = check(&bones_of(&noted(RIGHT, "note"), "0.6 0.9 0.6"), None);
+    let stretched = check(&bones_of(&with_note(RIGHT, "note"), "0.6 0.9 0.6"), None);
     assert!(stretched.findings.iter().any(|finding| said(finding.remedy.as_ref()) == by_note));
 }
 
 #[test]
 fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
-    assert_eq!(alone(&placed(CHILD)), []);
+    assert_eq!(codes_without_reference(&placed_by_tool(CHILD)), []);
     // Another note was written where the spheres were, right or wrong.
-    assert_eq!(alone(&noted(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
+    assert_eq!(codes_without_reference(&with_note(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
 }
 
 #[test]
 fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
-    let moved = with_x(&bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
-    assert!(!alone(&moved).contains(&FindingCode::SpheresLeftBehind));
+    let moved = with_x(&bones_of(&with_note(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
+    assert!(!codes_without_reference(&moved).contains(&FindingCode::SpheresLeftBehind));
 }
 
 #[test]
 fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
-    let found = check(&bones_of(&noted(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
+    let found = check(&bones_of(&with_note(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
     let remedies = found.findings.iter().filter_map(|finding| finding.remedy.as_ref());
     let remedies: Vec<Value> = remedies.map(|remedy| said(Some(remedy))).collect();
     assert_eq!(remedies, [json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true})]);
@@ -234,8 +238,11 @@ fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
 
 #[test]
 fn a_note_that_is_not_believed_leads_to_no_command() {
-    let scaled =
-        bones_of(&noted(RIGHT, "note"), "0.6 0.6 0.6").replacen("<dissipation>2<", "<dissipation>2.1<", 1);
+    let scaled = bones_of(&with_note(RIGHT, "note"), "0.6 0.6 0.6").replacen(
+        "<dissipation>2<",
+        "<dissipation>2.1<",
+        1,
+    );
     let found = check(&scaled, None);
     assert!(codes(&found).contains(&FindingCode::SpheresLeftBehind));
     assert!(found.findings.iter().all(|finding| finding.remedy.is_none()), "{:?}", found.findings);
@@ -244,7 +251,7 @@ fn a_note_that_is_not_believed_leads_to_no_command() {
 #[test]
 fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
     for text in [NOBODYS.replace("foot.vtp", "foot.stl"), bones_of(NOBODYS, "0.001 0.001 0.001")] {
-        assert!(!alone(&text).contains(&FindingCode::SpheresMisplaced));
+        assert!(!codes_without_reference(&text).contains(&FindingCode::SpheresMisplaced));
     }
 }
 

@@ -45,7 +45,7 @@ fn check(name: &str, text: &str) -> CheckResult {
 
 /// The design that puts `code` right: what is wanted of the contacts.
 #[track_caller]
-fn wanted(result: &CheckResult, code: FindingCode) -> WantedOptions {
+fn wanted_by_remedy(result: &CheckResult, code: FindingCode) -> WantedOptions {
     match find(result, code).remedy.clone().expect("it has a remedy") {
         Request::Design(design) => design.wanted,
         other => panic!("{code:?}: {other:?}"),
@@ -98,7 +98,7 @@ fn contacts_that_were_made_for_this_body_are_not_to_be_scaled() {
 #[test]
 fn what_a_remedy_says_puts_the_finding_right() {
     let result = check("human.osim", &human());
-    let deep = wanted(&result, FindingCode::SunkIn);
+    let deep = wanted_by_remedy(&result, FindingCode::SunkIn);
     let model = Model::parse(human()).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let request = Design {

@@ -104,7 +104,7 @@ fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<Findin
 }
 
 /// Codes of the findings of a check.
-fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
+fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
     let inspector = Inspector::for_check(&request, files);
@@ -115,7 +115,7 @@ fn checked(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
 }
 
 /// Codes of the findings of a change or an inspection.
-fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
+fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = Request::from_json(request.as_bytes()).unwrap();
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
     let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
@@ -127,19 +127,19 @@ fn said(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
 }
 
 /// Codes that the good and the bad example raise; `None` where a test elsewhere makes the files.
-fn raised(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
+fn codes_of_example(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
     let mut files = fixtures();
     match example {
         Example::Piece { model, good, bad } => {
             let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(model);
             let text = std::fs::read_to_string(path).unwrap();
             assert!(text.contains(good), "{model} has no {good}");
-            let before = checked(model, &files);
+            let before = codes_of_check(model, &files);
             files.add(model, text.replacen(good, bad, 1).into_bytes());
-            Some([before, checked(model, &files)])
+            Some([before, codes_of_check(model, &files)])
         }
-        Example::Models { good, bad } => Some([good, bad].map(|model| checked(model, &files))),
-        Example::Request { good, bad } => Some([good, bad].map(|request| said(request, &files))),
+        Example::Models { good, bad } => Some([good, bad].map(|model| codes_of_check(model, &files))),
+        Example::Request { good, bad } => Some([good, bad].map(|request| codes_of_request(request, &files))),
         _ => None,
     }
 }
@@ -149,7 +149,7 @@ fn the_bad_example_raises_its_rule_and_the_good_one_does_not() {
     let mut wrong = Vec::new();
     let mut elsewhere = Vec::new();
     for rule in rules::all() {
-        match raised(rule.example) {
+        match codes_of_example(rule.example) {
             None => elsewhere.push(rule.code.as_str()),
             Some([good, bad]) if good.contains(&rule.code) || !bad.contains(&rule.code) => {
                 wrong.push(format!("{}: good {good:?}, bad {bad:?}", rule.code));

@@ -17,7 +17,7 @@ const HUMAN: &str = "feet/human_40000.osim";
 const FOOT: &str = "feet/Geometry/r_human_foot.vtp";
 
 /// Codes of the findings of a check, with the meshes beside the model.
-fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
+fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
     let inspector = Inspector::for_check(&request, files);
@@ -28,21 +28,21 @@ fn checked(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
 }
 
 /// Code of the fault that keeps a request from being planned.
-fn refusal(request: &Value, files: &dyn Files) -> String {
+fn code_of_refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
 /// Codes of the findings in the model that a request makes.
-fn made(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
+fn codes_after(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     let plan = change.plan_beside(&opened, files).unwrap();
     model_findings(&plan.changed_model(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
 
-fn laid() -> Value {
+fn add_request() -> Value {
     json!({"verb": "add", "models": [HUMAN], "feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"})
 }
 
@@ -55,7 +55,7 @@ fn with_foot(change: impl Fn(&str) -> String) -> InMemory {
 }
 
 /// A mesh whose numbers are multiplied.
-fn times(mesh: &str, factor: f64) -> String {
+fn mesh_multiplied(mesh: &str, factor: f64) -> String {
     let start = mesh.find("<Points>").unwrap();
     let start = start + mesh[start..].find("<DataArray").unwrap();
     let start = start + mesh[start..].find('>').unwrap() + 1;
@@ -76,17 +76,17 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
         (0.001, "multiply its scale factors by 1000 if the file is in m and not in mm"),
         (8.0, ": it is another animal's bone of this name, or its scale factors are wrong"),
     ] {
-        let files = with_foot(|mesh| times(mesh, factor));
-        let mut request = laid();
-        let said = refusal(&request, &files);
+        let files = with_foot(|mesh| mesh_multiplied(mesh, factor));
+        let mut request = add_request();
+        let said = code_of_refusal(&request, &files);
         let start = "mesh r_human_foot.vtp on calcn_r is ";
         assert!(said.starts_with(start) && said.contains(way_out), "{said}");
-        assert!(checked(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh), "{factor}");
+        assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh), "{factor}");
         request["yes"] = json!([Question::ImplausibleScale.code(), Question::TiltedFoot.code()]);
         assert!(!refusal_or_nothing(&request, &files).contains(start));
     }
-    assert!(!checked(Path::new(HUMAN), &fixtures()).contains(&FindingCode::OddMesh));
-    assert!(made(&laid(), &fixtures()).is_empty());
+    assert!(!codes_of_check(Path::new(HUMAN), &fixtures()).contains(&FindingCode::OddMesh));
+    assert!(codes_after(&add_request(), &fixtures()).is_empty());
 }
 
 fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
@@ -108,10 +108,10 @@ fn one_broken_vertex_decides_nothing() {
         )
     };
     let files = with_foot(broken);
-    let said = refusal(&laid(), &files);
+    let said = code_of_refusal(&add_request(), &files);
     assert!(said.contains("r_human_foot.vtp: point 1 is 1"), "{said}");
     assert!(said.contains("take it out of the file; or give the places in a table"), "{said}");
-    assert!(checked(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh));
+    assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh));
 }
 
 /// A table of four spheres a foot; `change` has the side and the place.
@@ -143,7 +143,7 @@ fn what_a_table_says_is_named_in_the_model_that_it_makes() {
         files.add("places.csv", rows.clone().into_bytes());
         let request =
             json!({"verb": "add", "models": [HUMAN], "contacts": "places.csv", "from": "falisse2022"});
-        assert_eq!(made(&request, &files), expected.into_iter().collect(), "{rows}");
+        assert_eq!(codes_after(&request, &files), expected.into_iter().collect(), "{rows}");
     }
 }
 
@@ -207,7 +207,7 @@ fn meshes_of_published_models_are_named_where_they_were_scaled_and_not_before() 
         paths.filter(|path| path.extension().is_some_and(|end| end == "osim")).filter(with_foot).collect();
     assert!(models.len() >= 14, "{} models with feet", models.len());
     for model in models {
-        let has = |files: &dyn Files| checked(&model, files).contains(&FindingCode::OddMesh);
+        let has = |files: &dyn Files| codes_of_check(&model, files).contains(&FindingCode::OddMesh);
         let said = [has(&Disk), has(&Scaled(1000.0)), has(&Scaled(0.001)), has(&Scaled(1.5))];
         assert_eq!(said, [false, true, true, false], "{}", model.display());
     }

@@ -20,7 +20,7 @@ fn numbers(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|one| one.as_f64().unwrap()).collect()
 }
 
-fn walk() -> (InMemory, MotionRequest) {
+fn recorded_walk() -> (InMemory, MotionRequest) {
     let mut files = InMemory::default();
     for name in ["walker.osim", "walk.mot", "plates.sto", "plates.xml"] {
         files.add(name, read(&format!("motion/{name}")));
@@ -39,7 +39,7 @@ fn walk() -> (InMemory, MotionRequest) {
 /// The oracle's tests hold the centres of `run_motion` to OpenSim's: bodies in the view carry the spheres to the same places.
 #[test]
 fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
-    let (files, request) = walk();
+    let (files, request) = recorded_walk();
     let result = run_motion(&request, &files).unwrap();
     let played = serde_json::to_value(PlayedRecording::of(&result, &request, &FieldNames)).unwrap();
     let bodies: Vec<&str> =
@@ -65,7 +65,7 @@ fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
 
 #[test]
 fn forces_of_feet_are_those_of_the_motion_and_plates_have_a_place() {
-    let (files, request) = walk();
+    let (files, request) = recorded_walk();
     let result = run_motion(&request, &files).unwrap();
     let played = serde_json::to_value(PlayedRecording::of(&result, &request, &FieldNames)).unwrap();
     let feet = played["feet"].as_array().unwrap();

@@ -53,7 +53,7 @@ struct Made {
     style: Style,
 }
 
-fn made(random: &mut Random) -> Made {
+fn random_table(random: &mut Random) -> Made {
     let style = Style::of(random);
     let mut columns = vec!["name", "body", "x", "y", "z"];
     if random.below(3) > 0 {
@@ -113,7 +113,7 @@ fn made(random: &mut Random) -> Made {
 #[test]
 fn by_chance_every_cell_is_read_as_it_was_meant() {
     for seed in seeds() {
-        let made = made(&mut Random::of(seed));
+        let made = random_table(&mut Random::of(seed));
         let table = ContactTable::read(made.text.as_bytes());
         let table = table.unwrap_or_else(|fault| panic!("seed {seed}: {}\n{}", fault.message, made.text));
         let read: Vec<_> = table
@@ -137,7 +137,7 @@ fn by_chance_every_cell_is_read_as_it_was_meant() {
 fn by_chance_a_cell_that_is_no_number_is_named() {
     for seed in seeds() {
         let mut random = Random::of(seed);
-        let made = made(&mut random);
+        let made = random_table(&mut random);
         let column =
             made.columns.iter().position(|column| ["x", "y", "z", "radius"].contains(column)).unwrap();
         let row = random.index(made.rows.len());

@@ -3,7 +3,7 @@
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
-use crate::scaling::failure::Failure;
+use crate::scaling::equation_error::EquationError;
 use crate::scaling::parameter::{Parameter, Returns};
 use crate::scaling::text::{Argument, docstring};
 
@@ -26,9 +26,9 @@ pub(crate) struct Function {
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Call {
     /// A function of numbers alone.
-    Numbers(fn(&[f64]) -> Result<f64, Failure>),
+    Numbers(fn(&[f64]) -> Result<f64, EquationError>),
     /// A function of numbers and one of two rules for the modulus of two surfaces: Python's keyword `rule`.
-    WithRule(fn(MixingRule, &[f64]) -> Result<f64, Failure>),
+    WithRule(fn(MixingRule, &[f64]) -> Result<f64, EquationError>),
 }
 
 impl Function {
@@ -36,25 +36,25 @@ impl Function {
     ///
     /// # Errors
     /// An argument lies outside of the equation's domain, or is not finite; or the result is not finite.
-    pub(crate) fn value(&self, rule: MixingRule, arguments: &[f64]) -> Result<f64, Failure> {
+    pub(crate) fn value(&self, rule: MixingRule, arguments: &[f64]) -> Result<f64, EquationError> {
         if arguments.len() != self.parameters.len() {
-            return Err(Failure::arguments(arguments.len()));
+            return Err(EquationError::arguments(arguments.len()));
         }
         let named = self.parameters.iter().map(|parameter| parameter.name).zip(arguments.iter().copied());
-        Failure::unless_finite(named.clone())?;
+        EquationError::unless_finite(named.clone())?;
         let value = match self.call {
             Call::Numbers(call) => call(arguments),
             Call::WithRule(call) => call(rule, arguments),
         };
         let value = value.map_err(|failure| failure.with_argument(named))?;
-        if value.is_finite() { Ok(value) } else { Err(Failure::result(value)) }
+        if value.is_finite() { Ok(value) } else { Err(EquationError::result(value)) }
     }
 
     /// The values for rows of arguments: `columns` has a list for each parameter, either of one element or as long as the others.
     ///
     /// # Errors
     /// As [`Function::value`], with the row where it is; lists that differ in length.
-    pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>, Failure> {
+    pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>, EquationError> {
         let names = self.parameters.iter().map(|parameter| parameter.name);
         Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
     }
@@ -100,15 +100,15 @@ impl<'c> Columns<'c> {
     pub(super) fn new(
         names: impl Iterator<Item = &'static str>,
         lists: &'c [&'c [f64]],
-    ) -> Result<Self, Failure> {
+    ) -> Result<Self, EquationError> {
         let names: Vec<_> = names.collect();
         if lists.len() != names.len() {
-            return Err(Failure::arguments(lists.len()));
+            return Err(EquationError::arguments(lists.len()));
         }
         let rows = lists.iter().map(|list| list.len()).find(|&length| length != 1).unwrap_or(1);
         let other = names.iter().zip(lists).find(|(_, list)| ![1, rows].contains(&list.len()));
         match other {
-            Some((name, list)) => Err(Failure::length(name, list.len())),
+            Some((name, list)) => Err(EquationError::length(name, list.len())),
             None => Ok(Self { names, lists, rows }),
         }
     }
@@ -117,7 +117,10 @@ impl<'c> Columns<'c> {
     ///
     /// # Errors
     /// The first of `call`, with the element that it is about.
-    pub(super) fn each<T>(&self, call: impl Fn(&[f64]) -> Result<T, Failure>) -> Result<Vec<T>, Failure> {
+    pub(super) fn each<T>(
+        &self,
+        call: impl Fn(&[f64]) -> Result<T, EquationError>,
+    ) -> Result<Vec<T>, EquationError> {
         let mut arguments = vec![0.0; self.lists.len()];
         let mut one = |row: usize| {
             for (argument, list) in arguments.iter_mut().zip(self.lists) {
@@ -130,7 +133,7 @@ impl<'c> Columns<'c> {
     }
 
     /// Whether a failure is about an element of a list, not about a number that is the same in all rows.
-    fn is_listed(&self, failure: &Failure) -> bool {
+    fn is_listed(&self, failure: &EquationError) -> bool {
         let mut named = self.names.iter().zip(self.lists);
         named.any(|(&name, list)| list.len() > 1 && failure.parameter.is_none_or(|about| about == name))
     }
@@ -160,7 +163,7 @@ macro_rules! function {
     };
     (@value $values:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $value:expr) => {{
         let &[$($argument),+] = $values else {
-            return Err($crate::scaling::Failure::arguments($values.len()));
+            return Err($crate::scaling::EquationError::arguments($values.len()));
         };
         Ok($value)
     }};

@@ -10,7 +10,7 @@ use contact_scaling::{
     patch, restitution, stiffness,
 };
 
-use crate::scaling::failure::Failure;
+use crate::scaling::equation_error::EquationError;
 use crate::scaling::function::{Function, function};
 use crate::scaling::parameter::Returns::{Factor, Value};
 
@@ -224,7 +224,7 @@ pub(crate) fn continuation_steps(
     last: f64,
     dissipation_ratio: f64,
     count: u32,
-) -> Result<Ladder, Failure> {
+) -> Result<Ladder, EquationError> {
     let mut ladder = Ladder::default();
     for step in continuation::steps(first, last, dissipation_ratio, count)? {
         ladder.dimensionless_stiffness.push(step.dimensionless_stiffness);

@@ -6,7 +6,7 @@
 //!
 //! What an equation says, its number, its units and what its symbols mean come from the register of `contact-scaling`.
 
-mod failure;
+mod equation_error;
 mod function;
 mod laws;
 mod parameter;
@@ -14,11 +14,11 @@ mod smooth;
 mod spheres;
 mod text;
 
-pub(crate) use failure::Failure;
+pub(crate) use equation_error::EquationError;
 pub(crate) use function::{Call, Function};
 pub(crate) use laws::continuation_steps;
 pub(crate) use parameter::{Parameter, RULES, rule_by_name};
-pub(crate) use spheres::{MEAN_SQUARE_RADIUS, OF_SPHERES};
+pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.
 pub(crate) fn all() -> impl Iterator<Item = &'static Function> {

@@ -6,14 +6,14 @@ use contact_scaling::{
     DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
 };
 
-use crate::scaling::failure::Failure;
+use crate::scaling::equation_error::EquationError;
 use crate::scaling::function::{Columns, forms};
 use crate::scaling::parameter::{Parameter, Returns, parameter};
 use crate::scaling::text::{Argument, docstring};
 
 /// An equation over spheres, whose bottoms are level or each at its own height.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OfSpheres {
+pub(crate) struct SphereListFunction {
     /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling` for spheres whose bottoms are level.
@@ -24,7 +24,7 @@ pub(crate) struct OfSpheres {
     pub spheres: &'static [Parameter],
     /// The kind of value that the function returns.
     pub returns: Returns,
-    alike: fn(&[f64]) -> Result<Spheres, Failure>,
+    alike: fn(&[f64]) -> Result<Spheres, EquationError>,
     rest_level: fn(&[Spheres], f64) -> Result<f64, DomainError>,
     rest_raised: fn(&[RaisedSpheres], f64) -> Result<f64, DomainError>,
 }
@@ -35,8 +35,8 @@ pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
 /// Both laws.
-pub(crate) const OF_SPHERES: [OfSpheres; 2] = [
-    OfSpheres {
+pub(crate) const SPHERE_LIST_FUNCTIONS: [SphereListFunction; 2] = [
+    SphereListFunction {
         name: "hertz_rest_indentation",
         level: "equilibrium::hertz_indentation",
         raised: "equilibrium::hertz_indentation_of_lowest",
@@ -47,14 +47,16 @@ pub(crate) const OF_SPHERES: [OfSpheres; 2] = [
         ],
         returns: Returns::Value(X),
         alike: |values| {
-            let &[modulus, radius, number] = values else { return Err(Failure::arguments(values.len())) };
+            let &[modulus, radius, number] = values else {
+                return Err(EquationError::arguments(values.len()));
+            };
             let law = HuntCrossley::new(Hertz::sphere(modulus, radius)?, 0.0)?;
             Ok(Spheres::new(Law::HuntCrossley(law), number)?)
         },
         rest_level: equilibrium::hertz_indentation,
         rest_raised: equilibrium::hertz_indentation_of_lowest,
     },
-    OfSpheres {
+    SphereListFunction {
         name: "smooth_rest_indentation",
         level: "equilibrium::indentation",
         raised: "equilibrium::indentation_of_lowest",
@@ -70,7 +72,7 @@ pub(crate) const OF_SPHERES: [OfSpheres; 2] = [
         returns: Returns::Value(X),
         alike: |values| {
             let &[modulus, radius, dissipation, cf, bd, bv, number] = values else {
-                return Err(Failure::arguments(values.len()));
+                return Err(EquationError::arguments(values.len()));
             };
             let smoothing = SmoothingValues {
                 constant_contact_force: cf,
@@ -85,7 +87,7 @@ pub(crate) const OF_SPHERES: [OfSpheres; 2] = [
     },
 ];
 
-impl OfSpheres {
+impl SphereListFunction {
     /// How deep the lowest sphere is (m) where a body rests. `columns` has a list for each parameter of a sphere, of one element
     /// where all spheres have the same; `heights` (m) are those of their bottoms above the lowest.
     ///
@@ -96,32 +98,32 @@ impl OfSpheres {
         columns: &[&[f64]],
         heights: Option<&[f64]>,
         load_n: f64,
-    ) -> Result<f64, Failure> {
-        Failure::unless_finite(std::iter::once((LOAD.name, load_n)))?;
+    ) -> Result<f64, EquationError> {
+        EquationError::unless_finite(std::iter::once((LOAD.name, load_n)))?;
         let lists: Vec<&[f64]> = columns.iter().copied().chain([heights.unwrap_or(&[0.0])]).collect();
         let names = || self.spheres.iter().chain([&HEIGHT]).map(|parameter| parameter.name);
         let spheres = Columns::new(names(), &lists)?.each(|row| {
             let named = names().zip(row.iter().copied());
-            Failure::unless_finite(named.clone())?;
+            EquationError::unless_finite(named.clone())?;
             self.raised(row).map_err(|failure| failure.with_argument(named))
         })?;
         if spheres.is_empty() {
-            return Err(Failure::no_sphere());
+            return Err(EquationError::no_sphere());
         }
         let lowest = spheres.iter().map(|raised| raised.height_m).fold(f64::INFINITY, f64::min);
         if lowest > 0.0 {
-            return Err(Failure::lowest(HEIGHT.name, lowest));
+            return Err(EquationError::lowest(HEIGHT.name, lowest));
         }
         let rest = if heights.is_some() {
             (self.rest_raised)(&spheres, load_n)
         } else {
             (self.rest_level)(&spheres.iter().map(|raised| raised.spheres).collect::<Vec<_>>(), load_n)
         };
-        rest.map_err(|error| Failure::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
+        rest.map_err(|error| EquationError::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
     }
 
-    fn raised(&self, row: &[f64]) -> Result<RaisedSpheres, Failure> {
-        let Some((&height, values)) = row.split_last() else { return Err(Failure::arguments(0)) };
+    fn raised(&self, row: &[f64]) -> Result<RaisedSpheres, EquationError> {
+        let Some((&height, values)) = row.split_last() else { return Err(EquationError::arguments(0)) };
         Ok(RaisedSpheres::new((self.alike)(values)?, height)?)
     }
 
@@ -139,7 +141,7 @@ impl OfSpheres {
 
 /// An equation that takes one list of numbers, and gives one number for all of them.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OfList {
+pub(crate) struct NumberListFunction {
     /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling`.
@@ -151,25 +153,27 @@ pub(crate) struct OfList {
 }
 
 /// (3) summed over spheres of one modulus: the R² in the place of all their radii.
-pub(crate) const MEAN_SQUARE_RADIUS: OfList = OfList {
+pub(crate) const MEAN_SQUARE_RADIUS: NumberListFunction = NumberListFunction {
     name: "mean_square_radius",
     computes: "mixed_radii::mean_square",
     parameter: Parameter { name: "radius", symbol: R_I, default: None },
     returns: Returns::Value(R_SQUARE),
 };
 
-impl OfList {
+impl NumberListFunction {
     /// The value for a list.
     ///
     /// # Errors
     /// The list is empty, or an element is not a finite number above 0.
-    pub(crate) fn value(&self, list: &[f64]) -> Result<f64, Failure> {
+    pub(crate) fn value(&self, list: &[f64]) -> Result<f64, EquationError> {
         let name = self.parameter.name;
         for (index, &element) in list.iter().enumerate() {
-            Failure::unless_finite(std::iter::once((name, element))).map_err(|failure| failure.at(index))?;
+            EquationError::unless_finite(std::iter::once((name, element)))
+                .map_err(|failure| failure.at(index))?;
         }
         mixed_radii::mean_square(list).map_err(|error| {
-            let failure = Failure::from(error).with_argument(list.iter().map(|&element| (name, element)));
+            let failure =
+                EquationError::from(error).with_argument(list.iter().map(|&element| (name, element)));
             match list.iter().position(|element| *element == failure.value) {
                 Some(index) if failure.parameter.is_some() => failure.at(index),
                 _ => failure,

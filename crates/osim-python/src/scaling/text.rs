@@ -68,7 +68,7 @@ pub(super) fn docstring(
     }
     let is_array = arguments.iter().any(|argument| argument.kind.starts_with(ARRAY_TYPE));
     let kind = if is_array { "float or numpy.ndarray" } else { "float" };
-    text.push_str(&format!("\nReturns\n-------\n{kind}\n    {}.\n", given(&forms, returns)));
+    text.push_str(&format!("\nReturns\n-------\n{kind}\n    {}.\n", computed_quantity(&forms, returns)));
     text.push_str("\nReferences\n----------\n");
     for (index, (equation, _)) in forms.iter().enumerate() {
         // One function may compute several forms of an equation.
@@ -100,7 +100,7 @@ fn other_symbols(
 }
 
 /// The quantity that is computed.
-fn given(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
+fn computed_quantity(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
     let unit = forms.first().map_or("", |(_, form)| form.unit);
     match returns {
         Returns::Value(symbol) => meaning(&symbol, unit),

@@ -86,9 +86,9 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
     };
     match value {
         FieldValue::Map(properties) if name == "set" => {
-            properties.iter().map(|entry| shell_quoted(&assigned(entry))).collect()
+            properties.iter().map(|entry| shell_quoted(&spelled_assignment(entry))).collect()
         }
-        FieldValue::Map(entries) => entries.iter().map(|entry| valued(assigned(entry))).collect(),
+        FieldValue::Map(entries) => entries.iter().map(|entry| valued(spelled_assignment(entry))).collect(),
         FieldValue::Flag => vec![option],
         FieldValue::List(items) if !is_one_word => items.iter().map(|item| valued(item.text())).collect(),
         value => vec![valued(value.text())],
@@ -96,7 +96,7 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
 }
 
 /// `stiffness=x2`, `calcn_r=1.1,1.05,1.1`.
-fn assigned((name, value): &Field) -> String {
+fn spelled_assignment((name, value): &Field) -> String {
     format!("{name}={}", value.text())
 }
 

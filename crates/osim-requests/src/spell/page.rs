@@ -54,31 +54,31 @@ impl Speller for Page {
 fn field_words((name, value): &Field) -> Vec<String> {
     let label = Input::named(name).map_or(name.as_str(), |input| input.label());
     match value {
-        FieldValue::Map(properties) if name == "set" => properties.iter().map(assigned).collect(),
+        FieldValue::Map(properties) if name == "set" => properties.iter().map(spelled_assignment).collect(),
         FieldValue::Map(entries) => {
-            entries.iter().map(|(name, value)| format!("{label} {name} {}", shown(value))).collect()
+            entries.iter().map(|(name, value)| format!("{label} {name} {}", spelled_value(value))).collect()
         }
         FieldValue::Flag => vec![label.to_owned()],
-        value => vec![format!("{label} {}", shown(value))],
+        value => vec![format!("{label} {}", spelled_value(value))],
     }
 }
 
 /// `stiffness × 2`, `dissipation 1.5`.
-fn assigned((property, value): &Field) -> String {
+fn spelled_assignment((property, value): &Field) -> String {
     let factor = match value {
         FieldValue::Text(text) => text.strip_prefix('x').and_then(|factor| factor.parse().ok()),
         _ => None,
     };
     match factor {
         Some(factor) => format!("{property} × {}", readable(factor)),
-        None => format!("{property} {}", shown(value)),
+        None => format!("{property} {}", spelled_value(value)),
     }
 }
 
-fn shown(value: &FieldValue) -> String {
+fn spelled_value(value: &FieldValue) -> String {
     match value {
         FieldValue::Number(number) => number.as_f64().map_or_else(|| number.to_string(), readable),
-        FieldValue::List(items) => items.iter().map(shown).collect::<Vec<_>>().join(" and "),
+        FieldValue::List(items) => items.iter().map(spelled_value).collect::<Vec<_>>().join(" and "),
         value => value.text(),
     }
 }

@@ -104,7 +104,7 @@ fn call_of(fields: &Fields) -> String {
         _ => &[FieldGroup::Shown],
     };
     if fields.changes && !is_plan(fields) && !fields.models().is_empty() {
-        return many(fields);
+        return call_of_many(fields);
     }
     let named = fields.without(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
     arguments.extend(keywords(named));
@@ -112,7 +112,7 @@ fn call_of(fields: &Fields) -> String {
 }
 
 /// The call that changes many models, and writes them.
-fn many(fields: &Fields) -> String {
+fn call_of_many(fields: &Fields) -> String {
     let models = fields.models().iter().map(|model| literal("models", model));
     let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined(models))];
     arguments.extend(keywords(fields.without(&[FieldGroup::Shown])));

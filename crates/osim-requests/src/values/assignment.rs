@@ -154,7 +154,7 @@ impl<'d> Deserialize<'d> for Assignments {
 ///
 /// # Errors
 /// There is no such property.
-pub fn one(text: &str) -> Result<Property, String> {
+pub fn property_named(text: &str) -> Result<Property, String> {
     trimmed(text).parse()
 }
 
@@ -175,5 +175,5 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Prope
         Value::String(text) => text.split(',').map(str::to_owned).collect(),
         list => Vec::<String>::deserialize(list).map_err(D::Error::custom)?,
     };
-    names.iter().map(|name| one(name)).collect::<Result<_, _>>().map_err(D::Error::custom)
+    names.iter().map(|name| property_named(name)).collect::<Result<_, _>>().map_err(D::Error::custom)
 }

@@ -20,7 +20,9 @@ use serde_json::Value;
 
 use crate::values::assignment::assignment;
 use crate::values::serial::{from_text, from_texts};
-use crate::values::typed::{Range, factor, plain, positive_number, respelled, spaced, trimmed, with_colons};
+use crate::values::typed::{
+    Range, factor, plain_number, positive_number, respelled, spaced, trimmed, with_colons,
+};
 
 /// The largest number of values of a grid.
 const MOST_VALUES: u32 = 100_000;
@@ -316,8 +318,9 @@ impl FromStr for Span {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let ends =
-            text.split_once("..").and_then(|(from, to)| Some((plain(trimmed(from))?, plain(trimmed(to))?)));
+        let ends = text
+            .split_once("..")
+            .and_then(|(from, to)| Some((plain_number(trimmed(from))?, plain_number(trimmed(to))?)));
         match ends {
             Some((from, to)) if from.is_finite() && to.is_finite() && from < to => Ok(Self { from, to }),
             _ => Err("expected FROM..TO like -0.1..0.5, the smaller number first".to_owned()),

@@ -18,7 +18,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::values::serial::from_text;
 use crate::values::typed::{
-    LENGTHS, MASSES, converted, not_negative, plain, positive, positive_number, trimmed,
+    LENGTHS, MASSES, converted, not_negative, plain_number, positive, positive_number, trimmed,
 };
 
 macro_rules! quantities {
@@ -108,7 +108,7 @@ quantities! {
     Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
 
     /// A speed in m/s along an axis, of either sign.
-    Speed = |text| match plain(trimmed(text)) {
+    Speed = |text| match plain_number(trimmed(text)) {
         Some(value) if value.is_finite() => Ok(value),
         _ => Err("expected a speed in m/s".to_owned()),
     }, {"type": "number"};
@@ -121,7 +121,7 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
 
     /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
-    ConstantIndentation = |text| match plain(trimmed(text)) {
+    ConstantIndentation = |text| match plain_number(trimmed(text)) {
         Some(0.0) => Err(format!(
             "expected a number above 0, such as {}: it would make constant_contact_force 0, and OpenSim computes NaN with 0 \
              whenever the sphere does not slip",
@@ -138,13 +138,13 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5};
 
     /// c_r, a coefficient of restitution: 0 to 1.
-    RestitutionCoefficient = |text| match plain(trimmed(text)) {
+    RestitutionCoefficient = |text| match plain_number(trimmed(text)) {
         Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
         _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
     }, {"type": "number", "minimum": 0, "maximum": 1};
 
     /// ν, Poisson's ratio: above -1, at most 0.5.
-    PoissonRatio = |text| match plain(trimmed(text)) {
+    PoissonRatio = |text| match plain_number(trimmed(text)) {
         Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
         _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
     }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};

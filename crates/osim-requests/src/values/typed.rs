@@ -33,14 +33,15 @@ pub(crate) const LENGTHS: &[UnitSpelling] =
 /// What was expected, and what to type.
 pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     let text = trimmed(text);
-    if let Some(value) = plain(text) {
+    if let Some(value) = plain_number(text) {
         return if value > 0.0 && value.is_finite() {
             Ok(value)
         } else {
             Err(format!("expected {expected}, above 0"))
         };
     }
-    if let Some(value) = plain(&text.replacen(',', ".", 1)).filter(|_| text.matches(',').count() == 1) {
+    if let Some(value) = plain_number(&text.replacen(',', ".", 1)).filter(|_| text.matches(',').count() == 1)
+    {
         // `1,190` may be a thousand and something: then the comma is not a decimal one.
         let grouped = |tail: &str| tail.len() == 3 && tail.bytes().all(|byte| byte.is_ascii_digit());
         return Err(match text.split_once(',') {
@@ -58,7 +59,7 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
     }
     let number = text.trim_end_matches(|c: char| !c.is_ascii_digit() && c != '.');
     // What the number is in the unit that is expected is not known here: none is proposed.
-    match plain(number) {
+    match plain_number(number) {
         Some(_) if number.len() < text.len() => {
             Err(format!("units are not written here, expected {expected}"))
         }
@@ -73,7 +74,7 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = if text.ends_with("Mg") || text.contains("Mm") { text } else { small.as_str() };
     let (value, factor) = units.iter().find_map(|(unit, factor)| {
         let number = trimmed(small.strip_suffix(unit)?);
-        Some((plain(number)?, *factor))
+        Some((plain_number(number)?, *factor))
     })?;
     // 20.9 times 1e-3 would show 0.020900000000000002.
     let digits = format!("{:.13e}", value * factor);
@@ -81,7 +82,7 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
 }
 
 /// A decimal number without words such as `inf` or `nan`.
-pub fn plain(text: &str) -> Option<f64> {
+pub fn plain_number(text: &str) -> Option<f64> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     if digits { text.parse().ok() } else { None }
 }
@@ -107,7 +108,7 @@ pub fn number(text: &str) -> Result<f64, String> {
 /// # Errors
 /// It is none.
 pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
-    if plain(trimmed(text)) == Some(0.0) {
+    if plain_number(trimmed(text)) == Some(0.0) {
         return Ok(0.0);
     }
     positive(text, expected, units)
@@ -118,7 +119,7 @@ pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> R
 /// # Errors
 /// It is none.
 pub(crate) fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
-    match plain(trimmed(text)) {
+    match plain_number(trimmed(text)) {
         Some(value) if value < 0.0 || !value.is_finite() => Err(format!("expected {expected}, 0 or more")),
         _ => number_in(text, expected, units),
     }
@@ -192,7 +193,7 @@ struct Colons {
 
 impl Colons {
     fn read(text: &str) -> Option<Self> {
-        let number = |part: &str| plain(factor(part).unwrap_or(part));
+        let number = |part: &str| plain_number(factor(part).unwrap_or(part));
         let parts: Option<Vec<(&str, f64)>> =
             text.split(':').map(trimmed).map(|part| Some((part, number(part)?))).collect();
         let (from, middle, to) = match parts?.as_slice() {

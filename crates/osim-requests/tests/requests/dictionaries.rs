@@ -10,10 +10,10 @@ fn read(json: &Value) -> Result<Request, RequestFault> {
 
 /// A request to rescale `a.osim`, with these fields too.
 fn rescale(fields: &Value) -> Result<Request, RequestFault> {
-    read(&with(json!({"verb": "rescale", "models": ["a.osim"]}), fields))
+    read(&with_fields(json!({"verb": "rescale", "models": ["a.osim"]}), fields))
 }
 
-fn with(mut request: Value, fields: &Value) -> Value {
+fn with_fields(mut request: Value, fields: &Value) -> Value {
     for (field, value) in fields.as_object().into_iter().flatten() {
         request[field] = value.clone();
     }
@@ -149,12 +149,12 @@ fn every_verb_has_a_schema_that_its_own_requests_fulfil() {
         let validator = jsonschema::validator_for(&schema).unwrap();
         let Value::Object(map) = fields.clone() else { panic!() };
         let request = Request::read(verb, map).unwrap();
-        for value in [request.to_map().into(), with(json!({"verb": verb.name()}), &fields)] {
+        for value in [request.to_map().into(), with_fields(json!({"verb": verb.name()}), &fields)] {
             let errors: Vec<String> = validator.iter_errors(&value).map(|error| error.to_string()).collect();
             assert!(errors.is_empty(), "{}: {value}: {errors:?}", verb.name());
         }
         assert!(
-            !validator.is_valid(&with(json!({"verb": verb.name()}), &json!({"nonsense": 1}))),
+            !validator.is_valid(&with_fields(json!({"verb": verb.name()}), &json!({"nonsense": 1}))),
             "{}",
             verb.name()
         );
@@ -177,7 +177,7 @@ fn a_schema_knows_what_goes_together() {
         (json!({"target_mass": null}), true),
     ] {
         assert_eq!(
-            validator.is_valid(&with(json!({"verb": "rescale", "models": ["a.osim"]}), &fields)),
+            validator.is_valid(&with_fields(json!({"verb": "rescale", "models": ["a.osim"]}), &fields)),
             valid,
             "{fields}"
         );
@@ -235,7 +235,7 @@ fn a_body_may_have_any_name() {
         (&*request.follow.body_scale[0].body, request.follow.body_scale[0].factors),
         ("a=b", [1.0, 2.0, 0.5])
     );
-    let none = with(fields, &json!({"body_scale": {"calcn_r": [1, 0, 1]}}));
+    let none = with_fields(fields, &json!({"body_scale": {"calcn_r": [1, 0, 1]}}));
     assert!(read(&none).unwrap_err().to_string().contains("calcn_r: expected three factors above 0"));
 }
 

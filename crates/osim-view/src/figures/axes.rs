@@ -2,7 +2,9 @@
 
 use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
-use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units, bodies_and_kinds};
+use osim_inspect::series::{
+    self, ContactBody, ForceUnit, IndentationUnit, SphereKind, Units, bodies_and_kinds,
+};
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
 
@@ -16,7 +18,7 @@ pub enum AxisUnits {
 }
 
 /// The wanted units. The default is x/R, with newtons for one contact, and with shares of the weight for several.
-pub fn units_for(bodies: &[Body], wanted: Option<AxisUnits>) -> Units {
+pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> Units {
     let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
         Some(AxisUnits::Real) => IndentationUnit::Millimetre,
@@ -42,7 +44,7 @@ pub(super) fn force_axis(units: Units) -> Axis {
 }
 
 /// The wanted title, else one that says what the figure shows.
-pub(super) fn title_for(what: &str, bodies: &[Body], wanted: Option<&str>) -> String {
+pub(super) fn title_for(what: &str, bodies: &[ContactBody], wanted: Option<&str>) -> String {
     match (wanted, bodies) {
         (Some(title), _) => title.to_owned(),
         (None, [one]) => format!("{what}: {}", one.name),
@@ -51,7 +53,7 @@ pub(super) fn title_for(what: &str, bodies: &[Body], wanted: Option<&str>) -> St
 }
 
 /// The failure that a figure of these bodies cannot be drawn.
-pub(super) fn plot_failure(bodies: &[Body], why: impl Into<Phrase>) -> Failure {
+pub(super) fn plot_failure(bodies: &[ContactBody], why: impl Into<Phrase>) -> Failure {
     let names: Vec<&str> = bodies.iter().map(|body| body.name.as_str()).collect();
     Failure::outside(names.join(", "), "plot", why)
 }
@@ -75,8 +77,8 @@ pub(super) fn threshold_limits(kind: &SphereKind, units: Units) -> Vec<Limit> {
 }
 
 /// One line for each body: its mass, spheres and gravity, or why they are not known.
-pub fn weights_in_words(bodies: &[Body], dialect: &dyn Dialect) -> String {
-    let line = |body: &Body| match &body.weight {
+pub fn weights_in_words(bodies: &[ContactBody], dialect: &dyn Dialect) -> String {
+    let line = |body: &ContactBody| match &body.weight {
         Ok(weight) => format!(
             "{}: {} kg on {}, {} m/s2\n",
             body.name,

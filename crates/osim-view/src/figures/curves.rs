@@ -3,7 +3,7 @@
 use contact_plots::{Area, Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Paper, Point, figure};
 use contact_scaling::limits;
 use osim_inspect::series::{
-    self, Body, DropSeries, ForceSeries, IndentationUnit, LoopSeries, SphereKind, Units,
+    self, ContactBody, DropSeries, ForceSeries, IndentationUnit, LoopSeries, SphereKind, Units,
 };
 use osim_model::files::Failure;
 use osim_model::messages::Phrase;
@@ -32,7 +32,7 @@ pub(super) struct KindOfSphereLaws {
 /// # Errors
 /// The weight of a body is not known, and forces are shares of the weight.
 pub fn force(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     units: Units,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
@@ -133,7 +133,7 @@ fn rest_text(x: f64, units: Units) -> String {
 /// # Errors
 /// The weight of a body is not known.
 pub fn loops(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     units: Units,
     height: DropHeight,
     wanted_title: Option<&str>,
@@ -167,7 +167,7 @@ pub fn loops(
 /// # Errors
 /// The weight of a body is not known.
 pub fn impact_loops(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     units: Units,
     height: DropHeight,
     wanted_title: Option<&str>,
@@ -213,7 +213,7 @@ fn loop_figure(
 
 /// The loop that begins with the speed of a fall.
 fn impact_loop(
-    body: &Body,
+    body: &ContactBody,
     kind: &SphereKind,
     units: Units,
     height: DropHeight,
@@ -231,7 +231,7 @@ fn with_body_name(name: &str, series: LoopSeries) -> LoopSeries {
 /// # Errors
 /// No body has a smoothed law.
 pub fn state(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     units: Units,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
@@ -292,7 +292,7 @@ const DRAWN_AFTER_REST: f64 = 1.15;
 /// # Errors
 /// The weight of a body is not known, or its contacts are too stiff to follow the fall.
 pub fn drops(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     height: DropHeight,
     from: &str,
     duration_s: Option<f64>,

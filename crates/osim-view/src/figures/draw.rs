@@ -1,7 +1,7 @@
 //! Draws the figure that a request asks for, and writes its numbers as a table.
 
 use contact_plots::{Datum, Drawing, Paper, PlotError};
-use osim_inspect::series::{Body, HeatRequest};
+use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, Phrase, phrase, shortest, terminal_safe};
 use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
@@ -21,7 +21,7 @@ use crate::figures::paper::{fig_c5, fig4};
 /// that the request limits or names.
 pub fn draw(
     request: &PlotRequest,
-    bodies: &[Body],
+    bodies: &[ContactBody],
     heat_table: Option<&HeatTable>,
 ) -> Result<Drawing, Failure> {
     let title = request.looks.title.as_deref();
@@ -37,7 +37,7 @@ pub fn draw(
 
 fn drawing_of_bodies(
     request: &PlotRequest,
-    bodies: &[Body],
+    bodies: &[ContactBody],
     title: Option<&str>,
 ) -> Result<Drawing, Failure> {
     let wanted = request.axes.map(|axes| match axes {
@@ -110,14 +110,14 @@ pub fn paper_of(looks: &FigureOptions) -> Paper {
 ///
 /// # Errors
 /// The figure cannot be drawn.
-pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[Body]) -> Result<String, Failure> {
+pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[ContactBody]) -> Result<String, Failure> {
     // Control characters in names of spheres would make the SVG unreadable.
     let drawn = drawing.svg(paper).map(|svg| terminal_safe(&svg).into_owned());
     drawn.map_err(|error| failure_of_plot(error, bodies))
 }
 
 /// The failure that a figure of `bodies` was not drawn, with advice.
-pub fn failure_of_plot(error: PlotError, bodies: &[Body]) -> Failure {
+pub fn failure_of_plot(error: PlotError, bodies: &[ContactBody]) -> Failure {
     let why: Phrase = match error {
         PlotError::TooMany { .. } => {
             phrase![error.to_string(), ": choose with ", Input::Select.with_placeholder("GLOB")]

@@ -2,7 +2,7 @@
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
-use osim_inspect::series::{self, Body, HeatRequest, Parameter, Profile};
+use osim_inspect::series::{self, ContactBody, HeatRequest, Parameter, Profile};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
@@ -16,7 +16,7 @@ use crate::figures::axes::plot_failure;
 /// # Errors
 /// There are several bodies or contacts, the weight is not known, or the dissipation is 0 and has no multiples.
 pub fn heat(
-    bodies: &[Body],
+    bodies: &[ContactBody],
     request: &HeatRequest,
     stiffness: impl FnOnce(f64) -> Vec<f64>,
     dissipation: impl FnOnce(f64) -> Vec<f64>,
@@ -97,7 +97,7 @@ fn curve_figure(
 }
 
 /// The only body; refused if there are several.
-fn only_body(bodies: &[Body]) -> Result<&Body, Failure> {
+fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
     match bodies {
         [one] => Ok(one),
         _ => {

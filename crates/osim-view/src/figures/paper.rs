@@ -6,7 +6,7 @@ use contact_plots::{Figure, Panel, Point, Width};
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::table1::{self, Animal, HEIGHT_RADII};
 use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues, falisse2022};
-use osim_inspect::series::{self, Body, ForceUnit, IndentationUnit, SphereKind, Units};
+use osim_inspect::series::{self, ContactBody, ForceUnit, IndentationUnit, SphereKind, Units};
 use osim_model::files::Failure;
 use osim_model::messages::readable;
 
@@ -150,12 +150,16 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     })
 }
 
-fn body(scale: &Scale, contact: Contact) -> Body {
+fn body(scale: &Scale, contact: Contact) -> ContactBody {
     let unknown = Failure::outside(FIG_C5_ANIMAL, "plot", "Fig. C.5 says nothing of weight");
-    Body::without_weight(FIG_C5_ANIMAL.to_owned(), vec![SphereKind::new(scale.radius_m(), contact)], &unknown)
+    ContactBody::without_weight(
+        FIG_C5_ANIMAL.to_owned(),
+        vec![SphereKind::new(scale.radius_m(), contact)],
+        &unknown,
+    )
 }
 
-fn force_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
+fn force_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
     let mut laws = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
         let reach_m = (-WIDTH_OF_FIG_C5_RADII * kind.radius_m, WIDTH_OF_FIG_C5_RADII * kind.radius_m);
@@ -165,7 +169,7 @@ fn force_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
     Ok(Panel { title: title.to_owned(), ..force_panel(laws, UNITS) })
 }
 
-fn state_panel_of(title: &str, body: &Body) -> Result<Panel, Failure> {
+fn state_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
     let mut states = Vec::new();
     let mut limits = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {

@@ -1,7 +1,7 @@
 //! The page entry and sections of a model that was changed.
 
 use maud::{Markup, html};
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{Figures, Inspection, ReferenceState};
 use osim_model::messages::{Dialect, readable};
 use osim_patch::{NumberChange, PlaceChange, Plan};
@@ -30,7 +30,7 @@ pub struct ChangedModelOnPage<'c> {
     /// The new model; `None` if nothing changes.
     pub after: Option<InspectedAndChecked<'c>>,
     /// States of the model for curves.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<ContactBody>,
     /// The feet of these states, the last with its bones; empty if they are not drawn.
     pub feet: Vec<ModelFeet>,
     /// The model or preset that the contacts come from, if they are another body's.

@@ -1,7 +1,7 @@
 //! The page entry and sections of a model that was inspected and checked.
 
 use maud::{Markup, html};
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::files::OpenModel;
 use osim_model::messages::{Dialect, four_significant, readable};
@@ -58,7 +58,8 @@ pub(super) fn add_inspection_sections(
     }
     let failed = |fault| model.failure(fault);
     let body = || {
-        Body::from_inspected_model(file_name(model.name()).to_owned(), &model.model, options, &failed).ok()
+        ContactBody::from_inspected_model(file_name(model.name()).to_owned(), &model.model, options, &failed)
+            .ok()
     };
     let drawn = Drawn {
         bodies: body().into_iter().collect(),

@@ -2,7 +2,7 @@
 
 use contact_plots::{Drawing, Figure, Paper};
 use maud::{Markup, PreEscaped, html};
-use osim_inspect::series::{Body, ForceUnit, IndentationUnit, Units};
+use osim_inspect::series::{ContactBody, ForceUnit, IndentationUnit, Units};
 use osim_model::files::Failure;
 use osim_model::messages::Dialect;
 use osim_planning::{ModelFeet, MotionRemark, MotionResult};
@@ -26,7 +26,7 @@ const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 /// `has_reference`: the last one is another body.
 pub(super) fn contact_section(
     fragment: &mut Fragment,
-    bodies: &[Body],
+    bodies: &[ContactBody],
     has_reference: bool,
     dialect: &dyn Dialect,
 ) {
@@ -36,7 +36,7 @@ pub(super) fn contact_section(
 }
 
 /// The section about the contact state of a smoothed law, if it is asked for; there is none without smoothing.
-pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
+pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
     let svg = fragment.is_named(STATE.0).then(|| state_svg(bodies).ok()).flatten();
     if let Some(svg) = svg {
         let what = "How softly contact sets in: from 0, no contact, to 1. Where curves lie on each other, the smoothing without \
@@ -46,7 +46,7 @@ pub(super) fn state_section(fragment: &mut Fragment, bodies: &[Body]) {
 }
 
 /// The figures with their captions, and why one is not there.
-pub(super) fn figures(bodies: &[Body], has_reference: bool, dialect: &dyn Dialect) -> Markup {
+pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn Dialect) -> Markup {
     let pressed = if has_reference {
         "Force of a sphere that is pressed into the ground, before and after the change, and of the reference. The curve \
          after the change and that of the reference lie on each other where the contact without dimensions is the same; the \
@@ -82,25 +82,25 @@ fn plot_with_caption(what: &str, svg: &str) -> Markup {
 }
 
 /// A figure as SVG. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
-fn svg_or_failure(bodies: &[Body], figure: Result<Figure, Failure>) -> Result<String, Failure> {
+fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Result<String, Failure> {
     let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
     svg.map_err(|error| Failure::outside(name(), "plot", error.to_string()))
 }
 
-fn force_svg(bodies: &[Body]) -> Result<String, Failure> {
+fn force_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
     svg_or_failure(bodies, figures::force(bodies, UNITS, None, Some("Force against indentation")))
 }
 
-fn state_svg(bodies: &[Body]) -> Result<String, Failure> {
+fn state_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
     svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state")))
 }
 
-fn loops_svg(bodies: &[Body]) -> Result<String, Failure> {
+fn loops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
     svg_or_failure(bodies, figures::impact_loops(bodies, UNITS, DROP_HEIGHT, Some("Dissipation")))
 }
 
-fn drops_svg(bodies: &[Body]) -> Result<String, Failure> {
+fn drops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
     let from = "a quarter of the sphere radius";
     svg_or_failure(bodies, figures::drops(bodies, DROP_HEIGHT, from, None, Some("Drop test")))
 }

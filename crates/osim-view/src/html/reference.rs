@@ -2,7 +2,7 @@
 
 use contact_scaling::DimensionlessContact;
 use maud::{Markup, html};
-use osim_inspect::series::{Body, SphereKind};
+use osim_inspect::series::{ContactBody, SphereKind};
 use osim_inspect::{ReferenceState, SizeList};
 use osim_model::messages::{four_significant, readable};
 
@@ -17,7 +17,7 @@ const RELATIVE_ROUNDING: f64 = 1e-9;
 type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
 
 /// The section: `bodies` are the states of the model, before and after.
-pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[Body]) {
+pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[ContactBody]) {
     let Some(body) = &reference.body else { return };
     let states: Vec<(&str, Contacts<'_>)> =
         bodies.iter().filter_map(|body| Some((body.name.as_str(), body.dimensionless().ok()?))).collect();
@@ -25,7 +25,7 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
     let gravity = bodies.last().and_then(|body| body.weight().ok()).map(|weight| weight.gravity_m_s2);
     let moved_body = gravity.map(|gravity| with_gravity(body, gravity));
     let (Ok(in_own_gravity), Some(Ok(in_model_gravity))) =
-        (body.dimensionless(), moved_body.as_ref().map(Body::dimensionless))
+        (body.dimensionless(), moved_body.as_ref().map(ContactBody::dimensionless))
     else {
         return;
     };
@@ -75,7 +75,7 @@ pub(super) fn in_words(reference: &ReferenceState) -> String {
 }
 
 /// The numbers of both models as their files have them.
-fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
+fn parameters(reference: &ContactBody, bodies: &[ContactBody]) -> Markup {
     let named =
         std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
     let rows: Vec<Markup> = named
@@ -98,7 +98,7 @@ fn parameters(reference: &Body, bodies: &[Body]) -> Markup {
     table("Parameters beside the reference's", caption, &headers, &rows)
 }
 
-fn parameter_row(state: &str, body: &Body, kind: &SphereKind) -> Markup {
+fn parameter_row(state: &str, body: &ContactBody, kind: &SphereKind) -> Markup {
     let weight = body.weight().ok();
     let (contact, smoothing) = (kind.contact.values(), kind.contact.smoothing());
     let numbers = [
@@ -124,7 +124,7 @@ fn sphere_names(kind: &SphereKind) -> &str {
     if kind.spheres.is_empty() { "all" } else { &kind.spheres }
 }
 
-fn with_gravity(body: &Body, gravity_m_s2: f64) -> Body {
+fn with_gravity(body: &ContactBody, gravity_m_s2: f64) -> ContactBody {
     let mut body = body.clone();
     if let Ok(weight) = &mut body.weight {
         weight.gravity_m_s2 = gravity_m_s2;
@@ -133,7 +133,7 @@ fn with_gravity(body: &Body, gravity_m_s2: f64) -> Body {
 }
 
 fn all_agree(contacts: &Contacts<'_>, reference: &Contacts<'_>) -> bool {
-    contacts.iter().all(|(_, contact)| reference.iter().any(|(_, other)| agree(contact, other)))
+    contacts.iter().all(|(_, contact)| reference.iter().any(|(_, other)| contacts_agree(contact, other)))
 }
 
 /// Whether the contact is that of the reference.
@@ -149,7 +149,7 @@ fn verdict(name: &str, equal: bool, changed: bool) -> String {
 }
 
 /// Whether the numbers that both have are the same: a HuntCrossleyForce has no smoothing.
-fn agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
+fn contacts_agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
     let numbers = |contact: &DimensionlessContact| {
         [
             Some(contact.modulus()),

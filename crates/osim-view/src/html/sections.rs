@@ -1,7 +1,7 @@
 //! Sections about one model, each by itself: for a page that shows some now and others later.
 
 use osim_inspect::ReferenceState;
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_model::messages::{Dialect, terminal_safe};
 use osim_patch::Plan;
 use serde::Serialize;
@@ -43,7 +43,7 @@ impl Sections {
     /// contacts are taken from, if it is another body. Nothing else of the model is computed: for pictures that follow a slider.
     pub fn of_plan(
         plan: &Plan,
-        bodies: &[Body],
+        bodies: &[ContactBody],
         reference: Option<&ReferenceState>,
         wanted: Option<&[String]>,
         dialect: &dyn Dialect,
@@ -52,7 +52,7 @@ impl Sections {
         add_changes_section(&mut fragment, plan);
         if !bodies.is_empty() {
             let other = reference.and_then(|reference| reference.body.clone());
-            let bodies: Vec<Body> = bodies.iter().cloned().chain(other).collect();
+            let bodies: Vec<ContactBody> = bodies.iter().cloned().chain(other).collect();
             plots::contact_section(&mut fragment, &bodies, reference.is_some(), dialect);
             plots::state_section(&mut fragment, &bodies);
         }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
 
 use contact_scaling::limits;
-use osim_inspect::series::Body;
+use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, Counts, Figure, Figures};
 use osim_model::messages::{four_significant, readable};
 use osim_model::{FindingCode, Severity};
@@ -37,7 +37,7 @@ pub(crate) struct Indentation {
 }
 
 impl Facts {
-    pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&Body>) -> Self {
+    pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&ContactBody>) -> Self {
         Self {
             mass_kg: figures.mass_kg,
             indentation: Indentation { now: deepest(figures), ..Indentation::default() },
@@ -69,7 +69,7 @@ pub(crate) fn is_too_deep(indentation: f64) -> bool {
 }
 
 /// x/R and damping of each kind of sphere, as a page shows them.
-fn contact_text(body: &Body) -> Option<String> {
+fn contact_text(body: &ContactBody) -> Option<String> {
     let contacts = body.dimensionless().ok()?;
     let shown = contacts.iter().map(|(_, contact)| {
         let (depth, damping) = (contact.relative_indentation(), contact.dissipation());
@@ -89,7 +89,7 @@ const MAX_COUNTED_CONTACTS: usize = 256;
 
 #[derive(Debug, Default)]
 pub(crate) struct Drawn {
-    pub(crate) bodies: Vec<Body>,
+    pub(crate) bodies: Vec<ContactBody>,
     /// Whether the last of them is the reference.
     pub(crate) has_reference: bool,
     /// The feet of these states; empty if a page leaves them out.
@@ -241,7 +241,7 @@ mod tests {
 
     fn offer(chosen: &mut Chosen, number: usize, mass_kg: f64, code: Option<FindingCode>) {
         let why = Failure::outside("a", "plot", "not known".to_owned());
-        let body = Body::without_weight(format!("model {number}"), Vec::new(), &why);
+        let body = ContactBody::without_weight(format!("model {number}"), Vec::new(), &why);
         let facts = Facts {
             mass_kg: Some(mass_kg),
             codes: code.map(|code| (code, Severity::Error)).into_iter().collect(),

@@ -69,7 +69,7 @@ pub fn cells(list: &SizeList, row: &SizeRow, extent: Extent) -> [String; 5] {
     let similar = row.similarity_factor.map_or_else(|| "?".to_owned(), three);
     let (name, count) = (row.description.to_owned(), row.count.to_string());
     if list.is_of_two_models() {
-        [name, count, found(row, extent), similar, row.verdict_words.to_owned()]
+        [name, count, factors_in_words(row, extent), similar, row.verdict_words.to_owned()]
     } else {
         let now = format!("{} {}", three(row.value.median), row.unit);
         [name, count, now, similar, row.similarity_formula.clone()]
@@ -77,16 +77,16 @@ pub fn cells(list: &SizeList, row: &SizeRow, extent: Extent) -> [String; 5] {
 }
 
 /// The factors by which numbers changed: `same`, or the median and the range.
-fn found(row: &SizeRow, extent: Extent) -> String {
+fn factors_in_words(row: &SizeRow, extent: Extent) -> String {
     match (row.pairs, row.same, &row.factor) {
         (Some(pairs), Some(same), _) if pairs > 0 && same == pairs => "same".to_owned(),
-        (_, _, Some(factor)) => spread(factor, extent),
+        (_, _, Some(factor)) => spread_in_words(factor, extent),
         (Some(1..), ..) => "0 before".to_owned(),
         _ => "-".to_owned(),
     }
 }
 
-fn spread(SizeSpread { median, min, max, .. }: &SizeSpread, extent: Extent) -> String {
+fn spread_in_words(SizeSpread { median, min, max, .. }: &SizeSpread, extent: Extent) -> String {
     let [median, min, max] = [median, min, max].map(|value| extent.number(*value, three_significant));
     if min == max { median } else { format!("{median} ({min} to {max})") }
 }

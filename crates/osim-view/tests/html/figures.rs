@@ -2,7 +2,7 @@
 
 use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;
-use osim_inspect::series::{Body, HeatRequest};
+use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_requests::spell::{CommandLine, Python};
 use osim_requests::{DropHeight, HeatQuantity};
 use osim_view::figures::{self as figures, AxisUnits};
@@ -11,10 +11,10 @@ use crate::support::open;
 
 const HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
-fn body(name: &str) -> Body {
+fn body(name: &str) -> ContactBody {
     let model = open(&format!("table1/{name}.osim"));
     let options = InspectOptions::default();
-    Body::from_inspected_model(name.to_owned(), &model.model, &options, &|fault| model.failure(fault))
+    ContactBody::from_inspected_model(name.to_owned(), &model.model, &options, &|fault| model.failure(fault))
         .unwrap()
 }
 
@@ -142,7 +142,7 @@ fn a_heat_map_is_about_one_body() {
 
 #[test]
 fn too_many_curves_are_refused_with_a_way_out() {
-    let bodies: Vec<Body> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
+    let bodies: Vec<ContactBody> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
     let figure = figures::force(&bodies, figures::units_for(&bodies, None), None, None).unwrap();
     let failure = figures::failure_of_plot(figure.distinct().unwrap_err(), &bodies);
     let message = failure.message.spelled(&CommandLine);

@@ -33,7 +33,7 @@ fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> V
     found.findings.into_iter().filter_map(|finding| finding.command).collect()
 }
 
-fn review(options: &InspectOptions, models: &[&str]) -> String {
+fn text_of_remedies(options: &InspectOptions, models: &[&str]) -> String {
     let mut review = String::new();
     for name in models {
         let [command, python, page, json] = [&CommandLine as &dyn FrontEnd, &Python, &Page, &JsonRequest]
@@ -53,7 +53,7 @@ fn review(options: &InspectOptions, models: &[&str]) -> String {
 
 #[test]
 fn remedies_are_given_in_the_words_of_each_front_end() {
-    insta::assert_snapshot!("remedies", review(&InspectOptions::default(), &MODELS));
+    insta::assert_snapshot!("remedies", text_of_remedies(&InspectOptions::default(), &MODELS));
 }
 
 #[test]
@@ -70,7 +70,7 @@ fn remedies_say_again_what_was_said_of_the_model() {
     options.geometry = Some("my geometry.xml".into());
     insta::assert_snapshot!(
         "remedies_with_options",
-        review(
+        text_of_remedies(
             &options,
             &["check/sunk_in.osim", "check/beyond_hunt_crossley.osim", "format/mixed_radii.osim"]
         )

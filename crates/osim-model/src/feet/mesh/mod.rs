@@ -41,7 +41,7 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
         Some("obj") => obj_and_stl::obj_points(bytes),
         _ => Err(MeshFault::UnknownKind),
     }?;
-    checked(points)
+    checked_points(points)
 }
 
 /// The surface that the mesh file `name` describes, in the file's own units and frame: the ending of the name (.vtp, .stl, .obj)
@@ -79,7 +79,7 @@ pub(crate) fn is_length(value: f64) -> bool {
 }
 
 /// Points, each once, if they are those of a surface.
-fn checked(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
     for (index, point) in points.iter().enumerate() {
         if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
         {
@@ -104,7 +104,7 @@ fn checked(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
     if in_one_line(&points) {
         return Err(MeshFault::InOneLine);
     }
-    match stray(&points) {
+    match stray_point(&points) {
         Some(stray) => Err(MeshFault::StrayPoint {
             point: numbers.get(stray.index).copied().unwrap_or_default(),
             distance: three_significant(stray.distance),
@@ -151,7 +151,7 @@ struct Stray {
 }
 
 /// The farthest point that is far from all others; `points` are each there once.
-fn stray(points: &[[f64; 3]]) -> Option<Stray> {
+fn stray_point(points: &[[f64; 3]]) -> Option<Stray> {
     if points.len() < LEAST_POINTS {
         return None;
     }
@@ -232,11 +232,11 @@ mod tests {
 
     #[test]
     fn a_broken_number_is_found_and_a_bone_is_whole() {
-        assert!(stray(&block()).is_none());
+        assert!(stray_point(&block()).is_none());
         for (index, broken) in [(7, [0.05, -0.4, 0.1]), (100, [12.0, 0.0, 0.1]), (200, [0.05, 0.02, 250.0])] {
             let mut points = block();
             points[index] = broken;
-            let found = stray(&points).unwrap();
+            let found = stray_point(&points).unwrap();
             assert_eq!(found.index, index);
             // The box reaches 0.138 from its middle: √(0.05² + 0.025² + 0.125²).
             assert!(found.reach > 0.08 && found.reach < 0.138 && found.distance > 2.0 * found.reach);
@@ -247,7 +247,7 @@ mod tests {
     fn broken_numbers_that_lie_together_are_found() {
         let mut points = block();
         (points[3], points[4]) = ([0.05, -1.0, 0.1], [0.05, -1.0, 0.101]);
-        assert!(matches!(stray(&points), Some(Stray { index: 3 | 4, .. })));
+        assert!(matches!(stray_point(&points), Some(Stray { index: 3 | 4, .. })));
     }
 
     #[test]
@@ -255,8 +255,8 @@ mod tests {
         // A toe of many points, far ahead.
         let toe = block().into_iter().take(30).map(|[x, y, z]| [x / 5.0, y / 5.0, 1.0 + z / 5.0]);
         let points: Vec<[f64; 3]> = block().into_iter().chain(toe).collect();
-        assert!(stray(&points).is_none());
+        assert!(stray_point(&points).is_none());
         // A cube has eight corners.
-        assert!(stray(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 50.0]]).is_none());
+        assert!(stray_point(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 50.0]]).is_none());
     }
 }

@@ -1,6 +1,6 @@
 //! Wavefront files: of their lines, those that begin with `v` and `f`. Stereolithography files, in text or binary.
 
-use super::surface::{MeshFault, Surface, add, number, within};
+use super::surface::{MeshFault, Surface, add, check_point_count, number};
 use crate::xml::opensim_text::words;
 
 /// The vertices of an .obj file. A weight or a colour may follow x, y and z, and does not count.
@@ -76,7 +76,7 @@ pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 }
 
 fn binary(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
-    within(triangles.len() / TRIANGLE)?;
+    check_point_count(triangles.len() / TRIANGLE)?;
     let mut points = Vec::new();
     for triangle in triangles.chunks_exact(TRIANGLE) {
         let corners = triangle.get(NORMAL..TRIANGLE - 2).unwrap_or_default();
@@ -97,7 +97,7 @@ fn in_text(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
         if word.eq_ignore_ascii_case("vertex") {
             let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
             points.push([next()?, next()?, next()?]);
-            within(points.len() / 3)?;
+            check_point_count(points.len() / 3)?;
         }
     }
     Ok(points)

@@ -137,10 +137,10 @@ pub(super) fn shortened(word: &str) -> String {
 
 pub(super) fn add(points: &mut Vec<[f64; 3]>, point: [f64; 3]) -> Result<(), MeshFault> {
     points.push(point);
-    within(points.len())
+    check_point_count(points.len())
 }
 
-pub(super) fn within(points: usize) -> Result<(), MeshFault> {
+pub(super) fn check_point_count(points: usize) -> Result<(), MeshFault> {
     let most = MOST_POINTS;
     if points > most { Err(MeshFault::TooManyPoints { most }) } else { Ok(()) }
 }

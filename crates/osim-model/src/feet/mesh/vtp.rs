@@ -7,7 +7,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
-use super::surface::{MOST_POINTS, MeshFault, Surface, shortened, triples, within};
+use super::surface::{MOST_POINTS, MeshFault, Surface, check_point_count, shortened, triples};
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
@@ -19,7 +19,7 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let mut all = Vec::new();
     each_piece(bytes, |_, _, _, points| {
         all.extend(points);
-        within(all.len())
+        check_point_count(all.len())
     })?;
     if all.is_empty() { Err(no_points()) } else { Ok(all) }
 }
@@ -30,7 +30,7 @@ pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
     each_piece(bytes, |tree, piece, coding, points| {
         let start = all.points.len();
         all.points.extend(points);
-        within(all.points.len())?;
+        check_point_count(all.points.len())?;
         let Some(polygons) = tree.child(piece, "Polys") else { return Ok(()) };
         let array = |name: &str| {
             let named = |&id: &ElementId| tree.attribute(id, "Name").as_deref() == Some(name);
@@ -290,7 +290,7 @@ pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Ve
             return Err(MeshFault::Unsupported(format!("points of type {other:?} are not read")));
         }
     };
-    within(values.len() / 3)?;
+    check_point_count(values.len() / 3)?;
     Ok(values.as_chunks::<3>().0.to_vec())
 }
 

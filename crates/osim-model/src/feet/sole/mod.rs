@@ -84,7 +84,7 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
     let soles = feet.iter().map(|foot| {
         let points = points_in_ground(foot, bones, &placements);
         let pair = foot.pair_in(&feet).and_then(|pair| feet.get(pair));
-        let across = pair.and_then(|pair| across(foot, pair, &pose));
+        let across = pair.and_then(|pair| left_to_right(foot, pair, &pose));
         let axes = FootAxes::of(up, foot.side, &points, across);
         let sole = sole(foot, &points, &axes, request).map_err(|fits| FeetFault::TooManySpheres {
             bodies: foot.bodies.clone(),
@@ -97,7 +97,7 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
 }
 
 /// The direction from where the left limb of a pair begins to where the right one does.
-fn across(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Option<DVec3> {
+fn left_to_right(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Option<DVec3> {
     let origin = |foot: &SoleBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
     let (own, other) = (origin(foot)?, origin(pair)?);
     let sign = if foot.side == Some(Side::Left) { -1.0 } else { 1.0 };

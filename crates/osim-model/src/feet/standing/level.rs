@@ -92,7 +92,7 @@ struct LevelledFeet<'f> {
 
 impl LevelledFeet<'_> {
     fn levelled_spheres(&self, limb: &Limb) -> Result<Vec<LevelledSphere>, NotLevelled> {
-        let spheres = limb.spheres.iter().filter_map(|&sphere| self.over(sphere).transpose());
+        let spheres = limb.spheres.iter().filter_map(|&sphere| self.over_lowest_floor(sphere).transpose());
         let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
         let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
         let high: Vec<&OverLowestFloor> =
@@ -104,7 +104,7 @@ impl LevelledFeet<'_> {
     }
 
     /// How a sphere is over the lowest of its floors; `None` if it is on none.
-    fn over(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
+    fn over_lowest_floor(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
         let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
         let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
         let Some((normal, gap_m)) = lowest.and_then(|(plane, gap)| Some((plane.surface?.normal, gap))) else {

@@ -318,7 +318,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn at(anatomy: &Anatomy, expected: [f64; 3]) {
+    fn assert_place(anatomy: &Anatomy, expected: [f64; 3]) {
         let joint = anatomy.joints.iter().find(|joint| joint.name == "mtp_r").unwrap();
         let place = anatomy.joint_place_seen_from("calcn_r", joint).unwrap();
         assert!(place.abs_diff_eq(expected.into(), 1e-15), "{place:?}");
@@ -327,7 +327,7 @@ mod tests {
     #[test]
     fn a_joint_is_found_through_bodies_between() {
         // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
-        at(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
+        assert_place(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
         let anatomy = chain("WeldJoint:", "0.05 0 0");
         assert!(
             anatomy.joint_place_seen_from("toes_r", &anatomy.joints[1]).is_none(),
@@ -343,7 +343,7 @@ mod tests {
         // A quarter turn about z: the middle body's x points up, its y back; 0.1 - (-0.02 turned) = 0.1 + 0.02, and 0.05 up.
         let quarter = "1.5707963267948966";
         let pin = format!("PinJoint:<coordinates>{}</coordinates>", coordinate("q", quarter));
-        at(&chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
+        assert_place(&chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
         // A CustomJoint for the same quarter turn: half of the angle by each of two functions, and 0.03 along z.
         let axis = |name: &str, q: &str, direction: &str, function: &str| {
             format!(
@@ -366,7 +366,7 @@ mod tests {
             // OpenSim gives the axis the length 1.
             axis("translation3", "t", "0 0 2", spline),
         );
-        at(&chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
+        assert_place(&chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
         // A curve that is not known is not guessed.
         let unknown = custom.replace("SimmSpline", "GCVSpline");
         let anatomy = chain(&unknown, "0.05 0 0");

@@ -167,11 +167,11 @@ pub(super) struct SizedProperty {
     pub(super) count: usize,
 }
 
-const fn one(tag: &'static str, kind: SizedKind, default: f64) -> SizedProperty {
+const fn one_number(tag: &'static str, kind: SizedKind, default: f64) -> SizedProperty {
     SizedProperty { tag, kind: KindRule::Always(kind), default, count: 1 }
 }
 
-const fn three(tag: &'static str, kind: SizedKind) -> SizedProperty {
+const fn three_numbers(tag: &'static str, kind: SizedKind) -> SizedProperty {
     SizedProperty { tag, kind: KindRule::Always(kind), default: 0.0, count: 3 }
 }
 
@@ -184,55 +184,63 @@ const fn on_coordinate(
     SizedProperty { tag, kind: KindRule::ByCoordinate(turns, shifts), default, count: 1 }
 }
 
-const FORCE: SizedProperty = one("max_isometric_force", MaxIsometricForce, 1000.0);
-const FIBER: SizedProperty = one("optimal_fiber_length", OptimalFiberLength, 0.1);
-const TENDON: SizedProperty = one("tendon_slack_length", TendonSlackLength, 0.2);
-const VELOCITY: SizedProperty = one("max_contraction_velocity", MaxContractionVelocity, 10.0);
-const SCALE: SizedProperty = one("time_scale", TimeScale, 0.1);
+const FORCE: SizedProperty = one_number("max_isometric_force", MaxIsometricForce, 1000.0);
+const FIBER: SizedProperty = one_number("optimal_fiber_length", OptimalFiberLength, 0.1);
+const TENDON: SizedProperty = one_number("tendon_slack_length", TendonSlackLength, 0.2);
+const VELOCITY: SizedProperty = one_number("max_contraction_velocity", MaxContractionVelocity, 10.0);
+const SCALE: SizedProperty = one_number("time_scale", TimeScale, 0.1);
 
 const fn activation(default: f64) -> SizedProperty {
-    one("activation_time_constant", ActivationTime, default)
+    one_number("activation_time_constant", ActivationTime, default)
 }
 
 const fn deactivation(default: f64) -> SizedProperty {
-    one("deactivation_time_constant", DeactivationTime, default)
+    one_number("deactivation_time_constant", DeactivationTime, default)
 }
 
 const RIGID_TENDON: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY];
 const THELEN: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.05)];
-const OLD_THELEN: &[SizedProperty] =
-    &[FORCE, FIBER, TENDON, one("Vmax", MaxContractionVelocity, 10.0), activation(0.01), deactivation(0.04)];
+const OLD_THELEN: &[SizedProperty] = &[
+    FORCE,
+    FIBER,
+    TENDON,
+    one_number("Vmax", MaxContractionVelocity, 10.0),
+    activation(0.01),
+    deactivation(0.04),
+];
 const MILLARD: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.01), deactivation(0.04)];
 const DE_GROOTE: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.06)];
 const TIME_SCALED: &[SizedProperty] = &[FORCE, FIBER, TENDON, SCALE];
 const LIGAMENT: &[SizedProperty] =
-    &[one("resting_length", LigamentLength, 0.0), one("pcsa_force", LigamentForce, 0.0)];
+    &[one_number("resting_length", LigamentLength, 0.0), one_number("pcsa_force", LigamentForce, 0.0)];
 const BLANKEVOORT: &[SizedProperty] = &[
-    one("slack_length", LigamentLength, 0.0),
-    one("linear_stiffness", LigamentForce, 1.0),
-    one("damping_coefficient", LigamentDamping, 0.003),
+    one_number("slack_length", LigamentLength, 0.0),
+    one_number("linear_stiffness", LigamentForce, 1.0),
+    one_number("damping_coefficient", LigamentDamping, 0.003),
 ];
 const PATH_SPRING: &[SizedProperty] = &[
-    one("resting_length", SpringLength, f64::NAN),
-    one("stiffness", SpringStiffness, f64::NAN),
-    one("dissipation", SpringDissipation, f64::NAN),
+    one_number("resting_length", SpringLength, f64::NAN),
+    one_number("stiffness", SpringStiffness, f64::NAN),
+    one_number("dissipation", SpringDissipation, f64::NAN),
 ];
 const CLUTCHED: &[SizedProperty] = &[
-    one("stiffness", SpringStiffness, f64::NAN),
-    one("dissipation", SpringDissipation, f64::NAN),
-    one("relaxation_time_constant", SpringTime, 0.001),
+    one_number("stiffness", SpringStiffness, f64::NAN),
+    one_number("dissipation", SpringDissipation, f64::NAN),
+    one_number("relaxation_time_constant", SpringTime, 0.001),
 ];
 const POINTS_SPRING: &[SizedProperty] =
-    &[one("stiffness", SpringStiffness, 1.0), one("rest_length", SpringLength, 0.0)];
-const EXPRESSION_PATH: &[SizedProperty] = &[one("resting_length", SpringLength, 0.0)];
+    &[one_number("stiffness", SpringStiffness, 1.0), one_number("rest_length", SpringLength, 0.0)];
+const EXPRESSION_PATH: &[SizedProperty] = &[one_number("resting_length", SpringLength, 0.0)];
 const BUSHING: &[SizedProperty] = &[
-    three("rotational_stiffness", BushingRotationalStiffness),
-    three("translational_stiffness", BushingStiffness),
-    three("rotational_damping", BushingRotationalDamping),
-    three("translational_damping", BushingDamping),
+    three_numbers("rotational_stiffness", BushingRotationalStiffness),
+    three_numbers("translational_stiffness", BushingStiffness),
+    three_numbers("rotational_damping", BushingRotationalDamping),
+    three_numbers("translational_damping", BushingDamping),
 ];
-const BUSHING_OF_FUNCTIONS: &[SizedProperty] =
-    &[three("rotational_damping", BushingRotationalDamping), three("translational_damping", BushingDamping)];
+const BUSHING_OF_FUNCTIONS: &[SizedProperty] = &[
+    three_numbers("rotational_damping", BushingRotationalDamping),
+    three_numbers("translational_damping", BushingDamping),
+];
 const COORDINATE_SPRING: &[SizedProperty] = &[
     on_coordinate("stiffness", Some(CoordinateRotationalStiffness), CoordinateStiffness, 0.0),
     on_coordinate("viscosity", Some(CoordinateRotationalDamping), CoordinateDamping, 0.0),
@@ -250,10 +258,10 @@ const COORDINATE_ACTUATOR: &[SizedProperty] =
     &[on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0)];
 const ACTIVATED_ACTUATOR: &[SizedProperty] = &[
     on_coordinate("optimal_force", Some(ActuatorTorque), ActuatorForce, 1.0),
-    one("activation_time_constant", ActuatorTime, 0.01),
+    one_number("activation_time_constant", ActuatorTime, 0.01),
 ];
-const FORCE_ACTUATOR: &[SizedProperty] = &[one("optimal_force", ActuatorForce, 1.0)];
-const TORQUE_ACTUATOR: &[SizedProperty] = &[one("optimal_force", ActuatorTorque, 1.0)];
+const FORCE_ACTUATOR: &[SizedProperty] = &[one_number("optimal_force", ActuatorForce, 1.0)];
+const TORQUE_ACTUATOR: &[SizedProperty] = &[one_number("optimal_force", ActuatorTorque, 1.0)];
 
 /// The properties of `class` that are listed.
 pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {

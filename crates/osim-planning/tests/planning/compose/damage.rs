@@ -36,7 +36,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             (!first.is_empty()).then(|| set(json!({"stiffness": "x10"}), &first)).flatten(),
         ),
         ("one larger", (!first.is_empty()).then(|| set(json!({"radius": "x1.2"}), &first)).flatten()),
-        ("mass x 3", times(text, "mass", 3.0)),
+        ("mass x 3", numbers_multiplied(text, "mass", 3.0)),
         ("radii x 2", set(json!({"radius": "x2"}), &[])),
         ("dissipation 0", set(json!({"dissipation": 0}), &[])),
         ("dissipation 50", set(json!({"dissipation": 50}), &[])),
@@ -48,16 +48,16 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             (!first.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": first}))).flatten(),
         ),
         ("one doubled", doubled(text, model)),
-        ("bones x 1.2", times(text, "scale_factors", 1.2)),
+        ("bones x 1.2", numbers_multiplied(text, "scale_factors", 1.2)),
         (
             "smoothed by 0",
-            each(text, model, "SmoothSphereHalfSpaceForce", &["constant_contact_force"], |_| {
+            damage_each(text, model, "SmoothSphereHalfSpaceForce", &["constant_contact_force"], |_| {
                 Some("0".into())
             }),
         ),
-        ("gravity up", times(text, "gravity", -1.0)),
-        ("gravity in mm/s2", times(text, "gravity", 1000.0)),
-        ("gravity tilted", each(text, model, "Model", &["gravity"], |_| Some("9.81 0 0".to_owned()))),
+        ("gravity up", numbers_multiplied(text, "gravity", -1.0)),
+        ("gravity in mm/s2", numbers_multiplied(text, "gravity", 1000.0)),
+        ("gravity tilted", damage_each(text, model, "Model", &["gravity"], |_| Some("9.81 0 0".to_owned()))),
         ("floor upside down", floor(text, model, "0 0 1.5707963267948966")),
         ("floor upright", floor(text, model, "0 0 0")),
         ("floor sloping", floor(text, model, "0 0 -1.3")),
@@ -65,9 +65,12 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ("floor on a limb", on_limb(text, model)),
         (
             "radii in millimetres",
-            each(text, model, "ContactSphere", &["radius"], |radius| scaled(radius, 1000.0)),
+            damage_each(text, model, "ContactSphere", &["radius"], |radius| scaled(radius, 1000.0)),
         ),
-        ("places in millimetres", each(text, model, "ContactSphere", PLACE, |place| scaled(place, 1000.0))),
+        (
+            "places in millimetres",
+            damage_each(text, model, "ContactSphere", PLACE, |place| scaled(place, 1000.0)),
+        ),
         ("one on the other side", on_other_side(text, model)),
     ];
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
@@ -93,7 +96,7 @@ fn changed(text: &str, fields: &Value) -> Option<String> {
 }
 
 /// All numbers in elements of this name, multiplied.
-fn times(text: &str, tag: &str, factor: f64) -> Option<String> {
+fn numbers_multiplied(text: &str, tag: &str, factor: f64) -> Option<String> {
     let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
     let mut parts = text.split(open.as_str());
     let mut out = parts.next()?.to_owned();
@@ -115,7 +118,7 @@ const PLACE: &[&str] = &["location", "translation"];
 const FRAME: &[&str] = &["socket_frame", "body_name", "socket_frame_connectee_name"];
 
 /// The model with other texts of the properties `names` in all elements called `tag`, where `new` gives one.
-fn each(
+fn damage_each(
     text: &str,
     model: &Model,
     tag: &str,
@@ -143,13 +146,13 @@ fn scaled(numbers: &str, factor: f64) -> Option<String> {
 }
 
 fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
-    each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
+    damage_each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
 }
 
 /// A model with all floors on the body that carries the first sphere.
 fn on_limb(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
-    each(text, model, "ContactHalfSpace", FRAME, |frame| named(frame, &body))
+    damage_each(text, model, "ContactHalfSpace", FRAME, |frame| name_of_body(frame, &body))
 }
 
 /// A model with the spheres of the first body on its counterpart.
@@ -163,14 +166,14 @@ fn on_other_side(text: &str, model: &Model) -> Option<String> {
     };
     let other = model.bodies().iter().map(|one| one.name.as_str()).find(|name| is_counterpart(name))?;
     let first = std::cell::Cell::new(true);
-    each(text, model, "ContactSphere", FRAME, |frame| {
+    damage_each(text, model, "ContactSphere", FRAME, |frame| {
         let is_it = frame.trim().rsplit('/').next() == Some(body.as_str());
-        (is_it && first.replace(false)).then(|| named(frame, other)).flatten()
+        (is_it && first.replace(false)).then(|| name_of_body(frame, other)).flatten()
     })
 }
 
 /// A path or name with another body at its end.
-fn named(frame: &str, body: &str) -> Option<String> {
+fn name_of_body(frame: &str, body: &str) -> Option<String> {
     let frame = frame.trim();
     Some(match frame.rsplit_once('/') {
         Some((_, "ground")) => format!("/bodyset/{body}"),

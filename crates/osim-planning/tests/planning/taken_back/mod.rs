@@ -96,7 +96,7 @@ fn difference(expected: &[u8], seen: &[u8]) -> String {
 }
 
 /// The model itself, or without the contacts that it has.
-fn bare(desk: &mut Desk<'_>, document: &Document) -> Option<Document> {
+fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document> {
     let name = &document.name;
     let select = json!({"verb": "remove", "models": [name], "select": ["*"]});
     let bytes = match step(desk, name, &document.bytes, &select) {
@@ -127,7 +127,7 @@ fn try_all(files: &InMemory, documents: &[Document], share: Share, next: &Atomic
         let at = next.fetch_add(1, Ordering::Relaxed);
         let Some(document) = documents.get(at) else { return counts };
         desk.own.clear();
-        let own = [Some(document.clone()), bare(&mut desk, document)];
+        let own = [Some(document.clone()), without_contacts(&mut desk, document)];
         for (which, own) in own.into_iter().flatten().enumerate() {
             let one_in = if own.bytes.len() > 100_000 { share.large } else { share.small };
             for (number, (form, write)) in forms.iter().enumerate() {
@@ -156,7 +156,7 @@ fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Step
 }
 
 /// Numbers of things tried with all models.
-fn tried(share: Share) -> Counts {
+fn try_share(share: Share) -> Counts {
     let files = all_files();
     let documents = models(&files);
     let next = AtomicUsize::new(0);
@@ -204,7 +204,7 @@ impl Counts {
 
 #[test]
 fn what_was_added_is_taken_back() {
-    let counts = tried(FEW);
+    let counts = try_share(FEW);
     println!("{}", counts.told());
     counts.check();
 }
@@ -213,7 +213,7 @@ fn what_was_added_is_taken_back() {
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
 fn what_was_added_is_taken_back_in_every_form() {
-    let counts = tried(MANY);
+    let counts = try_share(MANY);
     println!("{}", counts.told());
     counts.check();
 }

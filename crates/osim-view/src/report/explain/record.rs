@@ -12,7 +12,7 @@ use osim_requests::spell::FrontEnd;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::report::explain::equations::uses;
+use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::text::{Letters, ascii, list, text};
 use crate::report::explain::topic::{QuantityTopic, Topic, UnknownTopic};
@@ -141,7 +141,7 @@ impl TopicRecord {
             formulas: equation.forms.iter().map(FormulaRecord::new).collect(),
             symbols: equation.symbols.iter().map(|symbol| SymbolRecord::new(symbol, dialect)).collect(),
             source: Phrase::template(equation.source).spelled(dialect),
-            used: uses(equation.label).spelled(dialect),
+            used: sentence_of_use(equation.label).spelled(dialect),
         }
     }
 

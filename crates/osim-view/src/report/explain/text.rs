@@ -5,7 +5,7 @@ use contact_scaling::equations::reference;
 use osim_model::Rule;
 use osim_model::messages::{Dialect, Phrase};
 
-use crate::report::explain::equations::uses;
+use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{options, table};
@@ -36,7 +36,7 @@ fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -
     }
     text.push('\n');
     text.push_str(&paragraph("Source: ", &spelled(equation.source)));
-    text.push_str(&paragraph("Used:   ", &uses(equation.label).spelled(dialect)));
+    text.push_str(&paragraph("Used:   ", &sentence_of_use(equation.label).spelled(dialect)));
     text.push_str(&book_line("Book:   ", "equations"));
     text
 }

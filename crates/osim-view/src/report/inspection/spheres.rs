@@ -71,7 +71,7 @@ pub fn value(figure: Figure, sphere: &SphereFigures, extent: Extent) -> Option<F
     }
 }
 
-fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
+fn shown_figures(extent: Extent) -> impl Iterator<Item = Figure> {
     Figure::ALL
         .iter()
         .copied()
@@ -81,12 +81,12 @@ fn shown(extent: Extent) -> impl Iterator<Item = Figure> {
 /// The shown values of a sphere: spheres with the same values share a column.
 pub fn key(sphere: &SphereFigures, extent: Extent) -> Vec<String> {
     let text = |figure| sphere.value(figure).map(|value| extent.number(value, four_significant));
-    shown(extent).map(|figure| text(figure).unwrap_or_default()).collect()
+    shown_figures(extent).map(|figure| text(figure).unwrap_or_default()).collect()
 }
 
 /// The key without a text, in all digits: if this is equal, so is the key.
 pub(crate) fn exact_key(sphere: &SphereFigures, extent: Extent) -> Vec<Option<u64>> {
-    shown(extent).map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
+    shown_figures(extent).map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }
 
 // How deep spheres are where each is at its own height, as rows: the text and the page share them.

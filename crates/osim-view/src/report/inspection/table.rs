@@ -230,11 +230,11 @@ fn depths(rest: &BodyAtRest, extent: Extent) -> String {
     match (touching.len(), rest.spheres.len()) {
         (1, 1) => format!("its only sphere touches, {x}"),
         (some, of) if some == of => format!("all {of} spheres touch, {x}"),
-        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", named(&touching, extent)),
+        (some, of) => format!("{some} of {of} spheres touch ({}), {x}", names_of_spheres(&touching, extent)),
     }
 }
 
-fn named(spheres: &[&StandingSphere], extent: Extent) -> String {
+fn names_of_spheres(spheres: &[&StandingSphere], extent: Extent) -> String {
     let names: Vec<String> = spheres.iter().map(|one| shown(&one.sphere).to_string()).collect();
     extent.names(&names, MOST_SPHERES_NAMED)
 }
@@ -298,7 +298,7 @@ fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
         Some(value) => {
             format!(
                 "{}{}",
-                extent.number(value, short),
+                extent.number(value, six_digits),
                 if force.origin.is_default(property) { "*" } else { "" }
             )
         }
@@ -328,7 +328,7 @@ fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option
 }
 
 /// A number of the file: exact if the exact text is short.
-fn short(value: f64) -> String {
+fn six_digits(value: f64) -> String {
     let exact = readable(value);
     if exact.len() <= 8 { exact } else { four_significant(value) }
 }

@@ -52,8 +52,8 @@ pub fn drop_text(drop: &DropResult) -> String {
              of force/body weight {}\n",
             compared.name,
             readable(compared.difference.until),
-            apart(compared.difference.height),
-            apart(compared.difference.force)
+            difference_in_words(compared.difference.height),
+            difference_in_words(compared.difference.force)
         ));
     }
     text
@@ -99,7 +99,7 @@ fn limits(drop: &DropResult) -> String {
 }
 
 /// A difference; what rounding leaves counts as 0.
-fn apart(difference: f64) -> String {
+fn difference_in_words(difference: f64) -> String {
     if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
 

@@ -1,4 +1,4 @@
-//! Bodies welded to ground: which are scenery, and which belong to the animal. `tests/oracle` sums the same bodies of fixtures and published models.
+//! Bodies welded to ground: which are fixed objects, and which belong to the animal. `tests/oracle` sums the same bodies of fixtures and published models.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -34,7 +34,7 @@ fn model(bodies: &[&str], joints: &[(&str, &str, &str)]) -> Model {
 #[test]
 fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
     let (weld, free) = ("WeldJoint", ("FreeJoint", "ground", "animal"));
-    for (bodies, joints, kg, scenery) in [
+    for (bodies, joints, kg, fixed) in [
         // A goalkeeper, of two bodies, and one that is joined the other way round.
         (
             ["animal", "goal", "keeper"].as_slice(),
@@ -69,14 +69,14 @@ fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
         assert_eq!(MassRequest::default().model_mass(&model).unwrap().kg, kg, "{joints:?}");
         let found: Vec<&str> =
             model.bodies().iter().filter(|body| body.excluded_from_mass).map(|body| &*body.name).collect();
-        assert_eq!(found, scenery, "{joints:?}");
+        assert_eq!(found, fixed, "{joints:?}");
         let said = model_findings(&model).iter().any(|finding| finding.code() == FindingCode::Terrain);
-        assert_eq!(said, !scenery.is_empty(), "{joints:?}");
+        assert_eq!(said, !fixed.is_empty(), "{joints:?}");
     }
 }
 
 #[test]
-fn a_model_that_is_all_scenery_has_no_mass() {
+fn a_model_of_fixed_bodies_alone_has_no_mass() {
     let model = model(&["goal"], &[("WeldJoint", "ground", "goal")]);
     assert_eq!(MassRequest::default().model_mass(&model).unwrap_err().code(), "no-mass");
 }

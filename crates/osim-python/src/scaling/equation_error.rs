@@ -9,7 +9,7 @@ const NUMBER_OF_ELEMENTS: &str = "the number of elements";
 
 /// Why an equation has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Failure {
+pub(crate) struct EquationError {
     /// The argument that was refused; `None` where it is about several together.
     pub parameter: Option<&'static str>,
     /// Name of the refused quantity.
@@ -22,7 +22,7 @@ pub(crate) struct Failure {
     pub index: Option<usize>,
 }
 
-impl Failure {
+impl EquationError {
     /// # Errors
     /// The first argument without a finite value: a gap in an array, or the result of a division by 0.
     pub(super) fn unless_finite(
@@ -108,7 +108,7 @@ impl Failure {
     }
 }
 
-impl From<DomainError> for Failure {
+impl From<DomainError> for EquationError {
     fn from(error: DomainError) -> Self {
         Self {
             parameter: None,
@@ -120,7 +120,7 @@ impl From<DomainError> for Failure {
     }
 }
 
-impl fmt::Display for Failure {
+impl fmt::Display for EquationError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.message(&self.index.map(|index| format!("[{index}]")).unwrap_or_default()))
     }

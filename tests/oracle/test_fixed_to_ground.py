@@ -1,4 +1,4 @@
-"""Spheres on bodies that are welded to ground, directly or through others, are scenery: those that OpenSim holds on ground, and no others."""
+"""Spheres on bodies that are welded to ground, directly or through others, are fixed: those that OpenSim holds on ground, and no others."""
 
 import random
 
@@ -43,7 +43,7 @@ def tree(seed):
 
 @pytest.fixture(scope="module")
 def readings_and_reports(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("scenery")
+    folder = tmp_path_factory.mktemp("fixed")
     paths = {seed: folder / f"{seed}.osim" for seed in SEEDS}
     for seed, path in paths.items():
         path.write_text(tree(seed))
@@ -52,7 +52,7 @@ def readings_and_reports(tmp_path_factory):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_scenery_is_what_opensim_holds_on_ground(seed, readings_and_reports):
+def test_fixed_bodies_are_those_that_opensim_holds_on_ground(seed, readings_and_reports):
     reading, report = readings_and_reports[seed]
     assert reading["builds"], reading
     compare.inspect_equals_opensim(report, reading)
@@ -62,10 +62,10 @@ def test_scenery_is_what_opensim_holds_on_ground(seed, readings_and_reports):
     assert len(sphere_findings) == (1 if fixed else 0)
     assert {name for finding in sphere_findings for name in finding["spheres"]} == fixed
     # Rocks on which others hang by a joint count, those alone do not: `compare` sums what is left.
-    assert len(terrain_findings) - len(sphere_findings) == (1 if reading["scenery"] else 0)
+    assert len(terrain_findings) - len(sphere_findings) == (1 if reading["uncounted"] else 0)
     assert not fixed & {name for limb in report["limbs"] or [] for name in limb["spheres"]}
 
 
-def test_there_is_scenery_and_there_is_none(readings_and_reports):
-    kinds = {(len(reading["fixed"]) > 1, len(reading["scenery"]) == len(reading["fixed"]) - 1) for reading, _ in readings_and_reports.values()}
+def test_there_are_models_with_and_without_fixed_bodies(readings_and_reports):
+    kinds = {(len(reading["fixed"]) > 1, len(reading["uncounted"]) == len(reading["fixed"]) - 1) for reading, _ in readings_and_reports.values()}
     assert kinds == {(True, True), (True, False), (False, True)}

@@ -1,7 +1,7 @@
-//! Scenery: spheres on ground, and on bodies that only WeldJoints hold on ground, count nowhere and stay as they are.
+//! Fixed objects: spheres on ground, and on bodies that only WeldJoints hold on ground, count nowhere and stay as they are.
 //!
-//! Models get scenery at random; everything that is known of them and every change must be as without it. `SCENERY_RUNS` says how many
-//! models (60), `SCENERY_SEED` where to begin (1). A failure says its seed.
+//! Models get fixed objects at random; everything that is known of them and every change must be as without those. `FIXED_RUNS` says how many
+//! models (60), `FIXED_SEED` where to begin (1). A failure says its seed.
 
 use std::path::Path;
 
@@ -21,16 +21,16 @@ const MODELS: [&str; 4] = [
     "format/both_classes.osim",
 ];
 
-/// Elements that are put into the sets of a model.
+/// Elements of fixed objects that are put into the sets of a model.
 #[derive(Default)]
-struct Scenery {
+struct FixedObjects {
     bodies: String,
     joints: String,
     forces: String,
     geometry: String,
 }
 
-impl Scenery {
+impl FixedObjects {
     fn of(random: &mut Random) -> Self {
         let mut made = Self::default();
         let mut carriers = vec!["/ground".to_owned()];
@@ -103,12 +103,12 @@ fn force(random: &mut Random, name: &str, sphere: &str) -> String {
 }
 
 /// Known numbers of a model that do not list its objects.
-fn known(text: &str) -> Vec<Value> {
+fn known_numbers(text: &str) -> Vec<Value> {
     let model = Model::parse(text).unwrap();
     let options = osim_inspect::InspectOptions::default();
     let inspected = options.inspect("model.osim", &model, None);
     let found = check_with_trials(&options, &model, &inspected, &[]);
-    // Of the numbers of scenery, those that OpenSim cannot use are said, too.
+    // Of the numbers of fixed objects, those that OpenSim cannot use are said, too.
     let of_numbers = [FindingCode::Terrain, FindingCode::NotFinite, FindingCode::OutOfDomain];
     let codes: Vec<&str> = found
         .findings
@@ -169,29 +169,29 @@ fn text_of(path: &str, files: &InMemory) -> String {
 }
 
 #[test]
-fn scenery_counts_nowhere_and_stays_as_it_is() {
+fn fixed_objects_count_nowhere_and_stay_as_they_are() {
     let files = crate::rules::fixtures();
-    let (first, runs) = (number("SCENERY_SEED", 1), number("SCENERY_RUNS", 60));
+    let (first, runs) = (number("FIXED_SEED", 1), number("FIXED_RUNS", 60));
     let mut compared = 0;
     for seed in first..first + runs {
         let mut random = Random::of(seed);
         let bare = text_of(random.of_words(&MODELS), &files);
-        let scenery = Scenery::of(&mut random);
-        let whole = scenery.within(&bare);
+        let fixed = FixedObjects::of(&mut random);
+        let whole = fixed.within(&bare);
         let said = Model::parse(whole.as_str()).unwrap();
         let terrain =
             model_findings(&said).iter().filter(|finding| finding.code() == FindingCode::Terrain).count();
-        assert_eq!(terrain, 1, "seed {seed}: scenery is said once");
-        for (plain, with) in known(&bare).into_iter().zip(known(&whole)) {
+        assert_eq!(terrain, 1, "seed {seed}: fixed objects are reported once");
+        for (plain, with) in known_numbers(&bare).into_iter().zip(known_numbers(&whole)) {
             assert_eq!(plain, with, "seed {seed}\n{whole}");
         }
         for call in calls() {
             match (changed(&call, &bare, &files), changed(&call, &whole, &files)) {
                 (Ok((plain, _)), Ok((with, bytes))) => {
                     assert_eq!(plain, with, "seed {seed}, {call}");
-                    for object in [&scenery.bodies, &scenery.joints, &scenery.forces, &scenery.geometry] {
+                    for object in [&fixed.bodies, &fixed.joints, &fixed.forces, &fixed.geometry] {
                         let kept = object.lines().all(|line| bytes.contains(line));
-                        assert!(kept, "seed {seed}, {call}: scenery was changed\n{bytes}");
+                        assert!(kept, "seed {seed}, {call}: a fixed object was changed\n{bytes}");
                     }
                     compared += 1;
                 }
