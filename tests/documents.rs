@@ -27,7 +27,7 @@ fn copy_fixtures(from: &Path, to: &Path) {
     }
 }
 
-/// Whether a documented command wrote it, as `.gitignore` has them.
+/// Whether a documented command wrote the file, as `.gitignore` has them.
 fn is_result(path: &Path) -> bool {
     path.to_string_lossy().ends_with(".scaled.osim")
         || path.parent().is_some_and(|folder| {

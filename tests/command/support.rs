@@ -199,7 +199,7 @@ impl CommandRun {
         self
     }
 
-    /// Exit status 0.
+    /// Fails unless the exit status is 0.
     #[track_caller]
     pub(crate) fn succeeded(self) -> Self {
         self.exited_with(0)
@@ -224,7 +224,7 @@ impl CommandRun {
         self
     }
 
-    /// Nothing was written.
+    /// Fails if something was written.
     #[track_caller]
     pub(crate) fn wrote_nothing(self) -> Self {
         self.wrote(&[])

@@ -21,7 +21,7 @@ pub(crate) const PARTS: &[(&str, &[&str])] = &[
 const SHARED: &[(&str, &str)] =
     &[("FindingRecord", "finding"), ("ContactsMass", "mass"), ("Dimensionless", "dimensionless")];
 
-/// Records of several results, and the one that shows them.
+/// Records of several results, and the result that shows each.
 const SHOWN_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
 
 /// A row for each record of these schemas.

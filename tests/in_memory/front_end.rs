@@ -41,7 +41,7 @@ pub(crate) fn files_in_memory(dir: &TestDir) -> InMemory {
     files
 }
 
-/// A changed model.
+/// A model that was changed in memory.
 pub(crate) struct Changed {
     pub(crate) opened: OpenModel,
     /// The plan, spelled for the command line.

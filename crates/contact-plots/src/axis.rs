@@ -9,7 +9,7 @@ use crate::error::PlotError;
 use crate::style::TEXT_PT;
 use crate::text_width::width_pt;
 
-/// An axis.
+/// An axis of a figure.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Axis {
@@ -93,7 +93,7 @@ impl Axis {
 pub(crate) struct Ticks {
     /// Places with their labels.
     pub(crate) marks: Vec<(f64, String)>,
-    /// Places without.
+    /// Positions of ticks without a text.
     pub(crate) minor: Vec<f64>,
 }
 
@@ -144,7 +144,7 @@ fn linear_label(value: f64, power: i32, decimals: usize) -> String {
     format!("{}×{}", fixed_decimals(value / 10_f64.powi(power), decimals), power_of_ten(power))
 }
 
-/// A linear coordinate of places, with ticks where we want them.
+/// A linear coordinate of plotters, with ticks at given positions.
 pub(crate) struct Scale {
     coord: RangedCoordf64,
     ticks: Vec<f64>,

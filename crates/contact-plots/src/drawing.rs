@@ -12,11 +12,11 @@ use crate::scene::{Scene, scene};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Drawing {
-    /// Curves in panels.
+    /// Curves in panels of axes.
     Panels(Figure),
     /// A quantity as colours.
     HeatMap(HeatMap),
-    /// Things in space.
+    /// Circles, outlines and points in space.
     Scene(Scene),
 }
 

@@ -7,7 +7,7 @@ pub enum PlotError {
     /// A point is not a number.
     #[error("the curve '{curve}' has a point that is not a finite number, expected numbers only")]
     NotFinite {
-        /// The curve's label.
+        /// Label of the curve.
         curve: String,
     },
     /// There is nothing to draw.
@@ -27,7 +27,7 @@ pub enum PlotError {
     /// A logarithmic axis has a value that is not above 0.
     #[error("the axis '{axis}' is logarithmic, expected values above 0")]
     NotPositive {
-        /// The axis's label.
+        /// Label of the axis.
         axis: String,
     },
     /// More names than curves.
@@ -45,7 +45,7 @@ pub enum PlotError {
     /// There is not one axis that could be limited.
     #[error("the figure has no single {which} axis to limit{}", listed(.found))]
     NoAxis {
-        /// `horizontal` or `vertical`.
+        /// The direction of the axis: `horizontal` or `vertical`.
         which: &'static str,
         /// Labels of the axes that the figure has.
         found: Vec<String>,
@@ -55,13 +55,13 @@ pub enum PlotError {
         "the values along the axis '{axis}' do not rise, expected each once, from the smallest to the largest"
     )]
     NotRising {
-        /// The axis's label.
+        /// Label of the axis.
         axis: String,
     },
     /// An axis does not go from a smaller number to a larger one.
     #[error("the axis '{axis}' has limits that are none, expected a number and a larger one")]
     Limits {
-        /// The axis's label.
+        /// Label of the axis.
         axis: String,
     },
     /// There is not enough room on the paper.
@@ -73,7 +73,7 @@ pub enum PlotError {
         width_mm: f64,
         /// The size of the letters.
         text_pt: f64,
-        /// The least width for them.
+        /// The least width for the letters.
         least_mm: f64,
     },
     /// A picture with so many pixels that the memory may not hold them.

@@ -84,27 +84,27 @@ pub struct Mark {
     pub look: Look,
 }
 
-/// A pair of axes with what is drawn between them.
+/// A panel: a pair of axes and what is drawn between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     /// Title of the panel; may be empty.
     pub title: String,
-    /// The horizontal axis.
+    /// Horizontal axis of the panel.
     pub x: Axis,
-    /// The vertical axis.
+    /// Vertical axis of the panel.
     pub y: Axis,
     /// Curves of the panel, the first at the bottom.
     pub curves: Vec<Curve>,
-    /// Areas below them.
+    /// Areas below the curves.
     pub areas: Vec<Area>,
-    /// Limits and thresholds.
+    /// Limits and thresholds of the panel.
     pub limits: Vec<Limit>,
     /// Single points on top.
     pub marks: Vec<Mark>,
 }
 
 impl Panel {
-    /// A panel without anything in it.
+    /// An empty panel with a title and axes.
     #[must_use]
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let title = title.into();

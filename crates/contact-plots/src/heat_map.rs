@@ -43,7 +43,7 @@ pub struct HeatMap {
     pub x_axis: Axis,
     /// Values of the horizontal axis: rising, each the middle of a cell.
     pub x: Vec<f64>,
-    /// The vertical parameter.
+    /// Axis of the vertical parameter.
     pub y_axis: Axis,
     /// Values of the vertical axis: rising, each the middle of a cell.
     pub y: Vec<f64>,

@@ -10,7 +10,7 @@ use plotters::style::{FontDesc, IntoFont};
 pub(crate) const UNITS_PER_PT: f64 = 20.0;
 /// Text of ticks, labels and legends: the 7 pt that journals ask for at least.
 pub(crate) const TEXT_PT: f64 = 7.0;
-/// Text of titles.
+/// Size of letters of titles.
 pub(crate) const TITLE_PT: f64 = 8.0;
 /// Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (the PNG's) on Linux.
 pub(crate) const FAMILY: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
@@ -52,9 +52,9 @@ pub(crate) fn stroke(colour: RGBColor, width_pt: f64) -> ShapeStyle {
 pub enum Dash {
     /// A line without gaps.
     Solid,
-    /// Long dashes.
+    /// A line of long dashes.
     Dashed,
-    /// Longer dashes.
+    /// A line of longer dashes.
     LongDashed,
     /// Short dashes, as dots.
     Dotted,

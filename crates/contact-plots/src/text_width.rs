@@ -72,7 +72,7 @@ pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
     rows.into_iter().filter(|row| !row.is_empty()).map(join_pieces).collect()
 }
 
-/// A word, or a part of one.
+/// A word of a text, or a part of a long word.
 #[derive(Debug)]
 struct Piece<'t> {
     text: &'t str,

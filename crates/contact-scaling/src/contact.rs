@@ -111,9 +111,9 @@ pub struct FrictionValues {
     pub static_friction: f64,
     /// `dynamic_friction`, the coefficient far above the transition velocity.
     pub dynamic_friction: f64,
-    /// `viscous_friction`, s/m.
+    /// Coefficient of viscous friction, s/m: OpenSim's `viscous_friction`.
     pub viscous_friction: f64,
-    /// `transition_velocity`, m/s.
+    /// Speed below which friction is smoothed, m/s: OpenSim's `transition_velocity`.
     pub transition_velocity: f64,
 }
 
@@ -190,7 +190,7 @@ pub struct Preset {
     pub source: Cow<'static, str>,
     /// The body the contact was made for.
     pub scale: Scale,
-    /// The contact itself.
+    /// Contact of the preset's spheres.
     pub contact: Contact,
 }
 

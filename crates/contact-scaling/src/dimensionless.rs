@@ -59,7 +59,7 @@ impl DimensionlessContact {
         self.modulus
     }
 
-    /// α √(g R).
+    /// Dimensionless dissipation α √(g R).
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation

@@ -131,7 +131,7 @@ fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RaisedSpheres {
-    /// The spheres.
+    /// Spheres at this height.
     pub spheres: Spheres,
     /// How much higher their bottoms are than the lowest, m.
     pub height_m: f64,

@@ -61,7 +61,7 @@ impl Hertz {
         self.values
     }
 
-    /// R, in m.
+    /// Radius R of the sphere, in m.
     #[must_use]
     pub fn radius_m(&self) -> f64 {
         self.values.radius_m
@@ -242,7 +242,7 @@ impl HuntCrossley {
         &self.hertz
     }
 
-    /// α, in s/m.
+    /// Dissipation α, in s/m.
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation

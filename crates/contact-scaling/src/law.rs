@@ -9,7 +9,7 @@ use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
 pub enum Law {
     /// `HuntCrossleyForce`: (12), no force before contact.
     HuntCrossley(HuntCrossley),
-    /// `SmoothSphereHalfSpaceForce`: (C.9).
+    /// The smoothed law of `SmoothSphereHalfSpaceForce`: (C.9).
     Smooth(SmoothSphere),
 }
 
@@ -95,7 +95,7 @@ impl Law {
         })
     }
 
-    /// α, in s/m.
+    /// Dissipation α, in s/m.
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         match self {

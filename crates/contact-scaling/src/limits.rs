@@ -26,9 +26,9 @@ pub enum Bound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Limit {
-    /// The number.
+    /// The limit's number.
     pub value: f64,
-    /// The side.
+    /// The side on which figures have to be.
     pub bound: Bound,
     /// The quantity that is limited, in a few words.
     pub what: &'static str,
@@ -123,7 +123,7 @@ pub const SUGGESTED_CONSTANT_INDENTATION: f64 = 0.05;
 /// Width Δx̂ of the contact transition that is proposed: a round number within its limit.
 pub const SUGGESTED_TRANSITION_WIDTH: f64 = 0.3;
 
-/// Every limit.
+/// Every limit of the paper.
 pub const ALL: [Limit; 5] =
     [INDENTATION, RESTITUTION, CONSTANT_INDENTATION, TRANSITION_WIDTH, TOUCHING_SHARE];
 

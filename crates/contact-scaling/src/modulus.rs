@@ -185,7 +185,7 @@ pub fn composite_radius(first_m: f64, second_m: f64) -> Result<f64, DomainError>
     Ok(a / (1.0 + a / b))
 }
 
-/// 2^p of (A.4).
+/// The factor 2^p of (A.4) for two equal surfaces.
 fn equal_surfaces_factor(rule: MixingRule) -> f64 {
     match rule {
         MixingRule::Johnson => 2.0,

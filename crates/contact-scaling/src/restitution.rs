@@ -108,7 +108,7 @@ pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64,
     Ok(loss_from_restitution(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
 }
 
-/// α ẋ⁻.
+/// The product α ẋ⁻ of a dissipation and an impact speed.
 fn loss(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let product =
         non_negative("dissipation", dissipation_s_m)? * non_negative("impact speed", impact_speed_m_s)?;

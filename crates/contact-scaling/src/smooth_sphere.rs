@@ -46,7 +46,7 @@ impl SmoothSphere {
         &self.hertz
     }
 
-    /// α, in s/m.
+    /// Dissipation α, in s/m.
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation

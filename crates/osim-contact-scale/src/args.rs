@@ -273,7 +273,7 @@ fn verbs_of(group: VerbGroup) -> impl Iterator<Item = &'static str> {
 const OPTIONS_OF_SHORT_HELP: [&str; 8] =
     ["models", "target_mass", "contacts_mass", "output", "in_place", "dry_run", "report", "help"];
 
-/// Lines are no longer than clap makes them.
+/// The longest line of the help, as clap makes it.
 const LONGEST_LINE: usize = 100;
 
 /// The parser with a help that shows examples first, and the verbs in groups.

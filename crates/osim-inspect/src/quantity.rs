@@ -118,7 +118,7 @@ impl Quantity {
 
 /// Quantities that are in several registers.
 impl Quantity {
-    /// Radius R.
+    /// Radius R of a sphere.
     pub const RADIUS: Self = Self::new("radius_m", "radius", "m");
     /// Composite modulus E*.
     pub const COMPOSITE_MODULUS: Self =

@@ -72,11 +72,11 @@ pub struct SizeRow {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeSpread {
-    /// The median.
+    /// Median of the factors.
     pub median: f64,
-    /// The least.
+    /// Least of the factors.
     pub min: f64,
-    /// The greatest.
+    /// Greatest of the factors.
     pub max: f64,
 }
 
@@ -86,7 +86,7 @@ pub struct SizeSpread {
 pub struct UnreadObjects {
     /// OpenSim's class, or the part of a file.
     pub class: String,
-    /// How many.
+    /// The number of objects.
     pub count: usize,
     /// Description of the objects' numbers that are not read.
     pub why: &'static str,

@@ -25,7 +25,7 @@ use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
 pub struct Survey<'s> {
     /// `check`, else the models are inspected.
     pub verb: Verb,
-    /// The models.
+    /// Models of the survey.
     pub sources: &'s Sources,
     /// Files in memory, which go before those on the disk.
     pub memory: &'s BTreeMap<PathBuf, Vec<u8>>,

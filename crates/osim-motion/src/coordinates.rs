@@ -12,7 +12,7 @@ use crate::table::{Column, Table};
 pub enum CoordinateKind {
     /// An angle: files may have it in degrees.
     Rotational,
-    /// A length, m.
+    /// A coordinate that is a length, m.
     Translational,
     /// A parameter that both moves and turns; its numbers are read as they are.
     Coupled,

@@ -132,7 +132,7 @@ impl Wrench {
 
 // OpenSim's `ExternalLoads`: which columns act on which body.
 
-/// An `ExternalLoads` file.
+/// The content of an `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
     pub loads: Vec<ExternalLoad>,

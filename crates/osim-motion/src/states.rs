@@ -78,7 +78,7 @@ pub struct ContactState {
     pub centre_m: DVec3,
     /// Velocity of the centre, m/s.
     pub velocity_m_s: DVec3,
-    /// The plane's normal, out of it.
+    /// Normal of the plane, out of it.
     pub normal: DVec3,
     /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 without contact.
     pub indentation_m: f64,

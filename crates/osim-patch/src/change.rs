@@ -42,7 +42,7 @@ pub struct NumberChange {
     pub property: Property,
     /// Present effective value, as OpenSim reads it.
     pub from: f64,
-    /// New value.
+    /// New value of the number.
     pub to: f64,
     /// The factor by which the value was multiplied; `None` if it was set.
     pub factor: Option<f64>,
@@ -80,7 +80,7 @@ pub struct PlaceChange {
     pub path: String,
     /// Present location in its frame, m.
     pub from: [f64; 3],
-    /// New location, m.
+    /// New location of the sphere, m.
     pub to: [f64; 3],
     pub by: ChangedBy,
     /// Line of the location, from 1, or of the sphere that gets one.
@@ -95,7 +95,7 @@ pub struct PlaceChange {
 pub enum ChangedBy {
     /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.
     Equation(&'static str),
-    /// The caller's value.
+    /// The caller gave the value.
     Given,
     /// The size of a body that was scaled.
     Follow,

@@ -25,7 +25,7 @@ pub enum DesignModulus {
     Indentation(f64),
     /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young {
-        /// E, N/m².
+        /// Young's modulus E, N/m².
         young_n_m2: f64,
         poisson: f64,
     },
@@ -67,7 +67,7 @@ pub struct Design {
     pub load: Option<SharedLoad>,
     /// Coefficient of restitution (13), and the impact speed in m/s at which it holds (`None`: √(gR/2)).
     pub restitution: Option<(f64, Option<f64>)>,
-    /// x̂_c of (C.2).
+    /// Wanted constant indentation x̂_c of (C.2).
     pub constant_indentation: Option<f64>,
     /// Threshold t and width Δx̂ of (C.8), both without a unit.
     pub state_width: Option<(f64, f64)>,

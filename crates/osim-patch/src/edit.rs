@@ -17,7 +17,7 @@ use osim_model::{Fault, FaultKind, FileId, Model};
 pub struct Edit {
     /// Bytes of the original, from 0.
     pub span: Range<usize>,
-    /// The new text.
+    /// New text in the place of the old one.
     pub text: String,
 }
 

@@ -77,7 +77,7 @@ pub struct RecordingErrors {
     pub horizontal_rms_bw: f64,
     /// Root mean square of the distance between the centres of pressure, m; `None` if there are none.
     pub cop_rms_m: Option<f64>,
-    /// The largest x/R.
+    /// The largest x/R in the recording.
     pub largest_relative_indentation: f64,
 }
 

@@ -16,7 +16,7 @@ use crate::{ModelFeet, PreparedChange, prepared_change};
 /// Inspections and checks of a model before and after a planned change, in the words of a front end.
 #[derive(Debug)]
 pub struct BeforeAfter {
-    /// The old model.
+    /// Inspection and check of the old model.
     pub before: (Inspection, CheckResult),
     /// Figures of the old contacts under the new weight, if it differs.
     pub before_under_new_weight: Option<Figures>,
@@ -138,7 +138,7 @@ fn changes_all_numbers(plan: &Plan, options: &InspectOptions, opened: &OpenModel
 #[derive(Clone, Copy)]
 pub struct BeforeAndAfterPlan<'s> {
     pub change: &'s PreparedChange,
-    /// The old model.
+    /// The model before the change.
     pub opened: &'s OpenModel,
     pub plan: &'s Plan,
     /// The new model; `None` if nothing changes.

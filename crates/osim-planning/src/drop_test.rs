@@ -37,7 +37,7 @@ pub struct DropResult {
 #[derive(Debug, Clone)]
 pub struct ComparedDrop {
     pub name: FileName,
-    /// Differences without dimensions.
+    /// Dimensionless differences of the two drops.
     pub difference: Difference,
 }
 

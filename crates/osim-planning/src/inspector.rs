@@ -44,7 +44,7 @@ struct Generic {
     file: Option<ScaleFile>,
     /// Size of the model, and quantities that follow size.
     size: ModelSize,
-    /// The Moco setup of the models that are compared with it.
+    /// The Moco setup of the models that are compared with the generic one.
     moco: Option<Document>,
 }
 

@@ -26,7 +26,7 @@ const NAMES_LISTED: usize = 6;
 /// Something that a reader should know about a motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionRemark {
-    /// Stable short name.
+    /// Stable short name of the remark.
     pub code: &'static str,
     pub message: Phrase,
 }

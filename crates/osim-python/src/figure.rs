@@ -19,13 +19,13 @@ use crate::files::RequestFiles;
 use crate::guard::{guarded, request_fields};
 use crate::problem::Problem;
 
-/// A figure.
+/// A figure for Python.
 #[pyclass(frozen, module = "osim_contact_scale._native")]
 pub(crate) struct Figure {
     /// The figure as an SVG document.
     #[pyo3(get)]
     svg: String,
-    /// Remarks beside it.
+    /// Remarks beside the figure.
     #[pyo3(get)]
     remarks: String,
     title: String,

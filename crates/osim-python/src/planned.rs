@@ -36,7 +36,7 @@ type Checked<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
 pub(crate) struct Planned {
     model: PlannedModel,
     path: PathBuf,
-    /// The request.
+    /// Fields of the request.
     fields: Map<String, Value>,
     /// Files that were read beside the model.
     beside: Memory,

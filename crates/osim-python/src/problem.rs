@@ -76,7 +76,7 @@ impl Problem {
         Self { raised: Some(error), ..Self::general("ContactScaleError", "raised", "") }
     }
 
-    /// The exception.
+    /// The exception of Python.
     pub(crate) fn into_error(mut self, py: Python<'_>) -> PyErr {
         if let Some(raised) = self.raised.take() {
             return raised;

@@ -132,7 +132,7 @@ fn with_table_name(mut fields: Map<String, Value>) -> Map<String, Value> {
     fields
 }
 
-/// Does a run.
+/// Changes models by a request and writes the results.
 pub(crate) fn run(
     request: RunRequest,
     options: &RunOptions,
@@ -189,7 +189,7 @@ impl SweepFrontEnd for Watch {
 /// Results of a sweep: its record, the table, and a record for each variant that could not be made.
 type Swept<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
 
-/// Makes all variants.
+/// Makes all variants of a sweep.
 #[pyfunction]
 pub(crate) fn sweep<'py>(
     py: Python<'py>,

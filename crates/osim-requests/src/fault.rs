@@ -36,7 +36,7 @@ pub enum RequestFault {
     },
     /// Only one of two fields can be given.
     Excludes {
-        /// The name of one.
+        /// Name of one field.
         field: &'static str,
         /// Name of the other field.
         other: &'static str,

@@ -251,7 +251,7 @@ impl PlannedChange {
 
 // Reports, as the command writes them: in its words, because a report says by which command it is made again.
 
-/// A report.
+/// A report for the page to download.
 #[derive(Debug, Serialize)]
 pub(crate) struct Report {
     name: String,

@@ -27,7 +27,7 @@ pub(crate) fn calculate(request: &Request) -> Result<Calculation, Problem> {
     Ok(Calculation { sheet, text })
 }
 
-/// A preset.
+/// A preset as the page shows it.
 #[derive(Debug, Serialize)]
 pub(crate) struct PresetShown {
     #[serde(flatten)]
@@ -84,7 +84,7 @@ pub(crate) type Fields = Map<String, Value>;
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
 pub enum Question {
-    /// What is in a model, and what is wrong with it.
+    /// Asks for the contents of a model, and for what is wrong with it.
     Look {
         /// Name of the model's file.
         model: String,
@@ -132,7 +132,7 @@ pub enum Question {
     },
     /// A request as calls that people can copy.
     Spell {
-        /// The request.
+        /// Fields of the request.
         request: Fields,
     },
     /// Animals that fall on the contacts of a human, and on their own.

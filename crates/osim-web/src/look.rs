@@ -80,7 +80,7 @@ pub(crate) struct Look {
     explained: Vec<Explained>,
     /// Files that it was read from, the model first.
     files: Vec<String>,
-    /// Six questions, answered.
+    /// Verdicts of the check.
     verdicts: Vec<VerdictShown>,
     /// The model in space, where it was asked for.
     scene: Option<Scene>,
@@ -99,9 +99,9 @@ pub(crate) struct FindingShown {
 /// A change that puts a finding right.
 #[derive(Debug, Serialize)]
 struct RemedyShown {
-    /// In words.
+    /// The remedy in words.
     text: String,
-    /// As a request.
+    /// The remedy as a request.
     request: Map<String, Value>,
 }
 
@@ -207,7 +207,7 @@ fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
     body.map(|body| Fall::all(&[body])).unwrap_or_default()
 }
 
-/// What a report shows of it.
+/// An inspected model as an entry of a report.
 pub(crate) fn entry(
     inspector: &Inspector,
     opened: &Opened,

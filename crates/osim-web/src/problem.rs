@@ -9,14 +9,14 @@ use osim_requests::spell::Page;
 use osim_requests::{RequestError, RequestFault};
 use serde::Serialize;
 
-/// What went wrong.
+/// An error that the page shows.
 #[derive(Debug, Default, Serialize)]
 pub(crate) struct Problem {
-    /// Stable short name.
+    /// Stable short name of the error.
     code: &'static str,
     /// What is wrong, what was expected, and a way out.
     message: String,
-    /// The file.
+    /// Name of the file that it is about.
     model: Option<String>,
     line: Option<usize>,
     column: Option<usize>,
@@ -30,7 +30,7 @@ pub(crate) struct Problem {
     field: Option<String>,
 }
 
-/// A line of a file, with what is wrong in it.
+/// A line of a file, with the marked part that is wrong.
 #[derive(Debug, Serialize)]
 struct MarkedLine {
     before: String,

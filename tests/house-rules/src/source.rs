@@ -37,7 +37,7 @@ pub struct Text {
     pub is_doc: bool,
 }
 
-/// A module.
+/// A module of Rust.
 #[derive(Debug, Default)]
 pub struct Module {
     /// `crate::a::b`, as names without `crate`.
@@ -49,7 +49,7 @@ pub struct Module {
     pub items: BTreeSet<String>,
     /// Paths of macros among those of the module.
     pub macros: Vec<String>,
-    /// What it imports.
+    /// Imports of the module.
     pub imports: Vec<Import>,
     /// Paths of two names or more in its code, with their lines.
     pub mentions: Vec<(Vec<String>, usize)>,

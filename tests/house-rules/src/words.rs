@@ -33,7 +33,7 @@ pub struct Word {
     pub unless: Option<Regex>,
     /// Texts that are refused.
     pub wrong: Vec<String>,
-    /// Texts that pass.
+    /// Texts that pass the rule.
     #[serde(default)]
     pub right: Vec<String>,
 }

@@ -80,11 +80,11 @@ pub struct View {
     pub y_down: bool,
     /// Outlines, below everything else.
     pub outlines: Vec<Outline>,
-    /// Circles.
+    /// Circles of the view.
     pub balls: Vec<Ball>,
-    /// Points.
+    /// Points of the view.
     pub spots: Vec<Spot>,
-    /// Horizontal lines.
+    /// Horizontal lines of the view.
     pub levels: Vec<Level>,
 }
 
@@ -108,9 +108,9 @@ pub struct SceneNames {
     pub before: String,
     /// Name of circles that are misplaced.
     pub misplaced: String,
-    /// Name of points.
+    /// Name of points in the legend.
     pub spot: String,
-    /// Name of outlines.
+    /// Name of outlines in the legend.
     pub outline: String,
     /// Name of the line of the ground.
     pub ground: String,

@@ -112,11 +112,11 @@ pub(super) struct NameToPlace {
 /// Shapes that names should not hide.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Obstacles {
-    /// Points with marks.
+    /// Marked points that names should not hide.
     pub points: Vec<Point>,
     /// Circles: centre and radius.
     pub circles: Vec<(Point, f64)>,
-    /// Horizontal lines.
+    /// Horizontal lines that names should not hide.
     pub levels: Vec<f64>,
     /// Boxes of texts that have their places.
     pub boxes: Vec<Rect>,

@@ -108,7 +108,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 /// Onsets tried before the search, over the range of the indentation.
 const SCAN: u32 = 64;
 
-/// The parameters of least squares, the onset among them.
+/// The parameters of least squares with a fitted onset.
 pub(super) fn solve_with_onset(model: &Model, points: &[Point]) -> Result<Parameters, FitError> {
     let (low, high) = range(points, |p| p.indentation);
     let start = scan(model, points, low, high)?;

@@ -63,11 +63,11 @@ pub struct FitValues {
 /// Exhaustive: code that writes the covariance needs a name for each row, and a new parameter must not go without one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// E*, in N/m².
+    /// Composite modulus E*, in N/m².
     CompositeModulus,
-    /// α, in s/m.
+    /// Dissipation α, in s/m.
     Dissipation,
-    /// x₀, in m.
+    /// Onset of contact x₀, in m.
     Onset,
 }
 
@@ -93,7 +93,7 @@ pub enum FitError {
     /// The columns do not have the same number of rows.
     #[error("{column} has {rows} rows, expected {expected} as indentation has")]
     Lengths {
-        /// The column.
+        /// Name of the column.
         column: &'static str,
         /// Rows of the measurement.
         rows: usize,
@@ -103,11 +103,11 @@ pub enum FitError {
     /// A value is not a number, or infinite.
     #[error("{column} in row {row} is {value:?}, expected a finite number")]
     NotFinite {
-        /// The column.
+        /// Name of the column.
         column: &'static str,
         /// The row, from 0.
         row: usize,
-        /// The value.
+        /// The refused value.
         value: f64,
     },
     /// Time does not rise from this row to the next.
@@ -119,7 +119,7 @@ pub enum FitError {
     /// Too few rows are in contact.
     #[error("{found} rows are in contact, expected at least {needed}")]
     TooFewPoints {
-        /// Rows in contact.
+        /// The number of rows in contact.
         found: usize,
         /// Rows the fit needs: one more than it has parameters.
         needed: usize,
@@ -127,7 +127,7 @@ pub enum FitError {
     /// The data do not determine all parameters: for α, speeds must vary.
     #[error("the data do not determine {parameter}, expected rows that differ in it")]
     Undetermined {
-        /// The parameter.
+        /// Name of the parameter.
         parameter: &'static str,
     },
     /// The force does not rise with the indentation.

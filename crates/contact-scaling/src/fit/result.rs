@@ -9,7 +9,7 @@ use super::measurement::{FitError, Parameter, Point};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
-    /// E*, in N/m².
+    /// Fitted composite modulus E*, in N/m².
     pub composite_modulus: Estimate,
     /// E₁* = 2^(3/2) E*, in N/m²: the `stiffness` to write.
     pub plane_strain_modulus: Estimate,
@@ -27,7 +27,7 @@ pub struct Fit {
     pub rows: Vec<usize>,
     /// Measured less fitted force of these rows, in N.
     pub residuals_n: Vec<f64>,
-    /// Rows less parameters.
+    /// The number of rows less that of fitted parameters.
     pub degrees_of_freedom: usize,
     /// Standard deviation of the residuals, in N.
     pub residual_deviation_n: f64,
@@ -57,12 +57,12 @@ const ROUNDING_OF_RESIDUALS: f64 = 1e-12;
 pub enum Doubt {
     /// The law explains less than half of what the force does.
     LowRSquared {
-        /// R².
+        /// Coefficient of determination R².
         r_squared: f64,
     },
     /// The 95 % interval holds 0, or reaches below it where a value must be above: the data cannot distinguish the parameter from 0.
     Undetermined {
-        /// The parameter.
+        /// The doubtful parameter.
         parameter: Parameter,
     },
     /// The fit has no residuals, as with calculated data: how sure the parameters are is not known, and their intervals are not numbers.
@@ -70,7 +70,7 @@ pub enum Doubt {
 }
 
 impl Doubt {
-    /// Stable short name.
+    /// Stable short name of the doubt.
     #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {

@@ -39,7 +39,7 @@ const fn unlimited_indentation(name: &'static str, label: &'static str) -> Quant
 crate::quantities! {
     /// A number of a contact sphere that carries its share of the body weight; [`Quantity`] says which.
     Figure: Entry {
-        /// Radius R.
+        /// Radius R of the sphere.
         Radius = Quantity::RADIUS => entry(Always, |s| Answer::Known(s.contacts.radius_m));
         /// Composite modulus E*; the sum where several forces press the sphere.
         CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Never, |s| Answer::Known(s.composite_modulus()));
@@ -206,7 +206,7 @@ pub struct Figures {
 pub struct LimbFigures {
     /// First body below the place where left and right split; `None` if limbs are not known.
     pub limb: Option<String>,
-    /// `right` or `left`.
+    /// Side of the limb, `right` or `left`.
     pub side: Option<&'static str>,
     /// Spheres n that share the body weight, chosen or not; `None` if it is not known.
     pub sphere_count: Option<f64>,

@@ -135,19 +135,19 @@ impl ContactsMass {
 pub struct InspectedLimb {
     /// First body below the place where left and right split.
     pub name: String,
-    /// `right` or `left`.
+    /// Side of the limb, `right` or `left`.
     pub side: &'static str,
     /// Names of its spheres.
     pub spheres: Vec<String>,
 }
 
-/// A contact sphere.
+/// A contact sphere of an inspected model.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedSphere {
-    /// Its name.
+    /// Name of the sphere.
     pub name: String,
-    /// Its component path.
+    /// Component path of the sphere.
     pub path: String,
     /// Radius of the sphere in m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
@@ -167,15 +167,15 @@ pub struct InspectedSphere {
     pub lowest_point_m: Option<[f64; 3]>,
 }
 
-/// A contact force, or one parameter set of it.
+/// A contact force of an inspected model, or one parameter set of it.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedForce {
-    /// Its name.
+    /// Name of the force.
     pub name: String,
-    /// Its component path.
+    /// Component path of the force.
     pub path: String,
-    /// OpenSim's class.
+    /// OpenSim's class of the force.
     #[serde(rename = "type")]
     pub kind: &'static str,
     /// Number of the `ContactParameters`, if the force has several.
@@ -260,13 +260,13 @@ pub struct Dimensionless {
     pub modulus: f64,
     /// x̂ under its share of the body weight, by the Hertz law (11).
     pub relative_indentation: f64,
-    /// α √(g R).
+    /// Dimensionless dissipation α √(g R).
     pub dissipation: f64,
     /// √cf / R (C.2).
     pub constant_indentation: Option<f64>,
-    /// bd R.
+    /// Dimensionless Hertz smoothing bd R.
     pub hertz_smoothing: Option<f64>,
-    /// bv √(g R).
+    /// Dimensionless Hunt–Crossley smoothing bv √(g R).
     pub hunt_crossley_smoothing: Option<f64>,
 }
 
@@ -290,13 +290,13 @@ impl Dimensionless {
     }
 }
 
-/// A body.
+/// A body of an inspected model.
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedBody {
-    /// Its name.
+    /// Name of the body.
     pub name: String,
-    /// Its component path.
+    /// Component path of the body.
     pub path: String,
     /// Mass of the body in kg; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]

@@ -19,9 +19,9 @@ use crate::load::{InspectOptions, LoadSharing, MassMismatch, Stance};
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
 pub struct Weight {
-    /// M, kg.
+    /// Mass M, kg.
     pub mass_kg: f64,
-    /// g, m/s².
+    /// Gravity g, m/s².
     pub gravity_m_s2: f64,
     /// n, spheres that share the weight.
     pub sphere_count: f64,
@@ -46,7 +46,7 @@ impl Weight {
 pub struct SphereKind {
     /// Names of the spheres in words; empty if all spheres of the body are of this kind.
     pub spheres: String,
-    /// R, m.
+    /// Radius R of the spheres, m.
     pub radius_m: f64,
     pub contact: Contact,
 }

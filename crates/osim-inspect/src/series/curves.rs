@@ -33,7 +33,7 @@ pub struct LoopSeries {
 pub struct DropSeries {
     pub name: String,
     pub points: Vec<Point>,
-    /// √(R/g), s.
+    /// Unit of time √(R/g), s.
     pub time_unit_s: f64,
     /// The time after which the force stays within 1 % of the body weight, s; the end if it does not.
     pub settled_s: f64,

@@ -32,9 +32,9 @@ impl From<&PlotRequest> for HeatRequest {
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatSeries {
-    /// E₁*.
+    /// Values of E₁* along the horizontal axis.
     pub x: Vec<f64>,
-    /// α.
+    /// Values of α along the vertical axis.
     pub y: Vec<f64>,
     /// A row for each α; `None` if the quantity has no value there.
     pub values: Vec<Vec<Option<f64>>>,
@@ -49,9 +49,9 @@ pub struct HeatSeries {
 /// A parameter that is sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// E₁*.
+    /// The stiffness E₁*.
     Stiffness,
-    /// α.
+    /// The dissipation α.
     Dissipation,
 }
 

@@ -6,7 +6,7 @@ pub type Point = (f64, f64);
 /// The unit of an axis of indentations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndentationUnit {
-    /// x/R.
+    /// Indentation over radius, x/R.
     Relative,
     Millimetre,
 }

@@ -56,7 +56,7 @@ impl PlannedModel {
         &self.opened
     }
 
-    /// The plan, spelled.
+    /// The plan with spelled messages.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }

@@ -21,7 +21,7 @@ pub enum Status {
     Written,
     /// Nothing had to change, and nothing was written.
     Unchanged,
-    /// A dry run.
+    /// The change was only planned, in a dry run.
     DryRun,
     /// A folder's model without contacts.
     NoContacts,
@@ -68,11 +68,11 @@ pub struct Record {
     /// The output's name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub output_bytes: Option<Vec<u8>>,
-    /// The outcome.
+    /// Outcome for the model.
     pub status: Status,
     /// The mass that the contacts were made for before.
     pub contacts_mass_kg: Option<f64>,
-    /// Who said so.
+    /// Source of the mass that the contacts were made for.
     pub contacts_mass_source: Option<String>,
     /// The mass they are made for afterwards.
     pub target_mass_kg: Option<f64>,
@@ -355,7 +355,7 @@ pub(super) struct PropertyChange {
     pub(super) to: Option<f64>,
     /// New over old, if it is the same everywhere.
     pub(super) factor: Option<f64>,
-    /// Whether factors differ.
+    /// Whether places got different factors.
     is_unequal: bool,
 }
 

@@ -19,7 +19,7 @@ use crate::source::{Source, Sources};
 /// All tasks of one run.
 pub struct RunRequest {
     pub verb: Verb,
-    /// The models.
+    /// A task for each model.
     pub tasks: Vec<Task>,
     /// Models that could not be listed.
     pub failures: Vec<Failure>,

@@ -98,7 +98,7 @@ impl JobSettings {
 /// Destination of a model's result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
-    /// Standard output.
+    /// The result is written to standard output.
     Stdout,
     File(PathBuf),
     InPlace,

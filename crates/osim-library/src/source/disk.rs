@@ -166,7 +166,7 @@ pub struct Origin {
     /// Stamps of files on the disk; standard input and models in memory have none.
     stamps: HashMap<PathBuf, Stamp>,
     companions: HashMap<FileId, PathBuf>,
-    /// Files that the model includes, as it names them.
+    /// Files that the model includes, under the names that it has for them.
     included: Vec<String>,
 }
 

@@ -217,7 +217,7 @@ const MOST_WORDS: usize = 12;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SplitName {
     pub words: Range<usize>,
-    /// The name that they make with blanks between them.
+    /// The name that the words make with blanks between them.
     pub name: PathBuf,
     pub exists: bool,
 }

@@ -357,7 +357,7 @@ pub struct SameContacts {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OtherModels {
     pub count: usize,
-    /// The first name of them.
+    /// The first name of the other models.
     pub first: Option<String>,
 }
 

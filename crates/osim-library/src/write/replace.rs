@@ -269,7 +269,7 @@ pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, 
     Err(LibraryFault::new(format!("cannot keep a backup of {}", path.display())))
 }
 
-/// `NAME.bak`, `NAME.bak2`, ...
+/// Names for backups: `NAME.bak`, `NAME.bak2`, ...
 pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     (1_u32..).map(|count| {
         let mut name = path.file_name().unwrap_or_default().to_owned();

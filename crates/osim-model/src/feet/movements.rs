@@ -18,7 +18,7 @@ const MOST_JOINTS: usize = 64;
 /// How two bodies can move against each other.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Freedom {
-    /// A coordinate turns one of them.
+    /// Whether a coordinate turns one of the bodies against the other.
     pub turns: bool,
     /// A coordinate shifts one of them and turns nothing.
     pub slides: bool,

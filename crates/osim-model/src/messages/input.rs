@@ -233,7 +233,7 @@ verbs! {
     DropTest = "drop-test";
     /// Contacts along a recorded motion.
     Motion = "motion";
-    /// Figures.
+    /// Draws figures.
     Plot = "plot";
     /// Parameters from a measured indentation and force.
     Fit = "fit";

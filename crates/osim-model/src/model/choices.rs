@@ -107,7 +107,7 @@ pub enum DissipationBy {
     /// α ∝ R^{−1/2}, as in the paper's Table 1.
     #[default]
     Radius,
-    /// α ∝ M^{−1/6}.
+    /// Dissipation by mass: α ∝ M^{−1/6}.
     Mass,
 }
 

@@ -76,7 +76,7 @@ impl Document {
         Self { may_include: OnceLock::from(false), ..self }
     }
 
-    /// The file, untouched.
+    /// Bytes of the file, untouched.
     pub fn bytes(&self) -> &[u8] {
         self.tree.bytes()
     }

@@ -38,7 +38,7 @@ pub struct Limb {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Limbs {
-    /// Every sphere belongs to exactly one of these.
+    /// Limbs to exactly one of which every sphere belongs.
     Known(Vec<Limb>),
     /// Why they are not known; the user is asked instead.
     Unknown(Phrase),

@@ -58,7 +58,7 @@ impl Property {
         Self::Radius,
     ];
 
-    /// OpenSim's name.
+    /// Name of the property in OpenSim.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stiffness => "stiffness",
@@ -301,7 +301,7 @@ pub enum Origin {
     Element,
     /// The class's object in the document's `<defaults>`.
     Defaults,
-    /// OpenSim's class default.
+    /// The default of OpenSim's class.
     ClassDefault,
 }
 

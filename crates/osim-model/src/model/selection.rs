@@ -33,7 +33,7 @@ use crate::model::typed_model::Model;
 pub struct Selection {
     /// Only forces whose name matches one of these; empty for the default choice.
     pub select: Vec<Pattern>,
-    /// No forces whose name matches one of these.
+    /// Patterns of names of forces that are left out.
     pub exclude: Vec<Pattern>,
     /// Whether forces that are switched off are left out.
     pub skip_disabled: bool,
@@ -44,7 +44,7 @@ pub struct Selection {
 pub struct Selected {
     /// Their handles, in file order.
     pub forces: Vec<ForceId>,
-    /// Whether every force of the default choice is among them.
+    /// Whether the choice has every force of the default one.
     pub complete: bool,
 }
 

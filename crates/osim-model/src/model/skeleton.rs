@@ -10,7 +10,7 @@ use crate::model::property::{Class, Origin, Property, Value};
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,
-    /// Component path.
+    /// Component path of the body.
     pub path: String,
     /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,

@@ -38,7 +38,7 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
 
 struct Scan<'t> {
     bytes: &'t [u8],
-    /// The next byte.
+    /// Position of the next byte.
     at: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,

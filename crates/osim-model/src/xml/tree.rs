@@ -95,7 +95,7 @@ impl Tree {
         Self { text, pieces, elements }
     }
 
-    /// The file, untouched.
+    /// Bytes of the file, untouched.
     pub fn bytes(&self) -> &[u8] {
         self.text.bytes()
     }
@@ -168,7 +168,7 @@ impl Tree {
         self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
     }
 
-    /// The start tag.
+    /// Bytes of an element's start tag.
     pub fn open_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).open as usize)
     }
@@ -311,7 +311,7 @@ impl FileText {
         &self.text
     }
 
-    /// The file, untouched.
+    /// Bytes of the file, untouched.
     pub(crate) fn bytes(&self) -> &[u8] {
         self.original.as_deref().unwrap_or(self.text.as_bytes())
     }

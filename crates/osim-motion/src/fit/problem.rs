@@ -186,7 +186,7 @@ pub(super) struct FitProblem<'t> {
     pub(super) start: Unknowns,
     /// The number of frames of all feet.
     frames: usize,
-    /// See [`Limits::sphere_depth`].
+    /// Depth of spheres above which they get a penalty: see [`Limits::sphere_depth`].
     sphere_depth: Option<f64>,
     config: MPConfig,
     settings: Vec<MPPar>,

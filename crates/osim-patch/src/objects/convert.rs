@@ -26,9 +26,9 @@ pub struct Convert {
     /// The smoothing of forces that had none; what is not given comes from Falisse et al. (2022), without dimensions, at the radius
     /// of each sphere: (C.2), (C.5), (C.10).
     pub constant_contact_force: Option<f64>,
-    /// 1/m.
+    /// Hertz smoothing of new forces, 1/m.
     pub hertz_smoothing: Option<f64>,
-    /// s/m.
+    /// Hunt–Crossley smoothing of new forces, s/m.
     pub hunt_crossley_smoothing: Option<f64>,
     /// Whether to refuse, instead of warning, if sphere and half-space have parameters of their own that differ.
     pub strict: bool,

@@ -296,7 +296,7 @@ fn composite_values(
 
 // Presets whose places are published, too: each is a small model of our own that says so.
 
-/// Name and model.
+/// Names of presets, each with the name of its model.
 const PRESET_MODELS: [(&str, &str); 2] = [
     ("falisse2022", include_str!("presets/falisse2022.osim")),
     ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),

@@ -16,7 +16,7 @@ const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 pub(super) struct Carrier<'c> {
     /// Name of the body, or `ground`.
     pub(super) name: &'c str,
-    /// Component path.
+    /// Component path of the body or of ground.
     pub(super) path: &'c str,
 }
 
@@ -40,7 +40,7 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     Ok(Node::leaf(tag, text.map_err(|fault| fault.at_element(name))?))
 }
 
-/// A `ContactSphere`.
+/// The element of a `ContactSphere`.
 pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
     let name = contact.sphere.as_str();
     let place = triple("location", contact.location_m, name)?;

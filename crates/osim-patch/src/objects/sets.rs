@@ -28,7 +28,7 @@ const OBJECTS: &str = "objects";
 /// Letters of a note for the elements of one set that the program made, so that removing its members restores the file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NoteLetters {
-    /// The whole set.
+    /// The letter for a whole set that the program made.
     pub(super) set: char,
     /// The set's element `<objects>`.
     pub(super) objects: char,
@@ -135,7 +135,7 @@ impl ObjectSet {
     }
 }
 
-/// `list` before everything else in `set`, where something is in it.
+/// The edit that puts `list` before everything else in `set`, where something is in it.
 fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
     let list = std::slice::from_ref(list);
     match tree.children(set).next() {

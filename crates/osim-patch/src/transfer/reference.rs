@@ -165,7 +165,7 @@ impl Transfer {
 /// How E₁* and α follow from the reference.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum ScalingRule {
-    /// (10) and (14).
+    /// The paper's equations (10) and (14).
     #[default]
     Paper,
     /// PredSim's: stiffness by mass over height squared, dissipation by one over height; smoothing stays.

@@ -11,7 +11,7 @@ use osim_model::{Document, FileId, MassRequest, Model, Property, RadiusRule, Sel
 use osim_patch::{Edit, Plan, Rescale, rescale, splice};
 use proptest::prelude::*;
 
-/// Everything in `fixtures/`.
+/// Bytes of all files in `fixtures/`.
 fn seeds() -> &'static [Vec<u8>] {
     static SEEDS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     SEEDS.get_or_init(|| {

@@ -114,7 +114,7 @@ osim_inspect::quantities! {
     DesignQuantity {
         /// Load F/n on each sphere.
         LoadPerSphere = Quantity::new("load_per_sphere_n", "load per sphere", "N").by_equation("3");
-        /// Radius R.
+        /// Radius R of the sphere.
         Radius = Quantity::RADIUS.by_equation("11, B.2");
         /// Relative indentation x̂ under the load.
         RelativeIndentation = Quantity::new("relative_indentation", "relative indentation", "")

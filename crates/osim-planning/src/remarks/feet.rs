@@ -201,7 +201,7 @@ const FOOT_LENGTH_OVER_PAD: f64 = 20.0;
 /// 1190 kg over 0.0209 kg.
 const LARGEST_SCALE: f64 = 50.0;
 
-/// The joints of a model's bodies, and the distances between them.
+/// Positions of a model's joints on its bodies.
 pub(crate) struct JointPositions {
     anatomy: Option<Anatomy>,
     distances: JointDistances,

@@ -48,7 +48,7 @@ pub struct PlacedSphere {
     pub path: String,
     /// The body that carries it.
     pub body: String,
-    /// `right` or `left`.
+    /// Side of the sphere, `right` or `left`.
     pub side: Option<&'static str>,
     pub centre_m: [f64; 3],
     pub radius_m: f64,
@@ -266,7 +266,7 @@ pub struct PlayedRecording {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedFoot {
     pub name: String,
-    /// `right` or `left`.
+    /// Side of the foot, `right` or `left`.
     pub side: Option<&'static str>,
     pub model: PlayedForce,
     /// The forces that plates measured; `None` without plates.

@@ -36,7 +36,7 @@ struct VariantJob {
 
 /// A variant, in memory.
 pub struct MadeVariant {
-    /// The model.
+    /// Bytes of the variant.
     pub bytes: Vec<u8>,
     /// The operation on the model, as its note says it.
     pub operation: String,
@@ -90,7 +90,7 @@ impl<'s> SweepPlan<'s> {
         grid::indices_of_call(self.request, self.count)
     }
 
-    /// The original model.
+    /// The model that is varied.
     pub fn model(&self) -> &ModelFiles {
         &self.model
     }
@@ -138,7 +138,7 @@ impl<'s> SweepPlan<'s> {
         if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
 
-    /// `NAME_part.extension`
+    /// The name of a file of the sweep, `NAME_part.extension`.
     fn file_name_with(&self, part: &str, extension: &str) -> String {
         format!("{}_{part}.{extension}", self.model_name())
     }

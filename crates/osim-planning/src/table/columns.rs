@@ -17,7 +17,7 @@ pub(super) enum Kind {
     Model,
     /// The verb, where the row's fields do not say.
     Verb,
-    /// Assignments of `set`.
+    /// A column of assignments, as `set` takes them.
     Set,
     Value,
     Path,
@@ -25,7 +25,7 @@ pub(super) enum Kind {
     From,
     List,
     ListWithCommas,
-    /// Several paths.
+    /// A column of several paths.
     Paths,
     Flag,
     UserColumn,

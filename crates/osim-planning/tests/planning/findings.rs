@@ -19,7 +19,7 @@ const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_ma
 const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
 const DECIMAL_COMMA: &str = include_str!("../../../../fixtures/bad/number_decimal_comma.osim");
 
-/// M g.
+/// Weight M g, N.
 const WEIGHT: f64 = 600.0;
 
 /// E₁* with which one sphere of `SOLE` rests at `x_hat` under `load`: (11) and (A.4).

@@ -147,7 +147,7 @@ fn what_a_table_says_is_named_in_the_model_that_it_makes() {
     }
 }
 
-/// The disk.
+/// Reads files from the disk.
 struct Disk;
 
 impl Files for Disk {

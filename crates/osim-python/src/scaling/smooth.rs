@@ -65,13 +65,13 @@ pub(super) const SMOOTH: &[Function] = &[
 /// Parameters of a smoothed law beside those of the Hertz law, as OpenSim spells them.
 #[derive(Clone, Copy)]
 struct Smooth {
-    /// α, in s/m.
+    /// Dissipation α, in s/m.
     dissipation: f64,
-    /// cf, in m².
+    /// Constant contact force cf, in m².
     constant_contact_force: f64,
-    /// bd, in 1/m.
+    /// Hertz smoothing bd, in 1/m.
     hertz_smoothing: f64,
-    /// bv, in s/m.
+    /// Hunt–Crossley smoothing bv, in s/m.
     hunt_crossley_smoothing: f64,
 }
 

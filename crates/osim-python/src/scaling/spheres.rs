@@ -34,7 +34,7 @@ pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
 /// The load on all spheres together.
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
-/// Both laws.
+/// The functions of Hertz's law and of the smoothed one.
 pub(crate) const SPHERE_LIST_FUNCTIONS: [SphereListFunction; 2] = [
     SphereListFunction {
         name: "hertz_rest_indentation",
@@ -146,7 +146,7 @@ pub(crate) struct NumberListFunction {
     pub name: &'static str,
     /// The function of `contact-scaling`.
     pub computes: &'static str,
-    /// The list.
+    /// The argument that is a list.
     pub parameter: Parameter,
     /// The kind of value that the function returns.
     pub returns: Returns,

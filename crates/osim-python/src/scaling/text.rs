@@ -8,7 +8,7 @@ use super::parameter::{Parameter, RULES, Returns};
 /// The type of an argument that is an array or one number, in docstrings.
 const ARRAY_TYPE: &str = "float or array_like";
 
-/// An argument, with what can be given for it.
+/// An argument of a docstring, with what can be given for it.
 pub(super) struct Argument {
     name: &'static str,
     kind: String,
@@ -31,7 +31,7 @@ impl Argument {
         Self::new(parameter, "sequence of float, optional")
     }
 
-    /// A number.
+    /// An argument that is one number.
     pub(super) fn of_number(parameter: Parameter) -> Self {
         Self::new(parameter, "float")
     }

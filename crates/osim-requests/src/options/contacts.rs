@@ -173,7 +173,7 @@ impl ContactNumbers {
         }
     }
 
-    /// Gravity, if given.
+    /// Gravity of the contact, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

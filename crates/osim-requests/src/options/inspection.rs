@@ -29,7 +29,7 @@ pub struct InspectionOptions {
     pub answers: AnswerOptions,
 }
 
-/// Which forces.
+/// Options for the choice of forces.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(default)]
@@ -93,7 +93,7 @@ pub struct CountOptions {
 }
 
 impl CountOptions {
-    /// n, if given.
+    /// The number n of spheres, if given.
     pub fn spheres(&self) -> Option<f64> {
         self.spheres.map(Count::get)
     }
@@ -143,7 +143,7 @@ impl LoadOptions {
         self.body_weights.map_or(1.0, Positive::get)
     }
 
-    /// Gravity, if given.
+    /// Gravity of the load, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

@@ -96,7 +96,7 @@ impl ReportOptions {
     pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Needs("force", "report")];
 }
 
-/// Where results go.
+/// Options for the places of results.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(default)]
@@ -153,7 +153,7 @@ impl OutputOptions {
     }
 }
 
-/// Answers to questions.
+/// Options for answers to questions.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema))]
 #[serde(default)]

@@ -142,7 +142,7 @@ choices! {
 }
 
 choices! {
-    /// Whose scaling.
+    /// The rule of scaling.
     RuleChoice: Paper {
         Paper = "paper";
         Predsim = "predsim";

@@ -95,7 +95,7 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
     }
 }
 
-/// `stiffness=x2`, `calcn_r=1.1,1.05,1.1`.
+/// An assignment in one word, such as `stiffness=x2` or `calcn_r=1.1,1.05,1.1`.
 fn spelled_assignment((name, value): &Field) -> String {
     format!("{name}={}", value.text())
 }

@@ -116,7 +116,7 @@ const RESERVED_NAMES: [&str; 20] = [
 /// The longest name of a field.
 const LONGEST_NAME: usize = 63;
 
-/// `TargetMass` for `target_mass`.
+/// The name of an option in MATLAB: `TargetMass` for `target_mass`.
 fn option(name: &str) -> String {
     let capital = |word: &str| {
         let mut letters = word.chars();

@@ -111,7 +111,7 @@ fn call_of(fields: &Fields) -> String {
     function(fields.verb, &arguments)
 }
 
-/// The call that changes many models, and writes them.
+/// The Python call that changes many models, and writes them.
 fn call_of_many(fields: &Fields) -> String {
     let models = fields.models().iter().map(|model| literal("models", model));
     let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined(models))];

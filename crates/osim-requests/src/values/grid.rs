@@ -51,7 +51,7 @@ impl AxisName {
         axis.parse::<Axis>().is_ok().then_some(axis)
     }
 
-    /// The name.
+    /// Name of the axis.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Property(property) => property.name(),

@@ -35,7 +35,7 @@ fn radius_schema(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl Radius {
-    /// The rule.
+    /// Rule for the radii.
     pub const fn rule(self) -> RadiusRule {
         self.0
     }
@@ -204,7 +204,7 @@ fn height_schema(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl Height {
-    /// The height.
+    /// Height of the drop.
     pub const fn get(self) -> DropHeight {
         self.0
     }
@@ -266,7 +266,7 @@ fn number_or_word(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl ContactOnset {
-    /// The onset.
+    /// Onset of contact.
     pub const fn get(self) -> Onset {
         self.0
     }

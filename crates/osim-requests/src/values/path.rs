@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 #[derive(Serialize, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
 enum Written {
-    /// As text.
+    /// The path as text.
     Text(String),
     /// As the bytes that the system has, where these are not UTF-8.
     Bytes { bytes: Vec<u8> },

@@ -30,7 +30,7 @@ macro_rules! quantities {
         pub struct $name(f64);
 
         impl $name {
-            /// The number.
+            /// The number of the quantity.
             pub const fn get(self) -> f64 {
                 self.0
             }
@@ -214,7 +214,7 @@ macro_rules! whole_numbers {
         pub struct $name($type);
 
         impl $name {
-            /// The number.
+            /// The number of the quantity.
             pub const fn get(self) -> $type {
                 self.0
             }

@@ -135,11 +135,11 @@ pub fn factor(text: &str) -> Option<&str> {
 /// A range as it is written; what its ends mean is for the reader to say.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range<'t> {
-    /// The first value.
+    /// First value of the range.
     pub first: &'t str,
-    /// The last value.
+    /// Last value of the range.
     pub last: &'t str,
-    /// How many there are, both ends among them.
+    /// The number of values in the range, both ends among them.
     pub count: u32,
 }
 
@@ -183,7 +183,7 @@ pub(crate) fn with_colons(text: &str) -> Option<String> {
     })
 }
 
-/// Numbers with colons between them.
+/// A range whose numbers have colons between them.
 struct Colons {
     /// The range as it is written here; `None` if it has no values.
     range: Option<String>,

@@ -13,7 +13,7 @@ use osim_model::messages::{Dialect, Phrase, counted, readable};
 pub enum AxisUnits {
     /// x/R, and force over the weight's share of one sphere.
     Dimensionless,
-    /// mm and N.
+    /// Axes in mm and N.
     Real,
 }
 

@@ -73,7 +73,7 @@ struct AnimalDrop {
     taxon: &'static str,
     /// Time in s, force in body weights.
     points: Vec<Point>,
-    /// √(R/g), in s.
+    /// Unit of time √(R/g), in s.
     time_unit_s: f64,
 }
 

@@ -23,7 +23,7 @@ use crate::report::plan::{
 #[derive(Debug)]
 pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
-    /// The old model.
+    /// Inspection and check of the model before the change.
     pub before: InspectedAndChecked<'c>,
     /// Figures of the old contacts under the new weight, if it differs.
     pub before_under_new_weight: Option<&'c Figures>,

@@ -245,7 +245,7 @@ pub struct RunRow {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
     pub model: String,
-    /// The output file.
+    /// Name of the output file.
     pub output: Option<String>,
     /// The outcome, in words.
     pub status: String,
@@ -275,9 +275,9 @@ pub struct EarlierRun {
 /// The error of a model that could not be done.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RowError {
-    /// Stable short name.
+    /// Stable short name of the error.
     pub code: String,
-    /// The message, spelled.
+    /// The message in the words of the front end.
     pub message: String,
     /// Line of the place, from 1.
     pub line: Option<usize>,

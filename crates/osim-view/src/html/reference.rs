@@ -74,7 +74,7 @@ pub(super) fn in_words(reference: &ReferenceState) -> String {
     format!("{}{}: {}", reference.name, weight.unwrap_or_default(), kinds.join("; "))
 }
 
-/// The numbers of both models as their files have them.
+/// A table of the contact parameters in the files of both models.
 fn parameters(reference: &ContactBody, bodies: &[ContactBody]) -> Markup {
     let named =
         std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));

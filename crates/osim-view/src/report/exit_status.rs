@@ -17,7 +17,7 @@ pub enum ExitStatus {
     Usage,
     /// Another run is writing a file of this one.
     Busy,
-    /// Stopped by Ctrl-C.
+    /// Ctrl-C or a batch system stopped the run.
     Interrupted,
 }
 

@@ -69,7 +69,7 @@ pub struct FailureRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct ErrorRecord {
-    /// Stable short name.
+    /// Stable short name of the error.
     pub code: &'static str,
     /// The message: what is wrong, what was expected, and a way out.
     pub message: String,
@@ -148,7 +148,7 @@ pub struct PlanRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct ObjectRecord {
-    /// `added` or `removed`.
+    /// Whether the object was `added` or `removed`.
     pub change: &'static str,
     /// OpenSim's class, such as `ContactSphere`.
     pub class: &'static str,
@@ -180,7 +180,7 @@ pub struct RecordingErrorsRecord {
     pub horizontal_rms_bw: f64,
     /// Root mean square of the distance between the centres of pressure, m.
     pub cop_rms_m: Option<f64>,
-    /// The largest x/R.
+    /// The largest x/R in the recording.
     pub largest_relative_indentation: f64,
 }
 

@@ -39,7 +39,7 @@ pub struct AnimalRecord {
     pub mass_kg: f64,
     /// Spheres n that share its weight.
     pub sphere_count: f64,
-    /// Their radius, m.
+    /// Radius of the animal's spheres, m.
     pub radius_m: f64,
     /// The numbers of its row.
     pub values: Vec<NumberRecord>,
@@ -62,7 +62,7 @@ pub struct NumberRecord {
     pub printed: &'static str,
     /// As it is computed.
     pub computed: f64,
-    /// Computed minus printed.
+    /// The computed number minus the printed one.
     pub difference: f64,
     /// The difference over the printed number.
     pub relative_difference: f64,

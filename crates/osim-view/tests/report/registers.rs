@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 
 use crate::support::open;
 
-/// Each register.
+/// All registers with their quantities.
 fn registers() -> [(&'static str, Vec<&'static Quantity>); 4] {
     [
         ("inspect", Figure::ALL.iter().map(|figure| figure.info()).collect()),

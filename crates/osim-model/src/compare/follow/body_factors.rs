@@ -13,7 +13,7 @@ pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 /// Source of a factor, in the order in which sources are taken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FactorSource {
-    /// The caller.
+    /// The caller gave the factor.
     Given,
     /// The Scale Tool's applied ScaleSet.
     ScaleFile,
@@ -142,7 +142,7 @@ fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
 }
 
 impl ComparedJoint<'_> {
-    /// New over old.
+    /// The distance in the new model over that in the old one.
     pub(super) fn ratio(&self) -> f64 {
         self.new_m.length() / self.old_m.length()
     }

@@ -58,7 +58,7 @@ pub struct FollowRequest {
 pub struct FollowedSphere {
     /// Radius in the reference, m.
     pub old_radius_m: f64,
-    /// New radius, m.
+    /// New radius of the sphere, m.
     pub radius_m: f64,
     /// New location in its frame, m.
     pub location_m: [f64; 3],

@@ -14,9 +14,9 @@ const AXIS_NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]]
 pub struct ViewAxes {
     /// x, level; y where x is up or down.
     pub forward: DVec3,
-    /// Against gravity.
+    /// The direction against gravity.
     pub up: DVec3,
-    /// Forward × up.
+    /// The direction to the right: forward × up.
     pub right: DVec3,
 }
 
@@ -196,7 +196,7 @@ mod tests {
         points
     }
 
-    /// Gauss's formula.
+    /// Area inside of a line, by Gauss's formula.
     fn area(line: &[DVec2]) -> f64 {
         let next = line.iter().cycle().skip(1);
         line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum()

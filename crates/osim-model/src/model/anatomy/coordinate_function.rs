@@ -20,7 +20,7 @@ enum FunctionKind {
 }
 
 impl CoordinateFunction {
-    /// 0 everywhere.
+    /// The function that is 0 everywhere.
     pub(crate) const ZERO: Self = Self(FunctionKind::Polynomial(Vec::new()));
 
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {

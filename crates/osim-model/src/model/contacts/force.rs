@@ -66,7 +66,7 @@ pub struct Slot {
 pub struct Sphere {
     pub id: SphereId,
     pub name: String,
-    /// Component path.
+    /// Component path of the sphere.
     pub path: String,
     /// Effective radius, m, as OpenSim reads it; [`Sphere::radius_m`] checks it.
     pub radius: Value,
@@ -174,7 +174,7 @@ impl ForceKind {
 pub struct Force {
     pub id: ForceId,
     pub name: String,
-    /// Component path.
+    /// Component path of the force.
     pub path: String,
     pub kind: ForceKind,
     /// Whether the force is switched on (`appliesForce`, or `isDisabled` in old documents).

@@ -15,7 +15,7 @@ const ROUNDING_OF_NORMAL: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
     pub name: String,
-    /// Component path.
+    /// Component path of the half-space.
     pub path: String,
     /// Component path of its frame.
     pub frame_path: String,

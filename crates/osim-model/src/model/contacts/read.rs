@@ -43,7 +43,7 @@ pub enum Irregularity {
     MisnamedSet {
         /// Path of the force.
         force: String,
-        /// The name.
+        /// Name of the object.
         name: String,
         /// Line of the set, from 1.
         line: usize,

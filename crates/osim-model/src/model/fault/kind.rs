@@ -97,7 +97,7 @@ pub enum FaultKind {
     },
     /// The element to change is in another file, which the model names.
     IncludedFile {
-        /// Component path.
+        /// Component path of the element.
         path: String,
         file: String,
     },

@@ -35,7 +35,7 @@ pub enum Needed {
     /// The mass of the model, whose bodies have no total mass.
     ModelMass {
         bodies: usize,
-        /// Their sum, kg.
+        /// Sum of the bodies' masses, kg.
         kg: f64,
     },
     /// The mass of the model: OpenSim counts a body in a loop of joints twice.
@@ -53,7 +53,7 @@ pub enum Needed {
     },
     /// Which forces are meant: they belong to several animals.
     Selection {
-        /// The animals.
+        /// Forces of each animal.
         trees: Vec<ForcesOfAnimal>,
         /// The field that answers it: the model's own choice of forces, or that of a reference.
         input: Input,
@@ -323,7 +323,7 @@ impl Needed {
         }
     }
 
-    /// Questions about what was asked for, and what belongs to it.
+    /// Questions about the request, and about what belongs to it.
     fn about_request(&self) -> Phrase {
         match self {
             Self::Repetition { operation } => phrase![

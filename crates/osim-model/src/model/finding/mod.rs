@@ -117,7 +117,7 @@ pub struct Rule {
 pub enum Repair {
     /// Yes, if the model can be changed: what the command does.
     Command(&'static str),
-    /// No, and why.
+    /// No request repairs it; the text says why.
     NotPossible(&'static str),
     /// No, and why: only a change raises the finding, not a model.
     OnlyInChange(&'static str),
@@ -136,7 +136,7 @@ pub enum Example {
         good: &'static str,
         bad: &'static str,
     },
-    /// Requests, as JSON.
+    /// A request, as JSON, that raises the finding.
     Request {
         good: &'static str,
         bad: &'static str,

@@ -172,7 +172,7 @@ fn sizes(text: &str) -> Option<Vec<BodySize>> {
     text.split(' ').map(BodySize::parse).collect()
 }
 
-/// `added heel toe`.
+/// Names of added forces in a text such as `added heel toe`.
 fn names(text: &str) -> Option<Vec<String>> {
     Some(text.strip_prefix(BEFORE_ADDED_FORCES)?.split(' ').map(str::to_owned).collect())
 }

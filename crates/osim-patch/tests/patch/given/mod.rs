@@ -141,7 +141,7 @@ fn patterns(pattern: &str) -> Vec<Pattern> {
 }
 
 impl Given {
-    /// A set or model that belongs to it.
+    /// Adds a set or model that belongs to the file.
     pub(crate) fn beside(mut self, bytes: impl Into<Vec<u8>>) -> Self {
         self.parts.push(bytes.into());
         self
@@ -209,7 +209,7 @@ impl Given {
         all.restricted(&self.only, &self.keep)
     }
 
-    /// The model.
+    /// Reads the model.
     pub(crate) fn read(&self) -> Result<Model, Fault> {
         let document = Document::parse(self.bytes.as_slice())?;
         let beside = |bytes: &Vec<u8>| {

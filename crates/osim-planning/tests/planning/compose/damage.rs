@@ -82,7 +82,7 @@ fn names(model: &Model, side: Side) -> Vec<&str> {
     forces.map(|force| force.name.as_str()).filter(plain).collect()
 }
 
-/// The model after a request, without a note of it.
+/// A model after a request, without a note of the change.
 fn changed(text: &str, fields: &Value) -> Option<String> {
     let mut fields = fields.as_object()?.clone();
     fields.retain(|_, value| *value != json!([]));

@@ -182,12 +182,12 @@ fn element<'t>(text: &'t str, tag: &str) -> Option<(std::ops::Range<usize>, &'t 
     Some((start..end + close.len(), &text[open..end]))
 }
 
-/// Bytes as letters.
+/// The bytes of a file as letters, one for each byte.
 pub fn letters(bytes: &[u8]) -> String {
     bytes.iter().map(|&byte| char::from(byte)).collect()
 }
 
-/// Letters as bytes.
+/// The bytes of letters that stand for one byte each.
 pub fn bytes(letters: &str) -> Vec<u8> {
     letters.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap_or(b'?')).collect()
 }

@@ -209,7 +209,7 @@ fn what_was_added_is_taken_back() {
     counts.check();
 }
 
-/// In all forms.
+/// Contacts are added to models in all forms and taken back.
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
 fn what_was_added_is_taken_back_in_every_form() {

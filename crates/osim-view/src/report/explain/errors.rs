@@ -28,13 +28,13 @@ impl ErrorCode {
 /// Groups of errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGroup {
-    /// The file, before anything in it.
+    /// Errors of a file, before anything in it is read.
     File,
     /// The content of a model.
     Model,
     /// Something that only the user can know.
     Question,
-    /// The request.
+    /// Errors of a request.
     Request,
 }
 

@@ -36,7 +36,7 @@ pub enum TopicRecord {
         formulas: Vec<FormulaRecord>,
         /// Every symbol of the formulas.
         symbols: Vec<SymbolRecord>,
-        /// Where it stands.
+        /// Source of the equation.
         source: String,
         /// Which part of the project uses it.
         used: String,
@@ -64,7 +64,7 @@ pub enum TopicRecord {
     Finding {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
-        /// Stable short name.
+        /// Stable short name of the finding.
         code: &'static str,
         /// Severity of the finding.
         severity: &'static str,
@@ -72,20 +72,20 @@ pub enum TopicRecord {
         checked: bool,
         /// What the finding is, in a sentence.
         what: String,
-        /// Why it matters.
+        /// Why the finding matters.
         why: String,
         /// What to do about the finding.
         advice: String,
         /// What the command does that `check` proposes; null where it cannot propose one.
         fix: Option<String>,
-        /// Why it cannot.
+        /// Why no request repairs it.
         why_no_fix: Option<String>,
     },
-    /// An error.
+    /// An error that the command can end with.
     Error {
         /// Raised when a field changes its meaning or goes away.
         schema_version: u32,
-        /// Stable short name.
+        /// Stable short name of the error.
         code: &'static str,
         /// What the error means.
         means: String,

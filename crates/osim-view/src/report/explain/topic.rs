@@ -22,14 +22,14 @@ pub enum Topic {
     Quantity(&'static QuantityTopic),
     /// The rule of a warning or finding.
     Finding(&'static Rule),
-    /// An error.
+    /// The topic of an error's code.
     Error(&'static ErrorCode),
 }
 
 /// A name by which no topic is called.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTopic {
-    /// The name.
+    /// The unknown name.
     pub name: String,
     /// Names of topics that are like it.
     pub similar_names: Vec<&'static str>,

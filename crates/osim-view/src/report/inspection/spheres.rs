@@ -300,7 +300,7 @@ const PARAMETER_COLUMNS: [Property; 9] = [
 /// Columns after the figures: names of those that are beyond their limits, and codes of findings.
 const LAST_COLUMNS: [&str; 2] = ["outside_limits", "findings"];
 
-/// The names of all columns. `docs/reference/json.md` explains them.
+/// Names of the columns of the CSV of spheres. `docs/reference/json.md` explains them.
 fn header() -> Vec<String> {
     let place = PLACE_COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let parameters = PARAMETER_COLUMNS.iter().map(|&property| Quantity::property(property).column());

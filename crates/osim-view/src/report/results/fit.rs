@@ -121,20 +121,20 @@ fn restitution(fit: &Fit) -> String {
 pub struct FitRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The measurement.
+    /// Name of the file of the measurement.
     pub file: String,
     /// The file's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file_bytes: Option<Vec<u8>>,
     /// Spheres that shared the force.
     pub sphere_count: f64,
-    /// Their radius, m.
+    /// Radius of the spheres, m.
     pub radius_m: f64,
-    /// E* (1), N/m².
+    /// Fitted E* (1), N/m².
     pub composite_modulus_n_m2: EstimateRecord,
     /// E₁* (A.4), N/m²: what OpenSim calls stiffness.
     pub stiffness: EstimateRecord,
-    /// α (12), s/m.
+    /// Fitted α (12), s/m.
     pub dissipation: Option<EstimateRecord>,
     /// Where contact begins, m.
     pub onset_m: Option<EstimateRecord>,
@@ -145,18 +145,18 @@ pub struct FitRecord {
     pub covariance: Vec<Vec<f64>>,
     /// Why the result must not be taken as it is.
     pub warnings: Vec<FitWarningRecord>,
-    /// R².
+    /// Coefficient of determination R².
     pub r_squared: f64,
-    /// Rows less parameters.
+    /// The number of rows less that of fitted parameters.
     pub degrees_of_freedom: usize,
     /// Standard deviation of the residuals, N.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub residual_deviation_n: f64,
-    /// Largest x̂.
+    /// The largest x̂ of the measurement.
     pub largest_relative_indentation: f64,
     /// Whether the largest indentation is within the Hertz law.
     pub within_hertz_limit: bool,
-    /// Largest speed, m/s.
+    /// The largest speed of the measurement, m/s.
     pub largest_speed_m_s: Option<f64>,
     /// c_r by (13) at that speed.
     pub restitution: Option<f64>,
@@ -170,13 +170,13 @@ pub struct FitRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct FitWarningRecord {
-    /// Stable short name.
+    /// Stable short name of the warning.
     pub code: &'static str,
     /// What the data do not determine, and what to do.
     pub message: String,
 }
 
-/// One parameter.
+/// A fitted parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct EstimateRecord {

@@ -131,7 +131,7 @@ pub struct MotionColumn {
 pub enum MotionCells {
     Numbers(Vec<f64>),
     Texts(Vec<String>),
-    /// Whether something holds.
+    /// For each row, whether something holds.
     Flags(Vec<bool>),
 }
 

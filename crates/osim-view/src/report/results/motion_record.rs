@@ -15,12 +15,12 @@ use serde::Serialize;
 pub struct MotionRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The model.
+    /// Name of the model's file.
     pub model: String,
     /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub model_bytes: Option<Vec<u8>>,
-    /// The motion.
+    /// Name of the motion's file.
     pub motion: String,
     /// The motion's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -33,7 +33,7 @@ pub struct MotionRecord {
     pub to_s: f64,
     /// Mass of the model, kg.
     pub mass_kg: f64,
-    /// Gravity, m/s².
+    /// Gravity of the model, m/s².
     pub gravity_m_s2: f64,
     /// Body weight, N: what forces in body weights are divided by.
     pub weight_n: f64,
@@ -47,7 +47,7 @@ pub struct MotionRecord {
     pub peak_n: f64,
     /// The forces of all feet, compared with those of all plates.
     pub comparison: Option<MotionComparisonRecord>,
-    /// Each foot.
+    /// Results for each foot.
     pub feet: Vec<MotionFootRecord>,
     /// Remarks in words.
     pub remarks: Vec<MotionRemarkRecord>,
@@ -57,7 +57,7 @@ pub struct MotionRecord {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionRemarkRecord {
-    /// Stable short name.
+    /// Stable short name of the remark.
     pub code: String,
     /// The message in words.
     pub message: String,
@@ -87,7 +87,7 @@ pub struct MotionFootRecord {
     pub deepest_m: f64,
     /// The median velocity of its deepest sphere along the floor in stance, m/s.
     pub stance_slip_m_s: Option<[f64; 3]>,
-    /// Each stance.
+    /// Stances of the foot.
     pub stances: Vec<MotionStanceRecord>,
     /// Each of its spheres.
     pub spheres: Vec<MotionSphereRecord>,
@@ -145,7 +145,7 @@ pub struct MotionSphereRecord {
 pub struct MotionTouchDownRecord {
     /// Time of the touch-down, s.
     pub time_s: f64,
-    /// How fast, m/s.
+    /// Speed of the sphere at touch-down, m/s.
     pub impact_speed_m_s: f64,
     /// The coefficient of restitution at this speed, by (12) without gravity.
     pub restitution: Option<f64>,

@@ -27,9 +27,9 @@ pub struct PresetRecord {
     pub mass_kg: f64,
     /// Spheres that share the weight.
     pub spheres: f64,
-    /// Their radius, m.
+    /// Radius of the preset's spheres, m.
     pub radius_m: f64,
-    /// Gravity, m/s².
+    /// Gravity that the contacts are made for, m/s².
     pub gravity_m_s2: f64,
     /// OpenSim's `stiffness`, E₁* in N/m².
     pub stiffness: f64,
@@ -53,13 +53,13 @@ pub struct DimensionlessRecord {
     pub modulus: f64,
     /// x̂ under its share of the body weight, by the Hertz law (11).
     pub relative_indentation: f64,
-    /// α √(g R).
+    /// Dimensionless dissipation α √(g R).
     pub dissipation: f64,
     /// √cf / R (C.2).
     pub constant_indentation: Option<f64>,
-    /// bd R.
+    /// Dimensionless Hertz smoothing bd R.
     pub hertz_smoothing: Option<f64>,
-    /// bv √(g R).
+    /// Dimensionless Hunt–Crossley smoothing bv √(g R).
     pub hunt_crossley_smoothing: Option<f64>,
 }
 
