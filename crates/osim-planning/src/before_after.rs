@@ -10,7 +10,7 @@ use osim_requests::spell::Speller;
 use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
 use crate::remedies::RemedyTrials;
-use crate::scene::{Fall, Scene};
+use crate::scene::{BodyFall, Scene};
 use crate::{ModelFeet, PreparedChange, prepared_change};
 
 /// Inspections and checks of a model before and after a planned change, in the words of a front end.
@@ -160,7 +160,7 @@ impl BeforeAndAfterPlan<'_> {
     }
 
     /// How one body, the one that the new contacts are for, falls on the old contacts and on the new ones.
-    pub fn falls(self) -> Vec<Fall> {
+    pub fn falls(self) -> Vec<BodyFall> {
         let Some(changed) = self.changed else { return Vec::new() };
         let after = self.options_after();
         let mut heavier = self.change.options.clone();
@@ -168,7 +168,7 @@ impl BeforeAndAfterPlan<'_> {
         heavier.stance.gravity_m_s2 = after.stance.gravity_m_s2;
         let old = drawn_body("before", &heavier, &self.opened.model, self.opened);
         let new = drawn_body("after", &after, changed, self.opened);
-        Fall::all(&old.into_iter().chain(new).collect::<Vec<ContactBody>>())
+        BodyFall::all(&old.into_iter().chain(new).collect::<Vec<ContactBody>>())
     }
 
     fn options_after(self) -> InspectOptions {

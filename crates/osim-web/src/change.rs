@@ -7,13 +7,13 @@ use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::Verb;
 use osim_model::{FileId, Model};
 use osim_patch::Plan;
-use osim_planning::scene::{Fall, Scene};
+use osim_planning::scene::{BodyFall, Scene};
 use osim_planning::{BeforeAfter, BeforeAndAfterPlan, PreparedChange};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
-    About, Columns, DeferredParts, DetailLevel, Entry, Explained, Files, InMemory, NamedDigest, Page, RunRow,
-    Section, Sections,
+    About, Columns, DeferredParts, DetailLevel, Entry, Explained, InMemory, ListedFiles, NamedDigest, Page,
+    RunRow, Section, Sections,
 };
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
@@ -66,7 +66,7 @@ pub(crate) struct ChangeShown<'p> {
     /// The new model in space, where it was asked for.
     scene: Option<Scene>,
     /// Falls before and after, likewise.
-    falls: Vec<Fall>,
+    falls: Vec<BodyFall>,
 }
 
 #[derive(Debug, Serialize)]
@@ -178,7 +178,7 @@ impl PlannedChange {
                 let last = before_after.after.as_ref().unwrap_or(&before_after.before);
                 let findings = wants("findings").then(|| FindingShown::all(&last.1));
                 // Digests are only for the record.
-                let files = if wants("files") { self.files() } else { Files::default() };
+                let files = if wants("files") { self.files() } else { ListedFiles::default() };
                 let changed =
                     osim_view::html::ChangedModelOnPage::of_states(&self.plan, &before_after, files);
                 let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
@@ -214,7 +214,7 @@ impl PlannedChange {
     }
 
     /// The files that were read and that are made.
-    fn files(&self) -> Files {
+    fn files(&self) -> ListedFiles {
         let names: Vec<String> = self.results.iter().map(|made| made.name.display().to_string()).collect();
         let outputs = names
             .iter()
@@ -225,7 +225,7 @@ impl PlannedChange {
             false => format!("written: {}", names.join(", ")),
         };
         let outputs = if self.plan.is_empty() { Vec::new() } else { outputs.collect() };
-        Files { inputs: self.opened.digests(), result, outputs }
+        ListedFiles { inputs: self.opened.digests(), result, outputs }
     }
 
     /// The change as an entry of a report: its content is that of the report by the command which writes the files.

@@ -15,7 +15,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::change::{PlannedChange, Report, report_name};
 use crate::given_files::GivenFiles;
-use crate::knowledge::{self, Calls, Fields, Question};
+use crate::knowledge::{self, Calls, EngineQuestion, Fields};
 use crate::look::{self, Opened};
 use crate::problem::Problem;
 
@@ -79,7 +79,7 @@ impl Engine {
         Some(self.last.as_ref()?.results.get(index)?.bytes.clone())
     }
 
-    /// Answers a [`Question`], both in JSON: `{"ok": ...}`, or `{"error": ...}` with what is wrong and a way out.
+    /// Answers a [`EngineQuestion`], both in JSON: `{"ok": ...}`, or `{"error": ...}` with what is wrong and a way out.
     pub fn call(&mut self, question: &str) -> String {
         let answer = match serde_json::from_str(question) {
             Ok(question) => self.answer(question),
@@ -102,36 +102,38 @@ fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
 }
 
 impl Engine {
-    fn answer(&mut self, question: Question) -> Result<String, Problem> {
+    fn answer(&mut self, question: EngineQuestion) -> Result<String, Problem> {
         match question {
-            Question::Look { model, fields, parts } => {
+            EngineQuestion::Look { model, fields, parts } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
                 ok_answer(look::look(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
-            Question::Bones { model, fields } => {
+            EngineQuestion::Bones { model, fields } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), inspector.set_files())?;
                 ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
-            Question::Play { request } => {
+            EngineQuestion::Play { request } => {
                 ok_answer(look::play_recording(Request::from_map(request)?, &self.files)?)
             }
-            Question::Change { request, parts } => {
+            EngineQuestion::Change { request, parts } => {
                 self.last = None;
                 let planned = self.plan(Request::from_map(request)?, &Page)?;
                 let answer = ok_answer(planned.shown(parts.as_deref(), &self.files)?);
                 self.last = Some(planned);
                 answer
             }
-            Question::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
-            Question::Keep => self.keep(),
-            Question::Report { request } => ok_answer(self.report(request)?),
-            Question::Calculate { request } => ok_answer(knowledge::calculate(&Request::from_map(request)?)?),
-            Question::Spell { request } => ok_answer(Calls::of(&Request::from_map(request)?)),
-            Question::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
-            Question::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
-            Question::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
+            EngineQuestion::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
+            EngineQuestion::Keep => self.keep(),
+            EngineQuestion::Report { request } => ok_answer(self.report(request)?),
+            EngineQuestion::Calculate { request } => {
+                ok_answer(knowledge::calculate(&Request::from_map(request)?)?)
+            }
+            EngineQuestion::Spell { request } => ok_answer(Calls::of(&Request::from_map(request)?)),
+            EngineQuestion::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
+            EngineQuestion::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
+            EngineQuestion::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
         }
     }
 

@@ -83,7 +83,7 @@ pub(crate) type Fields = Map<String, Value>;
 /// A question of the page, in JSON: `{"do": "look", "model": "human.osim"}`.
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
-pub enum Question {
+pub enum EngineQuestion {
     /// Asks for the contents of a model, and for what is wrong with it.
     Look {
         /// Name of the model's file.

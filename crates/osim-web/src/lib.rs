@@ -1,6 +1,6 @@
 //! What is Rust of the page in `web/`: files in memory, questions in JSON, answers in JSON.
 //!
-//! It binds and computes nothing itself. The page puts the bytes of files into an [`Engine`] and asks it [`Question`]s; what
+//! It binds and computes nothing itself. The page puts the bytes of files into an [`Engine`] and asks it [`EngineQuestion`]s; what
 //! comes back is JSON with HTML of the report's renderer in it, and the bytes of changed files.
 //!
 //! # What it will not do
@@ -16,4 +16,4 @@ mod look;
 mod problem;
 
 pub use crate::engine::Engine;
-pub use crate::knowledge::Question;
+pub use crate::knowledge::EngineQuestion;

@@ -6,7 +6,7 @@ use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, FindingRecord, FindingWithRemedy, Inspection, Verdict};
 use osim_model::files::{Failure, Files, ModelFiles, OpenModel};
 use osim_model::messages::Verb;
-use osim_planning::scene::{Fall, PlayedRecording, Scene};
+use osim_planning::scene::{BodyFall, PlayedRecording, Scene};
 use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
@@ -85,7 +85,7 @@ pub(crate) struct Look {
     /// The model in space, where it was asked for.
     scene: Option<Scene>,
     /// How it falls on its contacts, where that was asked for.
-    falls: Vec<Fall>,
+    falls: Vec<BodyFall>,
 }
 
 /// A finding, with what puts it right.
@@ -196,7 +196,7 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
 }
 
 /// How the model falls on its contacts, if they and its weight are known.
-fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
+fn falls(inspector: &Inspector, opened: &Opened) -> Vec<BodyFall> {
     let failed = |fault| opened.model.failure(fault);
     let body = ContactBody::from_inspected_model(
         "now".to_owned(),
@@ -204,7 +204,7 @@ fn falls(inspector: &Inspector, opened: &Opened) -> Vec<Fall> {
         inspector.options(),
         &failed,
     );
-    body.map(|body| Fall::all(&[body])).unwrap_or_default()
+    body.map(|body| BodyFall::all(&[body])).unwrap_or_default()
 }
 
 /// An inspected model as an entry of a report.

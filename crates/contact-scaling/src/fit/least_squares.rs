@@ -6,7 +6,7 @@ use super::measurement::{FitError, Parameter, Point};
 
 /// The parameters that are fitted, and the factor K = n 4/3 √R.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Model {
+pub(super) struct FitModel {
     pub(super) gain: f64,
     pub(super) with_dissipation: bool,
     pub(super) with_onset: bool,
@@ -26,7 +26,7 @@ impl Parameters {
     }
 }
 
-impl Model {
+impl FitModel {
     pub(super) fn names(&self) -> Vec<Parameter> {
         let mut names = vec![Parameter::CompositeModulus];
         names.extend(self.with_dissipation.then_some(Parameter::Dissipation));
@@ -73,7 +73,7 @@ const SMALLEST_ANGLE: f64 = 1e-6;
 
 /// The parameters of least squares for this onset.
 pub(super) fn solve_with_known_onset(
-    model: &Model,
+    model: &FitModel,
     points: &[Point],
     onset: f64,
 ) -> Result<Parameters, FitError> {
@@ -109,7 +109,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 const SCAN: u32 = 64;
 
 /// The parameters of least squares with a fitted onset.
-pub(super) fn solve_with_onset(model: &Model, points: &[Point]) -> Result<Parameters, FitError> {
+pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
     let (low, high) = range(points, |p| p.indentation);
     let start = scan(model, points, low, high)?;
     let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
@@ -130,7 +130,7 @@ pub(super) fn solve_with_onset(model: &Model, points: &[Point]) -> Result<Parame
 }
 
 /// The best of some onsets, each with its closed form.
-fn scan(model: &Model, points: &[Point], low: f64, high: f64) -> Result<Parameters, FitError> {
+fn scan(model: &FitModel, points: &[Point], low: f64, high: f64) -> Result<Parameters, FitError> {
     let needed = model.names().len() + 1;
     if points.len() < needed {
         return Err(FitError::TooFewPoints { found: points.len(), needed });
@@ -164,7 +164,7 @@ fn range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
 
 /// The problem as rmpfit takes it; every unknown is near 1.
 struct Search<'a> {
-    model: &'a Model,
+    model: &'a FitModel,
     points: &'a [Point],
     force: f64,
     modulus: f64,
@@ -175,7 +175,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(model: &'a Model, points: &'a [Point], start: &Parameters, force: f64, length: f64) -> Self {
+    fn new(model: &'a FitModel, points: &'a [Point], start: &Parameters, force: f64, length: f64) -> Self {
         let speed = points.iter().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
         let config = MPConfig { ftol: 1e-15, xtol: 1e-14, gtol: 1e-14, ..MPConfig::new() };
         let setting = || MPPar { side: MPSide::User, ..MPPar::new() };
@@ -264,7 +264,7 @@ mod tests {
         (0..10).map(point).collect()
     }
 
-    const MODEL: Model = Model { gain: 2.0, with_dissipation: true, with_onset: false };
+    const MODEL: FitModel = FitModel { gain: 2.0, with_dissipation: true, with_onset: false };
 
     #[test]
     fn exact_data_give_exact_parameters() {

@@ -22,7 +22,7 @@ mod result;
 
 use crate::error::{at_least_one, finite, positive};
 use crate::{EQUAL_SURFACES, limits, restitution};
-use least_squares::{Model, Parameters};
+use least_squares::{FitModel, Parameters};
 use measurement::Point;
 pub use measurement::{Branch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
 pub use result::{Doubt, Estimate, Fit};
@@ -38,7 +38,7 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     let radius = positive("sphere radius", values.radius_m)?;
     let count = at_least_one("sphere count", values.sphere_count)?;
     let points = measurement::collect(measurement, values.branch)?;
-    let model = Model {
+    let model = FitModel {
         gain: count * 4.0 / 3.0 * radius.sqrt(),
         with_dissipation: !matches!(measurement.rate, Rate::Unknown),
         with_onset: matches!(values.onset, Onset::Fitted),
@@ -67,7 +67,7 @@ fn several_indentations(points: &[Point], onset: f64) -> Result<(), FitError> {
     Ok(())
 }
 
-fn report(model: &Model, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
+fn report(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
     let residuals_n: Vec<f64> = points.iter().map(|p| p.force - model.force(fitted, p)).collect();
     let degrees_of_freedom = points.len() - model.names().len();
     let square: f64 = residuals_n.iter().map(|r| r * r).sum();

@@ -2,7 +2,7 @@
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
-use super::least_squares::{Model, Parameters};
+use super::least_squares::{FitModel, Parameters};
 use super::measurement::{FitError, Parameter, Point};
 
 /// Result of a fit: parameters, their uncertainty, and what the data leave in doubt.
@@ -141,7 +141,7 @@ pub(super) fn student_95(degrees_of_freedom: usize) -> Result<f64, FitError> {
 
 /// s² (JᵀJ)⁻¹, with J the slopes of the force by the parameters.
 pub(super) fn covariance(
-    model: &Model,
+    model: &FitModel,
     points: &[Point],
     fitted: &Parameters,
     variance: f64,

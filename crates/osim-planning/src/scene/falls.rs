@@ -17,7 +17,7 @@ const DURATION_UNITS: f64 = 12.0;
 
 /// A body that falls on its contacts.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Fall {
+pub struct BodyFall {
     /// Name of the body.
     pub name: String,
     /// Time from one moment to the next, s.
@@ -32,7 +32,7 @@ pub struct Fall {
     pub why_not: Option<String>,
 }
 
-impl Fall {
+impl BodyFall {
     /// The falls of `bodies`, all followed for the same time.
     pub fn all(bodies: &[ContactBody]) -> Vec<Self> {
         let radii = bodies.iter().filter_map(|body| {

@@ -17,7 +17,7 @@ use osim_requests::MotionRequest;
 use serde::Serialize;
 
 use crate::motion::MotionResult;
-pub use falls::{AnimalFall, Fall};
+pub use falls::{AnimalFall, BodyFall};
 
 /// A model at its default pose, in ground, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -26,7 +26,7 @@ pub struct Scene {
     pub axes: [[f64; 3]; 3],
     pub bodies: Vec<PlacedBody>,
     /// Contact spheres that move and whose bodies have a place, in file order.
-    pub spheres: Vec<PlacedSphere>,
+    pub spheres: Vec<SceneSphere>,
     /// Planes that spheres press on.
     pub planes: Vec<PlacedPlane>,
     /// Lines from joint to joint, which are drawn for bodies without bones.
@@ -42,7 +42,7 @@ pub struct PlacedBody {
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct PlacedSphere {
+pub struct SceneSphere {
     pub name: String,
     /// Component path of the sphere.
     pub path: String,
@@ -135,7 +135,7 @@ fn placed_spheres(
     forces: &[ForceId],
     pose: &DefaultPose,
     loads: &HashMap<SphereId, RestingLoad>,
-) -> Vec<PlacedSphere> {
+) -> Vec<SceneSphere> {
     let limbs = model.limbs(forces);
     let limbs = limbs.if_known().unwrap_or_default().iter();
     let sides = limbs.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.side)));
@@ -146,7 +146,7 @@ fn placed_spheres(
         let load = loads.get(&sphere.id);
         let radius_m = sphere.radius_m().ok()?;
         let centre_m = pose.placement(&body).ok()?.point(model.centre_m(sphere.id)?);
-        Some(PlacedSphere {
+        Some(SceneSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
             side: sides.get(&sphere.id).copied().map(Side::as_str),

@@ -10,7 +10,7 @@ use osim_planning::{BeforeAfter, ModelFeet};
 use crate::html::entry::{Entry, RunRow};
 use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
-use crate::html::inspected::{self, Files, InspectedAndChecked};
+use crate::html::inspected::{self, InspectedAndChecked, ListedFiles};
 use crate::html::special::{Drawn, Facts, deepest};
 use crate::html::sphere_figures::{self, State};
 use crate::html::{findings, plots, reference};
@@ -42,12 +42,12 @@ pub struct ChangedModelOnPage<'c> {
     /// The gravity that the contacts are scaled to, if the model has another one, m/s².
     pub target_gravity_m_s2: Option<f64>,
     /// Files that were read and written.
-    pub files: Files,
+    pub files: ListedFiles,
 }
 
 impl<'c> ChangedModelOnPage<'c> {
     /// A plan for a model, not written yet, without its results.
-    pub fn new(plan: &'c Plan, before: InspectedAndChecked<'c>, files: Files) -> Self {
+    pub fn new(plan: &'c Plan, before: InspectedAndChecked<'c>, files: ListedFiles) -> Self {
         Self {
             plan,
             before,
@@ -64,7 +64,7 @@ impl<'c> ChangedModelOnPage<'c> {
     }
 
     /// A plan with both states of its model. The caller sets `in_file`.
-    pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: Files) -> Self {
+    pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: ListedFiles) -> Self {
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
             after: states.after.as_ref().map(InspectedAndChecked::from),

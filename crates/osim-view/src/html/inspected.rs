@@ -226,7 +226,7 @@ pub struct NamedDigest {
 }
 
 #[derive(Debug, Clone, Default)]
-pub struct Files {
+pub struct ListedFiles {
     /// Files that were read, the model first.
     pub inputs: Vec<NamedDigest>,
     /// The outcome, in words.
@@ -235,7 +235,7 @@ pub struct Files {
 }
 
 /// The files of a change, as a list.
-pub(super) fn list_of_files(files: &Files) -> Markup {
+pub(super) fn list_of_files(files: &ListedFiles) -> Markup {
     html! {
         dl {
             (list_of_read_files(&files.inputs))

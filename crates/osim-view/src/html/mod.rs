@@ -38,7 +38,7 @@ pub use change::{ChangedModelOnPage, entry_of_changed_model};
 pub use entry::{EarlierRun, Entry, RowError, RunRow};
 pub use fragment::{DetailLevel, Section};
 pub use inspected::{
-    Files, InspectedAndChecked, InspectedModelOnPage, NamedDigest, entry_of_inspected_model,
+    InspectedAndChecked, InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model,
 };
 pub use models_table::Columns;
 pub use page::{About, DeferredParts, DeferredText, InMemory, Page};

@@ -6,9 +6,9 @@ use osim_model::messages::Verb;
 use osim_planning::ModelFeet;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
-    About, ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, Files, InMemory,
-    InspectedAndChecked, InspectedModelOnPage, NamedDigest, Page, RowError, RunRow, entry_of_changed_model,
-    entry_of_inspected_model,
+    About, ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InMemory,
+    InspectedAndChecked, InspectedModelOnPage, ListedFiles, NamedDigest, Page, RowError, RunRow,
+    entry_of_changed_model, entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
@@ -120,7 +120,7 @@ fn a_change_is_shown_before_and_after() {
         ChangedModelOnPage::new(
             &plan,
             InspectedAndChecked { inspection: &before, check: &found },
-            Files::default(),
+            ListedFiles::default(),
         )
     };
     let one = entry_of_changed_model(&row, change(), DetailLevel::Alone, &CommandLine);

@@ -22,7 +22,7 @@ use crate::model::{
 use body_factors::{AXIS_NAMES, BodyIndex, ComparedJoints};
 pub use body_factors::{AxisFactor, BodyFactors, FactorSource, bone_of_mesh};
 pub use scaled_copy::{CopyDifference, ScaleFile};
-use sources::Sources;
+use sources::BodyFactorSources;
 
 // Where the spheres of a scaled model belong, and how large they are there.
 
@@ -323,10 +323,12 @@ impl Factors {
         }
         let difference = scaled_copy::difference(scaled, reference);
         let distances = difference.as_ref().map(|_| ComparedJoints::of(scaled, reference));
-        let all_sources: Vec<Sources> = scaled
+        let all_sources: Vec<BodyFactorSources> = scaled
             .bodies
             .iter()
-            .map(|body| Sources::of(scaled, reference, body, file, given.get(body), distances.as_ref()))
+            .map(|body| {
+                BodyFactorSources::of(scaled, reference, body, file, given.get(body), distances.as_ref())
+            })
             .collect();
         let mut factors = Self {
             bodies: Vec::new(),

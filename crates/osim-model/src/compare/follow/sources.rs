@@ -22,7 +22,7 @@ const FACTOR_OF_OTHER_BONE: f64 = 2.0;
 
 /// The factors of one body by source.
 #[derive(Debug)]
-pub(super) struct Sources<'a> {
+pub(super) struct BodyFactorSources<'a> {
     pub(super) body: &'a str,
     /// Sources with their factors, in the order in which they count.
     pub(super) by_source: Vec<(FactorSource, [Option<f64>; 3])>,
@@ -33,7 +33,7 @@ pub(super) struct Sources<'a> {
     in_a_copy: bool,
 }
 
-impl<'a> Sources<'a> {
+impl<'a> BodyFactorSources<'a> {
     pub(super) fn of(
         scaled: &'a Anatomy,
         reference: &Anatomy,
@@ -149,9 +149,9 @@ impl<'a> Sources<'a> {
 
 /// Chooses the factors of each body: on each axis from the first source that both sides of a pair have, else from the first that the
 /// body has.
-pub(super) fn choose_factors(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
+pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
     let pairs = SidePairs::of(all);
-    let choose = |one: &Sources<'_>| {
+    let choose = |one: &BodyFactorSources<'_>| {
         let other = pairs.other_side(one.body);
         std::array::from_fn(|axis| {
             let first = one.first(axis).filter(|first| first.source > FactorSource::Given);
@@ -172,11 +172,11 @@ pub(super) fn choose_factors(all: &[Sources<'_>]) -> Vec<[Option<AxisFactor>; 3]
 }
 
 /// Bodies whose names differ only in the side.
-pub(super) struct SidePairs<'s, 'a>(HashMap<String, Vec<&'s Sources<'a>>>);
+pub(super) struct SidePairs<'s, 'a>(HashMap<String, Vec<&'s BodyFactorSources<'a>>>);
 
 impl<'s, 'a> SidePairs<'s, 'a> {
-    pub(super) fn of(all: &'s [Sources<'a>]) -> Self {
-        let mut pairs: HashMap<String, Vec<&Sources<'_>>> = HashMap::new();
+    pub(super) fn of(all: &'s [BodyFactorSources<'a>]) -> Self {
+        let mut pairs: HashMap<String, Vec<&BodyFactorSources<'_>>> = HashMap::new();
         for one in all {
             pairs.entry(without_side(one.body)).or_default().push(one);
         }
@@ -184,7 +184,7 @@ impl<'s, 'a> SidePairs<'s, 'a> {
     }
 
     /// The body on the other side, where names say that there is exactly one.
-    fn other_side(&self, body: &str) -> Option<&'s Sources<'a>> {
+    fn other_side(&self, body: &str) -> Option<&'s BodyFactorSources<'a>> {
         let side = Side::of_name(body)?;
         let mut others = self.0.get(&without_side(body))?.iter().filter(|other| other.body != body);
         let only =
@@ -295,11 +295,12 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
 pub(super) fn add_questions(
     factors: &mut [BodyFactors],
     by_name: &BodyIndex,
-    all_sources: &[Sources<'_>],
+    all_sources: &[BodyFactorSources<'_>],
     scaled: &Anatomy,
 ) {
     let pairs = SidePairs::of(all_sources);
-    let of_body: HashMap<&str, &Sources<'_>> = all_sources.iter().map(|one| (one.body, one)).collect();
+    let of_body: HashMap<&str, &BodyFactorSources<'_>> =
+        all_sources.iter().map(|one| (one.body, one)).collect();
     let above = |body: &str| of_body.get(scaled.joint_above(body)?.parent.as_str()).copied();
     let questions: Vec<Option<FactorQuestion>> = all_sources
         .iter()
@@ -332,7 +333,7 @@ fn uses_source(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
     axes.iter().flatten().any(|axis| axis.source == source)
 }
 
-fn meshes_differ(sources: &Sources<'_>) -> Option<FactorQuestion> {
+fn meshes_differ(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
     let (first, others) = sources.meshes.split_first()?;
     let differs = |other: &&BonePair| {
         let apart = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {

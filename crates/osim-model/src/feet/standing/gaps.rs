@@ -30,12 +30,12 @@ pub(super) struct FloorContact {
 }
 
 /// Floors with the spheres that press on them, at the default pose.
-pub(super) struct Floors {
+pub(super) struct SphereFloors {
     planes: Vec<(ContactPlane, PlaneSurface)>,
     by_sphere: HashMap<SphereId, Vec<usize>>,
 }
 
-impl Floors {
+impl SphereFloors {
     /// The planes of the forces, without walls.
     pub(super) fn of(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Self {
         let planes = ContactPlane::all(model, forces, pose).into_iter();

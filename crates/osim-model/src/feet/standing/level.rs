@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::gaps::{Floors, tilt};
+use super::gaps::{SphereFloors, tilt};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
 use crate::messages::{readable, shown};
@@ -71,7 +71,7 @@ pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<Levelle
         why: limbs.why_unknown().map(ToString::to_string).unwrap_or_default(),
     })?;
     let pose = DefaultPose::of(model);
-    let floors = Floors::of(model, forces, &pose);
+    let floors = SphereFloors::of(model, forces, &pose);
     if floors.spheres().is_empty() {
         return Err(NotLevelled::NoFloor);
     }
@@ -86,7 +86,7 @@ pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<Levelle
 /// A model whose feet are made level.
 struct LevelledFeet<'f> {
     model: &'f Model,
-    floors: &'f Floors,
+    floors: &'f SphereFloors,
     pose: &'f DefaultPose,
 }
 

@@ -15,7 +15,7 @@ use super::contact_planes::{ContactPlane, PlaneSurface, angle};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
-use gaps::{FloorContact, Floors};
+use gaps::{FloorContact, SphereFloors};
 pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
 pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftSearch};
@@ -46,7 +46,7 @@ impl Standing {
     pub fn all(model: &Model, forces: &[ForceId]) -> Result<Vec<Self>, PoseFault> {
         let joints = model.joints();
         let pose = DefaultPose::of(model);
-        let floors = Floors::of(model, forces, &pose);
+        let floors = SphereFloors::of(model, forces, &pose);
         let tree = JointTree::of(joints);
         let lifting = LiftSearch::of(model, &pose);
         let bodies = model.bodies().iter().enumerate();
@@ -104,7 +104,7 @@ impl Standing {
 /// The spheres on floors by the body on top of their tree, in the order of the first sphere of each.
 fn spheres_by_tree<'j>(
     model: &Model,
-    floors: &Floors,
+    floors: &SphereFloors,
     tree: &JointTree<'j>,
     pose: &DefaultPose,
 ) -> Result<Vec<(&'j str, Vec<SphereId>)>, PoseFault> {
@@ -127,7 +127,7 @@ fn spheres_by_tree<'j>(
 /// A tree whose standing is asked for.
 struct StandingTree<'t, 'j> {
     model: &'t Model,
-    floors: &'t Floors,
+    floors: &'t SphereFloors,
     tree: &'t JointTree<'j>,
     /// Place in the file and mass (kg) of each body.
     masses: &'t HashMap<&'t str, (usize, Option<f64>)>,
@@ -210,7 +210,7 @@ fn paths_of_planes(model: &Model, force: ForceId) -> HashSet<String> {
 fn add_floor_contacts(
     model: &Model,
     forces: &[ForceId],
-    floors: &Floors,
+    floors: &SphereFloors,
     pose: &DefaultPose,
     standing: &mut [Standing],
 ) -> Result<(), PoseFault> {
@@ -224,7 +224,7 @@ fn add_floor_contacts(
         let Some(own) = places.get(&one.sphere).and_then(|&place| standing.get_mut(place)) else { continue };
         let gaps = floors.gaps(model, one.sphere, pose)?;
         let planes = planes.entry(one.force).or_insert_with(|| paths_of_planes(model, one.force));
-        own.floor_contacts.extend(Floors::floor_contacts(one, &gaps, planes));
+        own.floor_contacts.extend(SphereFloors::floor_contacts(one, &gaps, planes));
     }
     Ok(())
 }
