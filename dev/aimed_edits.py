@@ -47,7 +47,7 @@ def save(saver, model, mark, open_file):
     os.replace(new, model)
 
 
-def one(number, program, seed, usual):
+def run_and_save(number, program, seed, usual):
     """The result of a run and a save: what the run said, and where the save is."""
     dice = random.Random(f"{seed} {number}")
     saver, aimed = SAVERS[number % 3], number % 2 == 0
@@ -101,7 +101,7 @@ def main():
         while hit < options.edits:
             batch = range(number, number + 100)
             number += 100
-            for outcome in pool.map(lambda n: one(n, program, options.seed, usual), batch):
+            for outcome in pool.map(lambda n: run_and_save(n, program, options.seed, usual), batch):
                 counts[outcome] += 1
                 hit += outcome[1] == "during the run"
     for outcome, count in sorted(counts.items()):

@@ -43,11 +43,11 @@ def main() -> int:
         return 0 if passes(sys.executable, wheel, ["numpy"], "this interpreter with NumPy") else 1
     # Two at once: most of the time packages are unpacked.
     with ThreadPoolExecutor(2) as pool:
-        passed = list(pool.map(lambda environment: everywhere(wheel, *environment), ENVIRONMENTS))
+        passed = list(pool.map(lambda environment: passes_everywhere(wheel, *environment), ENVIRONMENTS))
     return 0 if all(passed) else 1
 
 
-def everywhere(wheel: str, version: str, packages: list[str]) -> bool:
+def passes_everywhere(wheel: str, version: str, packages: list[str]) -> bool:
     """Whether the tests pass with a version of CPython, if it is installed."""
     label = f"CPython {version} with {', '.join(packages)}"
     python = interpreter(version)

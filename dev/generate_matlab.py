@@ -111,7 +111,7 @@ def help_of(verb, options, used):
     else:
         lines += ["%"] + comment("RESULTS: a struct with the fields output (the file) and text (remarks on it).")
     lines += ["%"] + comment("Example:") + ["%       " + line for line in EXAMPLES[verb.name].strip().splitlines()]
-    lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related(verb.name)) + ".")
+    lines += ["%"] + comment("See also " + ", ".join(f"osimcontact.{other}" for other in related_functions(verb.name)) + ".")
     return lines
 
 
@@ -119,7 +119,7 @@ def first_sentence(text):
     return re.split(r"(?<=\.)\s", " ".join(text.split()))[0]
 
 
-def related(verb):
+def related_functions(verb):
     changes = [other for other, result in RESULTS.items() if result == "change"]
     group = changes if verb in changes else [other for other in RESULTS if other not in changes]
     return [function_name(other) for other in group if other != verb] + ["program"]

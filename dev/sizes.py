@@ -92,7 +92,7 @@ def used_names(words):
     return found
 
 
-def users():
+def users_of_names():
     """The words of each crate's sources, and of all tests, examples, benchmarks and fuzz targets together."""
     result = {}
     for path in tracked("*.rs"):
@@ -116,7 +116,7 @@ def rust():
     inner = {path: of for path, of in words.items() if path.relative_to(ROOT).parts[1] not in FREE}
     attributes = sum(of.count("must_use") + of.count("non_exhaustive") for of in inner.values())
     names = [(path.relative_to(ROOT).parts[1], kind, name) for path, of in inner.items() for kind, name in public(of)]
-    used = users()
+    used = users_of_names()
     reached = {}
     for path, of in inner.items():
         reached.setdefault(path.relative_to(ROOT).parts[1], set()).update(used_names(of))

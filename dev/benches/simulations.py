@@ -31,7 +31,7 @@ def empty(path):
     return {}
 
 
-def nothing(number):
+def do_nothing(number):
     return number
 
 
@@ -82,7 +82,7 @@ def scheduler(count):
     with workers(2) as client:
         pool = client.get_executor(pure=False)
         begin = time.perf_counter()
-        for future in [pool.submit(nothing, number) for number in range(count)]:
+        for future in [pool.submit(do_nothing, number) for number in range(count)]:
             future.result()
         wall = time.perf_counter() - begin
     print(f"scheduler: {count} tasks of Dask {wall:.1f} s, {1e3 * wall / count:.2f} ms each (limit 5)")

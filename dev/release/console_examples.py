@@ -102,11 +102,11 @@ def differences(page, program, fixtures):
             for example in found:
                 status, printed = run(example, program, folder)
                 if status != example.status or not as_expected(example.output, printed):
-                    wrong.append(untrue(page, example, status, printed))
+                    wrong.append(differences_of_example(page, example, status, printed))
     return len(found), wrong
 
 
-def untrue(page, example, status, printed):
+def differences_of_example(page, example, status, printed):
     """The differences between an example and its run: its status, and the lines that are not as the page has them."""
     lines = difflib.unified_diff(example.output, printed.splitlines(), "expected", "printed", lineterm="")
     return "\n".join([f"{page}:{example.line}: $ {example.command}", f"status {status}, expected {example.status}", *lines])

@@ -99,16 +99,16 @@ def main():
     failed = 0
     with tempfile.TemporaryDirectory(prefix="osim-growth-") as folder:
         with ThreadPoolExecutor(os.cpu_count()) as workers:
-            for text, is_bad in workers.map(lambda pair: one(program, Path(folder), *pair), pairs):
+            for text, is_bad in workers.map(lambda pair: growth_of_call(program, Path(folder), *pair), pairs):
                 failed += is_bad
                 print(text, flush=True)
     print(f"\n{failed} grow too fast" if failed else "\neverything grows as it should")
     return 1 if failed else 0
 
 
-def one(program, folder, verb, kind):
+def growth_of_call(program, folder, verb, kind):
     """The line of a verb and kind, and whether it grows too fast."""
-    least, few, many = (counted(program, folder, verb, kind, size) for size in (LEAST, N, TIMES * N))
+    least, few, many = (count_instructions(program, folder, verb, kind, size) for size in (LEAST, N, TIMES * N))
     if None in (least, few, many):
         return f"FAIL {verb:16} {kind:10} the program refused", True
     total = sum(many.values())
@@ -131,7 +131,7 @@ def exponent(least, few, many):
     return math.log((many - least) / max(few - least, 1)) / math.log(TIMES)
 
 
-def counted(program, folder, verb, kind, size):
+def count_instructions(program, folder, verb, kind, size):
     """Instructions of each function; `None` where the program refuses."""
     place = Path(tempfile.mkdtemp(dir=folder))
     call = prepared(place, verb, kind, size)
@@ -178,8 +178,8 @@ def prepared(place, verb, kind, size):
         size *= 8
         for name in ("walker.osim", "plates.xml"):
             shutil.copy(MOTION / name, place)
-        (place / "motion.mot").write_text(longer(MOTION / "walk.mot", size, 0.01))
-        (place / "plates.sto").write_text(longer(MOTION / "plates.sto", 5 * size, 0.002))
+        (place / "motion.mot").write_text(repeat_rows(MOTION / "walk.mot", size, 0.01))
+        (place / "plates.sto").write_text(repeat_rows(MOTION / "plates.sto", 5 * size, 0.002))
         written |= {MODEL: place / "walker.osim", "MOTION": place / "motion.mot"}
         written |= {"PLATES": place / "plates.sto", "LOADS": place / "plates.xml"}
     else:
@@ -199,7 +199,7 @@ def prepared(place, verb, kind, size):
     return [filled(word, written, size) for word in VERBS[verb][0]]
 
 
-def longer(path, rows, step):
+def repeat_rows(path, rows, step):
     """The table at `path`, which repeats itself, with so many rows, `step` seconds apart."""
     lines = path.read_text().splitlines()
     head = lines.index("endheader") + 2

@@ -1,6 +1,6 @@
 """Jobs in processes of their own: one server imports OpenSim, once for all tests, and a fork of it does each job, two at a time.
 
-`each(module, jobs)` gives what the function `here` of this module makes of each job, so that the caller's process stays free of
+`run_each_job(module, jobs)` gives what the function `run_job` of this module makes of each job, so that the caller's process stays free of
 OpenSim, and no job sees what OpenSim keeps of another. Both ways go lines of JSON, in which floats keep their bits.
 """
 
@@ -23,12 +23,12 @@ class Refused(Exception):
     """OpenSim has refused a job."""
 
 
-def one(module, job):
+def run_one_job(module, job):
     """The result of one job."""
-    return each(module, [job])[0]
+    return run_each_job(module, [job])[0]
 
 
-def each(module, jobs):
+def run_each_job(module, jobs):
     """The results of jobs, in their order."""
     answers = ask(module, jobs)
     for answer in answers:
@@ -68,7 +68,7 @@ def serve():
     opensim.Logger.setLevelString("Off")
     for line in sys.stdin:
         module, jobs = json.loads(line)
-        print(json.dumps(forked(importlib.import_module(module).here, jobs)), flush=True)
+        print(json.dumps(forked(importlib.import_module(module).run_job, jobs)), flush=True)
 
 
 def forked(function, jobs):
@@ -83,7 +83,7 @@ def forked(function, jobs):
             if child == 0:
                 try:
                     os.chdir(tempfile.mkdtemp(dir=folder))
-                    answer.write_text(json.dumps(answered(function, job)), encoding="utf-8")
+                    answer.write_text(json.dumps(answer_of(function, job)), encoding="utf-8")
                 finally:
                     os._exit(0)
             running.add(child)
@@ -93,7 +93,7 @@ def forked(function, jobs):
         return [json.loads(path.read_text(encoding="utf-8")) if path.exists() else silent for path in answers]
 
 
-def answered(function, job):
+def answer_of(function, job):
     try:
         return function(job)
     except Exception as error:  # OpenSim throws its own kinds

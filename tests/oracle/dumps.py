@@ -15,7 +15,7 @@ def has_note(dump):
     return bool(compare.NOTE.search(parsed(dump).findtext("credits") or ""))
 
 
-def without(dump, goes):
+def without_elements(dump, goes):
     """The model without the objects of which `goes(tag, name)` is true, wherever they are, and without a note."""
     model = parsed(dump)
     for parent in list(model.iter()):

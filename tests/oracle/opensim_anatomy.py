@@ -15,7 +15,7 @@ def anatomies(paths):
     return dict(zip(paths, ask("opensim_anatomy", paths), strict=True))
 
 
-def here(path):
+def run_job(path):
     """The anatomy of one model, read in this process."""
     import opensim
 

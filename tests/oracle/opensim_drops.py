@@ -8,17 +8,17 @@ Down is x, the side on which OpenSim's half-space is solid: so the slider needs 
 indentation, with bottoms at -height in the beginning. `Manager` stops at each time asked for; nothing is interpolated.
 """
 
-from apart import each
+from apart import run_each_job
 
 SMOOTH = "SmoothSphereHalfSpaceForce"
 
 
 def drops(jobs):
     """`[{"heights", "forces"}]`; the caller's process stays free of OpenSim."""
-    return each("opensim_drops", jobs)
+    return run_each_job("opensim_drops", jobs)
 
 
-def here(job):
+def run_job(job):
     """Runs a drop in this process."""
     import opensim
 

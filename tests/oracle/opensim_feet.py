@@ -7,7 +7,7 @@ def matrix(transform):
     return [[*(rotation.get(i, j) for j in range(3)), origin.get(i)] for i in range(3)]
 
 
-def here(path):
+def run_job(path):
     """The places, read in this process."""
     import opensim
 

@@ -10,7 +10,7 @@ Each state gives a list of the vertical forces on the bodies.
 
 from pathlib import Path
 
-from apart import one
+from apart import run_one_job
 
 SLIDE = 1.0  # m/s
 FIXED = ("ground", "HalfSpace")  # in the records of HuntCrossleyForce and of SmoothSphereHalfSpaceForce
@@ -18,10 +18,10 @@ FIXED = ("ground", "HalfSpace")  # in the records of HuntCrossleyForce and of Sm
 
 def forces(model, states):
     """`[state][body]`, in N; the caller's process stays free of OpenSim."""
-    return one("opensim_forces", [str(Path(model).absolute()), states])
+    return run_one_job("opensim_forces", [str(Path(model).absolute()), states])
 
 
-def here(job):
+def run_job(job):
     """Computes the forces in this process."""
     import opensim
 

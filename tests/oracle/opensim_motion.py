@@ -7,29 +7,29 @@ that a CoordinateCouplerConstraint makes depend on another are set as its own fu
 from pathlib import Path
 
 import numpy as np
-from apart import one
+from apart import run_one_job
 
 ANGULAR = ("FreeJoint", "BallJoint", "EllipsoidJoint")  # their speeds are angular velocities, not derivatives of angles
 
 
 def coordinates(model):
     """`joint/coordinate`, its default and OpenSim's motion type for each coordinate of a model file."""
-    return one("opensim_motion", ["coordinates", str(Path(model).absolute())])
+    return run_one_job("opensim_motion", ["coordinates", str(Path(model).absolute())])
 
 
 def follow(model, times, values, speeds):
     """Spheres and forces in each frame; `values` has a list for each coordinate, and `speeds` too, or is "splined" or "rest"."""
-    return one("opensim_motion", ["follow", str(Path(model).absolute()), list(times), values, speeds])
+    return run_one_job("opensim_motion", ["follow", str(Path(model).absolute()), list(times), values, speeds])
 
 
 def needed(model, times, values, speeds, loads=None):
     """Generalized forces that OpenSim's inverse dynamics finds without acceleration, in each frame; with `loads`, an ExternalLoads file, for
     the contacts."""
     loads = loads and str(Path(loads).absolute())
-    return one("opensim_motion", ["needed", str(Path(model).absolute()), list(times), values, speeds, loads])
+    return run_one_job("opensim_motion", ["needed", str(Path(model).absolute()), list(times), values, speeds, loads])
 
 
-def here(job):
+def run_job(job):
     """Follows the motion in this process."""
     what, path, *rest = job
     return {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here}[what](path, *rest)

@@ -33,7 +33,7 @@ def read_models(paths, dump=False):
     return {str(path): {"loads": False} | reading for path, reading in zip(paths, readings, strict=True)}
 
 
-def here(job):
+def run_job(job):
     """The reading of one model, in this process."""
     import opensim
 

@@ -6,7 +6,7 @@ file of its own) or `processor` (a ModelProcessor).
 
 from pathlib import Path
 
-from apart import one
+from apart import run_one_job
 
 FACTOR = 0.7
 
@@ -30,11 +30,11 @@ SETUP = """<?xml version="1.0" encoding="UTF-8" ?>
 
 def save(model, output, how):
     """The model as OpenSim has written it; the caller's process stays free of OpenSim."""
-    one("opensim_saves", [str(Path(model).absolute()), str(Path(output).absolute()), how])
+    run_one_job("opensim_saves", [str(Path(model).absolute()), str(Path(output).absolute()), how])
     return output
 
 
-def here(job):
+def run_job(job):
     """Runs a job in this process."""
     import opensim
 

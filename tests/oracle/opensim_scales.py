@@ -8,15 +8,15 @@ gives the bodies' masses and, per sphere, the rotation of its frame in its body,
 import os
 from pathlib import Path
 
-from apart import one
+from apart import run_one_job
 
 
 def scaled(job):
     """The result of one job; the caller's process stays free of OpenSim."""
-    return one("opensim_scales", job)
+    return run_one_job("opensim_scales", job)
 
 
-def here(job):
+def run_job(job):
     """Runs a job in this process."""
     import opensim
 

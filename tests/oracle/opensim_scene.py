@@ -6,7 +6,7 @@ def vector(vec):
     return [vec.get(k) for k in range(3)]
 
 
-def here(path):
+def run_job(path):
     """The places, read in this process."""
     import opensim
 

@@ -30,7 +30,7 @@ def moving(heights, fastest=1.0):
     return [{"up": float(up), "speeds": seed, "fastest": fastest} for seed, up in enumerate(heights)]
 
 
-def here(job):
+def run_job(job):
     """OpenSim's results in the states of one model, computed in this process."""
     import opensim
 

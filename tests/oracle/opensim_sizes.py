@@ -1,10 +1,10 @@
 """Reads with the real OpenSim the numbers of a model that depend on its size.
 
-`here(path)` gives mass and gravity, the longest distance between two joints of each body, and each number by class, object and
+`run_job(path)` gives mass and gravity, the longest distance between two joints of each body, and each number by class, object and
 property. Nothing of it is ours but the names of the properties, which are OpenSim's.
 """
 
-from apart import each
+from apart import run_each_job
 
 NUMBERS = (
     "max_isometric_force", "optimal_fiber_length", "tendon_slack_length", "max_contraction_velocity",
@@ -17,10 +17,10 @@ TRIPLES = ("rotational_stiffness", "translational_stiffness", "rotational_dampin
 
 def read_sizes(paths):
     """Several models, each in a process of its own."""
-    return each("opensim_sizes", [str(path) for path in paths])
+    return run_each_job("opensim_sizes", [str(path) for path in paths])
 
 
-def here(path):
+def run_job(path):
     import opensim
 
     model = opensim.Model(path)

@@ -20,7 +20,7 @@ def posed(jobs):
     return ask("opensim_standing", [[str(model), coordinates, alone] for model, coordinates, alone in jobs])
 
 
-def here(job):
+def run_job(job):
     """The standing of one model, computed in this process."""
     import opensim
 

@@ -91,7 +91,7 @@ def check_near(value, expected, where):
     assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
 
-def wanted(added, readings):
+def expected_additions(added, readings):
     """The contacts that the rules give."""
     case, reference = added.case, readings[added.case.reference]
     # A preset has no joints but one of a foot, which no model's sizes can contradict: it is no generic model.
@@ -110,7 +110,7 @@ def wanted(added, readings):
 def test_contacts_are_those_of_the_rules(name, added_models, readings):
     added = added_models[name]
     assert added.outcome.status == 0, (added.outcome.error, added.outcome.stderr)
-    reading, expected = readings[added.after], wanted(added, readings)
+    reading, expected = readings[added.after], expected_additions(added, readings)
     assert reading["builds"], reading
     found = contacts(reading)
     assert set(found) == set(expected)
@@ -176,8 +176,8 @@ def test_nothing_else_has_changed(added, readings):
     old = {one["path"] for kind in ("spheres", "half_spaces", "forces") for one in before[kind]}
     new = {path.rsplit("/", 1)[-1] for path in paths - old}
     kinds = ("ContactSphere", "ContactHalfSpace", rules.SMOOTH_SET, "HuntCrossleyForce")
-    bare = dumps.without(after["dump"], lambda tag, name: tag in kinds and name in new)
-    assert bare == dumps.without(before["dump"], lambda *_: False)
+    bare = dumps.without_elements(after["dump"], lambda tag, name: tag in kinds and name in new)
+    assert bare == dumps.without_elements(before["dump"], lambda *_: False)
 
 
 @pytest.fixture(scope="module")
@@ -221,12 +221,12 @@ def test_left_is_the_mirror_image_of_right(added, readings):
     factors = [[added.case.given.get(body, sizes.mesh(body)) for body in (body, placing.other_side(body))] for body in bodies]
     if any(one is None or other is None or not np.allclose(one, other, rtol=1e-12, atol=0) for one, other in factors):
         pytest.skip("the meshes of both sides do not have the same factors")
-    if apart(readings[added.case.reference]) > 0:
+    if asymmetry(readings[added.case.reference]) > 0:
         pytest.skip("the reference's sides are no mirror images")
-    assert apart(readings[added.after]) < MIRRORED
+    assert asymmetry(readings[added.after]) < MIRRORED
 
 
-def apart(reading):
+def asymmetry(reading):
     """How far the spheres of one side are from the mirror images of the others, in their bodies' frames, and how the radii differ, m."""
     spheres = {one["name"]: one for one in reading["spheres"] if one["base"] not in reading["fixed"]}
     result = []

@@ -102,7 +102,7 @@ def test_names_that_are_taken(tmp_path, readings):
     assert {one["path"] for one in before["spheres"]} <= {one["path"] for one in after["spheres"]}
     kinds = ("ContactSphere", "ContactHalfSpace", rules.SMOOTH_SET)
     old = {one["name"] for kind in ("spheres", "half_spaces") for one in before[kind]}
-    assert dumps.without(after["dump"], lambda tag, name: tag in kinds and name not in old) == dumps.without(before["dump"], lambda *_: False)
+    assert dumps.without_elements(after["dump"], lambda tag, name: tag in kinds and name not in old) == dumps.without_elements(before["dump"], lambda *_: False)
     assert command.run("remove", output, "-o", back).status == 0
     assert back.read_bytes() == path.read_bytes()
 

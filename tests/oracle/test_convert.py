@@ -112,7 +112,7 @@ def test_forces_without_a_half_space_are_refused_by_name(path, tmp_path):
 def test_nothing_but_the_forces_has_changed(path, converted_models, readings):
     """All defaults spelled out; groups may call forces by new names."""
     goes = (rules.SMOOTH_SET, "HuntCrossleyForce", "members")
-    trees = [dumps.without(readings[one]["dump"], lambda tag, _: tag in goes) for one in converted_models[path].values()]
+    trees = [dumps.without_elements(readings[one]["dump"], lambda tag, _: tag in goes) for one in converted_models[path].values()]
     assert trees.count(trees[0]) == len(trees)
 
 
@@ -180,7 +180,7 @@ def test_both_classes_press_alike(path, converted_models, moved, readings):
     assert pressed
 
 
-def lost(path, converted_models, moved, readings):
+def lost_force(path, converted_models, moved, readings):
     """The force that the model's own Hunt-Crossley forces lack on the half-space, in N, by state; and the largest that it should be."""
     hunt = contacts(readings[converted_models[path]["hunt"]])
     own = contacts(readings[path])
@@ -203,13 +203,13 @@ SEVERAL = [path for path in PATHS if path.stem in ("emu_10_spheres_hunt_crossley
 @pytest.mark.parametrize("path", ONE_EACH, ids=models.label)
 def test_forces_of_one_sphere_stay_as_they_are(path, converted_models, moved, readings):
     assert converted_models[path]["hunt"].read_bytes() == path.read_bytes()
-    assert all(apart == 0 for apart, _ in lost(path, converted_models, moved, readings))
+    assert all(apart == 0 for apart, _ in lost_force(path, converted_models, moved, readings))
 
 
 @pytest.mark.parametrize("path", SEVERAL, ids=models.label)
 def test_what_simbody_drops_of_several_spheres_is_there(path, converted_models, moved, readings):
     """A sphere that leaves the floor fast takes the forces of those after it: the model's own lacks much, and not the converted one."""
-    shares = [apart / total for apart, total in lost(path, converted_models, moved, readings) if total > 1]
+    shares = [apart / total for apart, total in lost_force(path, converted_models, moved, readings) if total > 1]
     assert max(shares) > 0.5, "the defect does not show"
     assert np.median(shares) < TOLERANCE
     # That no force lacks in the converted model is `test_both_classes_press_alike`: smooth forces do not have the defect.

@@ -93,10 +93,10 @@ def test_series_are_opensims(case, fallen, tmp_path):
     assert report["sphere_count"] == len(asked["spheres"])
     assert np.allclose(report["series"]["time_s"], asked["times"], rtol=1e-15, atol=0)
     for name, their in (("height_m", theirs["heights"]), ("force_n", theirs["forces"])):
-        assert apart(report["series"][name], their) <= TOLERANCE, name
+        assert largest_difference(report["series"][name], their) <= TOLERANCE, name
 
 
-def apart(ours, theirs):
+def largest_difference(ours, theirs):
     """The largest difference of two series as a share of the second one's range."""
     assert len(ours) == len(theirs)
     return np.max(np.abs(np.subtract(ours, theirs))) / np.ptp(theirs)
@@ -117,8 +117,8 @@ def test_scaled_animals_fall_alike(kind):
     assert np.ptp(heights) > 0.5 and np.ptp(forces) > 2
     for animal in TABLE:
         height, force = curves(fixture(animal, kind), animal)
-        assert apart(height, heights) <= SIMILARITY, animal
-        assert apart(force, forces) <= SIMILARITY, animal
+        assert largest_difference(height, heights) <= SIMILARITY, animal
+        assert largest_difference(force, forces) <= SIMILARITY, animal
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -131,7 +131,7 @@ def test_with_one_alpha_the_smaller_swings_the_longer(kind, tmp_path):
             assert unrest[one] > 1.01 * unrest[other], (one, other)
     assert unrest["mouse"] > 50 * unrest["giraffe"]
     assert swings(forces["mouse"]) > 2 * swings(forces["giraffe"])
-    assert apart(forces["mouse"], forces["giraffe"]) > 0.2
+    assert largest_difference(forces["mouse"], forces["giraffe"]) > 0.2
 
 
 def swings(force):

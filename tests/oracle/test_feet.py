@@ -15,7 +15,7 @@ import pytest
 
 import command
 import feet_variants
-from apart import Refused, one
+from apart import Refused, run_one_job
 from models import CORPUS, FIXTURES, NO_CORPUS, corpus, label
 
 PLACE = 1e-9  # m
@@ -32,7 +32,7 @@ REFUSED = {
 NOT_READ = {"v30517_elastic_foundation_with_sphere.osim"}
 
 
-def ours(*arguments):
+def feet_by_program(*arguments):
     """The lines of JSON that the example prints."""
     run = subprocess.run([command.example("feet"), *map(str, arguments)], capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
@@ -42,7 +42,7 @@ def ours(*arguments):
 @cache
 def opensim(path):
     """OpenSim's reading, from a separate process."""
-    return one("opensim_feet", str(Path(path).absolute()))
+    return run_one_job("opensim_feet", str(Path(path).absolute()))
 
 
 @cache
@@ -82,7 +82,7 @@ def compare_bones(path):
             opensim(path)
         return
     known = opensim(path)
-    lines = ours("bones", path, GEOMETRY)
+    lines = feet_by_program("bones", path, GEOMETRY)
     assert len(lines) == len(known["bodies"])
     for line in lines:
         if path.name in REFUSED:
@@ -117,7 +117,7 @@ def find_mesh(mesh, model):
 @pytest.mark.skipif(not CORPUS, reason=NO_CORPUS)
 def test_the_corpus_has_bones_to_compare():
     """The standard foot, toes and talus were read in every model with feet: 2 of each."""
-    compared = {path.name: sum(not line.get("fault", "none") for line in ours("bones", path, GEOMETRY)) for path in corpus()}
+    compared = {path.name: sum(not line.get("fault", "none") for line in feet_by_program("bones", path, GEOMETRY)) for path in corpus()}
     assert sum(count >= 4 for count in compared.values()) >= 15, compared
 
 
@@ -203,7 +203,7 @@ def mirrored_bones(path, bodies):
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 6, 9])
 @pytest.mark.parametrize("path, bodies", list(feet()), ids=lambda value: label(value) if isinstance(value, Path) else "")
 def test_spheres_stand_on_the_sole(path, bodies, count):
-    lines = ours("soles", path, GEOMETRY, bodies, count, RADIUS, PAD)
+    lines = feet_by_program("soles", path, GEOMETRY, bodies, count, RADIUS, PAD)
     assert [line.get("side") for line in lines] == ["right", "left"], lines
     for sole in lines:
         check_sole(path, sole, count)

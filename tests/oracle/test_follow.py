@@ -244,7 +244,7 @@ def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
         check_near(after[place], value, place)
 
 
-def apart(model, other):
+def distance_of_models(model, other):
     """How far two drops lie apart in dimensionless form: height over radius, force over body weight."""
     call = [str(command.BINARY), "drop-test", str(model), "--compare", str(other), "--format", "json"]
     process = subprocess.run(call, capture_output=True, timeout=120, check=True)
@@ -260,5 +260,5 @@ def test_drops_coincide_when_contacts_follow_and_do_not_otherwise(kind, tmp_path
     generic, output = folder / f"generic_{kind}.osim", folder / f"scaled_{kind}.osim"
     followed = tmp_path / "followed.osim"
     follow(output, generic, followed)
-    assert max(apart(followed, generic)) < COINCIDENCE
-    assert min(apart(output, generic)) > 0.05
+    assert max(distance_of_models(followed, generic)) < COINCIDENCE
+    assert min(distance_of_models(output, generic)) > 0.05

@@ -94,7 +94,7 @@ def numbers_of(read):
     return result
 
 
-def expected(new, old):
+def expected_list(new, old):
     """By kind: how many, the factors, and the factor of similarity."""
     numbers, others = numbers_of(new), numbers_of(old)
     mass = new["mass"] / old["mass"]
@@ -121,7 +121,7 @@ def compare(model, original):
     outcome = command.run("check", model, "--from", original)
     assert outcome.report is not None, outcome
     ours = outcome.report["similarity"]
-    mass, length, rows = expected(*opensim_sizes.read_sizes([model, original]))
+    mass, length, rows = expected_list(*opensim_sizes.read_sizes([model, original]))
     assert close(ours["mass_ratio"], mass)
     # OpenSim rounds the joints of old documents to six digits.
     assert ours["length_ratio"] == pytest.approx(length, rel=1e-6)

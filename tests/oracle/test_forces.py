@@ -172,7 +172,7 @@ def force(contact, name, sphere, other):
     )
 
 
-def ours(cases):
+def forces_by_program(cases):
     """Our forces: one for each `(contact, x, rate)`."""
     lines = "".join(contact.line(x, rate) + "\n" for contact, x, rate in cases)
     process = subprocess.run([command.example("forces")], input=lines, capture_output=True, text=True)
@@ -180,7 +180,7 @@ def ours(cases):
     return [float(line) for line in process.stdout.splitlines()]
 
 
-def apart(case, our, their):
+def relative_difference(case, our, their):
     """The difference of two forces of a case as a share of what it is compared with; nothing may differ from no force."""
     scale = case[0].scale(*case[1:])
     if scale == 0:
@@ -198,7 +198,7 @@ def test_normal_force_is_opensims(group, tmp_path):
     theirs = forces(path, [[(height, rate) for height, _, rate in moment] for moment in moments])
     theirs = [value for moment in theirs for value in moment]
     cases = [(contact, x, rate) for moment in moments for contact, (_, x, rate) in zip(contacts, moment)]
-    result = [apart(*all_three) for all_three in zip(cases, ours(cases), theirs, strict=True)]
+    result = [relative_difference(*all_three) for all_three in zip(cases, forces_by_program(cases), theirs, strict=True)]
     worst = int(np.argmax(result))  # a NaN, if there is one
     assert result[worst] <= TOLERANCE, (result[worst], cases[worst])
     assert sum(their > 0 for their in theirs) > len(theirs) / 4, "hardly any contact in the grid"

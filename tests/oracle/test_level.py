@@ -5,7 +5,7 @@ import pytest
 
 import command
 import models
-from apart import one
+from apart import run_one_job
 
 HEIGHT = 1e-9  # m
 UNEVEN = models.FIXTURES / "check/uneven_bottoms.osim"
@@ -16,7 +16,7 @@ CORPUS = {path.stem: path for path in models.corpus()}
 
 def bottoms(path):
     """`{side: {sphere: height of its lowest point over the floor}}` at the default pose, in m, along the floor's normal."""
-    known = one("opensim_scene", str(path))
+    known = run_one_job("opensim_scene", str(path))
     (floor,) = known["floors"]
     sides = {"r": {}, "l": {}}
     for sphere in known["spheres"]:

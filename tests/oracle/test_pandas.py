@@ -9,7 +9,7 @@ import models
 DOCS = models.FIXTURES.parent / "docs"
 
 
-def look(page, folder):
+def read_with_pandas(page, folder):
     """The output of the first Python example of a page, run in a folder."""
     code = (DOCS / page).read_text("utf-8").split("```python\n")[1].split("```")[0]
     (folder / "look.py").write_text(code, encoding="utf-8")
@@ -26,7 +26,7 @@ def look(page, folder):
 def test_pandas_reads_the_numbers_of_a_figure(tmp_path):
     call = "plot force falisse2022 --target-mass 1190 --label Human --label Giraffe -o a.svg --data print.csv"
     subprocess.run([str(command.BINARY), *call.split()], cwd=tmp_path, check=True, capture_output=True)
-    lines = look("plots.md", tmp_path).splitlines()
+    lines = read_with_pandas("plots.md", tmp_path).splitlines()
     assert [line.split()[0] for line in lines] == ["Giraffe", "Human"]
     # Scaled contacts without dimensions are one curve.
     highest = [float(line.split()[2]) for line in lines]
@@ -38,7 +38,7 @@ def test_pandas_reads_the_table_of_a_folder(tmp_path):
         [str(command.BINARY), "inspect", str(models.FIXTURES / "table1"), "--format", "csv"], capture_output=True, check=True
     )
     (tmp_path / "models.csv").write_bytes(ran.stdout)
-    shown = look("libraries.md", tmp_path)
+    shown = read_with_pandas("libraries.md", tmp_path)
     # All fourteen animals of Table 1 sink in deeper than 0.16; bipeds on one foot by 0.353, as printed.
     assert shown.count(".osim") == 14
     assert "human_62kg_hunt_crossley.osim" in shown and "0.3533" in shown

@@ -11,7 +11,7 @@ from add_cases import CASES, Case
 
 
 
-def back(case, reading, folder):
+def taken_back(case, reading, folder):
     """Whether the bytes of the model are there again, without and with a rescaling in between."""
     before = case.model
     if case.bare:
@@ -38,7 +38,7 @@ ONCE = list({(case.model, case.bare): name for name, case in reversed(CASES.item
 
 @pytest.mark.parametrize("name", ONCE)
 def test_the_first_file_is_back(name, readings, tmp_path):
-    back(CASES[name], readings[CASES[name].reference], tmp_path)
+    taken_back(CASES[name], readings[CASES[name].reference], tmp_path)
 
 
 @pytest.mark.parametrize("name, text", add_variants.chosen(), ids=lambda value: value[:40])
@@ -47,7 +47,7 @@ def test_the_first_document_is_back(name, text, readings, tmp_path):
     ends = "\n" if add_variants.NAMES.index(name) % 2 else "\r\n"
     path = tmp_path / f"{name}.osim"
     path.write_bytes(text.replace("\n", ends).encode())
-    back(Case(path), readings[Case(path).reference], tmp_path)
+    taken_back(Case(path), readings[Case(path).reference], tmp_path)
 
 
 REPLACED = [name for name in ONCE if CASES[name].bare]

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import command
-from apart import one
+from apart import run_one_job
 from models import CORPUS, FIXTURES, NO_CORPUS, animals, corpus, label
 
 PLACE = 1e-9  # m
@@ -35,7 +35,7 @@ def scene(path):
 @cache
 def opensim(path):
     """The answer of OpenSim, from a process of its own."""
-    return one("opensim_scene", str(Path(path).absolute()))
+    return run_one_job("opensim_scene", str(Path(path).absolute()))
 
 
 @pytest.mark.parametrize("path", MODELS, ids=label)

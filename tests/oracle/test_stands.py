@@ -93,7 +93,7 @@ def test_one_foot_carries_the_body_at_its_own_heights(name, side, standing):
         assert (floor - (state["heights"][sphere] - radius)) / radius == pytest.approx(wanted[sphere], abs=TOLERANCE)
 
 
-def printed(path, side):
+def figures_by_sphere(path, side):
     """The figures of indentation that `inspect` gives for each sphere of one limb."""
     outcome = command.inspect(path)
     assert outcome.status == 0, outcome
@@ -108,7 +108,7 @@ def test_inspect_prints_how_deep_each_sphere_is_at_its_own_height(name, standing
     spheres = list(limb(reading, "r"))
     heights = bottoms(anatomy, spheres)
     assert np.ptp(list(heights.values())) > 1e-4, "level: nothing to tell apart"
-    figures = printed(path, "r")
+    figures = figures_by_sphere(path, "r")
     for kind in (None, "Hertz"):
         _, wanted = carried(spheres, heights, weight(reading), kind)
         for sphere, x in wanted.items():
@@ -122,7 +122,7 @@ def test_gait2392_stands_at_0_333_and_0_392(standing):
     _, wanted = carried(spheres, bottoms(anatomy, spheres), weight(reading), "Hertz")
     assert [round(x, 3) for x in wanted.values()] == [0.333] * 4 + [0.392] * 2
     _, level = carried(spheres, dict.fromkeys(wanted, 0.0), weight(reading), "Hertz")
-    for sphere, figures in printed(path, "r").items():
+    for sphere, figures in figures_by_sphere(path, "r").items():
         assert figures["relative_indentation_hertz"] == pytest.approx(level[sphere], abs=TOLERANCE)
         assert round(level[sphere], 3) == 0.353
 

@@ -56,7 +56,7 @@ def with_other_parameters(path, folder):
     return changed
 
 
-def printed(value, like):
+def rounded_as_printed(value, like):
     """`value` with as many digits as `like` has."""
     return f"{value:.{len(like.split('.')[1])}f}"
 
@@ -76,9 +76,9 @@ def test_transfer_gives_table_1(animal, kind, tmp_path, readings):
         values = {name: float.fromhex(text) for name, text in force["parameters"].items()}
         for name in rules.scaled_properties(KINDS[kind]):
             assert rules.close(values[name], PRESET[name] * factor[name]), (force["name"], name)
-        assert printed(values["stiffness"] / 1e6, stiffness) == stiffness
-        assert printed(values["stiffness"] / 2**1.5 / 1e6, modulus) == modulus
-        assert printed(values["dissipation"], dissipation) == dissipation
+        assert rounded_as_printed(values["stiffness"] / 1e6, stiffness) == stiffness
+        assert rounded_as_printed(values["stiffness"] / 2**1.5 / 1e6, modulus) == modulus
+        assert rounded_as_printed(values["dissipation"], dissipation) == dissipation
     assert {float.fromhex(sphere["radius"]) for sphere in readings[output]["spheres"]} == {radius}
 
 
@@ -91,5 +91,5 @@ def test_the_animals_hold_the_contact_of_table_1(animal, readings):
     for force in reading["forces"]:
         for name, base in PRESET.items():
             assert rules.close(float.fromhex(force["parameters"][name]), base * factor[name]), (force["name"], name)
-        assert printed(float.fromhex(force["parameters"]["stiffness"]) / 1e6, stiffness) == stiffness
-        assert printed(float.fromhex(force["parameters"]["dissipation"]), dissipation) == dissipation
+        assert rounded_as_printed(float.fromhex(force["parameters"]["stiffness"]) / 1e6, stiffness) == stiffness
+        assert rounded_as_printed(float.fromhex(force["parameters"]["dissipation"]), dissipation) == dissipation

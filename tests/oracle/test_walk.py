@@ -75,7 +75,7 @@ def checked(model, *more):
     return outcome.report
 
 
-def printed(findings):
+def printed_codes(findings):
     """The one command that `check` prints."""
     commands = {finding["command"] for finding in findings if finding["command"]}
     assert len(commands) == 1, commands
@@ -114,7 +114,7 @@ def test_who_follows_what_check_prints_ends_with_contacts_that_are_right(name, k
 
     compared = checked(model, "--from", generic)["findings"]
     behind = [finding for finding in compared if finding["code"] == "spheres-left-behind"]
-    words = printed(compared)
+    words = printed_codes(compared)
     assert words[0] == "transfer" and "--follow-bodies" in words and behind
     stretch = [factors[b][1] / np.sqrt(factors[b][0] * factors[b][2]) - 1 for b in bodies_with_spheres(generic)]
     assert ("--level" in words) == (1e-9 < np.max(np.abs(stretch)) <= 0.2)

@@ -21,7 +21,7 @@ import words
 COUNT = int(os.environ.get("ORACLE_MUTANTS", "200"))
 FIRST = int(os.environ.get("ORACLE_SEED", "1"))
 TABLE = words.table()
-MUTANTS = {f"mutant {seed}: {'; '.join(story)}": model for seed in range(FIRST, FIRST + COUNT) for model, story in [words.mutant(seed)]}
+MUTANTS = {f"mutant {seed}: {'; '.join(story)}": model for seed in range(FIRST, FIRST + COUNT) for model, story in [words.changed_model(seed)]}
 NAMINGS = {f"naming {seed}: {odd}": model for seed in range(FIRST, FIRST + COUNT) for model, odd in [names.naming(seed)]}
 
 # Refused, though OpenSim builds the model.

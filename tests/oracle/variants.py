@@ -77,7 +77,7 @@ def children_shuffled(draw, element):
     return "\n".join([start, *children, end])
 
 
-def without(draw, element, *tags):
+def without_tags(draw, element, *tags):
     """The element, some of `tags` left at their defaults."""
     for tag in tags:
         if draw.chance(f"{tag} left out", 0.15):
@@ -88,7 +88,7 @@ def without(draw, element, *tags):
 def smooth(draw, label, sphere, plane):
     parts = base.smooth(label, sphere, draw.number(1e4, 1e8).strip(), plane)
     parts = parts.replace("<dissipation>2.25<", f"<dissipation>{draw.number(0.1, 9).strip()}<")
-    parts = without(
+    parts = without_tags(
         draw,
         parts,
         "constant_contact_force",
@@ -112,7 +112,7 @@ def hunt(draw, label, spheres, plane):
     materials = [
         children_shuffled(
             draw,
-            without(
+            without_tags(
                 draw,
                 base.material(" ".join(names), draw.number(1e4, 1e8).strip(), draw.number(0.1, 9).strip()),
                 "viscous_friction",
@@ -131,7 +131,7 @@ def hunt(draw, label, spheres, plane):
         )
     else:
         force = force.replace(start, f"<HuntCrossleyForce::ContactParametersSet{spelling}>")
-    return without(draw, force, "transition_velocity")
+    return without_tags(draw, force, "transition_velocity")
 
 
 def feet(draw):

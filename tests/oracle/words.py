@@ -147,7 +147,7 @@ SPACES = [" ", "\t", "\n", "\v", "\f", NBSP, BOM, "\u2003", "&#32;", "&#10;", "&
 TEXTS = [*NUMBERS, *FLAGS, *TRIPLES]
 
 
-def mutant(seed):
+def changed_model(seed):
     """A model with one to three changes, and what they were."""
     draw = random.Random(seed)
     model = draw.choice([base.ONE_FOOT, base.ONE_FOOT_HUNT, base.TWO_FEET, base.TWO_FEET_HUNT])
@@ -155,7 +155,7 @@ def mutant(seed):
         model = model.replace('Version="40000"', f'Version="{draw.choice([30517, 40500, 40600])}"')
     description = []
     for _ in range(draw.randint(1, 3)):
-        change = draw.choice([odd_text, spaced, commented, cdata, entity, file_of, twice, without, renamed, swapped])
+        change = draw.choice([odd_text, spaced, commented, cdata, entity, file_of, with_element_twice, without_element, renamed, swapped])
         model, what = change(draw, model)
         description.append(f"{change.__name__} {what}")
     return model, description
@@ -209,14 +209,14 @@ def file_of(draw, model):
     return model[: tag.end() - 1] + ' file="nowhere.xml"' + model[tag.end() - 1 :], tag[0]
 
 
-def twice(draw, model):
+def with_element_twice(draw, model):
     found = leaf(draw, model)
     second = f"<{found[1]}>{draw.choice(TEXTS)}</{found[1]}>"
     at = draw.choice([found.start(), found.end()])
     return model[:at] + second + model[at:], second
 
 
-def without(draw, model):
+def without_element(draw, model):
     found = leaf(draw, model)
     return model[: found.start()] + model[found.end() :], found[1]
 

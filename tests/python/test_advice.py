@@ -36,7 +36,7 @@ def keywords(name):
     return {*inspect.signature(FUNCTIONS[name]).parameters}
 
 
-def foreign(text, name):
+def foreign_keywords(text, name):
     """The advised keywords that neither this function takes nor one that is named before them in the sentence."""
     found, name_of_function = [], name
     for word in re.split(r"(?<=[.;])\s|\s", text):
@@ -71,5 +71,5 @@ def test_advised_calls_are_valid(name, arguments):
             for by, text in texts:
                 # What was written by somebody else stands in excerpts of files.
                 own = "\n".join(line for line in text.splitlines() if not re.match(r"\s*\d*\s*\|", line))
-                assert not foreign(own, by), path
+                assert not foreign_keywords(own, by), path
     assert read > 200

@@ -85,7 +85,7 @@ def loaded(path):
     return opensim.Model(path)
 
 
-def printed(model, folder):
+def text_of_model(model, folder):
     """Everything in a model, defaults spelled out."""
     opensim.OpenSimObject.setSerializeAllDefaults(True)
     try:
@@ -108,10 +108,10 @@ def test_apply_equals_writing_and_loading(path, tmp_path):
             continue  # The model has no contacts, or something has to be said: test_same_as_command has those.
         if (path.name, name) in REFUSED:
             live = loaded(str(path))
-            before = printed(live, tmp_path)
+            before = text_of_model(live, tmp_path)
             with pytest.raises(ocs.ContactScaleError, match="write it to a file"):
                 result.apply(live)
-            assert printed(live, tmp_path) == before, name
+            assert text_of_model(live, tmp_path) == before, name
             continue
         text = result.to_bytes()
         new = tmp_path / path.name
@@ -120,7 +120,7 @@ def test_apply_equals_writing_and_loading(path, tmp_path):
             continue
         live = loaded(str(path))
         result.apply(live)
-        assert printed(live, tmp_path) == printed(loaded(str(new)), tmp_path), name
+        assert text_of_model(live, tmp_path) == text_of_model(loaded(str(new)), tmp_path), name
         applied.add(name)
     if kind_of(path) == "table1":
         # They have contacts, and were not made by the Scale Tool.
@@ -157,21 +157,21 @@ def test_a_model_made_in_memory():
 
 def test_another_model_is_left_as_it_was(tmp_path):
     other = loaded(str(FIXTURES / "format" / "v40000.osim"))
-    before = printed(other, tmp_path)
+    before = text_of_model(other, tmp_path)
     with pytest.raises(ocs.ContactScaleError, match="model"):
         ocs.rescale(HUMAN, target_mass=500).apply(other)
-    assert printed(other, tmp_path) == before
+    assert text_of_model(other, tmp_path) == before
 
 
 def test_what_is_there_already_is_refused(tmp_path):
     model = loaded(str(HUMAN))
     same = [f"{body}_{side}=1,1,1" for body in ("calcn", "toes") for side in "lr"]
     added = ocs.add(ocs.remove(HUMAN), from_=HUMAN, body_scale=same)
-    before = printed(model, tmp_path)
+    before = text_of_model(model, tmp_path)
     assert {change["change"] for change in added.record["objects"]} == {"added"}
     with pytest.raises(ocs.ContactScaleError, match="would not be"):
         added.apply(model)
-    assert printed(model, tmp_path) == before
+    assert text_of_model(model, tmp_path) == before
 
 
 def test_the_note_survives_opensim(tmp_path):
@@ -190,7 +190,7 @@ def test_a_note_that_goes_leaves_a_live_model_too(tmp_path):
     result.write(without)
     result.apply(model)
     assert "contacts made for" not in model.getCredits()
-    assert printed(model, tmp_path) == printed(loaded(str(without)), tmp_path)
+    assert text_of_model(model, tmp_path) == text_of_model(loaded(str(without)), tmp_path)
 
 
 def test_a_model_that_was_changed_since_is_refused(tmp_path):
@@ -198,10 +198,10 @@ def test_a_model_that_was_changed_since_is_refused(tmp_path):
     doubled = ocs.set(model, stiffness="x2")
     own = model.getForceSet().get(0)
     opensim.SmoothSphereHalfSpaceForce.safeDownCast(own).set_stiffness(5.0)
-    before = printed(model, tmp_path)
+    before = text_of_model(model, tmp_path)
     with pytest.raises(ocs.ContactScaleError, match=r"is 5\.0, not 1000000\.0 as it was"):
         doubled.apply(model)
-    assert printed(model, tmp_path) == before
+    assert text_of_model(model, tmp_path) == before
 
 
 def test_a_body_of_another_mass_is_refused(tmp_path):
@@ -209,12 +209,12 @@ def test_a_body_of_another_mass_is_refused(tmp_path):
     planned = ocs.transfer(HUMAN, from_="falisse2022", spheres=6)
     for body in model.getBodySet():
         body.setMass(2 * body.getMass())
-    before = printed(model, tmp_path)
+    before = text_of_model(model, tmp_path)
     with pytest.raises(
         ocs.ContactScaleError, match=r"the mass of /bodyset/.* kg as it was when this change was planned"
     ):
         planned.apply(model)
-    assert printed(model, tmp_path) == before
+    assert text_of_model(model, tmp_path) == before
 
 
 def test_defaults_are_spelled_out_in_every_thread_and_then_as_before():
@@ -233,9 +233,9 @@ def test_a_change_is_not_applied_twice(tmp_path):
     model = loaded(str(HUMAN))
     doubled = ocs.set(model, stiffness="x2")
     doubled.apply(model)
-    once = printed(model, tmp_path)
+    once = text_of_model(model, tmp_path)
     doubled.apply(model)
-    assert printed(model, tmp_path) == once
+    assert text_of_model(model, tmp_path) == once
 
 
 def test_only_models_are_live():

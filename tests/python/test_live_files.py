@@ -48,7 +48,7 @@ DEFAULTS = """<?xml version="1.0" encoding="UTF-8" ?>
 AUTHORS = re.compile("<credits>(Frank Anderson, [^;<]*)")
 
 
-def everything(model, path):
+def text_with_defaults(model, path):
     """The text that OpenSim prints of a model, all defaults with it. The clone has no `<defaults>` and no other files."""
     clone = _live_print.connected_clone(model)
     opensim.OpenSimObject.setSerializeAllDefaults(True)
@@ -97,7 +97,7 @@ def written(paths, folder, has_defaults, system):
 def write(model, new, system=False):
     """Plans a live model, writes that, and applies it: what was alive before and after, and whether it can be simulated."""
     scratch = new.with_suffix(".printed")
-    before = everything(model, scratch)
+    before = text_with_defaults(model, scratch)
     try:
         planned = ocs.rescale(model, target_mass=321.5, yes=CONFIRMED)
     except ocs.ContactScaleError:
@@ -107,7 +107,7 @@ def write(model, new, system=False):
         planned.write(new)
         planned.apply(model)
     assert b"<defaults" not in new.read_bytes() and b' file="' not in new.read_bytes(), new
-    return before, everything(model, scratch), system and starts(model)
+    return before, text_with_defaults(model, scratch), system and starts(model)
 
 
 def read_files(files, system):
@@ -120,7 +120,7 @@ def read_files(files, system):
         except RuntimeError as error:
             result[number] = str(error)
         else:
-            result[number] = everything(model, path.with_suffix(".read")), system and starts(model)
+            result[number] = text_with_defaults(model, path.with_suffix(".read")), system and starts(model)
     return result
 
 
@@ -129,7 +129,7 @@ def quiet():
     opensim.Logger.setLevelString("Off")
 
 
-def elsewhere(function, *arguments):
+def in_new_process(function, *arguments):
     """The result of a function in a new process."""
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context("spawn")) as pool:
         return pool.submit(function, *arguments).result()
@@ -137,7 +137,7 @@ def elsewhere(function, *arguments):
 
 def compare(result, folder, label, system=False):
     """Compares files with the models that they were made from."""
-    opened = elsewhere(read_files, {number: folder / f"{number}.osim" for number in result}, system)
+    opened = in_new_process(read_files, {number: folder / f"{number}.osim" for number in result}, system)
     for number, (before, after, is_simulated) in result.items():
         assert isinstance(opened[number], tuple), (label(number), opened[number])
         text, is_simulated_again = opened[number]
@@ -152,7 +152,7 @@ MODELS = [*corpus(), *fixtures()]
 
 @pytest.mark.parametrize("has_defaults", [False, True], ids=["", "after other defaults"])
 def test_files_of_live_models_are_those_models(has_defaults, tmp_path):
-    result = elsewhere(written, MODELS, tmp_path, has_defaults, not has_defaults)
+    result = in_new_process(written, MODELS, tmp_path, has_defaults, not has_defaults)
     assert len(result) > 250
     compare(result, tmp_path, lambda number: name_of(MODELS[number]), not has_defaults)
 
@@ -161,7 +161,7 @@ def test_a_file_is_the_live_model_in_the_same_process_too(tmp_path):
     paths = [path for path in MODELS if kind_of(path) in (None, "table1", "scale_tool")]
     for number, (_, after, _) in written(paths, tmp_path, False, False).items():
         model = opensim.Model(str(tmp_path / f"{number}.osim"))
-        assert everything(model, tmp_path / "read.osim") == after, paths[number]
+        assert text_with_defaults(model, tmp_path / "read.osim") == after, paths[number]
 
 
 def write_all_classes(folder, has_defaults):
@@ -192,7 +192,7 @@ def write_all_classes(folder, has_defaults):
 
 @pytest.mark.parametrize("has_defaults", [False, True], ids=["", "after other defaults"])
 def test_files_with_an_object_of_each_class(has_defaults, tmp_path):
-    result, classes = elsewhere(write_all_classes, tmp_path, has_defaults)
+    result, classes = in_new_process(write_all_classes, tmp_path, has_defaults)
     assert len(classes) > 120
     assert {"DeGrooteFregly2016Muscle", "Millard2012EquilibriumMuscle", "ExpressionBasedBushingForce"} <= set(classes)
     compare(result, tmp_path, lambda number: classes[number])

@@ -35,7 +35,7 @@ def words(text):
     return " ".join(line for line in text.splitlines() if not line.startswith(("  $ ", "  ocs."))).split()
 
 
-def unlike(expected, actual):
+def differing_lines(expected, actual):
     """The lines that differ and are no call or option, which each front end spells in its own way."""
     one, other = words(expected), words(actual)
     changes = difflib.SequenceMatcher(None, one, other, autojunk=False).get_opcodes()
@@ -48,7 +48,7 @@ def test_print_says_what_the_command_says_of_a_model(path):
     for verb in ("check", "inspect"):
         expected = command(verb, path)
         if expected:
-            assert unlike(expected, str(getattr(ocs, verb)(path))) == []
+            assert differing_lines(expected, str(getattr(ocs, verb)(path))) == []
         else:
             with pytest.raises(ocs.ContactScaleError):
                 getattr(ocs, verb)(path)
@@ -153,7 +153,7 @@ def shown_objects():
 
 
 @pytest.fixture
-def swept(human):
+def swept_human(human):
     return ocs.sweep(human, grid={"stiffness": "x0.1..x10/3"}, output_dir=human.parent / "variants")
 
 
@@ -167,11 +167,14 @@ def test_representations_are_short(shown_objects, name):
         assert 20 < len(thing._repr_html_()) <= CELL and "style=" not in thing._repr_html_()
 
 
-def test_a_sweep_shows_its_table(swept):
-    assert repr(swept).startswith("<Sweep: 3 models in ") and swept._repr_html_().count("<tr>") == 4
-    assert list(swept.frame()["path"]) == list(swept["table"]["path"]) and swept["models"] == swept.models == 3
-    assert swept.frame().attrs["units"] == {} or "stiffness" not in swept.frame().attrs["units"]
-    assert pickle.loads(pickle.dumps(swept)).record == copy.copy(swept).record == swept.record
+def test_a_sweep_shows_its_table(swept_human):
+    assert repr(swept_human).startswith("<Sweep: 3 models in ") and swept_human._repr_html_().count("<tr>") == 4
+    assert (
+        list(swept_human.frame()["path"]) == list(swept_human["table"]["path"])
+        and swept_human["models"] == swept_human.models == 3
+    )
+    assert swept_human.frame().attrs["units"] == {} or "stiffness" not in swept_human.frame().attrs["units"]
+    assert pickle.loads(pickle.dumps(swept_human)).record == copy.copy(swept_human).record == swept_human.record
 
 
 @pytest.mark.parametrize("path", fixtures() + corpus(), ids=name_of)

@@ -17,7 +17,7 @@ np = pytest.importorskip("numpy")
 GENERIC = FIXTURES / "scale_tool" / "generic_smooth.osim"
 
 
-def tried(**cells):
+def result_of_row(**cells):
     """A table with one row that rescales the human to 70 kg, and nothing written."""
     return ocs.rescale_many([{"model": HUMAN, "target_mass": 70, **cells}], dry_run=True)
 
@@ -40,7 +40,7 @@ def tried(**cells):
     ],
 )
 def test_lists_of_a_cell_arrive_as_lists(cells, changes):
-    assert list(tried(**cells)["changes"]) == [changes]
+    assert list(result_of_row(**cells)["changes"]) == [changes]
 
 
 def test_lists_answer_every_question_that_they_name():
@@ -75,7 +75,7 @@ def test_assignments_may_be_a_mapping_or_a_list():
 @pytest.mark.parametrize("item", ["a;b", "", " a", "a "])
 def test_items_that_cannot_be_separated_again_are_refused(item):
     with pytest.raises(ocs.RequestError, match=r"row 2, column 'exclude'.*item of a list"):
-        tried(exclude=["contact_s1_r", item])
+        result_of_row(exclude=["contact_s1_r", item])
 
 
 def test_gaps_in_columns_of_counts_and_of_yes_and_no():
@@ -97,7 +97,7 @@ def test_gaps_in_columns_of_counts_and_of_yes_and_no():
 
 def test_numbers_stay_what_they_are_beside_texts_with_commas():
     """A text such as `0,5` makes `71.125` ambiguous in a file; a number of Python is not."""
-    assert list(tried(target_mass=71.125, **{"#dose": "0,5"})["target_mass_kg"]) == [71.125]
+    assert list(result_of_row(target_mass=71.125, **{"#dose": "0,5"})["target_mass_kg"]) == [71.125]
 
 
 def test_own_columns_come_back_as_they_were():
@@ -203,13 +203,13 @@ def test_two_columns_of_one_name_are_refused():
     with pytest.raises(ocs.RequestError, match="'target_mass' appears twice"):
         ocs.rescale_many(frame, dry_run=True)
     with pytest.raises(ocs.RequestError, match="'from' appears twice"):
-        tried(from_="falisse2022", **{"from": "falisse2022"})
+        result_of_row(from_="falisse2022", **{"from": "falisse2022"})
 
 
 @pytest.mark.parametrize("name", ["#a;b", "#a\tb", "#a\nb"])
 def test_names_that_would_change_the_table_are_refused(name):
     with pytest.raises(ocs.RequestError, match="must not contain"):
-        tried(**{name: 1})
+        result_of_row(**{name: 1})
 
 
 def test_keywords_with_an_underscore_are_columns(tmp_path):
@@ -236,7 +236,7 @@ def test_a_dictionary_of_single_values_is_refused_with_a_sentence():
 
 def test_columns_of_numbers_are_float64_also_where_all_is_missing():
     # This human is smooth, and its friction is not changed.
-    frame = tried()
+    frame = result_of_row()
     for name in ("static_friction_factor", "transition_velocity_to", "line"):
         assert frame[name].isna().all() and frame[name].dtype == "float64", name
     assert frame["error"].dtype != "float64"

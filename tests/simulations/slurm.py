@@ -71,7 +71,7 @@ _NODE = (
 )
 
 
-def missing():
+def missing_programs():
     """Programs of Slurm that are not installed."""
     return [name for name in PROGRAMS if _program(name) is None]
 

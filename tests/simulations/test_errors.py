@@ -21,18 +21,18 @@ class Unsayable(Exception):
         raise ValueError("no text")
 
 
-def deeper(what):
+def fail_deeper(what):
     if what == "nested":
         raise KeyError("no such body")
-    return deeper(what)
+    return fail_deeper(what)
 
 
-def spoilt(path, what):
+def fail_in_task(path, what):
     """Goes wrong in the way that the row says. The mark at the end of a line says of which row it is the place."""
     if what == "plain":
         raise ValueError("no weight")  # plain
     if what == "nested":
-        deeper(what)
+        fail_deeper(what)
     if what == "numpy":
         np.zeros(3) + np.zeros(4)  # numpy
     if what == "opensim":
@@ -58,7 +58,7 @@ def spoilt(path, what):
     if what == "cancelled":
         raise asyncio.CancelledError  # cancelled
     if what == "recursion":
-        deeper(what)
+        fail_deeper(what)
     if what == "huge":
         raise ValueError("<begin>" + "x" * 3_000_000 + "<end>")  # huge
     if what == "lines":
@@ -101,7 +101,7 @@ def errors(tmp_path_factory, client):
     """The errors of all rows, by what went wrong."""
     folder = tmp_path_factory.mktemp("errors")
     rows = [{**row, "what": what} for row, what in zip(models(folder / "models", 20), [*EXPECTED, *ODD])]
-    table = simulate.run(rows, spoilt, results=folder / "r", scheduler=client).table
+    table = simulate.run(rows, fail_in_task, results=folder / "r", scheduler=client).table
     assert set(table["status"]) == {"failed"}
     assert not table["error"].str.contains(r"_child\.py|cloudpickle|distributed|Traceback|File \"|\n").any()
     # The model first: then nothing has to be looked up in another column.
@@ -112,26 +112,26 @@ def errors(tmp_path_factory, client):
 
 @pytest.mark.parametrize("what", EXPECTED)
 def test_the_line_is_the_users(errors, what):
-    place = f"({HERE}, line {line_of(what)}, in spoilt)"
+    place = f"({HERE}, line {line_of(what)}, in fail_in_task)"
     assert errors[what] == f"{EXPECTED[what]} {place}"
 
 
 def test_the_innermost_function_of_the_user_is_named(errors):
-    assert errors["nested"].startswith("KeyError: 'no such body' (") and errors["nested"].endswith(", in deeper)")
+    assert errors["nested"].startswith("KeyError: 'no such body' (") and errors["nested"].endswith(", in fail_deeper)")
     assert errors["recursion"].startswith("RecursionError: maximum recursion depth exceeded")
-    assert errors["recursion"].endswith(", in deeper)")
+    assert errors["recursion"].endswith(", in fail_deeper)")
 
 
 def test_of_a_huge_message_both_ends_are_there(errors):
     error = errors["huge"]
     assert len(error) < 700
-    assert error.startswith("ValueError: <begin>xxx") and f"<end> ({HERE}, line {line_of('huge')}, in spoilt)" in error
+    assert error.startswith("ValueError: <begin>xxx") and f"<end> ({HERE}, line {line_of('huge')}, in fail_in_task)" in error
     assert "letters in all" in error
 
 
 def test_a_call_of_this_package_has_its_line_too(errors):
     assert errors["ours"].startswith("RequestError: target_mass=-1: expected a mass in kg")
-    assert errors["ours"].endswith(f" ({HERE}, line {line_of('ours')}, in spoilt)")
+    assert errors["ours"].endswith(f" ({HERE}, line {line_of('ours')}, in fail_in_task)")
 
 
 def test_what_is_no_line_of_yours_has_none(errors):
@@ -143,8 +143,8 @@ def test_what_is_no_line_of_yours_has_none(errors):
 def test_the_log_names_row_and_model(tmp_path, client, caplog):
     rows = [{**row, "what": "plain"} for row in models(tmp_path / "models", 2)]
     with caplog.at_level(logging.WARNING, "osim_contact_scale"):
-        simulate.run(rows, spoilt, results=tmp_path / "r", scheduler=client)
-    place = f"({HERE}, line {line_of('plain')}, in spoilt)"
+        simulate.run(rows, fail_in_task, results=tmp_path / "r", scheduler=client)
+    place = f"({HERE}, line {line_of('plain')}, in fail_in_task)"
     logged = sorted(record.getMessage() for record in caplog.records if record.name == "osim_contact_scale")
     assert logged == [f"failed: row {n}, model_0000{n}.osim: ValueError: no weight {place}" for n in (1, 2)]
 
@@ -154,7 +154,7 @@ def test_models_with_the_same_bytes_keep_their_names(tmp_path, client):
     for name in ("left.osim", "right.osim"):
         (tmp_path / name).write_bytes(HUMAN.read_bytes())
         rows.append({"path": str(tmp_path / name), "what": "plain"})
-    table = simulate.run(rows, spoilt, results=tmp_path / "r", scheduler=client).table
+    table = simulate.run(rows, fail_in_task, results=tmp_path / "r", scheduler=client).table
     assert [error.partition(": ")[0] for error in table["error"]] == ["left.osim", "right.osim"]
 
 

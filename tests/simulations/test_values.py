@@ -119,7 +119,7 @@ def test_files_that_are_no_table(tmp_path, content, message):
         read_points(file)
 
 
-def needs(path, stiffness):
+def task_with_argument(path, stiffness):
     return {"stiffness_n_m2": stiffness}
 
 
@@ -132,7 +132,7 @@ def test_parameters_and_columns(tmp_path, client):
     with pytest.raises(
         ocs.RequestError, match="needs 'stiffness', which is neither a column nor a setting; there are: grid_stiff"
     ):
-        simulate.run(rows, needs, results=tmp_path / "r", scheduler=client)
+        simulate.run(rows, task_with_argument, results=tmp_path / "r", scheduler=client)
     # A column that is called like the parameter of the path does not reach it.
     assert list(simulate.run(rows, takes_all, results=tmp_path / "r", scheduler=client).table["count"]) == [1]
 

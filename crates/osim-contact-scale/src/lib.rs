@@ -70,7 +70,7 @@ fn asks_for_help() -> bool {
     words.peek().is_none() || words.any(|word| word == "-h" || word == "--help")
 }
 
-/// A suggestion for this call, if words of it that are no options caused an unknown argument.
+/// A suggestion for this call, if its words beside the options caused an unknown argument.
 fn suggestion_for_call() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");

@@ -22,7 +22,7 @@ pub(crate) struct Function {
     pub call: Call,
 }
 
-/// The Rust function behind a Python one.
+/// The Rust function that computes a Python one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Call {
     /// A function of numbers alone.

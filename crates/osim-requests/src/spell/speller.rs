@@ -157,7 +157,7 @@ impl FieldValue {
         }
     }
 
-    /// Items of a list; a value that is no list is its own only item.
+    /// Items of a list; a value that is not a list is its own only item.
     pub(super) fn items(&self) -> &[Self] {
         match self {
             Self::List(items) => items,

@@ -125,7 +125,7 @@ fn in_one_line(points: &[[f64; 3]]) -> bool {
 
 // A point that is far from all others: a broken number, and no part of a bone.
 
-/// The least number of points for which a usual distance between them can be told.
+/// The least number of points for which a usual distance between them can be given.
 const LEAST_POINTS: usize = 20;
 /// Nine of ten points are within the reach of a mesh.
 const SHARE_IN_REACH: f64 = 0.9;
