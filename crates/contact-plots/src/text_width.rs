@@ -67,21 +67,21 @@ pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
 /// end, or anywhere. No line for a text without letters.
 pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
     let words = text.split_ascii_whitespace();
-    let pieces: Vec<Piece<'_>> = words.flat_map(|word| pieces_of_word(word, size_pt, most_pt)).collect();
+    let pieces: Vec<WordPiece<'_>> = words.flat_map(|word| pieces_of_word(word, size_pt, most_pt)).collect();
     let rows = wrap_first_fit(&pieces, &[most_pt]);
     rows.into_iter().filter(|row| !row.is_empty()).map(join_pieces).collect()
 }
 
 /// A word of a text, or a part of a long word.
 #[derive(Debug)]
-struct Piece<'t> {
+struct WordPiece<'t> {
     text: &'t str,
     width: f64,
     /// The blank after it; 0 within a word.
     blank: f64,
 }
 
-impl Fragment for Piece<'_> {
+impl Fragment for WordPiece<'_> {
     fn width(&self) -> f64 {
         self.width
     }
@@ -95,7 +95,7 @@ impl Fragment for Piece<'_> {
     }
 }
 
-fn join_pieces(row: &[Piece<'_>]) -> String {
+fn join_pieces(row: &[WordPiece<'_>]) -> String {
     let mut line = String::new();
     for piece in row {
         line.push_str(piece.text);
@@ -108,7 +108,7 @@ fn join_pieces(row: &[Piece<'_>]) -> String {
 }
 
 /// A word as pieces that each fit into a line.
-fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
+fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<WordPiece<'_>> {
     let parts: Vec<&str> = if width_with_reserve_pt(word, size_pt) <= most_pt {
         vec![word]
     } else {
@@ -123,7 +123,7 @@ fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<Piece<'_>> {
         .enumerate()
         .map(|(index, text)| {
             let (width, blank) = piece((index, text));
-            Piece { text, width, blank }
+            WordPiece { text, width, blank }
         })
         .collect()
 }

@@ -238,8 +238,8 @@ pub fn preset_names() -> impl Iterator<Item = &'static str> {
     PRESETS.iter().map(|(name, _)| *name)
 }
 
-type Make = fn() -> Preset;
-const PRESETS: [(&str, Make); 1] = [("falisse2022", falisse2022)];
+type MakePreset = fn() -> Preset;
+const PRESETS: [(&str, MakePreset); 1] = [("falisse2022", falisse2022)];
 
 #[cfg(test)]
 mod tests {

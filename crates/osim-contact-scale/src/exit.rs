@@ -17,24 +17,24 @@ use crate::terminal::Terminal;
 
 /// An error that ends the run with a status of its own; any other is wrong usage.
 #[derive(Debug)]
-pub(crate) struct Ended {
+pub(crate) struct ExitError {
     pub text: String,
     pub exit: Exit,
 }
 
-impl fmt::Display for Ended {
+impl fmt::Display for ExitError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.text)
     }
 }
 
-impl std::error::Error for Ended {}
+impl std::error::Error for ExitError {}
 
 /// The status of a run that ended with `error`. Standard output that cannot be written is not the call's fault.
 pub(crate) fn exit_of(error: &anyhow::Error) -> Exit {
     let is_of_system = error.downcast_ref::<std::io::Error>().is_some();
     let otherwise = if is_of_system { Exit::Failed } else { Exit::Usage };
-    error.downcast_ref::<Ended>().map_or(otherwise, |ended| ended.exit)
+    error.downcast_ref::<ExitError>().map_or(otherwise, |ended| ended.exit)
 }
 
 /// The message for the reader.

@@ -20,7 +20,7 @@ use osim_requests::{PlotKind, RequestFault};
 use crate::args::{Call, bare_command, command, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::session::{Session, WORDS};
-use crate::suggestions::{axis_meant, figure_meant, meant};
+use crate::suggestions::{meant, suggested_axis, suggested_figure};
 use crate::terminal::Terminal;
 
 /// Does what the words of the command line say.
@@ -113,8 +113,8 @@ fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
                     .filter(|kind| *kind == ErrorKind::UnknownArgument)
                     .and_then(|_| suggestion_for_call())
             };
-            let of_figure = || figure_meant(&words, WORDS);
-            let meant = axis_meant(&words, WORDS).or_else(of_figure).or_else(of_words);
+            let of_figure = || suggested_figure(&words, WORDS);
+            let meant = suggested_axis(&words, WORDS).or_else(of_figure).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));
             terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage

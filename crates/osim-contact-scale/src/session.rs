@@ -14,7 +14,7 @@ use osim_requests::spell::{CommandLine, JsonRequest, Matlab, shell_quoted};
 use osim_requests::{RequestError, RequestFault};
 use osim_view::report::json::{FailureRecord, line};
 
-use crate::exit::{self, Ended, Exit, exit_of_cause};
+use crate::exit::{self, Exit, ExitError, exit_of_cause};
 use crate::terminal::Terminal;
 
 /// A call of the program.
@@ -53,7 +53,7 @@ impl Session {
 
     /// The error for files that were refused.
     pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
-        Ended { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
+        ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
     }
 }
 

@@ -33,7 +33,7 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
 }
 
 /// The message about a figure that cannot be drawn, whatever else is missing in the call.
-pub(crate) fn figure_meant(words: &[String], terms: Words) -> Option<String> {
+pub(crate) fn suggested_figure(words: &[String], terms: Words) -> Option<String> {
     let [verb, kind, ..] = words else { return None };
     let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
     is_fig1.then(|| no_fig1().spelled(terms))
@@ -45,7 +45,7 @@ fn kilograms(word: &Path) -> Option<String> {
 }
 
 /// The message about an axis of a sweep that was typed beside `--grid`: as an assignment, or as another option.
-pub(crate) fn axis_meant(words: &[String], terms: Words) -> Option<String> {
+pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
     let (verb, rest) = words.split_first()?;
     if verb != Verb::Sweep.name() {
         return None;

@@ -106,21 +106,21 @@ struct PublishedLayout {
 struct PublishedPlace(String, f64, f64, f64);
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Centre<'m> {
+struct SphereCentre<'m> {
     body: &'m str,
     at_m: [f64; 3],
 }
 
 /// The sphere centres of a model, with digests that are computed when a layout is compared by them.
 struct DigestedCentres<'m> {
-    list: Vec<Centre<'m>>,
+    list: Vec<SphereCentre<'m>>,
     digest: OnceCell<String>,
     /// The centres divided by the growth of their bones, and the digest of that; one entry for each published size that was compared.
-    rescaled: RefCell<Vec<(Vec<Centre<'m>>, String)>>,
+    rescaled: RefCell<Vec<(Vec<SphereCentre<'m>>, String)>>,
 }
 
-impl<'m> From<Vec<Centre<'m>>> for DigestedCentres<'m> {
-    fn from(list: Vec<Centre<'m>>) -> Self {
+impl<'m> From<Vec<SphereCentre<'m>>> for DigestedCentres<'m> {
+    fn from(list: Vec<SphereCentre<'m>>) -> Self {
         Self { list, digest: OnceCell::new(), rescaled: RefCell::default() }
     }
 }
@@ -157,7 +157,7 @@ struct LayoutCache {
 }
 
 impl LayoutCache {
-    fn of(model: &Model, list: &[Centre<'_>]) -> Arc<Self> {
+    fn of(model: &Model, list: &[SphereCentre<'_>]) -> Arc<Self> {
         let last = model.derived_from_bodies(|_| Mutex::new(Arc::<Self>::default()));
         let mut last = last.lock().unwrap_or_else(PoisonError::into_inner);
         let places = list.iter().map(|place| (place.body, place.at_m));
@@ -169,7 +169,7 @@ impl LayoutCache {
     }
 }
 
-fn match_layout(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
+fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
     let centres = DigestedCentres::from(list);
     let Some(layout) = layouts().iter().find(|layout| layout.has_places(&centres)) else {
         let followed = layouts().iter().any(|layout| layout.grew_to(&centres, bones));
@@ -200,26 +200,26 @@ fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str
     *LayoutCache::of(model, &list).mirrored.get_or_init(|| match_mirrored_layout(list, bones))
 }
 
-fn match_mirrored_layout(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<&'static str> {
-    let mirrored = list.iter().map(Centre::mirrored).collect();
+fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static str> {
+    let mirrored = list.iter().map(SphereCentre::mirrored).collect();
     let title = layout_with(mirrored, bones)?.title.as_str();
     layout_with(list, bones).is_none().then_some(title)
 }
 
 /// The layout with these centres, in a published size or grown with the bones.
-fn layout_with(list: Vec<Centre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
+fn layout_with(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
     let centres = DigestedCentres::from(list);
     layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
 }
 
 /// Centres of the spheres that carry weight; `None` if the place of one is not known, or there are none.
-fn sphere_centres(model: &Model) -> Option<Vec<Centre<'_>>> {
+fn sphere_centres(model: &Model) -> Option<Vec<SphereCentre<'_>>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let place = |&id| {
         let body = model.sphere(id)?.body.as_deref()?;
-        Some(Centre { body, at_m: model.centre_m(id)?.to_array() })
+        Some(SphereCentre { body, at_m: model.centre_m(id)?.to_array() })
     };
-    spheres.iter().map(place).collect::<Option<Vec<Centre<'_>>>>().filter(|places| !places.is_empty())
+    spheres.iter().map(place).collect::<Option<Vec<SphereCentre<'_>>>>().filter(|places| !places.is_empty())
 }
 
 impl PublishedLayout {
@@ -228,7 +228,7 @@ impl PublishedLayout {
     }
 
     /// Whether `list` has the places of the layout, or their digest if the layout only has that.
-    fn matches(&self, list: &[Centre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
+    fn matches(&self, list: &[SphereCentre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
         match (&self.places, &self.digest) {
             (Some(places), _) => {
                 let is_there = |place: &PublishedPlace| list.iter().any(|centre| place.is_at(centre));
@@ -242,12 +242,12 @@ impl PublishedLayout {
     /// Whether each centre is the place of the layout times the factor by which its bone is larger than published.
     fn grew_to(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
         self.sizes.iter().any(|published| {
-            let back = centres.list.iter().map(|&Centre { body, at_m }| {
+            let back = centres.list.iter().map(|&SphereCentre { body, at_m }| {
                 let (here, published) = (bones.size(body)?, published.get(published_name(body))?);
                 let at_m = std::array::from_fn(|axis| at_m[axis] * (published[axis] / here[axis]));
-                Some(Centre { body, at_m })
+                Some(SphereCentre { body, at_m })
             });
-            let back: Option<Vec<Centre<'_>>> = back.collect();
+            let back: Option<Vec<SphereCentre<'_>>> = back.collect();
             back.is_some_and(|back| self.matches(&back, |own| centres.rescaled_have_digest(&back, own)))
         })
     }
@@ -255,7 +255,7 @@ impl PublishedLayout {
 
 impl<'m> DigestedCentres<'m> {
     /// Whether `rescaled`, these centres on bones of another size, have the digest `expected`.
-    fn rescaled_have_digest(&self, rescaled: &[Centre<'m>], expected: &str) -> bool {
+    fn rescaled_have_digest(&self, rescaled: &[SphereCentre<'m>], expected: &str) -> bool {
         let mut computed = self.rescaled.borrow_mut();
         if let Some((_, digest)) = computed.iter().find(|(list, _)| list == rescaled) {
             return digest == expected;
@@ -267,7 +267,7 @@ impl<'m> DigestedCentres<'m> {
     }
 }
 
-impl Centre<'_> {
+impl SphereCentre<'_> {
     /// The place on the other foot that mirrors this one, in its frame.
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.at_m;
@@ -276,7 +276,7 @@ impl Centre<'_> {
 }
 
 impl PublishedPlace {
-    fn is_at(&self, other: &Centre<'_>) -> bool {
+    fn is_at(&self, other: &SphereCentre<'_>) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
         let [x, y, z] = other.at_m;
         self.0 == other.body && near(self.1, x) && near(self.2, y) && near(self.3, z)
@@ -284,12 +284,12 @@ impl PublishedPlace {
 }
 
 /// A digest of the places in whole micrometres, whatever their order.
-fn digest(places: &[Centre<'_>]) -> String {
+fn digest(places: &[SphereCentre<'_>]) -> String {
     #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
     let micrometres = |metres: f64| (metres * 1e6).round() as i64;
     let mut lines: Vec<String> = places
         .iter()
-        .map(|Centre { body, at_m: [x, y, z] }| {
+        .map(|SphereCentre { body, at_m: [x, y, z] }| {
             format!("{body} {} {} {}\n", micrometres(*x), micrometres(*y), micrometres(*z))
         })
         .collect();
@@ -400,10 +400,10 @@ mod tests {
 
     #[test]
     fn a_digest_depends_on_micrometres_and_not_on_the_order() {
-        let heel = Centre { body: "calcn_r", at_m: [0.01, -0.02, 0.0] };
-        let toe = Centre { body: "toes_r", at_m: [0.03, 0.0, 0.001] };
+        let heel = SphereCentre { body: "calcn_r", at_m: [0.01, -0.02, 0.0] };
+        let toe = SphereCentre { body: "toes_r", at_m: [0.03, 0.0, 0.001] };
         let one = digest(&[heel, toe]);
         assert_eq!(one, digest(&[toe, heel]));
-        assert_ne!(one, digest(&[Centre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
+        assert_ne!(one, digest(&[SphereCentre { at_m: [0.010001, -0.02, 0.0], ..heel }, toe]));
     }
 }

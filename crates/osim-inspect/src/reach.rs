@@ -25,12 +25,12 @@ pub(crate) struct Reach {
     pub value: f64,
     /// The next joint, or the hind part of the foot.
     pub towards: String,
-    measure: Measure,
+    measure: ReachMeasure,
 }
 
 /// The yardstick of a reach; the module describes both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Measure {
+enum ReachMeasure {
     TowardsJoint,
     AlongFoot,
 }
@@ -39,8 +39,8 @@ impl Reach {
     /// Whether no published sphere reaches so far.
     pub(crate) fn is_odd(&self) -> bool {
         match self.measure {
-            Measure::TowardsJoint => self.value > LARGEST_TOWARDS_JOINT,
-            Measure::AlongFoot => !USUAL_ALONG_FOOT.contains(&self.value),
+            ReachMeasure::TowardsJoint => self.value > LARGEST_TOWARDS_JOINT,
+            ReachMeasure::AlongFoot => !USUAL_ALONG_FOOT.contains(&self.value),
         }
     }
 
@@ -48,10 +48,10 @@ impl Reach {
     pub(crate) fn describe(&self) -> String {
         let (value, towards) = (four_significant(self.value), &self.towards);
         match self.measure {
-            Measure::TowardsJoint => format!(
+            ReachMeasure::TowardsJoint => format!(
                 "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.21"
             ),
-            Measure::AlongFoot => format!(
+            ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
             ),
         }
@@ -85,7 +85,7 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
         sphere,
         value,
         towards,
-        measure: Measure::AlongFoot,
+        measure: ReachMeasure::AlongFoot,
     }));
     reaches
 }
@@ -106,7 +106,7 @@ fn reach_towards_joint(
         sphere,
         value,
         towards: joint.name.clone(),
-        measure: Measure::TowardsJoint,
+        measure: ReachMeasure::TowardsJoint,
     })
 }
 
@@ -263,9 +263,9 @@ mod tests {
         let reaches = reaches(&opened.model, bones);
         let values = |measure| reaches.iter().filter(move |one| one.measure == measure).map(|one| one.value);
         Some((
-            values(Measure::TowardsJoint).fold(f64::NAN, f64::max),
-            values(Measure::AlongFoot).fold(f64::NAN, f64::min),
-            values(Measure::AlongFoot).fold(f64::NAN, f64::max),
+            values(ReachMeasure::TowardsJoint).fold(f64::NAN, f64::max),
+            values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::min),
+            values(ReachMeasure::AlongFoot).fold(f64::NAN, f64::max),
         ))
     }
 

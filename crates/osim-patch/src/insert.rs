@@ -11,11 +11,11 @@ use crate::edit::Edit;
 pub(crate) struct Node {
     tag: String,
     name: Option<String>,
-    content: Content,
+    content: ElementContent,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum Content {
+enum ElementContent {
     Text(String),
     Children(Vec<Node>),
 }
@@ -23,11 +23,11 @@ enum Content {
 impl Node {
     /// `<tag>text</tag>`; the text is written as it is.
     pub(crate) fn leaf(tag: impl Into<String>, text: impl Into<String>) -> Self {
-        Self { tag: tag.into(), name: None, content: Content::Text(text.into()) }
+        Self { tag: tag.into(), name: None, content: ElementContent::Text(text.into()) }
     }
 
     pub(crate) fn parent(tag: impl Into<String>, children: Vec<Self>) -> Self {
-        Self { tag: tag.into(), name: None, content: Content::Children(children) }
+        Self { tag: tag.into(), name: None, content: ElementContent::Children(children) }
     }
 
     pub(crate) fn object(tag: impl Into<String>, name: &str, children: Vec<Self>) -> Self {
@@ -55,8 +55,8 @@ impl Node {
         }
         text.push('>');
         match &self.content {
-            Content::Text(own) => text.push_str(own),
-            Content::Children(children) => {
+            ElementContent::Text(own) => text.push_str(own),
+            ElementContent::Children(children) => {
                 let deeper = if space.is_empty() { String::new() } else { format!("{space}{unit}") };
                 children.iter().for_each(|child| child.write(text, &deeper, unit));
                 text.push_str(space);

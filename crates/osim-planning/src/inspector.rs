@@ -24,7 +24,7 @@ pub struct Inspector {
     options: InspectOptions,
     set_files: SetFiles,
     /// The generic model, where one is named. If it cannot be read, that is a failure of each model.
-    generic: Option<Result<Generic, Failure>>,
+    generic: Option<Result<GenericModel, Failure>>,
     /// The files of the generic model, if `check` compares places of spheres with it (`inspect` compares sizes of bodies).
     place_reference: Option<ReferenceFiles>,
     extra_files: Vec<PathBuf>,
@@ -37,7 +37,7 @@ pub struct Inspector {
 }
 
 #[derive(Debug)]
-struct Generic {
+struct GenericModel {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
     /// The Scale Tool's factors of bodies.
@@ -60,7 +60,7 @@ fn generic_model(
     body_scale_file: Option<&Path>,
     masses: &MassRequest,
     files: &dyn Files,
-) -> Result<Generic, Failure> {
+) -> Result<GenericModel, Failure> {
     let generic = open(from, files)?;
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
@@ -68,7 +68,7 @@ fn generic_model(
     // The masses from_model the request are those from_model the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
     let size = ModelSize::of(&generic.model, &masses);
-    Ok(Generic { anatomy, contacts, file, size, moco: None })
+    Ok(GenericModel { anatomy, contacts, file, size, moco: None })
 }
 
 /// The generic model that `check` compares with, and the setups of Moco.
@@ -77,7 +77,7 @@ fn generic_model_for_check(
     request: &CheckRequest,
     masses: &MassRequest,
     files: &dyn Files,
-) -> Result<Generic, Failure> {
+) -> Result<GenericModel, Failure> {
     let mut generic = generic_model(from, request.body_scale_file.as_deref(), masses, files)?;
     if let Some(path) = &request.moco_setup {
         generic.moco = Some(moco_setup(path, files)?);
@@ -170,7 +170,7 @@ impl Inspector {
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;
         let factors = match (generic, &self.place_reference) {
-            (Some(Generic { anatomy, file, .. }), None) => {
+            (Some(GenericModel { anatomy, file, .. }), None) => {
                 let scaled = Anatomy::of(&opened.model).map_err(|fault| opened.failure(fault))?;
                 let found = Factors::find(&scaled, anatomy, file.as_ref(), &BTreeMap::new());
                 Some(found.map_err(|fault| opened.failure(fault))?)

@@ -42,7 +42,7 @@ impl MotionResult {
 
     /// A sentence for each foot, then remarks about the files and the model.
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
-        let mut remarks = Remarks::default();
+        let mut remarks = RemarkList::default();
         self.add_weight(&mut remarks);
         for foot in &self.summary.feet {
             remarks.add("foot", self.foot_sentence(foot));
@@ -65,7 +65,7 @@ impl MotionResult {
         remarks.0
     }
 
-    fn add_weight(&self, remarks: &mut Remarks) {
+    fn add_weight(&self, remarks: &mut RemarkList) {
         if let Some(message) = weight_mismatch(&self.summary, self.mass_kg, self.gravity_m_s2) {
             remarks.add("subject-weight", message);
         }
@@ -133,7 +133,7 @@ impl MotionResult {
         by_depth(&deepest.pair)
     }
 
-    fn add_treadmill(&self, request: &MotionRequest, remarks: &mut Remarks) {
+    fn add_treadmill(&self, request: &MotionRequest, remarks: &mut RemarkList) {
         if request.belt.is_some() || request.belt_column.is_some() {
             return;
         }
@@ -156,7 +156,7 @@ impl MotionResult {
         }
     }
 
-    fn add_recording_facts(&self, remarks: &mut Remarks) {
+    fn add_recording_facts(&self, remarks: &mut RemarkList) {
         let facts = &self.recording.facts;
         if !facts.kept.is_empty() {
             remarks.add(
@@ -208,7 +208,7 @@ impl MotionResult {
         }
     }
 
-    fn add_plate_facts(&self, remarks: &mut Remarks) {
+    fn add_plate_facts(&self, remarks: &mut RemarkList) {
         let Some((read, measured)) = self.plates.as_ref().zip(self.measured.as_ref()) else { return };
         if let Some(other) = &read.other_data_file {
             remarks.add(
@@ -249,9 +249,9 @@ impl MotionResult {
 }
 
 #[derive(Default)]
-struct Remarks(Vec<MotionRemark>);
+struct RemarkList(Vec<MotionRemark>);
 
-impl Remarks {
+impl RemarkList {
     fn add(&mut self, code: &'static str, message: impl Into<Phrase>) {
         self.0.push(MotionRemark { code, message: message.into() });
     }

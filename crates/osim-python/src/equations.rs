@@ -20,14 +20,14 @@ type Refusal = (Option<&'static str>, Option<usize>, String);
 
 /// A function: its name, what it takes (`numbers`, `list`, `spheres`), its arguments with their defaults, whether it takes a rule, and
 /// its docstring.
-type Described = (&'static str, &'static str, Vec<(&'static str, Option<f64>)>, bool, String);
+type DescribedFunction = (&'static str, &'static str, Vec<(&'static str, Option<f64>)>, bool, String);
 
 /// Every function of `osim_contact_scale.scaling`, in the order of the paper.
 #[pyfunction]
-pub(crate) fn equations() -> Vec<Described> {
+pub(crate) fn equations() -> Vec<DescribedFunction> {
     let named =
         |parameters: &[Parameter]| parameters.iter().map(|one| (one.name, one.default)).collect::<Vec<_>>();
-    let mut described: Vec<Described> = all()
+    let mut described: Vec<DescribedFunction> = all()
         .map(|one| (one.name, "numbers", named(one.parameters), one.takes_rule(), one.docstring()))
         .collect();
     let list = MEAN_SQUARE_RADIUS;

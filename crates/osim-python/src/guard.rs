@@ -82,14 +82,14 @@ pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
 // How far a long call is, and Ctrl-C.
 
 /// Listens to Ctrl-C between two models, and calls back.
-pub(crate) struct Watch {
+pub(crate) struct ProgressCallback {
     callback: Option<Py<PyAny>>,
     stopped: AtomicBool,
     /// Why no further model should be begun: an exception of the callback, or Ctrl-C.
     raised: Mutex<Option<PyErr>>,
 }
 
-impl Watch {
+impl ProgressCallback {
     /// `callback` is called with 1 for each model that is done, and whether it failed.
     pub(crate) fn new(callback: Option<Py<PyAny>>) -> Self {
         Self { callback, stopped: AtomicBool::new(false), raised: Mutex::default() }

@@ -29,7 +29,7 @@ use crate::problem::Problem;
 pub(crate) static WORDS: Words = &PythonWords;
 
 /// The JSON of a check of a model's state, and for each finding the request that corrects it.
-type Checked<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
+type CheckAndRequests<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
 
 /// A model with the change that is planned for it: everything that is known of it, and its writing.
 #[pyclass(frozen, module = "osim_contact_scale._native")]
@@ -167,7 +167,7 @@ impl Planned {
 
     /// The checks of the model before and after: two results, each as the JSON of the command has it, and the requests that correct the
     /// findings.
-    fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<Checked<'py>>> {
+    fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<CheckAndRequests<'py>>> {
         let both = guarded(py, || {
             let both = self.model.show(&PythonWords, false, |changed| changed.before_after)?;
             let Some(both) = both else { return Ok(Vec::new()) };

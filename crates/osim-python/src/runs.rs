@@ -22,13 +22,13 @@ use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
 use crate::files::RequestFiles;
-use crate::guard::{Watch, dictionary, guarded, request_fields};
+use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
 use crate::planned::WORDS;
 use crate::problem::Problem;
 
 /// Entries of a run's models on a page, where one is asked for.
 struct Reporter<'r> {
-    watch: &'r Watch,
+    watch: &'r ProgressCallback,
     detail: Option<DetailLevel>,
 }
 
@@ -75,7 +75,7 @@ pub(crate) fn change_many<'py>(
         let options = request.run_options().cloned().unwrap_or_default();
         let change = prepare(request, &RequestFiles::new([].into(), true))?;
         let request = RunRequest::for_change(change, &options)?;
-        run(request, &options, call, &Watch::new(callback))
+        run(request, &options, call, &ProgressCallback::new(callback))
     })?;
     lines(py, records, remarks)
 }
@@ -117,7 +117,7 @@ pub(crate) fn rescale_many<'py>(
         // A table that cannot be read is a wrong call; no file was to be written yet.
         let wrong = |fault: LibraryFault| Problem::general("RequestError", "usage", fault.phrase());
         match RowReader::new(&request)?.read(&bytes, &name, &folder).map_err(wrong)? {
-            CheckedRows::Run(rows) => run(rows, &request.run, call, &Watch::new(callback)),
+            CheckedRows::Run(rows) => run(rows, &request.run, call, &ProgressCallback::new(callback)),
             CheckedRows::Invalid(rows) => Err(Problem::wrong_rows(&rows)),
         }
     })?;
@@ -137,7 +137,7 @@ pub(crate) fn run(
     request: RunRequest,
     options: &RunOptions,
     call: String,
-    watch: &Watch,
+    watch: &ProgressCallback,
 ) -> Result<(Vec<JsonRecord>, Vec<String>), Problem> {
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
@@ -176,7 +176,7 @@ pub(crate) fn lines(py: Python<'_>, records: Vec<JsonRecord>, remarks: Vec<Strin
 
 // `sweep`: variants of a model in a folder, and the table of what is in which.
 
-impl SweepFrontEnd for Watch {
+impl SweepFrontEnd for ProgressCallback {
     fn is_interrupted(&self) -> bool {
         self.is_stopped()
     }
@@ -187,7 +187,7 @@ impl SweepFrontEnd for Watch {
 }
 
 /// Results of a sweep: its record, the table, and a record for each variant that could not be made.
-type Swept<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
+type SweepResult<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
 
 /// Makes all variants of a sweep.
 #[pyfunction]
@@ -195,7 +195,7 @@ pub(crate) fn sweep<'py>(
     py: Python<'py>,
     fields: &Bound<'py, PyDict>,
     callback: Option<Py<PyAny>>,
-) -> PyResult<Swept<'py>> {
+) -> PyResult<SweepResult<'py>> {
     let fields = request_fields(fields)?;
     let ((record, manifest), failures) = guarded(py, || {
         let Request::Sweep(request) = Request::from_map(fields)? else {
@@ -208,7 +208,7 @@ pub(crate) fn sweep<'py>(
             let record = sweep_record(&sweep, None).counted(sweep.count(), 0);
             return Ok(((serde_json::to_value(&record), None), failures));
         }
-        let watch = Watch::new(callback);
+        let watch = ProgressCallback::new(callback);
         let end = sweep.run(&watch, |failure| {
             let failed = failure.is_some();
             failures.extend(failure);

@@ -16,7 +16,7 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
 use crate::files::RequestFiles;
-use crate::guard::{Watch, dictionary, guarded, request_fields};
+use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
 use crate::planned::{WORDS, remedies};
 use crate::problem::Problem;
 
@@ -67,7 +67,7 @@ pub(crate) fn survey<'py>(
         };
         // Python checked it with its own name.
         let jobs = jobs.and_then(|jobs| jobs.to_string().parse().ok());
-        survey_models(&survey, jobs, call, &Watch::new(callback))
+        survey_models(&survey, jobs, call, &ProgressCallback::new(callback))
     })?;
     let rows = rows.into_iter().map(|surveyed| row(py, surveyed)).collect::<PyResult<_>>()?;
     Ok((rows, remarks, text))
@@ -95,7 +95,7 @@ fn survey_models(
     survey: &Survey<'_>,
     jobs: Option<Jobs>,
     call: String,
-    watch: &Watch,
+    watch: &ProgressCallback,
 ) -> Result<(Vec<SurveyedModel>, Vec<String>, String), Problem> {
     let mut page = survey.begin_page(call)?;
     let unlisted = survey.sources.failures.iter().cloned().map(Box::new);

@@ -10,7 +10,7 @@ use osim_model::messages::{Phrase, Verb, shortest};
 use serde_json::{Map, Value};
 
 use crate::fault::{Relation, RequestFault};
-use crate::register::{Entry, List, Takes, option_named};
+use crate::register::{Entry, List, OptionValue, option_named};
 use crate::request::{Request, check_value, relations_of, silent_fields, verb_entry};
 use crate::spell::CommandLine;
 use crate::values::{assignment, path};
@@ -52,7 +52,7 @@ fn argument(verb: Verb, option: &Entry) -> Arg {
     let is_positional = verb_entry(verb).positional.contains(&name);
     let argument = Arg::new(name).short(option.short).allow_hyphen_values(option.is_signed);
     let argument = if is_positional { argument } else { argument.long(name.replace('_', "-")) };
-    if option.takes == Takes::Flag {
+    if option.takes == OptionValue::Flag {
         return argument.action(ArgAction::SetTrue);
     }
     let argument = match option.value_name {
@@ -66,7 +66,9 @@ fn argument(verb: Verb, option: &Entry) -> Arg {
         List::Commas => argument.action(ArgAction::Append).value_delimiter(','),
     };
     match option.takes {
-        Takes::Choice(words) => argument.value_parser(PossibleValuesParser::new(words.iter().map(possible))),
+        OptionValue::Choice(words) => {
+            argument.value_parser(PossibleValuesParser::new(words.iter().map(possible)))
+        }
         _ if option.is_path() => argument.value_parser(value_parser!(PathBuf)),
         _ => argument
             .value_parser(move |word: &str| check_value(verb, name, word.into()).map(|()| word.to_owned())),
@@ -146,7 +148,7 @@ pub fn read(
 /// The typed value of an option, as requests have it.
 fn typed(option: &Entry, matches: &ArgMatches) -> Value {
     let name = option.name;
-    if option.takes == Takes::Flag {
+    if option.takes == OptionValue::Flag {
         return true.into();
     }
     let mut values: Vec<Value> = if option.is_path() {

@@ -44,11 +44,11 @@ pub(crate) fn check<T: Default + Serialize>(
     request: &T,
     relations: &[&[Relation]],
 ) -> Result<(), RequestFault> {
-    check_fields(&said(request), relations, |_| true)
+    check_fields(&given_fields(request), relations, |_| true)
 }
 
 /// The fields of a request that differ from their defaults.
-pub(crate) fn said<T: Default + Serialize>(request: &T) -> Map<String, Value> {
+pub(crate) fn given_fields<T: Default + Serialize>(request: &T) -> Map<String, Value> {
     let silent = map(&T::default());
     map(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
 }
@@ -153,14 +153,14 @@ fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
 /// It is not JSON, or an object in it has a name twice.
 pub(crate) fn from_slice(text: &[u8]) -> Result<Value, serde_json::Error> {
     let mut reader = serde_json::Deserializer::from_slice(text);
-    let value = Unique.deserialize(&mut reader)?;
+    let value = UniqueFields.deserialize(&mut reader)?;
     reader.end()?;
     Ok(value)
 }
 
-struct Unique;
+struct UniqueFields;
 
-impl<'d> DeserializeSeed<'d> for Unique {
+impl<'d> DeserializeSeed<'d> for UniqueFields {
     type Value = Value;
 
     fn deserialize<D: Deserializer<'d>>(self, deserializer: D) -> Result<Value, D::Error> {
@@ -168,7 +168,7 @@ impl<'d> DeserializeSeed<'d> for Unique {
     }
 }
 
-impl<'d> Visitor<'d> for Unique {
+impl<'d> Visitor<'d> for UniqueFields {
     type Value = Value;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

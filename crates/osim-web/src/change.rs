@@ -20,7 +20,7 @@ use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
 use crate::given_files::GivenFiles;
-use crate::look::{FindingShown, Opened, VerdictShown, sha256};
+use crate::look::{FindingShown, OpenedModel, VerdictShown, sha256};
 use crate::problem::Problem;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
@@ -33,7 +33,7 @@ const FALLS: &str = "falls";
 /// A change that is planned.
 pub(crate) struct PlannedChange {
     change: PreparedChange,
-    opened: Rc<Opened>,
+    opened: Rc<OpenedModel>,
     plan: Plan,
     /// The model as it will be; `None` where nothing changes.
     changed: Option<Model>,
@@ -82,7 +82,7 @@ impl PlannedChange {
     /// What cannot be done with this model, or what only the user can know.
     pub(crate) fn new(
         change: PreparedChange,
-        opened: Rc<Opened>,
+        opened: Rc<OpenedModel>,
         given_files: &GivenFiles,
         words: &'static dyn FrontEnd,
     ) -> Result<Self, Problem> {

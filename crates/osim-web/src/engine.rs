@@ -15,8 +15,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::change::{PlannedChange, Report, report_name};
 use crate::given_files::GivenFiles;
-use crate::knowledge::{self, Calls, EngineQuestion, Fields};
-use crate::look::{self, Opened};
+use crate::knowledge::{self, EngineQuestion, Fields, SpelledCalls};
+use crate::look::{self, OpenedModel};
 use crate::problem::Problem;
 
 /// Models that stay open: a page looks at one and compares it with another.
@@ -40,7 +40,7 @@ const MAX_OPEN_MODELS: usize = 4;
 pub struct Engine {
     files: GivenFiles,
     /// The last one first.
-    opened: Vec<Rc<Opened>>,
+    opened: Vec<Rc<OpenedModel>>,
     last: Option<PlannedChange>,
 }
 
@@ -130,7 +130,7 @@ impl Engine {
             EngineQuestion::Calculate { request } => {
                 ok_answer(knowledge::calculate(&Request::from_map(request)?)?)
             }
-            EngineQuestion::Spell { request } => ok_answer(Calls::of(&Request::from_map(request)?)),
+            EngineQuestion::Spell { request } => ok_answer(SpelledCalls::of(&Request::from_map(request)?)),
             EngineQuestion::Animals => ok_answer(AnimalFall::all().map_err(Problem::defect)?),
             EngineQuestion::Explain { topic } => ok_answer(json!({ "text": knowledge::explain(&topic)? })),
             EngineQuestion::Presets { fields } => ok_answer(knowledge::presets(fields, &self.files)?),
@@ -138,13 +138,13 @@ impl Engine {
     }
 
     /// A model, opened once as long as no file changes.
-    fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<Opened>, Failure> {
+    fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<OpenedModel>, Failure> {
         if let Some(at) = self.opened.iter().position(|opened| opened.is(path, set_files)) {
             let opened = self.opened.remove(at);
             self.opened.insert(0, Rc::clone(&opened));
             return Ok(opened);
         }
-        let opened = Rc::new(Opened::read(path, set_files, &self.files)?);
+        let opened = Rc::new(OpenedModel::read(path, set_files, &self.files)?);
         self.opened.insert(0, Rc::clone(&opened));
         self.opened.truncate(MAX_OPEN_MODELS);
         Ok(opened)

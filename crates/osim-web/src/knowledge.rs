@@ -56,7 +56,7 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
 
 /// The three calls of one request. Each does what the request asks for: it reads the same models and writes the same files.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-pub(crate) struct Calls {
+pub(crate) struct SpelledCalls {
     /// A line for a terminal.
     command: String,
     /// Lines of Python, from the import on.
@@ -65,7 +65,7 @@ pub(crate) struct Calls {
     matlab: String,
 }
 
-impl Calls {
+impl SpelledCalls {
     pub(crate) fn of(request: &Request) -> Self {
         Self {
             command: CommandLine.script(request),

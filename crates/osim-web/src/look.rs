@@ -24,7 +24,7 @@ use crate::problem::Problem;
 
 /// A model that was opened, with the files of a standalone set.
 #[derive(Debug)]
-pub(crate) struct Opened {
+pub(crate) struct OpenedModel {
     pub(crate) path: PathBuf,
     pub(crate) set_files: SetFiles,
     pub(crate) model: OpenModel,
@@ -32,7 +32,7 @@ pub(crate) struct Opened {
     pub(crate) files: ModelFiles,
 }
 
-impl Opened {
+impl OpenedModel {
     /// Opens the model at `path`.
     ///
     /// # Errors
@@ -73,7 +73,7 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
 
 /// What is known of a model.
 #[derive(Debug, Serialize)]
-pub(crate) struct Look {
+pub(crate) struct InspectedModel {
     inspection: Inspection,
     findings: Vec<FindingShown>,
     sections: Vec<Section>,
@@ -140,7 +140,7 @@ pub(crate) fn inspector(
 /// The inspection and the findings of the model, with messages in `words`.
 fn inspect_and_check(
     inspector: &Inspector,
-    opened: &Opened,
+    opened: &OpenedModel,
     given_files: &GivenFiles,
     words: &dyn FrontEnd,
 ) -> Result<(Inspection, CheckResult), Problem> {
@@ -152,7 +152,7 @@ fn inspect_and_check(
 }
 
 /// The feet of the model with its bones, where a page can show them.
-fn feet(inspector: &Inspector, opened: &Opened, given_files: &GivenFiles) -> Option<ModelFeet> {
+fn feet(inspector: &Inspector, opened: &OpenedModel, given_files: &GivenFiles) -> Option<ModelFeet> {
     let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
     feet.add_bones(&opened.model.model, &opened.path, None, given_files);
     Some(feet)
@@ -161,10 +161,10 @@ fn feet(inspector: &Inspector, opened: &Opened, given_files: &GivenFiles) -> Opt
 /// Looks at a model; `wanted` are the sections to make, `None` for all.
 pub(crate) fn look(
     inspector: &Inspector,
-    opened: &Opened,
+    opened: &OpenedModel,
     wanted: Option<&[String]>,
     given_files: &GivenFiles,
-) -> Result<Look, Problem> {
+) -> Result<InspectedModel, Problem> {
     let (inspection, found) = inspect_and_check(inspector, opened, given_files, &Page)?;
     let wants = |id: &str| wanted.is_none_or(|wanted| wanted.iter().any(|one| one == id));
     let feet = wants("feet").then(|| feet(inspector, opened, given_files)).flatten();
@@ -182,7 +182,16 @@ pub(crate) fn look(
     let verdicts = VerdictShown::all(&found.verdicts);
     let scene = wants("scene").then(|| Scene::of(&opened.model.model, inspector.options()));
     let falls = if wants("falls") { falls(inspector, opened) } else { Vec::new() };
-    Ok(Look { findings, inspection, sections, explained, files: opened.names(), verdicts, scene, falls })
+    Ok(InspectedModel {
+        findings,
+        inspection,
+        sections,
+        explained,
+        files: opened.names(),
+        verdicts,
+        scene,
+        falls,
+    })
 }
 
 /// The model along a recording.
@@ -196,7 +205,7 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
 }
 
 /// How the model falls on its contacts, if they and its weight are known.
-fn falls(inspector: &Inspector, opened: &Opened) -> Vec<BodyFall> {
+fn falls(inspector: &Inspector, opened: &OpenedModel) -> Vec<BodyFall> {
     let failed = |fault| opened.model.failure(fault);
     let body = ContactBody::from_inspected_model(
         "now".to_owned(),
@@ -210,7 +219,7 @@ fn falls(inspector: &Inspector, opened: &Opened) -> Vec<BodyFall> {
 /// An inspected model as an entry of a report.
 pub(crate) fn entry(
     inspector: &Inspector,
-    opened: &Opened,
+    opened: &OpenedModel,
     given_files: &GivenFiles,
     words: &dyn FrontEnd,
 ) -> Result<Entry, Problem> {

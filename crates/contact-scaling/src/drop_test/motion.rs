@@ -101,7 +101,7 @@ impl<'a> FallingBody<'a> {
 // itself, and starts again; in between the motion is smooth.
 
 /// Indentation and its rate, dimensionless.
-pub(super) type State = [f64; 2];
+pub(super) type DepthAndSpeed = [f64; 2];
 
 /// Local error bounds. Its dense output, not its steps, limits the method: at 1e-11 and 1e-12 the series of the
 /// 62 kg human is off by 1.1e-8 R, at 3e-13 and 3e-14 by 6e-10 R (tests/scaling/drop_test.rs), in 0.5 ms instead of 0.3.
@@ -119,7 +119,7 @@ const PEAK_MARGIN: f64 = 1e-3;
 /// The moments that are recorded during a drop, dimensionless.
 #[derive(Debug, Default)]
 pub(super) struct Record {
-    pub(super) states: Vec<State>,
+    pub(super) states: Vec<DepthAndSpeed>,
     pub(super) peak_force: f64,
     /// Times and speeds at which x = 0 was crossed, first downwards, then in turn.
     pub(super) crossings: Vec<(f64, f64)>,
@@ -133,7 +133,7 @@ pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<R
     let mut contact = values.height_m == 0.0;
     let restart = body.spheres.iter().any(|s| matches!(s.law(), Law::HuntCrossley(_)));
     let mut observer =
-        Observer { body, record: Record::default(), samples: values.samples, end, contact, restart };
+        DropObserver { body, record: Record::default(), samples: values.samples, end, contact, restart };
     if contact {
         observer.record.crossings.push((0.0, 0.0));
     }
@@ -162,7 +162,7 @@ pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<R
     Err(DropError::Integration { time_s: time * body.time_s })
 }
 
-fn time_reached(error: &Error<f64, State>, start: f64) -> f64 {
+fn time_reached(error: &Error<f64, DepthAndSpeed>, start: f64) -> f64 {
     match error {
         Error::MaxSteps { t, .. } | Error::StepSize { t, .. } | Error::Stiffness { t, .. } => *t,
         _ => start,
@@ -175,15 +175,15 @@ struct Fall<'a> {
     contact: bool,
 }
 
-impl ODE<f64, State> for Fall<'_> {
-    fn diff(&self, _time: f64, state: &State, rate: &mut State) {
+impl ODE<f64, DepthAndSpeed> for Fall<'_> {
+    fn diff(&self, _time: f64, state: &DepthAndSpeed, rate: &mut DepthAndSpeed) {
         rate[0] = state[1];
         rate[1] = 1.0 - if self.contact { self.body.force(*state) } else { self.body.flight_force(*state) };
     }
 }
 
 /// Watches the steps: fills the series, finds the peak force and the crossings of x = 0.
-struct Observer<'a> {
+struct DropObserver<'a> {
     body: &'a FallingBody<'a>,
     record: Record,
     samples: usize,
@@ -192,7 +192,7 @@ struct Observer<'a> {
     restart: bool,
 }
 
-impl Observer<'_> {
+impl DropObserver<'_> {
     /// Dimensionless time of the next sample, if one is still missing.
     fn next_sample(&self) -> Option<f64> {
         let next = self.record.states.len();
@@ -200,14 +200,14 @@ impl Observer<'_> {
     }
 
     /// Fills what is missing for the last rounding error of the end.
-    fn finish(mut self, last: State) -> Record {
+    fn finish(mut self, last: DepthAndSpeed) -> Record {
         self.record.states.resize(self.samples, last);
         self.record
     }
 
     /// Computes the force at points of a step. Where one is nearly as large as the peak so far, a search between its neighbours follows: of
     /// a step that begins just before the peak, every later point is below the end of the step before.
-    fn find_peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<State>) {
+    fn find_peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<DepthAndSpeed>) {
         let width = (to - from) / f64::from(PEAK_SAMPLES);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
         let (mut best, mut top) = (from, force(from));
@@ -246,18 +246,18 @@ fn golden_section_maximum(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -
     best
 }
 
-impl Solout<f64, State> for Observer<'_> {
+impl Solout<f64, DepthAndSpeed> for DropObserver<'_> {
     fn solout<I>(
         &mut self,
         now: f64,
         before: f64,
-        state: &State,
-        _state_before: &State,
+        state: &DepthAndSpeed,
+        _state_before: &DepthAndSpeed,
         step: &mut I,
-        solution: &mut Solution<f64, State>,
-    ) -> ControlFlag<f64, State>
+        solution: &mut Solution<f64, DepthAndSpeed>,
+    ) -> ControlFlag<f64, DepthAndSpeed>
     where
-        I: Interpolation<f64, State> + ?Sized,
+        I: Interpolation<f64, DepthAndSpeed> + ?Sized,
     {
         if now == before {
             if self.next_sample() == Some(now) {
@@ -290,7 +290,12 @@ impl Solout<f64, State> for Observer<'_> {
 }
 
 /// Time and speed at which x changes its sign between two times, to the last bit of the time.
-fn crossing(before: f64, now: f64, upward: bool, at: &mut impl FnMut(f64) -> Option<State>) -> (f64, f64) {
+fn crossing(
+    before: f64,
+    now: f64,
+    upward: bool,
+    at: &mut impl FnMut(f64) -> Option<DepthAndSpeed>,
+) -> (f64, f64) {
     let (mut out, mut within) = (before, now);
     for _ in 0..100 {
         let middle = 0.5 * (out + within);

@@ -24,7 +24,7 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     if let Some(folder) = request.subject.iter().find(|path| path.is_dir()) {
         bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
     }
-    let output = Output::of(request, session)?;
+    let output = MotionOutput::of(request, session)?;
     let result = match run_motion(request, &Disk) {
         Ok(result) => result,
         Err(error) => return session.refuse(error, request.format == MotionFormat::Json),
@@ -46,12 +46,12 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
 }
 
 /// The files of ground reactions.
-struct Output<'o> {
+struct MotionOutput<'o> {
     table: &'o Path,
     loads: PathBuf,
 }
 
-impl<'o> Output<'o> {
+impl<'o> MotionOutput<'o> {
     /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors

@@ -34,7 +34,7 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
             folder.display()
         );
     }
-    let output = Output::of(request, session)?;
+    let output = PlotOutput::of(request, session)?;
     request.check_models().map_err(|fault| session.usage(&fault))?;
     if request.is_of_feet() {
         return feet(request, &output, session);
@@ -67,7 +67,7 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
 ///
 /// # Errors
 /// As [`run`].
-fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Result<Exit> {
+fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
     let states = match plot_feet(request, &Disk) {
         Ok(states) => states,
         Err(error) => return session.refuse(error, false),
@@ -85,7 +85,7 @@ fn feet(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Re
 ///
 /// # Errors
 /// As [`run`].
-fn motion(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> Result<Exit> {
+fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
     let result = match plot_motion(request, &Disk) {
         Ok(result) => result,
         Err(error) => return session.refuse(error, false),
@@ -97,14 +97,14 @@ fn motion(request: &PlotRequest, output: &Output<'_>, session: &mut Session) -> 
 }
 
 /// A file of a format, or standard output; and a table of the numbers.
-struct Output<'o> {
+struct PlotOutput<'o> {
     /// `None` is standard output.
     path: Option<&'o Path>,
     picture: Picture,
     data: Option<&'o Path>,
 }
 
-impl<'o> Output<'o> {
+impl<'o> PlotOutput<'o> {
     /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors

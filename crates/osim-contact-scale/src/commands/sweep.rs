@@ -19,9 +19,9 @@ use crate::session::Session;
 use crate::terminal::Progress;
 
 /// Shows how far a sweep is.
-struct Watch(Progress);
+struct SweepProgress(Progress);
 
-impl SweepFrontEnd for Watch {
+impl SweepFrontEnd for SweepProgress {
     fn is_interrupted(&self) -> bool {
         exit::came()
     }
@@ -115,7 +115,7 @@ fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
 
 fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     exit::listen();
-    let watch = Watch(Progress::begin(sweep.count(), request.quiet));
+    let watch = SweepProgress(Progress::begin(sweep.count(), request.quiet));
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.
     let mut untold = None;

@@ -88,7 +88,7 @@ impl ContactTable {
         let mut lines: HashMap<String, u64> = HashMap::new();
         let mut rows = Vec::new();
         for row in &sheet.rows {
-            let cells = Cells { sheet: &sheet, row };
+            let cells = ContactCells { sheet: &sheet, row };
             let row = cells.contact(&columns)?;
             if let Some(first) = lines.insert(row.name.clone(), row.line) {
                 let message =
@@ -104,12 +104,12 @@ impl ContactTable {
     }
 }
 
-struct Cells<'s> {
+struct ContactCells<'s> {
     sheet: &'s Sheet,
     row: &'s Row,
 }
 
-impl Cells<'_> {
+impl ContactCells<'_> {
     fn contact(&self, columns: &Columns) -> Result<ContactRow, TableFault> {
         let name = self.cell(columns.name);
         refuse_name(name).map_err(|fault| self.fault(columns.name, fault.phrase()))?;

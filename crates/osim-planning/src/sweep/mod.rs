@@ -15,13 +15,13 @@ use osim_model::{MassRequest, Property, Question};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
 use grid::{GridPoint, padded, point_at, points_along, points_at_ends};
-use variant::{Ladder, Stages, Variant};
+use variant::{StepChanges, SweepLadder, Variant};
 
 pub struct SweepPlan<'s> {
     request: &'s SweepRequest,
     model: ModelFiles,
     original: Variant,
-    ladder: Option<Ladder>,
+    ladder: Option<SweepLadder>,
     count: usize,
 }
 
@@ -31,7 +31,7 @@ struct VariantJob {
     operation: String,
     /// The mass that the contacts are made for, if the grid changes it.
     target_mass_kg: Option<f64>,
-    stages: Stages,
+    stages: StepChanges,
 }
 
 /// A variant, in memory.
@@ -75,7 +75,7 @@ impl<'s> SweepPlan<'s> {
         // A model that is wrong itself is refused here, once for all variants.
         let original = Variant::unchanged(request, &model)?;
         let ladder =
-            request.ladder.map(|steps| Ladder::of_model(request, &model, steps.get())).transpose()?;
+            request.ladder.map(|steps| SweepLadder::of_model(request, &model, steps.get())).transpose()?;
         grid::check_point_exists(request, count)?;
         Ok(Self { request, model, original, ladder, count })
     }
@@ -251,7 +251,7 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    fn job_of_step(&self, ladder: &Ladder, index: usize) -> Result<VariantJob, RequestFault> {
+    fn job_of_step(&self, ladder: &SweepLadder, index: usize) -> Result<VariantJob, RequestFault> {
         let (number, count) = (index + 1, ladder.len());
         let stiffness = ladder.dimensionless_stiffness(index).map(shortest).unwrap_or_default();
         Ok(VariantJob {

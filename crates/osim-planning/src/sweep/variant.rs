@@ -40,7 +40,7 @@ impl Variant {
     pub(super) fn of_stages(
         request: &SweepRequest,
         model: &ModelFiles,
-        stages: &Stages,
+        stages: &StepChanges,
         operation: &str,
         target_mass_kg: Option<f64>,
     ) -> Result<Self, Failure> {
@@ -182,19 +182,19 @@ fn contact_values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
 }
 
 /// The changes that make one variant, one after the other: rescale, set, design, each if the point needs it.
-pub(super) type Stages = Vec<PreparedChange>;
+pub(super) type StepChanges = Vec<PreparedChange>;
 
 /// The changes that make the variant at a point of a grid.
 ///
 /// # Errors
 /// Values that do not go together.
-pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result<Stages, RequestFault> {
+pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result<StepChanges, RequestFault> {
     let (indentation, restitution) =
         (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
     let wanted = &request.wanted;
     let designs =
         indentation.is_some() || restitution.is_some() || wanted.asks() || wanted.contact_stiffness.is_some();
-    let mut stages = Stages::new();
+    let mut stages = StepChanges::new();
     if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
         if designs {
             return Err(RequestFault::general(
@@ -284,13 +284,13 @@ fn prepare_rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Prepar
 }
 
 /// Steps from a soft contact to the wanted one (section 4.3 of the paper).
-pub(super) struct Ladder {
+pub(super) struct SweepLadder {
     steps: Vec<continuation::Step>,
     /// α of the softest step if the last step has none, s/m.
     dissipation_if_none: Option<f64>,
 }
 
-impl Ladder {
+impl SweepLadder {
     /// Calculates the steps from the model and the wanted design.
     ///
     /// # Errors
@@ -352,7 +352,7 @@ impl Ladder {
     ///
     /// # Errors
     /// The last step cannot be designed.
-    pub(super) fn stages(&self, request: &SweepRequest, index: usize) -> Result<Stages, RequestFault> {
+    pub(super) fn stages(&self, request: &SweepRequest, index: usize) -> Result<StepChanges, RequestFault> {
         let mut stages = vec![prepare_design(request, None, None)?];
         let Some(step) = self.steps.get(index) else { return Err(RequestFault::general("no such step")) };
         if index + 1 < self.steps.len() {

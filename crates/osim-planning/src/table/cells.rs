@@ -34,7 +34,7 @@ impl RowFault {
 }
 
 #[derive(Debug)]
-pub(super) struct Cells {
+pub(super) struct RowCells {
     pub verb: Verb,
     pub model: PathBuf,
     pub output: Option<PathBuf>,
@@ -43,7 +43,7 @@ pub(super) struct Cells {
     pub fields: Map<String, Value>,
 }
 
-impl Cells {
+impl RowCells {
     /// Reads the cells of `row`; `folder` is the table's.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use osim_model::messages::{Input, Phrase, Verb, phrase};
-use osim_requests::register::{Entry, List, Takes, option_named};
+use osim_requests::register::{Entry, List, OptionValue, option_named};
 use osim_requests::{CHANGING, silent_fields};
 
 use crate::verbs::changing_verbs;
@@ -168,7 +168,7 @@ fn kind(option: &Entry) -> Option<Kind> {
     }
     Some(match (option.takes, option.list) {
         _ if option.name == Input::From.name() => Kind::From,
-        (Takes::Flag, _) => Kind::Flag,
+        (OptionValue::Flag, _) => Kind::Flag,
         (_, List::Commas) => Kind::ListWithCommas,
         (_, List::One) if option.is_path() => Kind::Path,
         (_, List::Repeated) if option.is_path() => Kind::Paths,

@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 
 use crate::prepared_change::PreparedChange;
 use crate::sheet::{Row, Sheet};
-use crate::table::cells::{Cells, Masses};
+use crate::table::cells::{Masses, RowCells};
 use crate::table::columns::{Columns, model_field};
 use crate::verbs::prepare;
 pub use cells::RowFault;
@@ -80,9 +80,9 @@ impl Table {
     }
 
     fn request(&self, row: &Row, call: &OutputOptions, files: &dyn Files) -> Result<RowRequest, RowFault> {
-        let cells = Cells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
+        let cells = RowCells::read(row, &self.columns, &self.sheet, &self.folder, files)?;
         let output = output(&cells, call)?;
-        let Cells { verb, model, fields, .. } = cells;
+        let RowCells { verb, model, fields, .. } = cells;
         let user_columns = self.columns.user_columns(&row.cells);
         Ok(RowRequest { line: row.line, verb, model, output, user_columns, fields })
     }
@@ -171,7 +171,7 @@ impl Table {
 }
 
 /// Output options of a row: by its cells, else by the call.
-fn output(cells: &Cells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
+fn output(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
     let named = cells.output.is_some() || cells.output_dir.is_some();
     if cells.output.as_deref() == Some(Path::new("-")) {
         return Err(RowFault::of("output", "standard output takes one model: name a file"));

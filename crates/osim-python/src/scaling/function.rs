@@ -19,12 +19,12 @@ pub(crate) struct Function {
     /// The kind of value that the function returns.
     pub returns: Returns,
     /// The Rust function that computes it.
-    pub call: Call,
+    pub call: RustFunction,
 }
 
 /// The Rust function that computes a Python one.
 #[derive(Debug, Clone, Copy)]
-pub(crate) enum Call {
+pub(crate) enum RustFunction {
     /// A function of numbers alone.
     Numbers(fn(&[f64]) -> Result<f64, EquationError>),
     /// A function of numbers and one of two rules for the modulus of two surfaces: Python's keyword `rule`.
@@ -43,8 +43,8 @@ impl Function {
         let named = self.parameters.iter().map(|parameter| parameter.name).zip(arguments.iter().copied());
         EquationError::unless_finite(named.clone())?;
         let value = match self.call {
-            Call::Numbers(call) => call(arguments),
-            Call::WithRule(call) => call(rule, arguments),
+            RustFunction::Numbers(call) => call(arguments),
+            RustFunction::WithRule(call) => call(rule, arguments),
         };
         let value = value.map_err(|failure| failure.with_argument(named))?;
         if value.is_finite() { Ok(value) } else { Err(EquationError::result(value)) }
@@ -61,7 +61,7 @@ impl Function {
 
     /// Whether the function takes the keyword `rule`.
     pub(crate) fn takes_rule(&self) -> bool {
-        matches!(self.call, Call::WithRule(_))
+        matches!(self.call, RustFunction::WithRule(_))
     }
 
     /// Every form of every equation that it computes: (8), (9) and (10) are one function.
@@ -146,11 +146,11 @@ impl<'c> Columns<'c> {
 macro_rules! function {
     ([$rule:ident] $name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
         function!(@of $name, $arguments, $returns, $computes,
-            $crate::scaling::Call::WithRule(|$rule, values| function!(@value values, $arguments, $value)))
+            $crate::scaling::RustFunction::WithRule(|$rule, values| function!(@value values, $arguments, $value)))
     };
     ($name:ident $arguments:tt -> $returns:expr, $computes:literal, $value:expr) => {
         function!(@of $name, $arguments, $returns, $computes,
-            $crate::scaling::Call::Numbers(|values| function!(@value values, $arguments, $value)))
+            $crate::scaling::RustFunction::Numbers(|values| function!(@value values, $arguments, $value)))
     };
     (@of $name:ident, ($($argument:ident: $symbol:ident $(= $default:literal)?),+), $returns:expr, $computes:literal, $call:expr) => {
         $crate::scaling::Function {

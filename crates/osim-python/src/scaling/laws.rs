@@ -206,7 +206,7 @@ fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
 
 /// A column for each figure of the steps.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Ladder {
+pub(crate) struct SmoothSteps {
     /// k̂ at the load of the last step, without unit (B.3).
     pub dimensionless_stiffness: Vec<f64>,
     /// Factor of the last step's E*.
@@ -224,8 +224,8 @@ pub(crate) fn continuation_steps(
     last: f64,
     dissipation_ratio: f64,
     count: u32,
-) -> Result<Ladder, EquationError> {
-    let mut ladder = Ladder::default();
+) -> Result<SmoothSteps, EquationError> {
+    let mut ladder = SmoothSteps::default();
     for step in continuation::steps(first, last, dissipation_ratio, count)? {
         ladder.dimensionless_stiffness.push(step.dimensionless_stiffness);
         ladder.modulus_factor.push(step.modulus_factor);

@@ -15,7 +15,7 @@ mod spheres;
 mod text;
 
 pub(crate) use equation_error::EquationError;
-pub(crate) use function::{Call, Function};
+pub(crate) use function::{Function, RustFunction};
 pub(crate) use laws::continuation_steps;
 pub(crate) use parameter::{Parameter, RULES, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};

@@ -13,7 +13,7 @@ pub struct Entry {
     pub help: &'static str,
     /// The heading under which the help has it; empty for what this verb alone has.
     pub heading: &'static str,
-    pub takes: Takes,
+    pub takes: OptionValue,
     pub list: List,
     /// Name of the value in the help; empty for the name of the option.
     pub value_name: &'static str,
@@ -32,7 +32,7 @@ pub struct Entry {
 
 /// The kind of value that an option takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Takes {
+pub enum OptionValue {
     /// The option has no value: its name alone says it.
     Flag,
     /// A number or a text.
@@ -91,7 +91,7 @@ pub(super) enum Field<'n> {
 
 impl Entry {
     pub const fn is_path(&self) -> bool {
-        matches!(self.takes, Takes::FileRead | Takes::FileWritten | Takes::Folder)
+        matches!(self.takes, OptionValue::FileRead | OptionValue::FileWritten | OptionValue::Folder)
     }
 }
 
@@ -103,7 +103,7 @@ impl Entry {
             name,
             help,
             heading,
-            takes: Takes::Flag,
+            takes: OptionValue::Flag,
             list: List::One,
             value_name: "",
             short: None,
@@ -120,7 +120,7 @@ impl Entry {
     }
 
     pub(super) const fn value(self, value_name: &'static str) -> Self {
-        Self { takes: Takes::Text, value_name, ..self }
+        Self { takes: OptionValue::Text, value_name, ..self }
     }
 
     pub(super) const fn values(self, value_name: &'static str) -> Self {
@@ -132,23 +132,23 @@ impl Entry {
     }
 
     pub(super) const fn choice(self, words: Words) -> Self {
-        Self { takes: Takes::Choice(words), ..self }
+        Self { takes: OptionValue::Choice(words), ..self }
     }
 
     pub(super) const fn read(self, value_name: &'static str) -> Self {
-        Self { takes: Takes::FileRead, value_name, ..self }
+        Self { takes: OptionValue::FileRead, value_name, ..self }
     }
 
     pub(super) const fn written(self, value_name: &'static str) -> Self {
-        Self { takes: Takes::FileWritten, value_name, ..self }
+        Self { takes: OptionValue::FileWritten, value_name, ..self }
     }
 
     pub(super) const fn folder(self) -> Self {
-        Self { takes: Takes::Folder, value_name: "DIR", ..self }
+        Self { takes: OptionValue::Folder, value_name: "DIR", ..self }
     }
 
     pub(super) const fn assignments(self) -> Self {
-        Self { takes: Takes::Assignments, ..self }
+        Self { takes: OptionValue::Assignments, ..self }
     }
 
     pub(super) const fn list_if(self, is_list: bool) -> Self {

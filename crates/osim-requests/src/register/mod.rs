@@ -12,7 +12,7 @@ use serde_json::Value;
 use crate::request::Request;
 use crate::values::path;
 use entry::Field;
-pub use entry::{Entry, FieldGroup, List, Takes};
+pub use entry::{Entry, FieldGroup, List, OptionValue};
 use options::entry_of;
 
 /// The option of `verb` whose field has this name, if there is such an option.
@@ -25,7 +25,7 @@ pub fn option_named(verb: Verb, name: &str) -> Option<Entry> {
 
 /// Whether an input is either so or not, without a value.
 pub(crate) fn is_flag(input: Input) -> bool {
-    entry_of(Field::Input(input), Verb::Rescale).is_some_and(|option| option.takes == Takes::Flag)
+    entry_of(Field::Input(input), Verb::Rescale).is_some_and(|option| option.takes == OptionValue::Flag)
 }
 
 impl Request {
@@ -37,7 +37,7 @@ impl Request {
             value => *value == file,
         });
         let mut options = options.filter_map(|(name, _)| option_named(self.verb(), &name));
-        options.find(|option| option.takes == Takes::FileRead).map(|option| option.name)
+        options.find(|option| option.takes == OptionValue::FileRead).map(|option| option.name)
     }
 }
 
@@ -73,8 +73,8 @@ mod tests {
         for &verb in Verb::ALL {
             for (name, silent) in silent_fields(verb) {
                 let option = option_named(verb, &name).unwrap_or_else(|| panic!("{name}"));
-                assert_eq!((option.name, option.takes == Takes::Flag), (&*name, silent.is_boolean()));
-                let is_list = option.list != List::One || option.takes == Takes::Assignments;
+                assert_eq!((option.name, option.takes == OptionValue::Flag), (&*name, silent.is_boolean()));
+                let is_list = option.list != List::One || option.takes == OptionValue::Assignments;
                 assert_eq!(is_list, silent.is_array() || silent.is_object(), "{name}");
                 assert!(!option.help.is_empty(), "{name}");
             }

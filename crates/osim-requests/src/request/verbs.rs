@@ -136,7 +136,7 @@ macro_rules! verbs {
 
             /// The fields that say something, as [`Request::read`] takes them; the verb among them.
             pub fn to_map(&self) -> Map<String, Value> {
-                let fields = match self { $(Self::$variant(request) => dictionary::said(request.as_ref())),+ };
+                let fields = match self { $(Self::$variant(request) => dictionary::given_fields(request.as_ref())),+ };
                 std::iter::once((VERB_FIELD.to_owned(), self.verb().name().into())).chain(fields).collect()
             }
 

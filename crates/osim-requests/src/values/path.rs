@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// How JSON has a path.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
-enum Written {
+enum WrittenPath {
     /// The path as text.
     Text(String),
     /// As the bytes that the system has, where these are not UTF-8.
@@ -30,7 +30,7 @@ pub(crate) fn schema() -> serde_json::Value {
     ]})
 }
 
-impl Written {
+impl WrittenPath {
     fn of(path: &Path) -> Self {
         match path.to_str() {
             Some(text) => Self::Text(text.to_owned()),
@@ -69,7 +69,7 @@ const EMPTY_NAME: &str = "it is empty, expected the name of a file";
 
 /// A path as a value.
 pub fn to_value(path: &Path) -> serde_json::Value {
-    serde_json::to_value(Written::of(path)).unwrap_or_default()
+    serde_json::to_value(WrittenPath::of(path)).unwrap_or_default()
 }
 
 /// How a field has one path, or none.
@@ -82,7 +82,7 @@ impl Optional {
     /// # Errors
     /// Those of the serializer.
     pub fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
-        path.as_deref().map(Written::of).serialize(serializer)
+        path.as_deref().map(WrittenPath::of).serialize(serializer)
     }
 
     /// Reads one path, or null.
@@ -90,8 +90,9 @@ impl Optional {
     /// # Errors
     /// Anything else.
     pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
-        let written = Option::<Written>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
-        written.map(Written::path).transpose().map_err(D::Error::custom)
+        let written =
+            Option::<WrittenPath>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
+        written.map(WrittenPath::path).transpose().map_err(D::Error::custom)
     }
 }
 
@@ -105,7 +106,7 @@ impl List {
     /// # Errors
     /// Those of the serializer.
     pub fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(paths.iter().map(|path| Written::of(path)))
+        serializer.collect_seq(paths.iter().map(|path| WrittenPath::of(path)))
     }
 
     /// Reads a list of paths, or one.
@@ -116,13 +117,13 @@ impl List {
         #[derive(Deserialize)]
         #[serde(untagged)]
         enum OneOrMany {
-            One(Written),
-            Many(Vec<Written>),
+            One(WrittenPath),
+            Many(Vec<WrittenPath>),
         }
         let written = match OneOrMany::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))? {
             OneOrMany::One(path) => vec![path],
             OneOrMany::Many(paths) => paths,
         };
-        written.into_iter().map(Written::path).collect::<Result<_, _>>().map_err(D::Error::custom)
+        written.into_iter().map(WrittenPath::path).collect::<Result<_, _>>().map_err(D::Error::custom)
     }
 }

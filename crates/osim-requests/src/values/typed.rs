@@ -166,32 +166,32 @@ impl<'t> Range<'t> {
 
 /// The range with colons as it is written here; `None` if there are no colons between numbers, or it is empty.
 pub fn respelled(text: &str) -> Option<String> {
-    Colons::read(text)?.range
+    ColonRange::read(text)?.range
 }
 
 /// The text to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no colons
 /// between numbers.
 pub(crate) fn with_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
-    Some(match Colons::read(text)? {
-        Colons { range: Some(range), has_steps: true } => {
+    Some(match ColonRange::read(text)? {
+        ColonRange { range: Some(range), has_steps: true } => {
             let colons = "FROM:STEP:TO, as in MATLAB, has steps of equal size";
             format!("{here}: {colons}; write {range}, or the values with commas")
         }
-        Colons { range: Some(range), .. } => format!("{here}: write {range}"),
-        Colons { range: None, .. } => here.to_owned(),
+        ColonRange { range: Some(range), .. } => format!("{here}: write {range}"),
+        ColonRange { range: None, .. } => here.to_owned(),
     })
 }
 
 /// A range whose numbers have colons between them.
-struct Colons {
+struct ColonRange {
     /// The range as it is written here; `None` if it has no values.
     range: Option<String>,
     /// Whether the range is FROM:STEP:TO; otherwise FROM:TO:COUNT.
     has_steps: bool,
 }
 
-impl Colons {
+impl ColonRange {
     fn read(text: &str) -> Option<Self> {
         let number = |part: &str| plain_number(factor(part).unwrap_or(part));
         let parts: Option<Vec<(&str, f64)>> =

@@ -11,8 +11,8 @@ use crate::html::entry::{Entry, RunRow};
 use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::inspected::{self, InspectedAndChecked, ListedFiles};
-use crate::html::special::{Drawn, Facts, deepest};
-use crate::html::sphere_figures::{self, State};
+use crate::html::special::{DrawnStates, ModelFacts, deepest};
+use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{findings, plots, reference};
 use crate::report::plan::{
     centre, groups, is_new, moves_of_others, name_or_count, names, object_groups,
@@ -95,7 +95,7 @@ pub(super) fn add_change_sections(
     fragment: &mut Fragment,
     changed: ChangedModelOnPage<'_>,
     dialect: &dyn Dialect,
-) -> Drawn {
+) -> DrawnStates {
     add_changes_section(fragment, changed.plan);
     let before = changed.before;
     if fragment.is_wanted(findings::SECTION.0) {
@@ -129,7 +129,7 @@ pub(super) fn add_change_sections(
         let after = after.map(|after| after.inspection);
         let mut states = states_of_change(before.inspection, before_under_new_weight, after);
         let reference_figures = reference.and_then(|reference| reference.figures.as_ref());
-        states.extend(reference_figures.map(|figures| State {
+        states.extend(reference_figures.map(|figures| ModelState {
             name: "reference".to_owned(),
             figures,
             is_reference: true,
@@ -141,10 +141,13 @@ pub(super) fn add_change_sections(
 }
 
 /// States of the model, and the reference if there is one, to be drawn.
-fn drawn_states(changed: ChangedModelOnPage<'_>) -> Drawn {
+fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
     let reference = changed.reference.and_then(|reference| reference.body.clone());
-    let mut drawn =
-        Drawn { bodies: changed.bodies, has_reference: changed.reference.is_some(), feet: changed.feet };
+    let mut drawn = DrawnStates {
+        bodies: changed.bodies,
+        has_reference: changed.reference.is_some(),
+        feet: changed.feet,
+    };
     if !drawn.bodies.is_empty() {
         drawn.bodies.extend(reference);
     }
@@ -152,9 +155,9 @@ fn drawn_states(changed: ChangedModelOnPage<'_>) -> Drawn {
 }
 
 /// Numbers that the page counts.
-fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> Facts {
+fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
     let last = changed.after.unwrap_or(changed.before);
-    let mut facts = Facts::new(&last.inspection.figures, last.check, changed.bodies.last());
+    let mut facts = ModelFacts::new(&last.inspection.figures, last.check, changed.bodies.last());
     facts.reference = changed.reference.map(reference::in_words);
     facts.indentation.before = deepest(&changed.before.inspection.figures);
     facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
@@ -165,7 +168,7 @@ fn states_of_change<'s>(
     before: &'s Inspection,
     under_new_weight: Option<&'s Figures>,
     after: Option<&'s Inspection>,
-) -> Vec<State<'s>> {
+) -> Vec<ModelState<'s>> {
     let last = after.map_or(under_new_weight, |after| Some(&after.figures));
     let other_gravity = last.is_some_and(|last| last.gravity_m_s2 != before.figures.gravity_m_s2);
     let under = |word: &str, figures: &Figures| match (figures.mass_kg, figures.gravity_m_s2) {
@@ -175,14 +178,17 @@ fn states_of_change<'s>(
         (Some(mass), _) => format!("{word}, under {} kg", readable(mass)),
         (None, _) => word.to_owned(),
     };
-    let mut states =
-        vec![State { name: under("before", &before.figures), figures: &before.figures, is_reference: false }];
-    states.extend(under_new_weight.map(|figures| State {
+    let mut states = vec![ModelState {
+        name: under("before", &before.figures),
+        figures: &before.figures,
+        is_reference: false,
+    }];
+    states.extend(under_new_weight.map(|figures| ModelState {
         name: under("before", figures),
         figures,
         is_reference: false,
     }));
-    states.extend(after.map(|after| State {
+    states.extend(after.map(|after| ModelState {
         name: under("after", &after.figures),
         figures: &after.figures,
         is_reference: false,

@@ -8,7 +8,7 @@ use osim_patch::{NumberChange, Plan};
 
 use crate::html::explained::marked_outside;
 use crate::html::fragment::Fragment;
-use crate::html::special::{Drawn, Facts, Indentation, is_too_deep};
+use crate::html::special::{DrawnStates, Indentation, ModelFacts, is_too_deep};
 use crate::report::explain::{ErrorCode, error};
 
 /// Marks models that an earlier run has done.
@@ -36,17 +36,17 @@ pub struct Entry {
     /// The error, if it could not be done.
     pub(super) error: Option<&'static ErrorCode>,
     /// Numbers that the page counts.
-    pub(super) facts: Option<Facts>,
+    pub(super) facts: Option<ModelFacts>,
     /// The model's states to be drawn, if it is chosen.
-    pub(super) drawn: Option<Drawn>,
+    pub(super) drawn: Option<DrawnStates>,
 }
 
 impl Entry {
     pub(super) fn of_changed_model(
         row: &RunRow,
         plan: &Plan,
-        facts: Facts,
-        drawn: Drawn,
+        facts: ModelFacts,
+        drawn: DrawnStates,
         fragment: Fragment,
     ) -> Self {
         let mut cells = row.cells();
@@ -68,8 +68,8 @@ impl Entry {
 
     pub(super) fn of_inspected_model(
         inspected: &Inspection,
-        facts: Facts,
-        drawn: Drawn,
+        facts: ModelFacts,
+        drawn: DrawnStates,
         fragment: Fragment,
     ) -> Self {
         let mut cells: Vec<Cell> = vec![

@@ -10,8 +10,8 @@ use osim_planning::ModelFeet;
 use crate::html::entry::Entry;
 use crate::html::explained::file_name;
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
-use crate::html::special::{Drawn, Facts};
-use crate::html::sphere_figures::{self, State};
+use crate::html::special::{DrawnStates, ModelFacts};
+use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{findings, plots, reference};
 use crate::report::extent::Extent;
 use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
@@ -40,7 +40,7 @@ pub fn entry_of_inspected_model(
     let mut fragment = Fragment::new(detail);
     let InspectedAndChecked { inspection, check } = inspected.examined;
     let drawn = add_inspection_sections(&mut fragment, inspected, dialect);
-    let facts = Facts::new(&inspection.figures, check, drawn.bodies.first());
+    let facts = ModelFacts::new(&inspection.figures, check, drawn.bodies.first());
     Entry::of_inspected_model(inspection, facts, drawn, fragment)
 }
 
@@ -49,7 +49,7 @@ pub(super) fn add_inspection_sections(
     fragment: &mut Fragment,
     inspected: InspectedModelOnPage<'_>,
     dialect: &dyn Dialect,
-) -> Drawn {
+) -> DrawnStates {
     let InspectedModelOnPage { options, model, examined, files, feet, recording } = inspected;
     let inspected = examined.inspection;
     findings::add_findings_of_model(fragment, examined.check);
@@ -61,7 +61,7 @@ pub(super) fn add_inspection_sections(
         ContactBody::from_inspected_model(file_name(model.name()).to_owned(), &model.model, options, &failed)
             .ok()
     };
-    let drawn = Drawn {
+    let drawn = DrawnStates {
         bodies: body().into_iter().collect(),
         has_reference: false,
         feet: feet.into_iter().collect(),
@@ -75,7 +75,7 @@ pub(super) fn add_inspection_sections(
     }
     sphere_figures::section(
         fragment,
-        &[State { name: String::new(), figures: &inspected.figures, is_reference: false }],
+        &[ModelState { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
     let asked = inspected.similarity.as_ref();
     let compared = examined.check.similarity.as_ref().filter(|list| list.is_worth_showing());

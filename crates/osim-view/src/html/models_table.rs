@@ -6,7 +6,7 @@ use osim_model::messages::Dialect;
 use crate::html::entry::{Cell, EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, breakable_path};
 use crate::html::fragment::header_cell;
-use crate::html::special::Chosen;
+use crate::html::special::ChosenModels;
 use crate::html::{glance, plots};
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
@@ -180,7 +180,7 @@ pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
 
 pub(super) const SECTION: (&str, &str) = ("chosen", "Plots of special models");
 
-pub(super) fn section(chosen: &Chosen, dialect: &dyn Dialect) -> Markup {
+pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {
     let (id, title) = SECTION;
     let models = chosen.choice();
     let feet = models.iter().any(|(one, _)| !one.drawn.feet.is_empty());

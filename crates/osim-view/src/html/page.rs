@@ -11,7 +11,7 @@ use crate::html::fragment::Fragment;
 use crate::html::glance::{self, PageCounts};
 use crate::html::models_table::{self, Columns};
 use crate::html::shell;
-use crate::html::special::{Chosen, MAX_DRAWN};
+use crate::html::special::{ChosenModels, MAX_DRAWN};
 
 /// Models of a library that are shown in full; the others are rows of the table.
 const MOST_MODELS_IN_FULL: usize = 1000;
@@ -41,7 +41,7 @@ pub struct Page<'d, S> {
     /// Ids and titles of the sections, if the page is about one model.
     sections: Vec<(&'static str, &'static str)>,
     counts: PageCounts,
-    chosen: Chosen,
+    chosen: ChosenModels,
     shown_in_full: usize,
     /// Whether some models are not shown in full because there are too many.
     rows_only: bool,
@@ -70,7 +70,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             topics: Topics::default(),
             sections: Vec::new(),
             counts: PageCounts::default(),
-            chosen: Chosen::default(),
+            chosen: ChosenModels::default(),
             shown_in_full: 0,
             rows_only: false,
             first_error: None,

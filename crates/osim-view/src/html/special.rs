@@ -12,7 +12,7 @@ use osim_planning::ModelFeet;
 
 /// The numbers of one model by which it may be special.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Facts {
+pub(crate) struct ModelFacts {
     /// Mass of the model, kg; after a change the mass that the new contacts carry.
     pub(crate) mass_kg: Option<f64>,
     pub(crate) indentation: Indentation,
@@ -36,7 +36,7 @@ pub(crate) struct Indentation {
     pub(crate) now: Option<f64>,
 }
 
-impl Facts {
+impl ModelFacts {
     pub(crate) fn new(figures: &Figures, found: &CheckResult, body: Option<&ContactBody>) -> Self {
         Self {
             mass_kg: figures.mass_kg,
@@ -88,7 +88,7 @@ pub(crate) const MAX_DRAWN: usize = 10;
 const MAX_COUNTED_CONTACTS: usize = 256;
 
 #[derive(Debug, Default)]
-pub(crate) struct Drawn {
+pub(crate) struct DrawnStates {
     pub(crate) bodies: Vec<ContactBody>,
     /// Whether the last of them is the reference.
     pub(crate) has_reference: bool,
@@ -100,29 +100,29 @@ pub(crate) struct Drawn {
 pub(crate) struct Candidate {
     number: usize,
     pub(crate) model: String,
-    facts: Facts,
-    pub(crate) drawn: Drawn,
+    facts: ModelFacts,
+    pub(crate) drawn: DrawnStates,
 }
 
 /// The model with the largest or smallest value, and that value.
-type Best = Option<(f64, Rc<Candidate>)>;
+type BestCandidate = Option<(f64, Rc<Candidate>)>;
 
 /// Models that may be drawn, at most one for each reason, so that a page of any size keeps few.
 #[derive(Default)]
-pub(crate) struct Chosen {
+pub(crate) struct ChosenModels {
     models: usize,
     most_found: Option<((usize, usize), Rc<Candidate>)>,
-    deepest: Best,
-    shallowest: Best,
-    heaviest: Best,
-    lightest: Best,
+    deepest: BestCandidate,
+    shallowest: BestCandidate,
+    heaviest: BestCandidate,
+    lightest: BestCandidate,
     contacts: HashMap<String, (usize, Rc<Candidate>)>,
     findings: BTreeMap<(FindingCode, Severity), (usize, Rc<Candidate>)>,
 }
 
-impl Chosen {
+impl ChosenModels {
     /// Considers the next model, in the order of the page.
-    pub(crate) fn offer(&mut self, number: usize, model: &str, facts: &Facts, drawn: Drawn) {
+    pub(crate) fn offer(&mut self, number: usize, model: &str, facts: &ModelFacts, drawn: DrawnStates) {
         if drawn.bodies.is_empty() && drawn.feet.is_empty() {
             return;
         }
@@ -211,7 +211,12 @@ impl Chosen {
     }
 }
 
-fn replace_if_better(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, better: fn(f64, f64) -> bool) {
+fn replace_if_better(
+    best: &mut BestCandidate,
+    value: Option<f64>,
+    one: &Rc<Candidate>,
+    better: fn(f64, f64) -> bool,
+) {
     if let Some(value) = value
         && best.as_ref().is_none_or(|(old, _)| better(value, *old))
     {
@@ -222,7 +227,7 @@ fn replace_if_better(best: &mut Best, value: Option<f64>, one: &Rc<Candidate>, b
 /// Adds the models at both ends of a range as reasons, if the ends differ.
 fn add_both_extremes<'c>(
     reasons: &mut Vec<(&'c Candidate, String)>,
-    (highest, lowest): (&'c Best, &'c Best),
+    (highest, lowest): (&'c BestCandidate, &'c BestCandidate),
     why: impl Fn(f64, bool) -> String,
 ) {
     if let (Some((high, first)), Some((low, last))) = (highest, lowest)
@@ -239,22 +244,22 @@ mod tests {
 
     use super::*;
 
-    fn offer(chosen: &mut Chosen, number: usize, mass_kg: f64, code: Option<FindingCode>) {
+    fn offer(chosen: &mut ChosenModels, number: usize, mass_kg: f64, code: Option<FindingCode>) {
         let why = Failure::outside("a", "plot", "not known".to_owned());
         let body = ContactBody::without_weight(format!("model {number}"), Vec::new(), &why);
-        let facts = Facts {
+        let facts = ModelFacts {
             mass_kg: Some(mass_kg),
             codes: code.map(|code| (code, Severity::Error)).into_iter().collect(),
             contact: Some("x/R = 0.1".to_owned()),
-            ..Facts::default()
+            ..ModelFacts::default()
         };
-        let drawn = Drawn { bodies: vec![body], ..Drawn::default() };
+        let drawn = DrawnStates { bodies: vec![body], ..DrawnStates::default() };
         chosen.offer(number, &format!("model {number}"), &facts, drawn);
     }
 
     #[test]
     fn special_models_are_drawn_and_not_the_first() {
-        let mut chosen = Chosen::default();
+        let mut chosen = ChosenModels::default();
         for number in 1..=40 {
             let code = (number == 30).then_some(FindingCode::Floats);
             #[expect(clippy::cast_precision_loss, reason = "a small number")]

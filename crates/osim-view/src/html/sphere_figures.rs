@@ -18,7 +18,7 @@ pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and rest
 const MAX_COLUMNS: usize = 6;
 
 /// The model's figures in one state, and what to call it.
-pub(super) struct State<'s> {
+pub(super) struct ModelState<'s> {
     pub(super) name: String,
     pub(super) figures: &'s Figures,
     /// Whether the state is that of another body, whose spheres may have other names.
@@ -26,7 +26,7 @@ pub(super) struct State<'s> {
 }
 
 /// The spheres of a state, to be looked up.
-struct Lookup<'s> {
+struct SphereLookup<'s> {
     by_path: HashMap<&'s str, &'s SphereFigures>,
     /// Spheres of a reference by name.
     by_name: HashMap<&'s str, &'s SphereFigures>,
@@ -34,8 +34,8 @@ struct Lookup<'s> {
     any: Option<&'s SphereFigures>,
 }
 
-impl<'s> Lookup<'s> {
-    fn of(state: &State<'s>) -> Self {
+impl<'s> SphereLookup<'s> {
+    fn of(state: &ModelState<'s>) -> Self {
         let mut lookup = Self { by_path: HashMap::new(), by_name: HashMap::new(), any: None };
         for sphere in state.figures.spheres() {
             lookup.by_path.entry(&sphere.path).or_insert(sphere);
@@ -60,7 +60,7 @@ impl<'s> Lookup<'s> {
 }
 
 /// Spheres with equal figures in every state.
-struct Group<'s> {
+struct SphereGroup<'s> {
     names: Vec<&'s str>,
     limbs: Vec<&'s str>,
     /// One of the spheres in each state.
@@ -69,7 +69,7 @@ struct Group<'s> {
 }
 
 /// Adds the section about the spheres; a sentence says why figures are missing.
-pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
+pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
     let groups = groups(states);
     let groups_per_table = (MAX_COLUMNS / states.len().max(1)).max(1);
     let why =
@@ -99,7 +99,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[State<'_>]) {
 }
 
 /// The table of spheres at their own heights; nothing if all are level.
-fn own_heights_table(state: &State<'_>) -> Markup {
+fn own_heights_table(state: &ModelState<'_>) -> Markup {
     let rows: Vec<Markup> = equally_deep(state.figures, Extent::Brief)
         .iter()
         .map(|row| {
@@ -119,10 +119,10 @@ fn own_heights_table(state: &State<'_>) -> Markup {
     table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
 }
 
-fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
-    let mut groups: Vec<Group<'s>> = Vec::new();
+fn groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
+    let mut groups: Vec<SphereGroup<'s>> = Vec::new();
     let Some(first) = states.first() else { return groups };
-    let lookups: Vec<Lookup<'s>> = states.iter().map(Lookup::of).collect();
+    let lookups: Vec<SphereLookup<'s>> = states.iter().map(SphereLookup::of).collect();
     let mut places: HashMap<Vec<String>, usize> = HashMap::new();
     let mut limbs: HashSet<(usize, &str)> = HashSet::new();
     for limb in &first.figures.limbs {
@@ -143,7 +143,12 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
                     group.limbs.extend(is_new.then_some(limb));
                 }
                 None => {
-                    groups.push(Group { names: vec![&sphere.sphere], limbs: vec![limb], spheres, mixed });
+                    groups.push(SphereGroup {
+                        names: vec![&sphere.sphere],
+                        limbs: vec![limb],
+                        spheres,
+                        mixed,
+                    });
                 }
             }
         }
@@ -151,7 +156,7 @@ fn groups<'s>(states: &'s [State<'s>]) -> Vec<Group<'s>> {
     groups
 }
 
-fn names_with_limbs(group: &Group<'_>) -> String {
+fn names_with_limbs(group: &SphereGroup<'_>) -> String {
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
     format!("{}{limbs}", listed_names(&group.names))
@@ -159,8 +164,8 @@ fn names_with_limbs(group: &Group<'_>) -> String {
 
 fn figures_table(
     fragment: &mut Fragment,
-    states: &[State<'_>],
-    groups: &[Group<'_>],
+    states: &[ModelState<'_>],
+    groups: &[SphereGroup<'_>],
     first: usize,
     outside: &mut bool,
 ) -> Markup {
@@ -205,7 +210,7 @@ fn figure_row(
     fragment: &mut Fragment,
     figure: Figure,
     speed: Option<f64>,
-    groups: &[Group<'_>],
+    groups: &[SphereGroup<'_>],
     outside: &mut bool,
 ) -> Markup {
     let name = heading(figure, speed, Extent::Brief);

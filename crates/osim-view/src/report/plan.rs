@@ -257,14 +257,14 @@ pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> S
     }
     let mut config = UnifiedDiffConfig::default();
     config.context_len(CONTEXT_LINES);
-    let lines = diff.unified_diff(&Lines(&input.interner), config, &input).to_string();
+    let lines = diff.unified_diff(&DiffLines(&input.interner), config, &input).to_string();
     format!("--- {old_name}\n+++ {new_name}\n{lines}")
 }
 
 /// Prints lines as `diff -u` does.
-struct Lines<'i>(&'i Interner<&'i str>);
+struct DiffLines<'i>(&'i Interner<&'i str>);
 
-impl Lines<'_> {
+impl DiffLines<'_> {
     fn line(&self, f: &mut impl fmt::Write, sign: char, token: Token) -> fmt::Result {
         let line = self.0[token];
         write!(f, "{sign}{line}")?;
@@ -285,7 +285,7 @@ impl fmt::Display for LineRange {
     }
 }
 
-impl UnifiedDiffPrinter for Lines<'_> {
+impl UnifiedDiffPrinter for DiffLines<'_> {
     fn display_header(
         &self,
         mut f: impl fmt::Write,

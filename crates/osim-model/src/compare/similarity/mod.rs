@@ -108,9 +108,9 @@ impl Similarity {
     }
 }
 
-type Identity<'v> = (SizedKind, &'v str, (&'static str, usize));
+type NumberIdentity<'v> = (SizedKind, &'v str, (&'static str, usize));
 
-fn by_identity(values: &[SizedValue]) -> HashMap<Identity<'_>, f64> {
+fn by_identity(values: &[SizedValue]) -> HashMap<NumberIdentity<'_>, f64> {
     let mut value_by_identity = HashMap::new();
     for one in values {
         // Of two objects of one name the first counts, as for OpenSim.
@@ -175,7 +175,10 @@ fn is_same(factor: f64) -> bool {
 }
 
 /// How `values` changed against the `others`, and each factor.
-fn compared(values: &[&SizedValue], others: &HashMap<Identity<'_>, f64>) -> (ComparedFactors, Vec<f64>) {
+fn compared(
+    values: &[&SizedValue],
+    others: &HashMap<NumberIdentity<'_>, f64>,
+) -> (ComparedFactors, Vec<f64>) {
     let other = |one: &&&SizedValue| others.get(&(one.kind, one.owner.as_str(), one.part)).copied();
     let pairs: Vec<(f64, f64)> = values.iter().filter_map(|one| Some((one.value, other(&one)?))).collect();
     let factors: Vec<f64> = pairs

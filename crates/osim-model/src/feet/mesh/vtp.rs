@@ -112,41 +112,41 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
         return Err(MeshFault::NotUnderstood(fault));
     }
     match content(tree, array, coding)? {
-        Content::Text(text) => triples(words(&text), "the points"),
-        Content::Bytes(bytes) => binary(&bytes, &attribute("type"), coding),
+        ArrayContent::Text(text) => triples(words(&text), "the points"),
+        ArrayContent::Bytes(bytes) => binary(&bytes, &attribute("type"), coding),
     }
 }
 
 /// The places among points that an array lists.
 fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
     match content(tree, array, coding)? {
-        Content::Text(text) => {
+        ArrayContent::Text(text) => {
             let broken = |word: &str| {
                 MeshFault::NotUnderstood(format!("{:?} among the polygons is not a number", shortened(word)))
             };
             words(&text).map(|word| word.parse().map_err(|_| broken(word))).collect()
         }
-        Content::Bytes(bytes) => {
+        ArrayContent::Bytes(bytes) => {
             decode_integers(&bytes, &tree.attribute(array, "type").unwrap_or_default(), coding)
         }
     }
 }
 
 /// The content of an array, as the file has it.
-enum Content<'t> {
+enum ArrayContent<'t> {
     Text(Cow<'t, str>),
     Bytes(Vec<u8>),
 }
 
-fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<Content<'t>, MeshFault> {
+fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<ArrayContent<'t>, MeshFault> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
-        "ascii" | "" => Ok(Content::Text(tree.text_of(array))),
-        "binary" => coding.decode_text(trimmed(&tree.text_of(array))).map(Content::Bytes),
+        "ascii" | "" => Ok(ArrayContent::Text(tree.text_of(array))),
+        "binary" => coding.decode_text(trimmed(&tree.text_of(array))).map(ArrayContent::Bytes),
         "appended" => {
             let offset = attribute("offset").parse();
             let offset = offset.map_err(|_| MeshFault::NotUnderstood("its points have no offset".into()))?;
-            coding.decode_appended(offset).map(Content::Bytes)
+            coding.decode_appended(offset).map(ArrayContent::Bytes)
         }
         other => {
             Err(MeshFault::Unsupported(format!("points in format=\"{}\" are not read", shortened(other))))

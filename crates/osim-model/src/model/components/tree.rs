@@ -75,7 +75,7 @@ pub struct ComponentTree {
 }
 
 #[derive(Clone, Copy)]
-enum Role {
+enum ElementRole {
     /// No element below is an object.
     Nothing,
     Object(ComponentId),
@@ -96,42 +96,44 @@ impl ComponentTree {
     ) {
         self.by_name = OnceLock::new();
         let (tree, is_model) = (document.tree(), document.is_model());
-        let mut roles = vec![Role::Nothing; tree.element_count()];
+        let mut roles = vec![ElementRole::Nothing; tree.element_count()];
         let mut seen: HashSet<(ComponentId, &str)> = HashSet::new();
         // Most elements are properties of properties: they cost no look.
         tree.walk(document.data_root(), |id| {
             let Some(parent) = tree.parent(id) else { return false };
             let is_root = id == document.data_root();
-            let above = roles.get(parent.index()).copied().unwrap_or(Role::Nothing);
+            let above = roles.get(parent.index()).copied().unwrap_or(ElementRole::Nothing);
             let tag = tree.name(id);
             // The objects of another file become children of this element once that file is added.
             let role = if document.file_of(id).is_some() {
-                Role::Nothing
+                ElementRole::Nothing
             } else if is_root {
-                Role::Object(self.push_root(file, document, mount))
+                ElementRole::Object(self.push_root(file, document, mount))
             } else if is_model && parent == document.data_root() && !counted.includes(tag) {
-                Role::Nothing
+                ElementRole::Nothing
             } else {
                 match above {
-                    Role::Nothing => Role::Nothing,
-                    Role::Components(_) if !classes::is_component_class(tag) => {
+                    ElementRole::Nothing => ElementRole::Nothing,
+                    ElementRole::Components(_) if !classes::is_component_class(tag) => {
                         self.skipped.push((file, id));
-                        Role::Nothing
+                        ElementRole::Nothing
                     }
-                    Role::Items(owner) | Role::Components(owner) => {
+                    ElementRole::Items(owner) | ElementRole::Components(owner) => {
                         // OpenSim calls a component without a name after its class.
                         let name = name_in_paths(document, id);
                         let segment = if name.is_empty() { tag.to_lowercase().into() } else { name.into() };
-                        let is_member = matches!(above, Role::Components(_));
-                        Role::Object(self.push(file, id, Some(owner), segment, is_member))
+                        let is_member = matches!(above, ElementRole::Components(_));
+                        ElementRole::Object(self.push(file, id, Some(owner), segment, is_member))
                     }
-                    Role::Object(owner) => self.role_of_property(file, document, id, tag, owner, &mut seen),
+                    ElementRole::Object(owner) => {
+                        self.role_of_property(file, document, id, tag, owner, &mut seen)
+                    }
                 }
             };
             if let Some(slot) = roles.get_mut(id.index()) {
                 *slot = role;
             }
-            !matches!(role, Role::Nothing)
+            !matches!(role, ElementRole::Nothing)
         });
         self.number_siblings();
     }
@@ -159,7 +161,7 @@ impl ComponentTree {
         tag: &'d str,
         owner: ComponentId,
         seen: &mut HashSet<(ComponentId, &'d str)>,
-    ) -> Role {
+    ) -> ElementRole {
         let tree = document.tree();
         let owner_tag = self.get(owner).map(|object| tree.name(object.element)).unwrap_or_default();
         let holds_items = match tag {
@@ -176,13 +178,17 @@ impl ComponentTree {
         let is_ground = tag == "Ground" && owner_tag == "Model";
         // OpenSim reads the first of duplicated properties.
         if !(holds_items || is_set || is_ground) || !seen.insert((owner, tag)) {
-            return Role::Nothing;
+            return ElementRole::Nothing;
         }
         if holds_items {
-            return if tag == "components" { Role::Components(owner) } else { Role::Items(owner) };
+            return if tag == "components" {
+                ElementRole::Components(owner)
+            } else {
+                ElementRole::Items(owner)
+            };
         }
         // Sets (and ground) are called after their class, whatever name their element has.
-        Role::Object(self.push(file, id, Some(owner), tag.to_lowercase().into(), false))
+        ElementRole::Object(self.push(file, id, Some(owner), tag.to_lowercase().into(), false))
     }
 
     fn push(

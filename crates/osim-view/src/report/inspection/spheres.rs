@@ -152,7 +152,7 @@ const MOST_NAMES_LISTED: usize = 6;
 const UNKNOWN_FIGURE: &str = "-  ";
 
 /// Spheres that do the same, wherever they are.
-struct Alike<'a> {
+struct AlikeSpheres<'a> {
     names: Vec<&'a str>,
     first: &'a SphereFigures,
     mixed: bool,
@@ -202,8 +202,8 @@ fn standing(inspected: &Inspection, extent: Extent) -> String {
     format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
 }
 
-fn groups(inspected: &Inspection, extent: Extent) -> Vec<Alike<'_>> {
-    let mut groups: Vec<Alike<'_>> = Vec::new();
+fn groups(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
+    let mut groups: Vec<AlikeSpheres<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for limb in &inspected.figures.limbs {
         let mixed = limb.is_mixed();
@@ -212,14 +212,14 @@ fn groups(inspected: &Inspection, extent: Extent) -> Vec<Alike<'_>> {
             let place = *exact.entry(exact_key(sphere, extent)).or_insert_with(found);
             match groups.get_mut(place) {
                 Some(group) => group.names.push(&sphere.sphere),
-                None => groups.push(Alike { names: vec![&sphere.sphere], first: sphere, mixed }),
+                None => groups.push(AlikeSpheres { names: vec![&sphere.sphere], first: sphere, mixed }),
             }
         }
     }
     groups
 }
 
-fn sheet(inspected: &Inspection, groups: &[Alike<'_>], before: usize, extent: Extent) -> String {
+fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, extent: Extent) -> String {
     let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
     let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
     let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
@@ -250,7 +250,7 @@ fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
 // A model's spheres as CSV: one row per sphere that stands, numbers in full.
 
 /// Where a value comes from: the model, the limb, the sphere, and the force that presses it.
-struct Place<'p> {
+struct SpherePlace<'p> {
     model: &'p Inspection,
     limb: &'p LimbFigures,
     sphere: &'p SphereFigures,
@@ -264,7 +264,7 @@ fn number_text(value: Option<f64>) -> String {
 }
 
 /// A function that gives a cell.
-type Cell = fn(&Place<'_>) -> String;
+type Cell = fn(&SpherePlace<'_>) -> String;
 
 /// Columns that say which model, limb and sphere a row is about.
 const PLACE_COLUMNS: [(&str, Cell); 12] = [
@@ -308,7 +308,7 @@ fn header() -> Vec<String> {
     place.chain(parameters).chain(figures).chain(LAST_COLUMNS.map(str::to_owned)).collect()
 }
 
-fn cells(place: &Place<'_>) -> Vec<String> {
+fn cells(place: &SpherePlace<'_>) -> Vec<String> {
     let parameter = |property| number_text(place.force.and_then(|force| force.parameters.get(property)));
     let figures = Figure::ALL.iter().map(|&figure| number_text(place.sphere.value(figure)));
     let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
@@ -346,7 +346,7 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
         let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
         let first = sphere.forces.iter().filter_map(presses).min();
         let force = first.and_then(|at| inspected.forces.get(at));
-        cells(&Place { model: inspected, limb, sphere, force, findings: &findings })
+        cells(&SpherePlace { model: inspected, limb, sphere, force, findings: &findings })
     });
     csv_text(header.into_iter().chain(rows))
 }
