@@ -11,7 +11,7 @@ const MOUSE = given("table1/mouse_smooth_sphere.osim", "mouse.osim");
 const WIDTHS = [360, 1280, 1920];
 const SCHEMES = ["light", "dark"];
 // What depends on the width is found in one scheme, and what depends on colours at one width.
-const FULL = [[360, "light"], [1280, "dark"], [1920, "light"]];
+const SCREENS_IN_FULL = [[360, "light"], [1280, "dark"], [1920, "light"]];
 
 const SCREENS = {
   "the empty page": async () => undefined,
@@ -83,7 +83,7 @@ for (const [name, show] of Object.entries(SCREENS)) {
       await page.setViewportSize({ width, height: 900 });
       assert.deepEqual(await sticksOut(page), [], `at ${width} pixels`);
       for (const scheme of SCHEMES) {
-        const full = FULL.some(([wide, colours]) => wide === width && colours === scheme);
+        const full = SCREENS_IN_FULL.some(([wide, colours]) => wide === width && colours === scheme);
         if (!full && width !== WIDTHS[1]) continue;
         await page.emulateMedia({ colorScheme: scheme });
         assert.deepEqual(await axeFindings(page, full ? undefined : ["color-contrast"]), [], `${scheme}, ${width} pixels`);

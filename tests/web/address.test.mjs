@@ -16,11 +16,11 @@ inChromium("what the form says is in the address", async (user) => {
   await user.field("Level bottoms").check();
   await user.tick("Properties that change", "radius", "stiffness");
   await user.settled();
-  assert.equal(hash(user), "#rescale?target_mass=500&only=radius&only=stiffness&level=true");
+  assert.equal(fragmentOfAddress(user), "#rescale?target_mass=500&only=radius&only=stiffness&level=true");
   await user.verb("Set");
   await user.field("stiffness").fill("x2");
   await user.settled();
-  assert.equal(decodeURIComponent(hash(user)), "#set?set=stiffness=x2");
+  assert.equal(decodeURIComponent(fragmentOfAddress(user)), "#set?set=stiffness=x2");
 });
 
 inChromium("an address fills the form in, before a model is there", { hash: "#rescale?target_mass=500&level=true&only=stiffness" },
@@ -87,6 +87,6 @@ inChromium("the page works from a server as it does from a folder", { limit: 60_
   await server.end();
 });
 
-function hash(user) {
+function fragmentOfAddress(user) {
   return new URL(user.page.url()).hash;
 }

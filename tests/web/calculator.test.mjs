@@ -9,12 +9,12 @@ const WANTED = Object.entries({
   "Radius (m)": "0.03", "Mass of the model (kg)": "70", "Spheres that share the body weight": "4",
   "Relative indentation": "0.16", "Coefficient of restitution": "0.8", "Impact speed (m/s)": "0.4",
 });
-const WORDS = ["design", "--radius", "0.03", "--mass", "70", "--spheres", "4", "--indentation", "0.16", "--restitution", "0.8",
+const CALL_WORDS = ["design", "--radius", "0.03", "--mass", "70", "--spheres", "4", "--indentation", "0.16", "--restitution", "0.8",
   "--impact-speed", "0.4"];
 
 inChromium("numbers are the command's, and follow what is typed", async (user) => {
-  const calculator = await opened(user);
-  await fill(user, calculator);
+  const calculator = await openCalculator(user);
+  await fillCalculator(user, calculator);
   await user.button("Calculate", calculator).click();
   const table = calculator.getByRole("table", { name: "What follows for one contact sphere." });
   await table.waitFor();
@@ -33,8 +33,8 @@ inChromium("numbers are the command's, and follow what is typed", async (user) =
 });
 
 inChromium("equations of the calculator are explained", async (user) => {
-  const calculator = await opened(user);
-  await fill(user, calculator);
+  const calculator = await openCalculator(user);
+  await fillCalculator(user, calculator);
   await user.button("Calculate", calculator).click();
   await calculator.getByRole("link", { name: "(11)" }).first().click();
   await user.page.getByRole("dialog", { name: "Explanation" }).getByText(/11/).first().waitFor();
@@ -43,24 +43,24 @@ inChromium("equations of the calculator are explained", async (user) => {
 });
 
 inChromium("what is missing is said, and answered in a field", async (user) => {
-  const calculator = await opened(user);
+  const calculator = await openCalculator(user);
   await calculator.getByLabel("Relative indentation").fill("0.16");
   await user.button("Calculate", calculator).click();
   await calculator.getByRole("alert").filter({ hasText: /^error / }).waitFor();
-  await fill(user, calculator);
+  await fillCalculator(user, calculator);
   await calculator.getByRole("table").waitFor();
 });
 
 inChromium("the calculator closes and keeps what was typed", async (user) => {
-  const calculator = await opened(user);
-  await fill(user, calculator);
+  const calculator = await openCalculator(user);
+  await fillCalculator(user, calculator);
   await user.button("Calculate without a model").click();
   await calculator.waitFor({ state: "hidden" });
   await user.button("Calculate without a model").click();
   assert.equal(await calculator.getByLabel("Relative indentation").inputValue(), "0.16");
 });
 
-async function opened(user) {
+async function openCalculator(user) {
   await user.button("Calculate without a model").click();
   const calculator = user.region("Calculate without a model");
   await calculator.waitFor();
@@ -70,7 +70,7 @@ async function opened(user) {
   return calculator;
 }
 
-async function fill(user, calculator) {
+async function fillCalculator(user, calculator) {
   for (const [label, text] of WANTED) {
     // A question has the same field once more, below the form.
     await calculator.getByLabel(label, { exact: true }).first().fill(text);

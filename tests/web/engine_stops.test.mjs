@@ -16,14 +16,14 @@ testWith({}, "after a stop of the engine, what is open stays, and work goes on",
   await user.field("Target mass (kg)").fill("500");
   await user.done("human.scaled.osim");
   await user.keep("human.scaled.osim");
-  await trap(user, true);
+  await trapEngine(user, true);
   await user.verb("Set");
   await user.field("stiffness").fill("x2");
   await user.page.getByRole("alert").filter({ hasText: /defect|stopped/ }).first().waitFor();
   await user.region("human.scaled.osim").waitFor();
   assert.equal(await user.field("stiffness").inputValue(), "x2");
   // The next question is answered.
-  await trap(user, false);
+  await trapEngine(user, false);
   await user.field("stiffness").fill("x3");
   const [changed] = await user.downloads(await user.done("human.scaled.scaled.osim"));
   assert.ok(changed.bytes.length > 10_000);
@@ -42,7 +42,7 @@ async function withTrap() {
   return new User(page, context, watched);
 }
 
-async function trap(user, trapped) {
+async function trapEngine(user, trapped) {
   for (const worker of user.page.workers()) await worker.evaluate((yes) => (self.trapped = yes), trapped);
 }
 

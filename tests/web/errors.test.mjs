@@ -8,14 +8,14 @@ import { given } from "./support/places.mjs";
 import { downloadsWhatTheCommandMakes } from "./support/same.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
-const BROKEN = ["truncated", "tags_crossed", "attribute_unquoted", "two_roots", "empty", "utf16"];
+const BROKEN_MODELS = ["truncated", "tags_crossed", "attribute_unquoted", "two_roots", "empty", "utf16"];
 
 inChromium("a broken file shows file, line, column and the marked place, as the command does", { limit: 90_000 }, async (user) => {
-  for (const name of BROKEN) {
+  for (const name of BROKEN_MODELS) {
     const file = given(`bad/${name}.osim`);
     const { line, column, message, marked } = await commandsError(file);
     await user.choose([file]);
-    if (name !== BROKEN[0]) await user.button(file.name).click();
+    if (name !== BROKEN_MODELS[0]) await user.button(file.name).click();
     const alert = user.region(file.name).getByRole("alert");
     await alert.waitFor();
     const text = await alert.innerText();

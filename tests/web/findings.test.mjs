@@ -8,26 +8,26 @@ import { given } from "./support/places.mjs";
 
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 const SUNK_IN = given("check/sunk_in.osim");
-const APPLY = /^Apply: Design the contacts: relative indentation/;
+const APPLY_BUTTON = /^Apply: Design the contacts: relative indentation/;
 
 inChromium("a remedy is applied by its button, shows what it changed, and the finding is gone", async (user) => {
   await user.open(SUNK_IN);
-  const before = await findings(user, "sunk_in.osim");
+  const before = await findingsOf(user, "sunk_in.osim");
   assert.ok(before.includes("sunk-in"));
-  await user.button(APPLY).click();
+  await user.button(APPLY_BUTTON).click();
   await user.opened("sunk_in.scaled.osim");
   const done = user.region(/^Done: /);
   await done.waitFor();
   assert.equal(await user.page.evaluate(() => document.activeElement.textContent.startsWith("Done: ")), true);
   await done.getByText("What it changed").click();
   await done.getByRole("table", { name: /^Numbers that change/ }).getByRole("row", { name: /^stiffness/ }).waitFor();
-  const after = await findings(user, "sunk_in.scaled.osim");
+  const after = await findingsOf(user, "sunk_in.scaled.osim");
   assert.ok(!after.includes("sunk-in"), after.join());
 });
 
 inChromium("what a remedy made is the command's file", async (user) => {
   await user.open(SUNK_IN);
-  await user.button(APPLY).click();
+  await user.button(APPLY_BUTTON).click();
   await user.opened("sunk_in.scaled.osim");
   const [download] = await user.downloads(user.button("Download sunk_in.scaled.osim", user.acts));
   const folder = new Folder(SUNK_IN);
@@ -104,6 +104,6 @@ inChromium("two changes in a row are two steps, and one can go back to each", as
 });
 
 /** The codes of the findings of a model. */
-async function findings(user, name) {
+async function findingsOf(user, name) {
   return user.region(name).getByRole("listitem", { includeHidden: true }).getByRole("link", { includeHidden: true }).allTextContents();
 }

@@ -38,7 +38,7 @@ inChromium("from opening a file to the download, without a pointer", async (user
 
 inChromium("the first key leads past the head of the page", async (user) => {
   await user.page.keyboard.press("Tab");
-  assert.equal(await focused(user), "Skip to the content");
+  assert.equal(await focusedElement(user), "Skip to the content");
   const isVisible = await user.page.evaluate(() => document.activeElement.getBoundingClientRect().top >= 0);
   assert.equal(isVisible, true);
   await user.page.keyboard.press("Enter");
@@ -71,7 +71,7 @@ inChromium("a remedy, its undoing and the explanation of a finding", async (user
   await page.keyboard.press("Enter");
   await page.getByRole("dialog", { name: "Explanation" }).waitFor();
   await page.keyboard.press("Escape");
-  assert.equal(await focused(user), "sunk-in", "the focus is where it was");
+  assert.equal(await focusedElement(user), "sunk-in", "the focus is where it was");
   await tabTo(user, /^Apply: Design/);
   await page.keyboard.press("Enter");
   await user.opened("sunk_in.scaled.osim");
@@ -85,7 +85,7 @@ async function tabTo(user, name, key = "Tab") {
   const passed = [];
   for (let count = 0; count < 120; count += 1) {
     await user.page.keyboard.press(key);
-    const now = await focused(user);
+    const now = await focusedElement(user);
     if (typeof name === "string" ? now === name : name.test(now)) return;
     passed.push(now);
   }
@@ -93,7 +93,7 @@ async function tabTo(user, name, key = "Tab") {
 }
 
 /** The name of what has the focus, as a screen reader says it. */
-function focused(user) {
+function focusedElement(user) {
   return user.page.evaluate(() => {
     const one = document.activeElement;
     return (one.ariaLabel ?? one.labels?.[0]?.textContent ?? one.textContent).trim().replace(/\s+/g, " ");

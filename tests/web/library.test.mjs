@@ -18,7 +18,7 @@ inChromium("models are changed to masses of their own, and the archive has what 
   await user.field("Target mass (kg)").fill("80");
   await user.button("What would change in all", library).click();
   await user.announced("3 of 3 models would change");
-  assert.deepEqual((await outcomes(library)).map((text) => /^stiffness ×/.test(text)), [true, true, true]);
+  assert.deepEqual((await outcomesOfModels(library)).map((text) => /^stiffness ×/.test(text)), [true, true, true]);
   const [zip] = await user.downloads(user.button("Change all and download a ZIP", library));
   assert.equal(zip.name, "models.zip");
   const files = unzipped(zip.bytes);
@@ -38,7 +38,7 @@ inChromium("a model that fails is a row with an error, and not in the archive", 
   await library.getByLabel("Target mass of mouse.osim (kg)").fill("0.03");
   const [zip] = await user.downloads(user.button("Change all and download a ZIP", library));
   await user.announced(/1 failed and (is|are) not in it/);
-  assert.match((await outcomes(library))[3], /^error stiffness is 'abc', expected a number/);
+  assert.match((await outcomesOfModels(library))[3], /^error stiffness is 'abc', expected a number/);
   assert.deepEqual([...unzipped(zip.bytes).keys()].sort(), ["horse.scaled.osim", "human_62kg.scaled.osim", "mouse.scaled.osim"]);
 });
 
@@ -68,7 +68,7 @@ inChromium("equal results give equal archives", async (user) => {
   assert.ok(one.bytes.equals(other.bytes));
 });
 
-async function outcomes(library) {
+async function outcomesOfModels(library) {
   const rows = await library.getByRole("row").filter({ has: library.page().getByRole("rowheader") }).all();
   return Promise.all(rows.map((row) => row.locator(".outcome").textContent()));
 }

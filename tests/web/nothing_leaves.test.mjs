@@ -28,7 +28,7 @@ const NEVER_TRIED = ["speculation", "worker", "shared-worker", "webtransport", "
 const GOVERNED = NAMES.filter((name) => ![...GUARDED, ...LEAVES_THE_PAGE].includes(name));
 
 testWith({}, "without the policy, the listener is reached by every way", async () => {
-  const reached = await tried(NAMES, () => "", "");
+  const reached = await requestsHeard(NAMES, () => "", "");
   const silent = NAMES.filter((name) => !reached.some((line) => line.includes(`/${name}`)) && !NEVER_TRIED.includes(name));
   // A TURN server is asked in a protocol without names.
   assert.deepEqual(silent.filter((name) => name !== "turn-server"), []);
@@ -36,11 +36,11 @@ testWith({}, "without the policy, the listener is reached by every way", async (
 });
 
 testWith({}, "with the policy, nothing that it governs reaches the listener", async () => {
-  assert.deepEqual(await tried(GOVERNED, policyElement), []);
+  assert.deepEqual(await requestsHeard(GOVERNED, policyElement), []);
 });
 
 testWith({}, "with the policy and the guard, no window is opened and no peer is called", async () => {
-  assert.deepEqual(await tried(GUARDED, policyElement), []);
+  assert.deepEqual(await requestsHeard(GUARDED, policyElement), []);
 });
 
 inChromium("the page has this policy, before anything else", async (user) => {
@@ -76,7 +76,7 @@ inChromium("the page keeps nothing: no cookies, no storage, no caches", async (u
 });
 
 /** The requests that reached a listener when a page whose head begins with `element` tried these ways, after a click. */
-async function tried(names, element, guard = GUARD) {
+async function requestsHeard(names, element, guard = GUARD) {
   const listener = await listen();
   const folder = mkdtempSync(join(tmpdir(), "osim-web-leak-"));
   const script = waysOut(listener.host, names);

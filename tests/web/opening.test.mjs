@@ -78,7 +78,7 @@ inChromium("a force set is opened with its geometry", async (user) => {
 });
 
 inChromium("a model with a part in another file says that it is missing, and is whole once it is there", async (user) => {
-  const { model, part } = inTwoFiles();
+  const { model, part } = modelInTwoFiles();
   await user.choose([model]);
   await user.page.getByText(/parts\/bodies\.xml/).first().waitFor();
   await user.drop(part);
@@ -87,7 +87,7 @@ inChromium("a model with a part in another file says that it is missing, and is 
 });
 
 inChromium("a folder is opened with what is in it, also what models take from other folders of it", async (user) => {
-  const { model, part } = inTwoFiles();
+  const { model, part } = modelInTwoFiles();
   const folder = new Folder({ ...model, name: `lab/${model.name}` }, { ...part, name: `lab/${part.name}` });
   await user.choose(join(folder.path, "lab"), user.button("Open a folder…"));
   const region = await user.opened(`lab/${model.name}`);
@@ -103,7 +103,7 @@ inChromium("a published model is opened", { corpus: true }, async (user) => {
 });
 
 /** A model whose bodies are in a file of another folder. */
-function inTwoFiles() {
+function modelInTwoFiles() {
   const [before, rest] = HUMAN.bytes.toString().split("<BodySet");
   const [bodies, after] = rest.split("</BodySet>");
   const model = `${before}<BodySet file="../parts/bodies.xml" />${after}`;

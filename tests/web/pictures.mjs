@@ -20,7 +20,7 @@ const PICTURES = {
       await user.page.waitForTimeout(3500);
     },
   },
-  model: { width: 1040, height: 640, show: async (user) => at(user, await opened(user)) },
+  model: { width: 1040, height: 640, show: async (user) => scrollToTop(user, await openModel(user)) },
   rescaled: {
     width: 1040, height: 640,
     show: async (user) => {
@@ -41,7 +41,7 @@ const PICTURES = {
       await user.done("scaled.scaled.osim");
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
       await user.page.waitForTimeout(10_500);
-      await at(user, user.region("scaled.osim"));
+      await scrollToTop(user, user.region("scaled.osim"));
     },
   },
   bare: {
@@ -63,7 +63,7 @@ const PICTURES = {
       await user.button("What would change in all").click();
       await user.announced(/would change/);
       await user.page.waitForTimeout(10_500);
-      await at(user, user.region("40 models"));
+      await scrollToTop(user, user.region("40 models"));
     },
   },
   recording: {
@@ -74,12 +74,12 @@ const PICTURES = {
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
       await user.page.getByRole("slider", { name: "Time of the motion" }).fill("90");
       await user.page.waitForTimeout(10_500);
-      await at(user, user.region("The body"));
+      await scrollToTop(user, user.region("The body"));
     },
   },
 };
 
-async function opened(user) {
+async function openModel(user) {
   await user.open(HUMAN);
   await user.settled();
   // What happened last is not in the picture any more.
@@ -88,7 +88,7 @@ async function opened(user) {
 }
 
 /** Scrolls so that a region begins at the top. */
-function at(user, region) {
+function scrollToTop(user, region) {
   return region.evaluate((one) => scrollTo(0, one.getBoundingClientRect().top + scrollY - 8));
 }
 

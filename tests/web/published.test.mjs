@@ -29,7 +29,7 @@ inChromium("all verbs on all published models", { corpus: true, limit: 120_000 }
       const rows = await rowsOf(user, count);
       assert.equal(rows.length, models.length);
       const problems = [];
-      for (const row of rows) problems.push(...(await compared(folder, verb, row, files)));
+      for (const row of rows) problems.push(...(await compareVerb(folder, verb, row, files)));
       assert.deepEqual(problems, []);
       assert.equal(files.size, 0, `nothing else is in the archive: ${[...files.keys()]}`);
       tallies.push(rows.filter(({ message }) => !message).length);
@@ -51,7 +51,7 @@ async function rowsOf(user, title) {
 }
 
 /** How page and command differ about one model; its file is taken out of `files`. */
-async function compared(folder, { name: verb, words }, { model, message, place, outcome }, files) {
+async function compareVerb(folder, { name: verb, words }, { model, message, place, outcome }, files) {
   const result = model.replace(/\.osim$/, ".scaled.osim");
   // Into another folder the command writes what needs no change, too: all results are there, as in the archive.
   const refused = refusal(await folder.run(verb, model, ...words, "--format", "json", "-d", "out"));

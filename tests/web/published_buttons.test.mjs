@@ -10,9 +10,9 @@ import { refusal, sameReason } from "./support/refusals.mjs";
 import { fillIn, VERBS } from "./support/verbs.mjs";
 
 // published.test.mjs has the files of all verbs.
-const TESTED = ["rescale"];
+const TESTED_VERBS = ["rescale"];
 // Making a report takes longer than anything else.
-const REPORTED = ["v40000_falisse_2022_human.osim", "v30000_scone_h0914m.osim", "v40000_opencap_lai_arnold_crlf.osim"];
+const REPORTED_MODELS = ["v40000_falisse_2022_human.osim", "v30000_scone_h0914m.osim", "v40000_opencap_lai_arnold_crlf.osim"];
 const NAMES = CORPUS ? readdirSync(CORPUS).filter((name) => name.endsWith(".osim")) : [];
 
 inChromium("each published model is downloaded by its button", { corpus: true, limit: 120_000 }, async (user, test) => {
@@ -20,13 +20,13 @@ inChromium("each published model is downloaded by its button", { corpus: true, l
   const folder = new Folder(...models);
   await user.choose(models);
   await user.announced(`${models.length} models opened.`);
-  for (const verb of VERBS.filter(({ name }) => TESTED.includes(name))) {
+  for (const verb of VERBS.filter(({ name }) => TESTED_VERBS.includes(name))) {
     await test.test(verb.name, async () => {
       await fillIn(user, verb);
       for (const { name } of models) {
         await user.button(name, user.region(`${models.length} models`)).click();
         await user.opened(name);
-        await compareOne(user, folder, verb, name);
+        await compareVerb(user, folder, verb, name);
         folder.clear();
       }
     });
@@ -34,7 +34,7 @@ inChromium("each published model is downloaded by its button", { corpus: true, l
   folder.end();
 });
 
-async function compareOne(user, folder, { name: verb, words }, model) {
+async function compareVerb(user, folder, { name: verb, words }, model) {
   const refused = refusal(await folder.run(verb, model, ...words, "--format", "json"));
   if (refused) {
     assert.equal(await user.settled(), "failed", `${model}: ${refused.message}`);
@@ -47,7 +47,7 @@ async function compareOne(user, folder, { name: verb, words }, model) {
   const [download] = await user.downloads(user.button(`Download ${result}`, user.acts));
   assert.equal(download.name, result);
   assert.ok(folder.read(result).equals(download.bytes), `${model}: the files differ`);
-  if (REPORTED.includes(model)) await compareReport(user, folder, [verb, model, ...words]);
+  if (REPORTED_MODELS.includes(model)) await compareReport(user, folder, [verb, model, ...words]);
 }
 
 /** The report is the file that --report writes. */

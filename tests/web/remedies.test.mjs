@@ -9,19 +9,19 @@ import { CORPUS, fixture, ROOT } from "./support/places.mjs";
 import { testWith } from "./support/skipping.mjs";
 
 const ENGINE = join(ROOT, "target/web/engine");
-const NEXT = [
+const NEXT_REMEDIES = [
   { verb: "rescale", target_mass: 75 }, { verb: "transfer", from: "falisse2022" }, { verb: "set", set: { dissipation: "x1.1" } },
   { verb: "design", indentation: 0.16 }, { verb: "convert", to: "hunt-crossley" }, { verb: "convert", to: "smooth" }, { verb: "remove" },
 ];
 
 const osims = (folder) => readdirSync(folder).filter((name) => name.endsWith(".osim")).map((name) => join(folder, name));
 
-testWith({}, "remedies of our models: each can be applied, and blocks no verb", async (context) => tried(context, osims(fixture("check")), 10));
+testWith({}, "remedies of our models: each can be applied, and blocks no verb", async (context) => tryRemedies(context, osims(fixture("check")), 10));
 
-testWith({ corpus: true }, "remedies of published models: each can be applied, and blocks no verb", async (context) => tried(context, osims(CORPUS), 0));
+testWith({ corpus: true }, "remedies of published models: each can be applied, and blocks no verb", async (context) => tryRemedies(context, osims(CORPUS), 0));
 
 /** `least`: so many remedies there are at least; of published models there may be none, which have remarks at most. */
-async function tried(context, paths, least) {
+async function tryRemedies(context, paths, least) {
   // Its file has no ending by which Node would know that it is a module.
   const binding = readFileSync(join(ENGINE, "osim_web.js"), "utf8");
   const { initSync, Engine } = await import(`data:text/javascript,${encodeURIComponent(binding)}`);
@@ -33,7 +33,7 @@ async function tried(context, paths, least) {
     const found = remediesOf(Engine, bytes);
     if (found.length === 0) continue;
     counts.models += 1;
-    const before = allowed(engineWith(Engine, bytes), "model.osim");
+    const before = refusalsOfVerbs(engineWith(Engine, bytes), "model.osim");
     for (const { text, request } of found) {
       const engine = engineWith(Engine, bytes);
       const changed = ask(engine, { do: "change", request, parts: [] });
@@ -43,10 +43,10 @@ async function tried(context, paths, least) {
       }
       const { ok: kept } = ask(engine, { do: "keep" });
       counts.remedies += 1;
-      const after = allowed(engine, kept.model);
+      const after = refusalsOfVerbs(engine, kept.model);
       for (const [index, refused] of after.entries()) {
         counts.verbs += 1;
-        if (refused && !before[index]) blocked.push(`${path}: ${text} Then ${NEXT[index].verb}: ${refused.message}`);
+        if (refused && !before[index]) blocked.push(`${path}: ${text} Then ${NEXT_REMEDIES[index].verb}: ${refused.message}`);
       }
       engine.free();
     }
@@ -76,6 +76,6 @@ function remediesOf(Engine, bytes) {
 }
 
 /** The reason for which each verb is refused; nothing where it is not. */
-function allowed(engine, model) {
-  return NEXT.map((request) => ask(engine, { do: "change", request: { ...request, models: [model] }, parts: [] }).error);
+function refusalsOfVerbs(engine, model) {
+  return NEXT_REMEDIES.map((request) => ask(engine, { do: "change", request: { ...request, models: [model] }, parts: [] }).error);
 }

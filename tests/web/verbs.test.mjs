@@ -172,7 +172,7 @@ inChromium("a force set and its geometry are both downloaded", async (user) => {
   await downloadsWhatTheCommandMakes(user, files, "forces.scaled.xml", ["geometry.scaled.xml"]);
 });
 
-function meshes() {
+function filesOfMeshes() {
   return ["r_human_foot", "l_human_foot", "r_human_toes", "l_human_toes"].map((name) => {
     const { bytes } = given(`feet/Geometry/${name}.vtp`);
     return { name: `${name}.vtp`, bytes };

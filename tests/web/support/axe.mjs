@@ -3,11 +3,11 @@
 import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 
-const SOURCE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
+const AXE_SOURCE = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
 /** The rules that are broken, each with the first places; `rules` are those to look at, else all. */
 export async function axeFindings(page, rules) {
-  await page.evaluate(`${SOURCE};0`);
+  await page.evaluate(`${AXE_SOURCE};0`);
   return page.evaluate(async (only) => {
     // Colours that are on their way are not those to look at.
     await Promise.allSettled(document.getAnimations().map(({ finished }) => finished));

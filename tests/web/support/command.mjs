@@ -46,7 +46,7 @@ export class Folder {
 
   /** Runs the program with these words. */
   run(...words) {
-    return ended(spawn(PROGRAM, words, { cwd: this.path }));
+    return endOfChild(spawn(PROGRAM, words, { cwd: this.path }));
   }
 
   /** Runs a line as it would be typed into a shell. */
@@ -54,7 +54,7 @@ export class Folder {
     const programs = mkdtempSync(join(tmpdir(), "osim-web-program-"));
     symlinkSync(PROGRAM, join(programs, NAME));
     const env = { ...process.env, PATH: `${programs}:${process.env.PATH}` };
-    return ended(spawn("bash", ["-c", line], { cwd: this.path, env })).finally(() => rmSync(programs, { recursive: true }));
+    return endOfChild(spawn("bash", ["-c", line], { cwd: this.path, env })).finally(() => rmSync(programs, { recursive: true }));
   }
 
   end() {
@@ -62,7 +62,7 @@ export class Folder {
   }
 }
 
-function ended(child) {
+function endOfChild(child) {
   const output = { stdout: "", stderr: "" };
   for (const stream of ["stdout", "stderr"]) child[stream].setEncoding("utf8").on("data", (text) => (output[stream] += text));
   return new Promise((resolve, reject) => {

@@ -5,14 +5,14 @@ import { chromium } from "playwright-core";
 import { CHROMIUM, PAGE_ADDRESS } from "./places.mjs";
 import { User } from "./user.mjs";
 
-const ARGUMENTS = [
+const BROWSER_ARGUMENTS = [
   "--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update",
   "--disable-sync",
 ];
 const PATIENCE_MS = 15_000;
 
 export function launch() {
-  return chromium.launch({ executablePath: CHROMIUM, args: ARGUMENTS });
+  return chromium.launch({ executablePath: CHROMIUM, args: BROWSER_ARGUMENTS });
 }
 
 /** A window without the page: `watched` is what it asks for, and what goes wrong in it. */

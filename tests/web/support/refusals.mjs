@@ -1,7 +1,7 @@
 // Whether page and command refuse for the same reason. They call options and fields by other names; the rest must be the same.
 
 // Shorter than that, two messages have only an article in common.
-const LEAST = 20;
+const LEAST_LETTERS = 20;
 
 /** The fault in JSON with which the command refuses a model; nothing where it did not. */
 export function refusal({ stdout }) {
@@ -10,17 +10,17 @@ export function refusal({ stdout }) {
 
 /** Whether the messages are the same up to the first name of an option or a verb. */
 export function sameReason(command, page) {
-  const [one, other] = [command, page].map(plain);
+  const [one, other] = [command, page].map(plainMessage);
   if (one === other) return true;
   // What begins with an option is compared from its verb on.
   if (one.startsWith("--")) return sameReason(fromVerb(one), fromVerb(other));
   let at = 0;
   while (one[at] === other[at]) at += 1;
   const beforeName = /^(the field )?“/.test(other.slice(at)) || /^(the field )?“/.test(other.slice(other.lastIndexOf(" ", at) + 1));
-  return beforeName && at >= LEAST;
+  return beforeName && at >= LEAST_LETTERS;
 }
 
-function plain(message) {
+function plainMessage(message) {
   const words = message.replace(/^error /, "").replace(/\.$/, "").trim();
   return words.charAt(0).toLowerCase() + words.slice(1);
 }

@@ -17,7 +17,7 @@ export async function serve(html) {
     response.writeHead(200, { "Content-Type": "text/html" }).end(html ?? readFileSync(PAGE));
   });
   const port = await listening(server);
-  return { page: `http://127.0.0.1:${port}${NAME}`, requests, end: () => ended(server) };
+  return { page: `http://127.0.0.1:${port}${NAME}`, requests, end: () => endOfServer(server) };
 }
 
 /** Listens for any connection, of any protocol: `reached` is what the first bytes of each were. */
@@ -32,14 +32,14 @@ export async function listen() {
     });
   });
   const port = await listening(server);
-  return { host: `127.0.0.1:${port}`, reached, end: () => ended(server) };
+  return { host: `127.0.0.1:${port}`, reached, end: () => endOfServer(server) };
 }
 
 function listening(server) {
   return new Promise((resolve) => server.listen(0, "127.0.0.1", () => resolve(server.address().port)));
 }
 
-function ended(server) {
+function endOfServer(server) {
   server.closeAllConnections?.();
   return new Promise((resolve) => server.close(resolve));
 }
