@@ -154,7 +154,7 @@ impl<'d> Deserialize<'d> for Assignments {
 ///
 /// # Errors
 /// There is no such property.
-pub fn property_named(text: &str) -> Result<Property, String> {
+pub(crate) fn property_named(text: &str) -> Result<Property, String> {
     trimmed(text).parse()
 }
 

@@ -13,7 +13,7 @@ pub fn trimmed(text: &str) -> &str {
 pub type UnitSpelling = (&'static str, f64);
 
 /// Units of mass, in kg. A pound is 0.45359237 kg by definition, an ounce its 16th part.
-pub const MASSES: &[UnitSpelling] = &[
+pub(crate) const MASSES: &[UnitSpelling] = &[
     ("kg", 1.0),
     ("mg", 1e-6),
     ("g", 1e-3),
@@ -82,7 +82,7 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
 }
 
 /// A decimal number without words such as `inf` or `nan`.
-pub fn plain_number(text: &str) -> Option<f64> {
+pub(crate) fn plain_number(text: &str) -> Option<f64> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     if digits { text.parse().ok() } else { None }
 }

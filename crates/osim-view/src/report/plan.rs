@@ -189,7 +189,7 @@ pub fn groups(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
 }
 
 /// The name of the only force or sphere of a group, or how many forces or spheres it has.
-pub fn name_or_count(group: &[&NumberChange]) -> String {
+pub(crate) fn name_or_count(group: &[&NumberChange]) -> String {
     let name = group.first().and_then(|change| change.sphere.clone().or_else(|| change.force.clone()));
     match (group.len(), group.first().is_some_and(|change| change.sphere.is_some())) {
         (1, _) => name.unwrap_or_default(),

@@ -99,7 +99,7 @@ const RULES: &[Equation] = &[
 ];
 
 /// Where the equation called `label` meets the user; empty for a label that is not known.
-pub fn sentence_of_use(label: &str) -> Phrase {
+pub(crate) fn sentence_of_use(label: &str) -> Phrase {
     Phrase::template(template(label))
 }
 

@@ -7,7 +7,7 @@ mod text;
 mod topic;
 mod traps;
 
-pub use equations::{equation, equations, sentence_of_use};
+pub use equations::{equation, equations};
 pub use errors::{ErrorCode, ErrorGroup, error, errors};
 pub use record::{FormulaRecord, SymbolRecord, TopicRecord, answer};
 pub use text::{Letters, list, text};
