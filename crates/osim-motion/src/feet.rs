@@ -104,7 +104,6 @@ pub const ON_BW: f64 = 0.05;
 pub(crate) const OFF_BW: f64 = 0.03;
 
 /// The frames in which a foot stands.
-/// The frames in which a foot stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StancePhase {
     pub first: usize,
