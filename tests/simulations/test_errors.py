@@ -125,7 +125,10 @@ def test_the_innermost_function_of_the_user_is_named(errors):
 def test_of_a_huge_message_both_ends_are_there(errors):
     error = errors["huge"]
     assert len(error) < 700
-    assert error.startswith("ValueError: <begin>xxx") and f"<end> ({HERE}, line {line_of('huge')}, in fail_in_task)" in error
+    assert (
+        error.startswith("ValueError: <begin>xxx")
+        and f"<end> ({HERE}, line {line_of('huge')}, in fail_in_task)" in error
+    )
     assert "letters in all" in error
 
 
