@@ -76,6 +76,16 @@ impl KnownContacts {
         entries().iter().find_map(under_body).or_else(|| entries().iter().find_map(at_any_mass))
     }
 
+    /// Whether they are for exactly this mass, kg.
+    pub(crate) fn is_made_for(&self, mass_kg: f64) -> bool {
+        close(self.made_for_kg, mass_kg)
+    }
+
+    /// Whether they were published under a body of another mass than they are made for.
+    pub fn is_published_under_other_body(&self) -> bool {
+        entries().iter().any(|entry| entry.name == self.name && entry.made_for_kg != entry.body_kg())
+    }
+
     /// The severity that a finding has with these contacts, if the table gives one: what was published so is a remark.
     pub fn severity(&self, code: FindingCode) -> Option<Severity> {
         entries().iter().find(|entry| entry.name == self.name)?.severity(code)

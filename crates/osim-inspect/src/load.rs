@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
-    CountedSpheres, Fault, ForceId, Limb, Limbs, MassRequest, MassSource, Model, Needed, NeedsAnswer,
-    Selection, implausible_mass, same_mass,
+    CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, Model, Needed,
+    NeedsAnswer, Selection, implausible_mass, same_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -138,32 +138,99 @@ fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }
 
-/// The mass in the model's note and the mass of its bodies, if they differ and no option says which one counts.
+/// For which mass the contacts of some forces were made, and why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ContactsOrigin {
+    /// As the caller says, else the note, else as published contacts that these are, else what the model weighs.
+    pub mass: Mass,
+    /// The published contacts.
+    pub known: Option<KnownContacts>,
+    /// A warning for each other source that disagrees.
+    pub findings: Vec<Finding>,
+}
+
+impl ContactsOrigin {
+    /// Finds it for the chosen `forces` of `model`.
+    ///
+    /// # Errors
+    /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
+    pub fn find(
+        model: &Model,
+        forces: &[ForceId],
+        masses: &MassRequest,
+        stance: &Stance,
+    ) -> Result<Self, Fault> {
+        let count = LoadSharing::of(model, forces).count(
+            stance.spheres,
+            stance.limb_count(model),
+            CountedSpheres::Model,
+        );
+        let weighs_kg = masses.model_mass(model).ok().map(|mass| mass.kg);
+        Self::with_known(model, masses, KnownContacts::find(model, forces, count.ok(), weighs_kg))
+    }
+
+    /// As [`find`](Self::find), if published contacts were looked for already.
+    pub(crate) fn with_known(
+        model: &Model,
+        masses: &MassRequest,
+        known: Option<KnownContacts>,
+    ) -> Result<Self, Fault> {
+        let (mut mass, findings) = masses.contacts_mass(model)?;
+        let published = known.filter(|known| !mass.source.is_about_contacts() && !known.is_made_for(mass.kg));
+        if let Some(known) = published {
+            mass = Mass { kg: known.made_for_kg, source: MassSource::Known(known.title) };
+        }
+        Ok(Self { mass, known, findings })
+    }
+
+    /// Asks the caller to confirm the mass of published contacts, with `input`, if the model weighs something else.
+    ///
+    /// # Errors
+    /// The question.
+    pub fn refuse_other_body(&self, model: &Model, masses: &MassRequest, input: Input) -> Result<(), Fault> {
+        let MassSource::Known(title) = self.mass.source else { return Ok(()) };
+        let bodies_kg = masses.model_mass(model)?.kg;
+        if same_mass(self.mass.kg, bodies_kg) {
+            return Ok(());
+        }
+        let (title, made_for_kg) = (title.to_owned(), self.mass.kg);
+        Err(Fault::new(Needed::KnownContactsMass { title, made_for_kg, bodies_kg, input }))
+    }
+}
+
+/// The mass that contacts were made for, by a note or as published, and the mass of the bodies, if they differ and no option says which
+/// one counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMismatch {
     body_kg: f64,
-    contacts_mass_kg: f64,
+    contacts_mass: Mass,
 }
 
 impl MassMismatch {
     /// `None` if they agree, or the caller says what the model weighs.
-    pub fn find(model: &Model, masses: &MassRequest) -> Option<Self> {
+    pub fn find(model: &Model, masses: &MassRequest, contacts_mass: Option<&Mass>) -> Option<Self> {
         if masses.model_kg.is_some() {
             return None;
         }
-        let body = masses.model_mass(model).ok()?;
-        let (contacts, _) = masses.contacts_mass(model).ok()?;
-        let differs = contacts.source == MassSource::Note && !same_mass(contacts.kg, body.kg);
-        differs.then_some(Self { body_kg: body.kg, contacts_mass_kg: contacts.kg })
+        let contacts_mass = contacts_mass?.clone();
+        let body_kg = masses.model_mass(model).ok()?.kg;
+        let is_of_contacts = matches!(contacts_mass.source, MassSource::Note | MassSource::Known(_));
+        (is_of_contacts && !same_mass(contacts_mass.kg, body_kg)).then_some(Self { body_kg, contacts_mass })
+    }
+
+    /// That of the note.
+    pub(crate) fn of_note(model: &Model, masses: &MassRequest) -> Option<Self> {
+        let (contacts_mass, _) = masses.contacts_mass(model).ok()?;
+        Self::find(model, masses, Some(&contacts_mass))
     }
 
     /// A message for calculators, which compute under the mass of the bodies.
     pub fn message(&self) -> Phrase {
-        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         phrase![
-            format!(
-                "its contacts are made for {contacts} kg (note in the file) and carry its body of {body} kg here: say "
-            ),
+            format!("its contacts are made for {contacts} kg ("),
+            &self.contacts_mass.source.describe(),
+            format!(") and carry its body of {body} kg here: say "),
             Input::Mass.with_value(contacts),
             &self.answer_to_question(),
             ", or scale the body first",
@@ -172,7 +239,7 @@ impl MassMismatch {
 
     /// A clause to add to the message of a finding.
     pub(crate) fn clause(&self) -> Phrase {
-        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass_kg));
+        let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         phrase![
             format!("; figures are those under {body} kg: for the others say "),
             Input::Mass.with_value(contacts),
@@ -182,7 +249,7 @@ impl MassMismatch {
 
     /// The answer to give with the mass of the contacts, if the program would ask about that mass.
     fn answer_to_question(&self) -> Phrase {
-        match implausible_mass(Input::Mass, self.contacts_mass_kg, Some(self.body_kg)) {
+        match implausible_mass(Input::Mass, self.contacts_mass.kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],
             None => Phrase::default(),
         }

@@ -7,7 +7,7 @@ use contact_scaling::{
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
     DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property, PropertySet,
-    RadiusRule, Scope, Selected, SetId, same_gravity, same_mass,
+    RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
 };
 
 use crate::builder::{NewValue, PlanBuilder, change_composite};
@@ -209,7 +209,7 @@ impl Design {
             return self.load.map_or_else(kept, |_| KeptMass { kg: None, scope: Scope::Partial });
         };
         let noted = model.note.as_ref();
-        let agrees = self.contacts_mass.as_ref().is_some_and(|before| same_mass(before.kg, target.kg))
+        let agrees = self.contacts_mass.as_ref().is_some_and(|before| is_at_target(before.kg, target.kg))
             && self.is_under_gravity_of_note(noted, model);
         let kg = noted.and_then(|note| note.contacts_mass_kg).filter(|_| agrees).unwrap_or(target.kg);
         KeptMass { kg: Some(kg), scope: if agrees || complete { Scope::All } else { Scope::Partial } }

@@ -8,7 +8,7 @@ use foldhash::{HashMap, HashSet};
 use osim_model::messages::{Dialect, Phrase};
 use osim_model::{
     Class, ElementId, Fault, FileId, Finding, Mass, MassRequest, Model, Note, Property, Scope, Sphere,
-    SphereId, Step, ValueKey, same_mass,
+    SphereId, Step, ValueKey, is_at_target,
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
@@ -211,7 +211,7 @@ impl Plan {
         let changed: BTreeMap<ValueKey, f64> = changes.iter().map(NumberChange::key_and_value).collect();
         let moved: HashMap<&str, [f64; 3]> =
             moves.iter().map(|place| (place.path.as_str(), place.to)).collect();
-        let is_other = |masses: &&Masses| !same_mass(masses.contacts_mass.kg, masses.target_mass_kg);
+        let is_other = |masses: &&Masses| !is_at_target(masses.contacts_mass.kg, masses.target_mass_kg);
         let from_mass_kg = masses.as_ref().filter(is_other).map(|masses| masses.contacts_mass.kg);
         let step = Step { from_mass_kg, ..Step::new(facts.operation) };
         let note = Some(Note {

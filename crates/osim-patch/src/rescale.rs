@@ -5,7 +5,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, Phrase, readable};
 use osim_model::{
     DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, PropertySet,
-    RadiusRule, Scope, Selected, SetId, positive_mass, same_mass,
+    RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
 };
 
 use crate::builder::{NewValue, PlanBuilder};
@@ -139,7 +139,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let change = GravityChange::new(gravity, wanted.target_gravity_m_s2, GravityFor::Contacts)?;
     let gravity = change.ratio;
     let other_radius = matches!(wanted.radius, RadiusRule::Metres(_) | RadiusRule::Factor(_));
-    let is_there = same_mass(target_mass_kg, contacts_mass_kg);
+    let is_there = is_at_target(contacts_mass_kg, target_mass_kg);
     if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
         plan.findings.push(rules::already_at_target(&wanted.contacts_mass));
         return Ok(finish(plan, wanted, selected, None, change));

@@ -8,7 +8,7 @@ use contact_scaling::drop_test::{
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
 use osim_inspect::{
-    LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass_slip, weight_share_on_floor,
+    ContactsOrigin, LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass_slip, weight_share_on_floor,
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
@@ -168,7 +168,9 @@ fn drop_of_model(
     let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
     let prepared_drop = prepared_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;
-    let mismatch = MassMismatch::find(model, &masses);
+    let stance = Stance { spheres: own.spheres, limbs: own.stance_limbs, ..Stance::default() };
+    let origin = ContactsOrigin::find(model, &selected.forces, &masses, &stance).ok();
+    let mismatch = MassMismatch::find(model, &masses, origin.as_ref().map(|origin| &origin.mass));
     Ok(PreparedDrop { mismatch, ..prepared_drop })
 }
 

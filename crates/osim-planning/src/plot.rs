@@ -5,7 +5,7 @@ use std::path::Path;
 
 use contact_scaling::Ratios;
 use osim_inspect::series::ContactBody;
-use osim_inspect::{Stance, find_misplaced_spheres, unexplained_mass_slip};
+use osim_inspect::{ContactsOrigin, Stance, find_misplaced_spheres, unexplained_mass_slip};
 use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase, readable};
@@ -66,7 +66,14 @@ fn feet_and_scaled_feet(
     feet.add_bones(&open.model, beside, geometry, files);
     let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
     let failed = |fault| open.failure(fault);
-    let (contacts_mass, _) = request.masses.request().contacts_mass(&open.model).map_err(failed)?;
+    let selected = request.choice.selection().apply(&open.model).map_err(failed)?;
+    let origin = ContactsOrigin::find(
+        &open.model,
+        &selected.forces,
+        &request.masses.request(),
+        &Stance::default(),
+    );
+    let contacts_mass = origin.map_err(failed)?.mass;
     let ratios =
         Ratios::isometric(target_mass.get() / contacts_mass.kg).map_err(|error| failed(Fault::new(error)))?;
     let scaled = feet.with_radii(format!("scaled to {} kg", readable(target_mass.get())), ratios.radius());

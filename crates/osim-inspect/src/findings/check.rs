@@ -75,11 +75,10 @@ fn find_all(
         .with_radius_changes(!changeable.numbers || changeable.radii);
     let places = SpherePlaces::of(model, inspected);
     let place_findings = places.findings(model, &remedies);
-    let mismatch = MassMismatch::find(model, &options.masses);
+    let mismatch = MassMismatch::of_note(model, &options.masses);
     // The command that moves misplaced spheres also scales their contacts to the mass.
-    let another_mass = (!places.are_wrong())
-        .then(|| contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right()))
-        .flatten();
+    let another_mass =
+        contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right());
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
     let in_other_units = floors::find_too_large(model).is_some();
     let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);

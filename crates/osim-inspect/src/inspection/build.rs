@@ -18,7 +18,7 @@ use crate::inspection::inspected::{
 use crate::inspection::note::NoteSummary;
 use crate::inspection::standing::{RestsToCompute, StandingBody};
 use crate::known_contacts::KnownContacts;
-use crate::load::{InspectOptions, LoadSharing};
+use crate::load::{ContactsOrigin, InspectOptions, LoadSharing};
 use crate::rules::{contacts, model_findings};
 use crate::serialized::SCHEMA_VERSION;
 
@@ -43,10 +43,6 @@ impl InspectOptions {
     ) -> Inspection {
         let mut findings = model_findings(model).to_vec();
         let mass = self.masses.model_mass(model);
-        let contacts_mass = self.masses.contacts_mass(model).map(|(mass, disagreements)| {
-            findings.extend(disagreements);
-            mass
-        });
         let (selected, no_choice) = match self.selection.apply(model) {
             Ok(selected) => (selected, None),
             Err(fault) => (Selected::default(), Some(fault)),
@@ -55,6 +51,15 @@ impl InspectOptions {
             Some(fault) => LoadSharing::unknown(fault.phrase()),
             None => LoadSharing::of(model, &selected.forces),
         };
+        let stance_limbs = self.stance.limb_count(model);
+        let count = sharing.count(self.stance.spheres, stance_limbs, CountedSpheres::Model).ok();
+        let known_contacts =
+            KnownContacts::find(model, &selected.forces, count, mass.as_ref().ok().map(|mass| mass.kg));
+        let origin = ContactsOrigin::with_known(model, &self.masses, known_contacts);
+        let contacts_mass = origin.map(|origin| {
+            findings.extend(origin.findings);
+            origin.mass
+        });
         findings.extend(factors.iter().flat_map(|factors| factors.findings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let mut finding = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
@@ -70,13 +75,9 @@ impl InspectOptions {
         let forces = if no_choice.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
         let standing = Standing::all(model, &forces);
         let trees = standing.as_deref().unwrap_or_default();
-        let stance_limbs = self.stance.limb_count(model);
         let figures = Figures::compute(model, &selected, &sharing, weight, &self.stance, trees);
         let bodies = StandingBody::with_rests(model, trees, sharing.limbs(), stance_limbs, rests);
-        let count = sharing.count(self.stance.spheres, stance_limbs, CountedSpheres::Model).ok();
         let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
-        let known_contacts =
-            KnownContacts::find(model, &selected.forces, count, mass.as_ref().map(|mass| mass.kg));
         let parts = InspectionParts {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),

@@ -172,11 +172,11 @@ pub(crate) fn find_contacts_of_another_mass(
 ) -> Option<FindingWithRemedy> {
     let mass = inspected.mass_kg?;
     let known = inspected.known_contacts?;
-    let is_assumed = inspected.contacts_mass_kg.as_ref().is_some_and(|made_for| made_for.source == "bodies");
-    if !is_assumed || same_mass(mass, known.made_for_kg) {
+    let made_for = known.made_for_kg;
+    let is_as_published = inspected.contacts_mass_kg.as_ref().is_some_and(|mass| mass.source == "known-contacts");
+    if !is_as_published || same_mass(mass, made_for) {
         return None;
     }
-    let made_for = known.made_for_kg;
     let text = format!(
         "the contacts are those of {}, made for {} kg, and the body weighs {} kg",
         known.title,

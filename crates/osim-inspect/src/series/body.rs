@@ -14,7 +14,7 @@ use osim_model::{
 
 use crate::figures::Figures;
 use crate::floors::weight_share_on_floor;
-use crate::load::{InspectOptions, LoadSharing, MassMismatch, Stance};
+use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance};
 
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
@@ -87,8 +87,9 @@ impl ContactBody {
     ) -> Result<Self, Failure> {
         let kinds = sphere_kinds(model, forces).map_err(failed)?;
         let weight = weight(model, forces, masses, stance).map_err(failed);
-        let contacts_mass_kg = masses.contacts_mass(model).map(|(mass, _)| mass.kg).map_err(failed);
-        let mismatch = MassMismatch::find(model, masses);
+        let contacts_mass = ContactsOrigin::find(model, forces, masses, stance).map(|origin| origin.mass);
+        let mismatch = MassMismatch::find(model, masses, contacts_mass.as_ref().ok());
+        let contacts_mass_kg = contacts_mass.map(|mass| mass.kg).map_err(failed);
         Ok(Self { name, kinds, weight, contacts_mass_kg, mismatch })
     }
 

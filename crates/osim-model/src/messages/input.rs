@@ -290,6 +290,11 @@ impl Call {
         self
     }
 
+    pub fn with_flag(mut self, input: Input) -> Self {
+        self.inputs.push((input, None));
+        self
+    }
+
     pub fn with_value(mut self, input: Input, value: impl Into<String>) -> Self {
         self.inputs.push((input, Some(Example::Value(value.into()))));
         self

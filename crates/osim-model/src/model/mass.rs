@@ -10,8 +10,11 @@ use crate::model::rules::{self, MassFromSource};
 use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
-/// Masses closer than this (relative) count as one: a scale is not read better than to 0.1 %.
-pub(crate) const SAME_MASS: f64 = 1e-3;
+/// Masses closer than this (relative) count as one body: a sensor, a belt or a prosthetic foot does not make another.
+pub(crate) const SAME_MASS: f64 = 0.02;
+
+/// Contacts for a mass closer than this (relative) to the target are there already: a scale is not read better than to 0.1 %.
+const AT_TARGET: f64 = 1e-3;
 
 /// Gravities closer than this (relative) count as one.
 const SAME_GRAVITY: f64 = 1e-3;
@@ -54,6 +57,8 @@ pub enum MassSource {
     /// The caller, of the contacts.
     ContactsMass,
     Note,
+    /// Published contacts, which the file has; how people cite them.
+    Known(&'static str),
     /// The caller, of the model.
     Mass,
     /// The sum of the bodies, with their number.
@@ -70,6 +75,7 @@ impl MassSource {
         match self {
             Self::ContactsMass => "contacts-mass",
             Self::Note => "note",
+            Self::Known(_) => "known-contacts",
             Self::Mass => "mass",
             Self::Bodies(_) => "bodies",
             Self::Preset(_) => "preset",
@@ -88,6 +94,7 @@ impl MassSource {
         match self {
             Self::ContactsMass => Input::ContactsMass.into(),
             Self::Note => "note in the file".into(),
+            Self::Known(title) => format!("as in {title}").into(),
             Self::Mass => Input::Mass.into(),
             Self::Bodies(1) => "mass of 1 body".into(),
             Self::Bodies(count) => format!("sum of {count} bodies").into(),
@@ -147,8 +154,8 @@ impl MassRequest {
         Err(Fault::new(Needed::ModelMass { bodies, kg }))
     }
 
-    /// The mass that the contacts were made for: as the caller gave it, else the note, else what the model weighs; and a warning for each
-    /// other source that disagrees with it.
+    /// The mass that the contacts were made for, of contacts that nobody published: as the caller gave it, else the note, else what the
+    /// model weighs; and a warning for each other source that disagrees with it.
     ///
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
@@ -219,6 +226,11 @@ impl MassRequest {
         };
         others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
     }
+}
+
+/// Whether contacts for `contacts_kg` need no scaling to be for `target_kg`.
+pub fn is_at_target(contacts_kg: f64, target_kg: f64) -> bool {
+    (target_kg - contacts_kg).abs() <= AT_TARGET * contacts_kg.abs()
 }
 
 /// Whether two masses count as one: `a` is within `SAME_MASS` of `b` (relative to `b`).

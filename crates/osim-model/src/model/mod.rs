@@ -65,7 +65,9 @@ pub use fault::{
 };
 pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};
-pub use mass::{Mass, MassRequest, MassSource, implausible_mass, positive_mass, same_gravity, same_mass};
+pub use mass::{
+    Mass, MassRequest, MassSource, implausible_mass, is_at_target, positive_mass, same_gravity, same_mass,
+};
 pub use names::{Pattern, PatternError, Side, refuse_name, refuse_name_in_paths, without_side};
 pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,

@@ -3,12 +3,12 @@
 
 use std::collections::{BTreeSet, HashSet};
 
-use osim_inspect::{KnownContacts, StandingBody};
+use osim_inspect::StandingBody;
 use osim_model::feet::{Movements, Sole, angle};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, DVec3, Fault, Force, ForceId, JointDistances, Mass, Model, Needed, NeedsAnswer, Question,
-    Selected, Side, probable_units, same_mass, without_side,
+    Anatomy, DVec3, Force, ForceId, JointDistances, Model, NeedsAnswer, Question, Side, probable_units,
+    without_side,
 };
 use osim_patch::{ObjectAction, Plan, RebuiltModel};
 use osim_requests::BodyScale;
@@ -302,29 +302,6 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsAnswer> 
         ),
     ];
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text })
-}
-
-/// Refuses the mass of the bodies as the mass of the contacts, if these are published ones that were made for another mass, which the
-/// caller can give with `input`.
-pub(crate) fn refuse_known_contacts_of_other_mass(
-    model: &Model,
-    selected: &Selected,
-    mass: &Mass,
-    input: Input,
-) -> Result<(), Fault> {
-    if mass.source.is_about_contacts() {
-        return Ok(());
-    }
-    let known_contacts = KnownContacts::find(model, &selected.forces, None, Some(mass.kg));
-    match known_contacts.filter(|known_contacts| !same_mass(known_contacts.made_for_kg, mass.kg)) {
-        Some(known_contacts) => Err(Fault::new(Needed::KnownContactsMass {
-            title: known_contacts.title.to_owned(),
-            made_for_kg: known_contacts.made_for_kg,
-            bodies_kg: mass.kg,
-            input,
-        })),
-        None => Ok(()),
-    }
 }
 
 /// A remark on how many limbs share the weight, if the note in `model` has the number and the caller did not give it.

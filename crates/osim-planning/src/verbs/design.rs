@@ -1,7 +1,7 @@
 //! The verb `design`: parameters of contacts from the properties that are wanted.
 
 use contact_scaling::SharedLoad;
-use osim_inspect::{LoadSharing, weight_share_on_floor};
+use osim_inspect::{ContactsOrigin, LoadSharing, Stance, weight_share_on_floor};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
     CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
@@ -14,7 +14,7 @@ use osim_requests::{
 };
 
 use crate::prepared_change::{Planner, PreparedChange};
-use crate::remarks::{refuse_known_contacts_of_other_mass, remark_on_noted_limbs};
+use crate::remarks::remark_on_noted_limbs;
 
 pub(super) struct DesignPlanner {
     wanted: WantedOptions,
@@ -149,8 +149,9 @@ impl DesignPlanner {
 impl DesignPlanner {
     /// The mass that the contacts were made for before the design; `None` if it is uncertain.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
-        let (mass, _) = self.masses.contacts_mass(model).ok()?;
-        refuse_known_contacts_of_other_mass(model, selected, &mass, Input::ContactsMass).ok().map(|()| mass)
+        let origin =
+            ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default()).ok()?;
+        origin.refuse_other_body(model, &self.masses, Input::ContactsMass).ok().map(|()| origin.mass)
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{Figure, InspectOptions};
+use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
 use osim_model::{
@@ -207,8 +207,9 @@ impl FitPlanner {
         wanted.made_for_kg = Some(mass_kg);
         wanted.repeat = true;
         let noted = || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        wanted.contacts_mass =
-            self.options.masses.contacts_mass(model).ok().map(|(mass, _)| mass).or_else(noted);
+        let origin =
+            ContactsOrigin::find(model, &selected.forces, &self.options.masses, &self.options.stance);
+        wanted.contacts_mass = origin.ok().map(|origin| origin.mass).or_else(noted);
         Ok(wanted)
     }
 }

@@ -4,22 +4,23 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use contact_scaling::Preset;
-use osim_inspect::{LoadSharing, ReferenceState};
+use osim_inspect::{
+    ContactsOrigin, KnownContacts, LoadSharing, ReferenceState, Stance, find_misplaced_spheres,
+};
 use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, Selection,
-    implausible_mass,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, NeedsAnswer,
+    Question, Selection, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 
 use crate::opening::{open, scale_file};
 use crate::prepared_change::file_name;
-use crate::remarks::refuse_known_contacts_of_other_mass;
 
-/// The mass that is taken for published contacts in a reference whose bodies have another mass.
+/// The mass that is taken for contacts that were published under a body of another mass than they are made for, in the reference.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum MassOfPublished {
     /// The program asks the caller.
@@ -149,6 +150,9 @@ fn reference_from_model(
     let options = &request.reference;
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let selected = selection.apply(model).map_err(ask_for_reference_option)?;
+    if request.follow.follow_bodies {
+        request.answers.ask(misplaced_reference_spheres(model)).map_err(Fault::new)?;
+    }
     let mass = match options.reference_mass {
         Some(kg) => {
             let asks =
@@ -157,11 +161,17 @@ fn reference_from_model(
             given_reference_mass(kg)
         }
         None => {
-            let (mass, _) = MassRequest::default().contacts_mass(model).map_err(ask_for_reference_option)?;
-            if mass_of_published == MassOfPublished::AskCaller {
-                refuse_known_contacts_of_other_mass(model, &selected, &mass, Input::ReferenceMass)?;
+            let masses = MassRequest::default();
+            let origin = ContactsOrigin::find(model, &selected.forces, &masses, &Stance::default())
+                .map_err(ask_for_reference_option)?;
+            let is_copied_body = mass_of_published == MassOfPublished::OfBodies
+                && origin.known.as_ref().is_some_and(KnownContacts::is_published_under_other_body);
+            if is_copied_body {
+                masses.model_mass(model)?
+            } else {
+                origin.refuse_other_body(model, &masses, Input::ReferenceMass)?;
+                origin.mass
             }
-            mass
         }
     };
     // The option for limbs is about the model that gets the contacts; a reference on several limbs has an option of its own.
@@ -180,6 +190,18 @@ fn reference_from_model(
     let mut reference = reference_of_model(model, &selected, mass, known_count)?;
     reference.name = file_name(from);
     Ok((reference, count))
+}
+
+/// The question whether places that do not fit the reference's own bones are meant: places in the model follow from them.
+fn misplaced_reference_spheres(model: &Model) -> Option<NeedsAnswer> {
+    let finding = find_misplaced_spheres(model)?;
+    let text = phrase![
+        "the spheres of the reference do not fit its own bones, so those of the model would not fit, either: ",
+        &finding.message,
+        "; take the model that was scaled as ",
+        Input::From,
+    ];
+    Some(NeedsAnswer::Other { question: Question::WrongAfterwards, text })
 }
 
 /// Adds the name of the reference to a question about its spheres, because it may be asked when another model is read.

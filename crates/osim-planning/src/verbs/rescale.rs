@@ -1,6 +1,6 @@
 //! The verb `rescale`: a model's own contacts at another mass; spheres may follow their bodies.
 
-use osim_inspect::find_misplaced_spheres;
+use osim_inspect::{ContactsOrigin, Stance, find_misplaced_spheres};
 use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
@@ -13,7 +13,7 @@ use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleReq
 
 use crate::opening::scale_file;
 use crate::prepared_change::{Planner, PreparedChange};
-use crate::remarks::{operation_with_radius, refuse_known_contacts_of_other_mass, refuse_repetition};
+use crate::remarks::{operation_with_radius, refuse_repetition};
 
 struct RescalePlanner {
     target_mass_kg: f64,
@@ -96,8 +96,9 @@ impl Planner for RescalePlanner {
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_repetition(model, &operation, self.may_repeat)?;
         }
-        let (contacts_mass, mut findings) = self.masses.contacts_mass(model)?;
-        refuse_known_contacts_of_other_mass(model, &selected, &contacts_mass, Input::ContactsMass)?;
+        let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default())?;
+        origin.refuse_other_body(model, &self.masses, Input::ContactsMass)?;
+        let ContactsOrigin { mass: contacts_mass, mut findings, .. } = origin;
         let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
             // The bodies were scaled, so their mass is not the one that the contacts were made for.

@@ -1,5 +1,6 @@
 //! The verb `set`: gives properties new values, and makes the bottoms of feet level.
 
+use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::feet::{NotLevelled, levelled_spheres};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{Fault, ForceId, Mass, MassRequest, MassSource, Model, Selected, Selection, SphereId};
@@ -49,8 +50,9 @@ impl Planner for SetPlanner {
         // This change needs no mass; if one is known, the new note has it.
         let noted_mass =
             || Some(Mass { kg: model.note.as_ref()?.contacts_mass_kg?, source: MassSource::Note });
-        let (contacts_mass, mut findings) = match self.masses.contacts_mass(model) {
-            Ok((mass, findings)) => (Some(mass), findings),
+        let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default());
+        let (contacts_mass, mut findings) = match origin {
+            Ok(origin) => (Some(origin.mass), origin.findings),
             Err(_) => (noted_mass(), Vec::new()),
         };
         let mut wanted = Set::new(self.assignments.as_slice().to_vec());

@@ -190,6 +190,8 @@ impl Needed {
         match self {
             // The message begins with what was asked for.
             Self::HeightRatio => vec![Input::HeightRatio, Input::FollowBodies],
+            // Another verb is named, too.
+            Self::KnownContactsMass { input, .. } => vec![*input],
             other => other.phrase().inputs(),
         }
     }

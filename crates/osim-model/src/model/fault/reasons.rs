@@ -1,6 +1,6 @@
 //! Reasons why the caller has to give a fact: what a gravity is needed for, why a note is doubtful, what is unknown of factors.
 
-use crate::messages::{Input, Part, Phrase, phrase, readable};
+use crate::messages::{Input, Part, Phrase, Verb, phrase, readable};
 
 /// The purpose for which gravity is needed that the file does not give.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -123,9 +123,17 @@ pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64,
     let contacts = contacts_are(input);
     phrase![
         format!(
-            "{contacts} those of {title} for a body of {made_for} kg, but the bodies weigh {bodies} kg: if nobody changed the \
-             contacts, confirm their mass with "
+            "{contacts} those of {title} for a body of {made_for} kg, but the bodies weigh {bodies} kg: if OpenSim scaled this \
+             model, "
         ),
+        &match input {
+            Input::ReferenceMass => "take the one that was scaled; if the contacts are right where they are, confirm their mass with ".into(),
+            _ => phrase![
+                "take the contacts of the one that was scaled with ",
+                Verb::Transfer.call_with_model().with_placeholder(Input::From, "GENERIC").with_flag(Input::FollowBodies),
+                "; if only the mass changes, confirm that of the contacts with ",
+            ],
+        },
         input.with_value(made_for.clone()),
     ]
 }
