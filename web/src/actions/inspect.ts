@@ -3,7 +3,8 @@
 import { toFailure } from "../engine/failure";
 import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
-import { currentFile, type OpenModel } from "../state/model";
+import type { Inspected } from "../engine/types";
+import { currentFile, hasMisplacedSpheres, isSameMass, type OpenModel, type Original } from "../state/model";
 import type { Session } from "../state/session";
 
 // Sections that are visible at once, and sections that open on demand and are computed later.
@@ -20,9 +21,10 @@ export async function inspect(session: Session, id: number): Promise<void> {
   try {
     const inspected = await session.engine.inspect(file, answersFor(model, QUESTIONS), QUICK_SECTIONS);
     session.remember(inspected.explained);
-    update({ inspected, failure: null });
+    update({ inspected, failure: null, originals: [] });
     measureOpen();
     if (session.chosen.value === id) void inspectDetails(session, id);
+    if (session.chosen.value !== null) void findOriginals(session, session.chosen.value, id);
   } catch (error) {
     const failure = toFailure(error);
     // If the failure is about a file that the model is compared with, the facts about the model stay on the screen.
@@ -42,6 +44,36 @@ export async function inspectDetails(session: Session, id: number): Promise<void
   const sections = [...first.sections, ...details.sections];
   // The model may have been inspected again in between.
   session.update(id, (open) => (open.inspected === first ? { ...open, inspected: { ...first, sections, falls: details.falls } } : open));
+}
+
+/** More models than this are not compared with one. */
+const MAX_ORIGINALS = 5;
+
+/** Finds the open models from which this one was scaled: all of them, or whether the model `just` inspected is one. */
+export async function findOriginals(session: Session, id: number, just = id): Promise<void> {
+  const model = session.findModel(id);
+  const inspected = model?.inspected;
+  if (!model || !inspected) return;
+  const file = currentFile(model);
+  const isCandidate = (other: OpenModel) => other.id !== id && (just === id || other.id === just) && mayBeOriginal(other, inspected);
+  const originals: Original[] = [];
+  for (const other of session.models.value.filter(isCandidate).slice(0, MAX_ORIGINALS)) {
+    const from = currentFile(other);
+    const compared = await session.engine.inspect(file, { ...answersFor(model, QUESTIONS), from }, []).catch(() => null);
+    const request = compared?.findings.find(({ remedy }) => remedy?.request.verb === "transfer")?.remedy?.request;
+    if (request) originals.push({ file: from, request });
+  }
+  const others = (open: OpenModel) => (just === id ? [] : open.originals.filter((one) => !originals.some((found) => found.file === one.file)));
+  session.update(id, (open) => (open.inspected === inspected ? { ...open, originals: [...others(open), ...originals] } : open));
+}
+
+/** Whether a model has the bodies of another, and contacts that fit its own bodies. */
+function mayBeOriginal({ inspected }: OpenModel, scaled: Inspected): boolean {
+  if (!inspected || inspected.inspection.forces.length === 0) return false;
+  const { mass_kg: bodyMass, contacts_mass_kg: contactsMass, bodies } = inspected.inspection;
+  const names = (all: typeof bodies) => all.map(({ name }) => name).join("\n");
+  const fits = bodyMass === null || !contactsMass || isSameMass(contactsMass.value, bodyMass);
+  return fits && !hasMisplacedSpheres(inspected) && names(bodies) === names(scaled.inspection.bodies);
 }
 
 /** Inspects models again after other files were added or removed. */

@@ -33,13 +33,21 @@ export interface OpenModel {
   /** The target mass of this model, if several models are changed at once. */
   readonly targetMass: string;
   readonly outcome: Outcome | null;
+  /** Open models from which this one was scaled, each with the change that lets its spheres follow. */
+  readonly originals: readonly Original[];
+}
+
+/** A file from which a model was scaled, and the request for the change that `check` proposes. */
+export interface Original {
+  file: string;
+  request: Request;
 }
 
 let last = 0;
 
 export function newModel(origin: string): OpenModel {
   last += 1;
-  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null };
+  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null, originals: [] };
   return { id: last, origin, answers: new Values(), ...start };
 }
 
@@ -72,4 +80,18 @@ export function withStep(model: OpenModel, step: Step): OpenModel {
 /** The model after its first `at` steps. */
 export function atStep(model: OpenModel, stepCount: number): OpenModel {
   return { ...model, stepCount: Math.max(0, Math.min(model.steps.length, stepCount)), outcome: null };
+}
+
+/** Relative difference of masses that count as one body. */
+const SAME_MASS = 0.02;
+
+export function isSameMass(one: number, other: number): boolean {
+  return Math.abs(one / other - 1) <= SAME_MASS;
+}
+
+const MISPLACED = new Set(["spheres-left-behind", "spheres-misplaced"]);
+
+/** Whether spheres are known not to be where the bones are. */
+export function hasMisplacedSpheres({ findings }: Inspected): boolean {
+  return findings.some(({ code }) => MISPLACED.has(code));
 }

@@ -2,7 +2,7 @@
 
 import { close } from "../actions/close";
 import { canChangeAll, changeAll, downloadAll } from "../actions/library";
-import { inspectDetails } from "../actions/inspect";
+import { findOriginals, inspectDetails } from "../actions/inspect";
 import { button, byId, el, setAttribute, setText } from "../dom/element";
 import { keepingFocus } from "../dom/focus";
 import { counted, kilograms } from "../dom/number";
@@ -34,7 +34,9 @@ export class LibraryView {
     session.models.watch(() => this.#update());
     session.chosen.watch((id) => {
       this.#update();
-      if (id !== null) void inspectDetails(session, id);
+      if (id === null) return;
+      void inspectDetails(session, id);
+      void findOriginals(session, id);
     });
     session.changingAll.watch(() => this.#enable());
     session.verb.watch(() => this.#otherChange());

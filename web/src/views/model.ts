@@ -115,7 +115,9 @@ export class ModelView {
   /** The sentence about the model, and the likely changes, which depend on the other open models. */
   #showQuestion(model: OpenModel): void {
     const openModels = this.session.models.value.map((one) => `${currentFile(one)} ${one.inspected !== null}`).join("\n");
-    if (openModels === this.#openModels && model.id === this.#shownModel?.id && model.inspected?.inspection === this.#shownModel.inspected?.inspection) return;
+    const shown = this.#shownModel;
+    const isSame = model.id === shown?.id && model.inspected?.inspection === shown.inspected?.inspection && model.originals === shown.originals;
+    if (openModels === this.#openModels && isSame) return;
     this.#openModels = openModels;
     this.#question.replaceChildren(...(model.inspected ? questionView(this.session, model, model.inspected.inspection) : []));
   }

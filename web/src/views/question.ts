@@ -3,11 +3,8 @@
 import { button, el } from "../dom/element";
 import { kilograms } from "../dom/number";
 import type { Inspection } from "../engine/types";
-import { currentFile, type OpenModel } from "../state/model";
+import { currentFile, hasMisplacedSpheres, isSameMass, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
-
-/** Relative difference of masses that count as equal, because people write three digits. */
-const MASS_TOLERANCE = 0.005;
 
 /** The sentence and the buttons. */
 export function questionView(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
@@ -23,16 +20,17 @@ function describeModel({ mass_kg: bodyMass, contacts_mass_kg: contactsMass, forc
 }
 
 function offers(session: Session, model: OpenModel, inspection: Inspection): HTMLElement[] {
-  const all = [...followOffer(session, model, inspection), ...massOffer(session, inspection), ...addOffers(session, inspection)];
+  const follow = followOffers(session, model);
+  const all = [...(follow.length > 0 ? follow : massOffer(session, model, inspection)), ...addOffers(session, inspection)];
   return all.length > 0 ? [el("div", { class: "offers", role: "group", "aria-label": "Most likely" }, ...all)] : [];
 }
 
-/** A button if the contacts were made for another mass than the body's. */
-function massOffer(session: Session, { mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): HTMLElement[] {
-  const isKnown = knownContacts != null && contactsMass?.source !== "note";
-  const madeFor = isKnown ? knownContacts.made_for_kg : contactsMass?.value;
-  if (bodyMass === null || madeFor === undefined || forces.length === 0 || Math.abs(madeFor / bodyMass - 1) < MASS_TOLERANCE) return [];
-  const values = new Map([["target_mass", massText(bodyMass)], ...(isKnown ? [["contacts_mass", massText(madeFor)] as const] : [])]);
+/** A button if the contacts were made for another mass than the body's, and the spheres are where the bones are. */
+function massOffer(session: Session, model: OpenModel, { mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces }: Inspection): HTMLElement[] {
+  if (bodyMass === null || !contactsMass || forces.length === 0 || isSameMass(contactsMass.value, bodyMass)) return [];
+  if (model.inspected && hasMisplacedSpheres(model.inspected)) return [];
+  const confirmed = contactsMass.source === "known-contacts" ? [["contacts_mass", massText(contactsMass.value)] as const] : [];
+  const values = new Map([["target_mass", massText(bodyMass)], ...confirmed]);
   return [button(`Make them fit this body: ${kilograms(bodyMass)}`, () => session.setVerb("rescale", values), { class: "offer" })];
 }
 
@@ -41,17 +39,13 @@ function massText(kg: number): string {
   return String(Number(kg.toPrecision(8)));
 }
 
-/** A button if another open model has these bodies and contacts: this model may have been scaled from it. */
-function followOffer(session: Session, model: OpenModel, { bodies }: Inspection): HTMLElement[] {
-  const names = bodies.map(({ name }) => name).join("\n");
-  const others = session.models.value.filter((other) => {
-    const inspection = other.id !== model.id ? other.inspected?.inspection : undefined;
-    return inspection !== undefined && inspection.forces.length > 0 && inspection.bodies.map(({ name }) => name).join("\n") === names;
-  });
-  return others.slice(0, 1).map((other) => {
-    const values = new Map<string, string | boolean>([["from", currentFile(other)], ["follow_bodies", true]]);
-    const act = () => session.setVerb("transfer", values);
-    return button(`Scaled from ${currentFile(other)}? Let its contacts follow the bones`, act, { class: "offer" });
+/** A button for each open model from which this one was scaled: the change that `check` proposes. */
+function followOffers(session: Session, model: OpenModel): HTMLElement[] {
+  const open = new Set(session.models.value.filter(({ id }) => id !== model.id).map(currentFile));
+  return model.originals.filter(({ file }) => open.has(file)).map(({ file, request }) => {
+    const isValue = (entry: [string, unknown]): entry is [string, string | boolean] => ["string", "boolean"].includes(typeof entry[1]);
+    const values = new Map(Object.entries(request).filter(isValue).filter(([name]) => name !== "verb"));
+    return button(`Scaled from ${file}? Let its contacts follow the bones`, () => session.setVerb("transfer", values), { class: "offer" });
   });
 }
 

@@ -4,7 +4,7 @@ import { type Child, el } from "../dom/element";
 import { counted, digits, kilograms } from "../dom/number";
 import type { Inspection, Inspected } from "../engine/types";
 
-const SOURCES: Readonly<Record<string, string>> = { note: "note in the file", bodies: "not recorded; taken from the bodies" };
+const SOURCES: Readonly<Record<string, string>> = { note: "note in the file", bodies: "not recorded; taken from the bodies", "known-contacts": "as published" };
 
 /** The summary as a list of terms. */
 export function summary({ inspection }: Inspected): HTMLElement {
