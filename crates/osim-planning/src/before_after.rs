@@ -9,7 +9,7 @@ use osim_requests::spell::Speller;
 
 use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
-use crate::remedies::RemedyTrials;
+use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::scene::{BodyFall, Scene};
 use crate::{ModelFeet, PreparedChange, prepared_change};
 
@@ -119,7 +119,8 @@ fn inspected_and_checked(
         prepared_change::changeable_with_numbers(options, &opened.model, changes),
     );
     // These remedies name no other files.
-    let trials = RemedyTrials { options, files: &InMemory::default(), inspect: &inspect };
+    let trials =
+        RemedyTrials { options, files: &InMemory::default(), inspect: &inspect, of_reference: &NO_CODES };
     (inspection, trials.with_tried_remedies(&opened.model, check))
 }
 

@@ -1,14 +1,16 @@
 //! Inspects and checks models with the options of a request, and compares them with a generic model if one is named.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use osim_inspect::{
-    CheckResult, InspectOptions, Inspection, ReferenceContacts, SizeList, unexplained_mass_slip,
+    CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
+    check_without_remedies, unexplained_mass_slip,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
-use osim_model::{Anatomy, Document, Fault, Finding, MassRequest, Model, Severity};
+use osim_model::messages::{Phrase, phrase};
+use osim_model::{Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Model, Severity, same_mass};
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
@@ -16,7 +18,7 @@ use crate::motion::MotionResult;
 use crate::motion_remarks::{CheckedMotion, MotionRemark};
 use crate::opening::{moco_setup, open, scale_file};
 use crate::prepared_change::check_with_trials;
-use crate::remedies::RemedyTrials;
+use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::rules;
 
 #[derive(Debug)]
@@ -46,6 +48,12 @@ struct GenericModel {
     size: ModelSize,
     /// The Moco setup of the models that are compared with the generic one.
     moco: Option<Document>,
+    /// What is wrong with it: models with its contacts have that, too.
+    codes: BTreeSet<FindingCode>,
+    /// Why nothing can be compared with it, if it has an error itself.
+    fault: Option<Phrase>,
+    /// Whether its bodies have the mass that its contacts were published for, if they are known.
+    fits_contacts: Option<bool>,
 }
 
 /// The files from which the right places of spheres follow.
@@ -68,7 +76,30 @@ fn generic_model(
     // The masses from_model the request are those from_model the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
     let size = ModelSize::of(&generic.model, &masses);
-    Ok(GenericModel { anatomy, contacts, file, size, moco: None })
+    let options = InspectOptions { masses, ..InspectOptions::default() };
+    let inspected = options.inspect_for_rules(generic.name(), &generic.model);
+    let findings = check_without_remedies(&options, &generic.model, &inspected);
+    let has_fault = |one: &&FindingWithRemedy| {
+        one.severity == Severity::Error || one.code() == FindingCode::SpheresMisplaced
+    };
+    let fault = findings.iter().find(has_fault).map(|one| {
+        phrase![format!("{} has a fault of its own [{}]: ", from.display(), one.code()), &one.message]
+    });
+    Ok(GenericModel {
+        anatomy,
+        contacts,
+        file,
+        size,
+        moco: None,
+        codes: findings.iter().map(|one| one.code()).collect(),
+        fault,
+        fits_contacts: fits_known_contacts(&inspected),
+    })
+}
+
+/// Whether the bodies have the mass that known contacts of the model were published for; `None` if they are not known.
+fn fits_known_contacts(inspected: &Inspection) -> Option<bool> {
+    Some(same_mass(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
 }
 
 /// The generic model that `check` compares with, and the setups of Moco.
@@ -200,7 +231,11 @@ impl Inspector {
         let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
         let result = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
-        let mut result = RemedyTrials { options: &self.options, files, inspect: &inspect }
+        let of_reference = match (&self.generic, &self.place_reference) {
+            (Some(Ok(generic)), Some(_)) => &generic.codes,
+            _ => &NO_CODES,
+        };
+        let mut result = RemedyTrials { options: &self.options, files, inspect: &inspect, of_reference }
             .with_tried_remedies(model, result);
         result.similarity = self.scaled_with_size(model);
         result.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
@@ -233,8 +268,15 @@ impl Inspector {
     fn add_comparison(&self, model: &Model, inspection: &mut Inspection) {
         let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.place_reference) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
-        let placement =
+        let mut placement =
             SpherePlacements::compare(model, from, scale_file, &generic.anatomy, generic.file.as_ref());
+        let fits = (fits_known_contacts(inspection), generic.fits_contacts);
+        if placement.was_left_behind() && fits == (Some(true), Some(false)) {
+            let why = "the contacts of this model fit its body, and those of the other one do not: the two are swapped";
+            placement = placement.of_wrong_model(why.into());
+        } else if let Some(fault) = &generic.fault {
+            placement = placement.of_wrong_model(fault.clone());
+        }
         inspection.placement = Some(placement);
         inspection.reference_contacts = Some(generic.contacts.clone());
     }

@@ -21,12 +21,16 @@ pub fn check_with_remedies(
     beside: &[Finding],
 ) -> CheckResult {
     let inspect = |name: &FileName, model: &Model| options.inspect(name.clone(), model, None);
-    let trials = RemedyTrials { options, files: &InMemory::default(), inspect: &inspect };
+    let trials =
+        RemedyTrials { options, files: &InMemory::default(), inspect: &inspect, of_reference: &NO_CODES };
     trials.with_tried_remedies(model, check_with_trials(options, model, inspected, beside))
 }
 
 /// Most steps that are proposed. The next check finds what is still wrong after them.
 const MOST_STEPS: usize = 8;
+
+/// For a model that is compared with no other.
+pub(crate) static NO_CODES: BTreeSet<FindingCode> = BTreeSet::new();
 
 /// Tries the remedies that a check proposes.
 pub(crate) struct RemedyTrials<'t> {
@@ -34,6 +38,8 @@ pub(crate) struct RemedyTrials<'t> {
     /// The files that remedies name.
     pub(crate) files: &'t dyn Files,
     pub(crate) inspect: &'t dyn Fn(&FileName, &Model) -> Inspection,
+    /// Codes of the findings about the model that was scaled, which its contacts bring along.
+    pub(crate) of_reference: &'t BTreeSet<FindingCode>,
 }
 
 /// The model after a step, and its findings.
@@ -103,7 +109,7 @@ impl RemedyTrials<'_> {
             let next = self.model_after(&request, model, &to)?;
             // If the mass that the contacts are made for becomes uncertain, the next step cannot be planned.
             let in_doubt = next.model.doubt_about_note().is_some() && model.doubt_about_note().is_none();
-            (!in_doubt && is_effective(&its, &request, found, &next.found)).then_some((request, next))
+            (!in_doubt && self.is_effective(&its, &request, found, &next.found)).then_some((request, next))
         })
     }
 
@@ -115,6 +121,28 @@ impl RemedyTrials<'_> {
         let inspected = (self.inspect)(&FileName::from(to), &model);
         let found = check_with_trials(self.options, &model, &inspected, &[]);
         Some(ModelAfterStep { model, found })
+    }
+
+    /// Whether the findings `its`, for which the remedy was proposed, are gone after it, and no other warning is new.
+    fn is_effective(
+        &self,
+        its: &[&FindingWithRemedy],
+        request: &Request,
+        before: &CheckResult,
+        after: &CheckResult,
+    ) -> bool {
+        let (findings_after, findings_before) =
+            (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
+        let are_gone = its.iter().all(|one| findings_after.find_same(one).is_none());
+        let makes_forces = matches!(request, Request::Convert(_));
+        let has_new_warnings = warnings_and_errors(after)
+            .filter(|one| {
+                findings_before.find_same(one).is_none() && !self.of_reference.contains(&one.code())
+            })
+            .any(|one| one.spheres.is_empty())
+            && !makes_forces;
+        let known = &codes_of_warnings(before) | self.of_reference;
+        are_gone && !has_new_warnings && codes_of_warnings(after).is_subset(&known)
     }
 }
 
@@ -154,24 +182,6 @@ fn is_proposed_in(requests: &[Request], finding: &FindingWithRemedy) -> bool {
 
 fn may_have_command(finding: &FindingWithRemedy) -> bool {
     finding.severity >= Severity::Warning && matches!(finding.rule.repair, Repair::Command(_))
-}
-
-/// Whether the findings `its`, for which the remedy was proposed, are gone after it, and no other warning is new.
-fn is_effective(
-    its: &[&FindingWithRemedy],
-    request: &Request,
-    before: &CheckResult,
-    after: &CheckResult,
-) -> bool {
-    let (findings_after, findings_before) =
-        (FindingIndex::new(&after.findings), FindingIndex::new(&before.findings));
-    let are_gone = its.iter().all(|one| findings_after.find_same(one).is_none());
-    let makes_forces = matches!(request, Request::Convert(_));
-    let has_new_warnings = warnings_and_errors(after)
-        .filter(|one| findings_before.find_same(one).is_none())
-        .any(|one| one.spheres.is_empty())
-        && !makes_forces;
-    are_gone && !has_new_warnings && codes_of_warnings(after).is_subset(&codes_of_warnings(before))
 }
 
 fn warnings_and_errors(found: &CheckResult) -> impl Iterator<Item = &FindingWithRemedy> {

@@ -178,7 +178,8 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
 fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
-        return vec![Finding::new(&SPHERES_NOT_COMPARED, text)];
+        let severity = if placement.is_wrong_model { Severity::Error } else { Severity::Remark };
+        return vec![Finding::new(&SPHERES_NOT_COMPARED, text).with_severity(severity)];
     }
     let unmatched = placement.unmatched.iter().cloned().map(|why| Finding::new(&SPHERES_NOT_COMPARED, why));
     let placed = placement.spheres.iter().filter(|sphere| !sphere.follows).map(misplaced_sphere);

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
-use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, Step};
+use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step};
 
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;
@@ -29,6 +29,8 @@ pub struct SpherePlacements {
     pub unmatched: Vec<Phrase>,
     /// Why they cannot be compared, in words.
     pub unknown: Option<Phrase>,
+    /// Whether that is because the caller named a wrong model.
+    pub is_wrong_model: bool,
     /// Whether a transfer with `level` is right: no foot was stretched too much, and some foot was not scaled alike along all axes.
     pub suits_level: bool,
     /// Whether radii are as this program wrote them, by its note.
@@ -46,7 +48,7 @@ pub struct PlacedSphere {
     pub here_m: [f64; 3],
     /// Place of the sphere in the model that was scaled.
     pub was_m: [f64; 3],
-    /// Place where the sphere belongs: that in the model that was scaled, times the factors of its body.
+    /// Where it belongs: the place there times the factors of its body; with its bottom on the scaled sole where `level` is right.
     pub belongs_m: [f64; 3],
     /// Whether the sphere is where it belongs, or its bottom is on the scaled sole.
     pub follows: bool,
@@ -74,6 +76,7 @@ impl SpherePlacements {
             spheres: Vec::new(),
             unmatched: Vec::new(),
             unknown: Some(why),
+            is_wrong_model: false,
             suits_level: false,
             noted_radii: has_radii_of_note(model),
         };
@@ -94,12 +97,19 @@ impl SpherePlacements {
             placed_spheres(model, &scaled, original, &factors).map_err(in_words)
         };
         match placed() {
-            Ok((spheres, _, _)) if spheres.is_empty() => unknown("it has no sphere of the same name".into()),
+            Ok((spheres, _, _)) if spheres.is_empty() => {
+                unknown("".into()).of_wrong_model("it has no sphere of the same name".into())
+            }
             Ok((spheres, unmatched, suits_level)) => {
                 Self { spheres, suits_level, unmatched, unknown: None, ..unknown("".into()) }
             }
             Err(why) => unknown(why),
         }
+    }
+
+    /// Without a comparison, because the caller named a wrong model, and `why`.
+    pub fn of_wrong_model(self, why: Phrase) -> Self {
+        Self { spheres: Vec::new(), unmatched: Vec::new(), unknown: Some(why), is_wrong_model: true, ..self }
     }
 
     /// Whether each sphere is where it belongs.
@@ -173,7 +183,7 @@ fn placed_spheres(
     factors: &Factors,
 ) -> Result<(Vec<PlacedSphere>, Vec<Phrase>, bool), Fault> {
     let up = LevelAxis::of_gravity(model.gravity_m_s2);
-    let (mut spheres, mut stretched, mut uneven) = (Vec::new(), false, false);
+    let (mut compared, mut stretched, mut uneven) = (Vec::new(), false, false);
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(now)) = (model.sphere(id), scaled.spheres.get(id.index())) else { continue };
         let Some(old) = original.sphere(&sphere.name).filter(|old| old.body == now.body) else { continue };
@@ -181,22 +191,28 @@ fn placed_spheres(
         let of_body = factors.body_factors(body)?;
         stretched |= is_stretched(of_body);
         uneven |= stretch(of_body) > SAME_FACTOR;
-        let belongs_m = now.rotation.scaled_in_frame(of_body, old.location_m);
+        compared.push((sphere, now, old, of_body));
+    }
+    let suits_level = uneven && !stretched;
+    let placed = compared.into_iter().map(|(sphere, now, old, of_body)| {
+        let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let follows =
-            is_same_place(here_m, belongs_m) || is_same_place(here_m, on_sole(now, old, of_body, up));
-        spheres.push(PlacedSphere {
+        let on_own_sole_m = on_sole(now, old, (of_body, now.radius_m), up);
+        // As the proposed transfer writes it.
+        let new_radius_m = old.radius_m * RadiusAxis::default().radius_ratio(of_body);
+        let belongs_m = if suits_level { on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
+        PlacedSphere {
             name: sphere.name.clone(),
             path: sphere.path.clone(),
             line: sphere.line,
             here_m,
             was_m: old.location_m,
             belongs_m,
-            follows,
+            follows: is_same_place(here_m, scaled_m) || is_same_place(here_m, on_own_sole_m),
             untouched: is_untouched(now, old),
-        });
-    }
-    Ok((spheres, unmatched(model, scaled, original), uneven && !stretched))
+        }
+    });
+    Ok((placed.collect(), unmatched(model, scaled, original), suits_level))
 }
 
 /// The relative difference of the y factor from √(x z).
@@ -209,10 +225,15 @@ pub fn is_stretched(factors: [f64; 3]) -> bool {
     stretch(factors) > LARGEST_STRETCH
 }
 
-/// The centre of a sphere whose bottom is on the scaled sole, with the radius that the sphere has now.
-fn on_sole(now: &AnatomySphere, old: &AnatomySphere, factors: [f64; 3], up: LevelAxis) -> [f64; 3] {
+/// The centre with which the bottom of a sphere of this radius is on the sole, scaled by the factors of its body.
+fn on_sole(
+    now: &AnatomySphere,
+    old: &AnatomySphere,
+    (factors, radius_m): ([f64; 3], f64),
+    up: LevelAxis,
+) -> [f64; 3] {
     let scaled = |vector| now.rotation.scaled_in_frame(factors, vector);
-    up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, now.radius_m, scaled)
+    up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled)
 }
 
 /// Whether a sphere is as it was, as a transfer asks before it moves one.

@@ -94,6 +94,8 @@ pub enum FaultKind {
     /// Bodies that carry spheres in the reference and are not in the model.
     MissingCarriers {
         bodies: Vec<String>,
+        /// The forces of the reference whose spheres are on other bodies, if one pattern fits their names alone.
+        others: Option<&'static str>,
     },
     /// The element to change is in another file, which the model names.
     IncludedFile {
@@ -209,16 +211,21 @@ impl FaultKind {
                 ", or replace them with ",
                 Input::Replace,
             ],
-            Self::MissingCarriers { bodies } => {
+            Self::MissingCarriers { bodies, others } => {
                 let (is, first) = match bodies.as_slice() {
                     [one] => (format!("body {one}, which carries"), one.as_str()),
                     [one, ..] => (format!("bodies {}, which carry", bodies.join(", ")), one.as_str()),
                     [] => (String::new(), ""),
                 };
-                phrase![
+                let mut text = phrase![
                     format!("the model lacks {is} spheres in the reference: name what takes them here with "),
                     Input::BodyMap.with_value(format!("{first}=BODY")),
-                ]
+                ];
+                if let Some(pattern) = others {
+                    text.push(", or leave them out with ");
+                    text.push(Input::ReferenceSelect.with_value(format!("\"{pattern}\"")));
+                }
+                text
             }
             Self::UnknownReferenceSphere { sphere, reference, known } => phrase![
                 Input::ReferenceSphere.with_value(sphere),

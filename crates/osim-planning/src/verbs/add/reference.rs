@@ -7,7 +7,7 @@ use contact_scaling::Ratios;
 use osim_model::files::{Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{
-    Anatomy, Fault, FaultKind, FindingCode, Force, ForceKind, Model, Property, RadiusRule, Selected,
+    Anatomy, Fault, FaultKind, FindingCode, Force, ForceKind, Model, Pattern, Property, RadiusRule, Selected,
 };
 use osim_patch::{
     ContactLayout, NewContact, PLACES_STAY, Plan, RebuiltModel, Reference, add_contacts, presets_with_places,
@@ -193,6 +193,19 @@ impl FromReference {
         Ok((plan, rebuilt))
     }
 
+    /// A pattern that fits the forces of spheres on bodies that are there, and no force on those that are `missing`.
+    fn pattern_of_others(&self, missing: &BTreeSet<&str>) -> Option<&'static str> {
+        const SIDES: [&str; 6] = ["*_r", "*_l", "*_right", "*_left", "r_*", "l_*"];
+        let fits = |text: &&str| {
+            let Ok(pattern) = text.parse::<Pattern>() else { return false };
+            let mut contacts = self.layout.contacts.iter();
+            contacts.clone().any(|contact| pattern.matches(&contact.force))
+                && contacts
+                    .all(|contact| pattern.matches(&contact.force) != missing.contains(contact.body.as_str()))
+        };
+        SIDES.into_iter().find(fits)
+    }
+
     /// Refuses a model that does not have all bodies that are to get spheres.
     fn refuse_missing_bodies(&self, model: &Model) -> Result<(), AddFault> {
         let bodies_of_model: HashSet<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
@@ -210,8 +223,9 @@ impl FromReference {
         match missing.is_empty() {
             true => Ok(()),
             false => {
+                let others = self.pattern_of_others(&missing);
                 let bodies = missing.into_iter().map(str::to_owned).collect();
-                Err(Fault::new(FaultKind::MissingCarriers { bodies }).into())
+                Err(Fault::new(FaultKind::MissingCarriers { bodies, others }).into())
             }
         }
     }

@@ -72,6 +72,14 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             damage_each(text, model, "ContactSphere", PLACE, |place| scaled(place, 1000.0)),
         ),
         ("one on the other side", on_other_side(text, model)),
+        ("masses of a child", numbers_multiplied(text, "mass", 0.2)),
+        ("heaviest body weighs nothing", without_heaviest_mass(text, model)),
+        ("radii in feet", set(json!({"radius": "x3.28084"}), &[])),
+        (
+            "left forces deleted",
+            (!left.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": left}))).flatten(),
+        ),
+        ("places rounded", damage_each(text, model, "ContactSphere", PLACE, rounded)),
     ];
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
 }
@@ -138,6 +146,20 @@ fn damage_each(
         }
     }
     changed.then_some(made)
+}
+
+/// The model with a mass of 0 for the body that has the largest.
+fn without_heaviest_mass(text: &str, model: &Model) -> Option<String> {
+    let heaviest = model.bodies().iter().map(|body| body.mass.number).fold(0.0, f64::max);
+    damage_each(text, model, "Body", &["mass"], |mass| {
+        (mass.trim().parse::<f64>().ok()? == heaviest).then(|| "0".to_owned())
+    })
+}
+
+/// Numbers with a tenth of a millimetre, as scripts write them.
+fn rounded(numbers: &str) -> Option<String> {
+    let numbers: Option<Vec<f64>> = numbers.split_whitespace().map(|word| word.parse().ok()).collect();
+    Some(numbers?.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(" "))
 }
 
 fn scaled(numbers: &str, factor: f64) -> Option<String> {
