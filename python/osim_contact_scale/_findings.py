@@ -115,6 +115,8 @@ class Finding(NamedValues):
         Names of all spheres concerned.
     line : int or None
         Line in the model.
+    had_before : bool
+        Of the result of a change: the model before it, or the reference, has this finding, too.
     remedy : Remedy or None
         A call that corrects it, if there is one.
     """
@@ -127,6 +129,7 @@ class Finding(NamedValues):
     place: str | None
     spheres: tuple[str, ...]
     line: int | None
+    had_before: bool
     remedy: Remedy | None
 
     @classmethod

@@ -40,7 +40,7 @@ ROW_OPTIONS = frozenset({
 
 #: Options of a whole run, which no row can have.
 RUN_OPTIONS = frozenset({
-    "diff", "dry_run", "format", "jobs", "quiet", "report", "resume", "shard", "summary",
+    "deny", "diff", "dry_run", "format", "jobs", "quiet", "report", "resume", "shard", "summary",
 })
 
 #: Options that name files or folders.

@@ -232,7 +232,12 @@ fn findings_agree_with_their_topics_in_explain() {
             let topic = register.iter().find(|topic| topic["code"] == finding.code.as_str()).unwrap();
             // A fault that the published contacts have is only a remark.
             let as_published = published && finding.severity == "remark";
-            assert!(as_published || topic["severity"] == finding.severity.as_str(), "{finding:?}");
+            // Bodies that are still to be scaled to the mass that the caller says are a remark.
+            let is_to_do = finding.code == "mass-sources-disagree" && finding.severity == "remark";
+            assert!(
+                as_published || is_to_do || topic["severity"] == finding.severity.as_str(),
+                "{finding:?}"
+            );
             assert_eq!(
                 (&topic["why"], &topic["advice"]),
                 (&finding.why.as_str().into(), &finding.advice.as_str().into())

@@ -255,8 +255,19 @@ fn rescale_lists_every_change() {
         (1, "human.osim", Some("human.scaled.osim"))
     );
     assert_eq!(plan.masses(), (62.0, "bodies", 1190.0));
-    assert!(plan.geometry_output.is_none() && plan.findings.is_empty() && !plan.remarks.is_empty());
+    assert!(plan.geometry_output.is_none() && !plan.remarks.is_empty());
     assert!(plan.objects.is_empty());
+    // Of the result: the first two are new.
+    let findings: Vec<_> = plan.findings.iter().map(|one| (one.code.as_str(), one.had_before)).collect();
+    let expected = [
+        ("mass-sources-disagree", false),
+        ("not-on-floor", false),
+        ("beyond-hertz", true),
+        ("beyond-hunt-crossley", true),
+        ("known-contacts", true),
+    ];
+    assert!(findings.len() == 5 && expected.iter().all(|one| findings.contains(one)), "{findings:?}");
+    assert!(plan.findings.iter().all(|one| one.severity == "remark"));
     assert!(plan.credits.unwrap().contains("[contacts made for 1190 kg at 9.81 m/s2 (osim-contact-scale "));
     // Python 3, decimal, 60 digits, from μ = 1190/62.
     let expected = [

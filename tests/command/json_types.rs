@@ -72,6 +72,7 @@ pub(crate) struct Finding {
     pub(crate) spheres: Vec<String>,
     pub(crate) line: Option<usize>,
     pub(crate) command: Option<String>,
+    pub(crate) had_before: bool,
 }
 
 #[derive(Debug, Deserialize)]

@@ -40,7 +40,7 @@ mod verdicts;
 
 pub use figures::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};
 pub use findings::{
-    Changeable, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model, check_numbers,
+    Changeable, CheckResult, Counts, FindingIndex, FindingWithRemedy, check_model, check_without_remedies,
 };
 pub use floors::weight_share_on_floor;
 pub use inspection::{

@@ -143,7 +143,7 @@ fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
 pub struct ContactsOrigin {
     /// As the caller says, else the note, else as published contacts that these are, else what the model weighs.
     pub mass: Mass,
-    /// The published contacts.
+    /// The published contacts, where neither the caller nor a note says a mass.
     pub known: Option<KnownContacts>,
     /// A warning for each other source that disagrees.
     pub findings: Vec<Finding>,
@@ -160,13 +160,14 @@ impl ContactsOrigin {
         masses: &MassRequest,
         stance: &Stance,
     ) -> Result<Self, Fault> {
-        let count = LoadSharing::of(model, forces).count(
-            stance.spheres,
-            stance.limb_count(model),
-            CountedSpheres::Model,
-        );
-        let weighs_kg = masses.model_mass(model).ok().map(|mass| mass.kg);
-        Self::with_known(model, masses, KnownContacts::find(model, forces, count.ok(), weighs_kg))
+        let is_said = masses.contacts_mass(model)?.0.source.is_about_contacts();
+        let known = (!is_said).then(|| {
+            let sharing = LoadSharing::of(model, forces);
+            let count = sharing.count(stance.spheres, stance.limb_count(model), CountedSpheres::Model).ok();
+            let weighs_kg = masses.model_mass(model).ok().map(|mass| mass.kg);
+            KnownContacts::find(model, forces, count, weighs_kg)
+        });
+        Self::with_known(model, masses, known.flatten())
     }
 
     /// As [`find`](Self::find), if published contacts were looked for already.

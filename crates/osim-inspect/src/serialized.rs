@@ -35,6 +35,8 @@ pub struct FindingRecord {
     pub line: Option<usize>,
     /// The call that corrects it, if `check` can propose one.
     pub command: Option<String>,
+    /// Of the result of a change: the model before it, or the reference, has this finding, too.
+    pub had_before: bool,
 }
 
 impl From<&Finding> for FindingRecord {
@@ -49,6 +51,7 @@ impl From<&Finding> for FindingRecord {
             spheres: finding.spheres.clone(),
             line: finding.line,
             command: None,
+            had_before: finding.had_before,
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::builder::{NewValue, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, GRAVITY_STAYS, bottoms_remark_and_level, warn_forces};
+use crate::rules::{self, GRAVITY_STAYS, warn_forces};
 
 /// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
 pub const RESCALE_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
@@ -215,7 +215,7 @@ fn finish(
     if !nothing {
         if moves.is_empty() {
             remarks.push(rules::PLACES_STAY.into());
-            remarks.extend(radii.and_then(bottoms_remark_and_level));
+            rules::remark_on_bottoms(&mut remarks, radii);
         } else if wanted.bodies.is_some() {
             remarks.push("body masses stay as they are; spheres follow their bodies".into());
         } else {

@@ -240,9 +240,15 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     Some(format!("the lowest points of spheres move {moves}, because radii change and centres stay").into())
 }
 
-/// The remark about bottoms where centres can move, too.
-pub(crate) fn bottoms_remark_and_level(radii: &Radii) -> Option<Phrase> {
-    Some(phrase![&bottoms_remark(radii)?, "; ", Input::Level, " keeps them where they are"])
+/// Bottoms that move farther than this change how the model stands: the remark comes first, m.
+const FAR_BOTTOMS_M: f64 = 0.005;
+
+/// Adds the remark about bottoms where centres can move, too.
+pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>) {
+    let Some((radii, remark)) = radii.and_then(|radii| Some((radii, bottoms_remark(radii)?))) else { return };
+    let is_far = |(least, most): (f64, f64)| most.max(-least) > FAR_BOTTOMS_M;
+    let at = if radii.bottom_shifts().is_some_and(is_far) { 0 } else { remarks.len() };
+    remarks.insert(at, phrase![&remark, "; ", Input::Level, " keeps them where they are"]);
 }
 
 /// A remark on where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.

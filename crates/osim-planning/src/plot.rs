@@ -67,12 +67,8 @@ fn feet_and_scaled_feet(
     let Some(target_mass) = request.target_mass else { return Ok((feet, None)) };
     let failed = |fault| open.failure(fault);
     let selected = request.choice.selection().apply(&open.model).map_err(failed)?;
-    let origin = ContactsOrigin::find(
-        &open.model,
-        &selected.forces,
-        &request.masses.request(),
-        &Stance::default(),
-    );
+    let origin =
+        ContactsOrigin::find(&open.model, &selected.forces, &request.masses.request(), &Stance::default());
     let contacts_mass = origin.map_err(failed)?.mass;
     let ratios =
         Ratios::isometric(target_mass.get() / contacts_mass.kg).map_err(|error| failed(Fault::new(error)))?;

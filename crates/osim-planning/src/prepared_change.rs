@@ -158,6 +158,10 @@ impl PreparedChange {
         let asks = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
         self.answers.ask(asks).map_err(Fault::new)?;
         let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
+        if slip.is_some() && self.verb != Verb::Add {
+            // No mass helps where there are no contacts.
+            self.options.selection.apply(model)?;
+        }
         self.answers.ask(slip).map_err(Fault::new)
     }
 

@@ -1,16 +1,17 @@
 //! Plans that are judged by the model that they make: how it is inspected, and what is worse in it than before.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use osim_inspect::{
-    Bottom, Changeable, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, Stance, StandingBody,
-    check_model, check_numbers, describe_unmatched_patterns, model_findings,
+    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, Stance, StandingBody,
+    check_without_remedies, describe_unmatched_patterns,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
-use osim_model::messages::{Phrase, Verb, phrase};
+use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, Source, same_mass,
+    Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, Source,
+    is_at_target, same_mass,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
@@ -18,21 +19,16 @@ use osim_requests::NoteDetails;
 use crate::prepared_change::PreparedChange;
 use crate::rules;
 
-/// For a check without remedies, which need not know what can be changed.
-const NO_REMEDIES: Changeable = Changeable { numbers: false, radii: false };
-
 impl PreparedChange {
-    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its findings name what is odd about the model
-    /// itself, and what the change makes worse.
+    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its findings are those of the changed model,
+    /// and what the change itself shows.
     ///
     /// # Errors
     /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
-        if !plan.is_empty() {
-            let changed = ResultingModel::renumbered_or_read(&plan, opened)?;
-            self.add_worse_findings(opened, &mut plan, &changed)?;
-        }
+        let changed = (!plan.is_empty()).then(|| renumbered_or_read(&plan, opened)).transpose()?;
+        self.judge_result(opened, &mut plan, changed.as_ref())?;
         Ok(plan)
     }
 
@@ -46,15 +42,12 @@ impl PreparedChange {
         files: &dyn Files,
     ) -> Result<(Plan, Option<Model>), Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
-        if plan.is_empty() {
-            return Ok((plan, None));
-        }
-        let changed = ResultingModel::read(&plan, opened)?;
-        self.add_worse_findings(opened, &mut plan, &changed)?;
-        Ok((plan, Some(changed.into_model())))
+        let changed = (!plan.is_empty()).then(|| read_again(&plan, opened)).transpose()?;
+        self.judge_result(opened, &mut plan, changed.as_ref())?;
+        Ok((plan, changed))
     }
 
-    /// The plan with its note and the findings about the model itself, without those about the result.
+    /// The plan with its note, and with what the change itself shows.
     fn plan_with_note(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
@@ -75,8 +68,6 @@ impl PreparedChange {
             let text = "the model has no <credits>: they are added for the note, because OpenSim drops comments when it saves";
             plan.remarks.push(text.into());
         }
-        let remaining = remaining_findings(&plan, model);
-        plan.findings.splice(0..0, remaining);
         plan.remarks.extend(describe_unmatched_patterns(
             &self.options.selection,
             &self.options.masses,
@@ -85,17 +76,64 @@ impl PreparedChange {
         Ok(plan)
     }
 
-    /// Adds findings about what `plan` makes worse to its findings.
-    fn add_worse_findings(
+    /// Adds what `check` finds in the `changed` model; without one, the model stays as it was.
+    ///
+    /// # Errors
+    /// An error that neither the model before nor the reference has, unless the caller confirmed it.
+    fn judge_result(
         &self,
         opened: &OpenModel,
         plan: &mut Plan,
-        changed: &ResultingModel,
+        changed: Option<&Model>,
     ) -> Result<(), Failure> {
-        for mut finding in worse_findings(self, opened, plan, changed)? {
-            self.keep_ways_out(&mut finding.message);
-            plan.findings.push(finding);
+        let masses = &self.options.masses;
+        let weighs = masses.model_mass(&opened.model).ok();
+        let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
+        let weighs_kg = weighs.map(|mass| mass.kg);
+        let before = findings_without_remedies(&self.options_before(plan), opened, &opened.model);
+        let after = changed
+            .map(|changed| findings_without_remedies(&self.options_after(plan, weighs_kg), opened, changed));
+        let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
+        let mut judged = findings_of_result(&before, after, reference);
+        // Conversion has advice of its own on what it makes.
+        if self.verb == Verb::Convert {
+            judged.retain(|one| !plan.findings.iter().any(|own| is_same_case(own, one)));
         }
+        let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
+        let awaits = self.bodies_await_scaling(plan, weighs_kg);
+        let moved = changed.filter(|_| !awaits || judged.iter().any(|one| is_sunk_in(&one)));
+        let mut moved = moved.map_or_else(MovedBottoms::default, |changed| {
+            MovedBottoms::between(plan, &opened.model, changed)
+        });
+        // A change that is taken back gives a model that was there before: nobody has to be asked about it.
+        let is_confirmed = self.writes_given_numbers()
+            || plan.restores_original()
+            || self.answers.has(Question::WrongAfterwards);
+        // Where the bottoms of a foot part, the lower ones carry the body alone, at whatever pose.
+        let is_wrong = |one: &&Finding| {
+            let is_error = one.severity == Severity::Error && !one.had_before;
+            is_error || (is_sunk_in(one) && !moved.uneven.is_empty())
+        };
+        let wrong = judged.iter().find(is_wrong);
+        if let Some(wrong) = wrong.filter(|_| !is_confirmed) {
+            let has_parted = !moved.uneven.is_empty();
+            let mut question = opened.failure(Fault::new(question_about(wrong, has_parted)));
+            self.keep_ways_out(&mut question.message);
+            return Err(question);
+        }
+        plan.findings.retain(|own| !judged.iter().any(|one| is_same_case(own, one)));
+        if awaits {
+            // Nobody knows the default pose of the scaled bodies yet.
+            moved = MovedBottoms::default();
+        } else if judged.iter().any(|one| one.code() == FindingCode::UnevenBottoms) {
+            // A foot is called uneven once.
+            moved.uneven.clear();
+        }
+        let all = judged.into_iter().map(about_new_model).chain(moved.off_floor).chain(moved.uneven);
+        plan.findings.extend(all.map(|mut finding| {
+            self.keep_ways_out(&mut finding.message);
+            finding
+        }));
         Ok(())
     }
 
@@ -116,7 +154,7 @@ impl PreparedChange {
         // The inspection reads this mass from the note; if the plan writes no note, it has to be told.
         options.masses.contacts_mass_kg = target_mass_kg.filter(|_| plan.note().is_none());
         if let Some(target_mass_kg) = target_mass_kg.filter(|_| self.is_for_target_mass())
-            && weighs_kg.is_none_or(|weighs| !same_mass(weighs, target_mass_kg))
+            && weighs_kg.is_none_or(|weighs| !is_at_target(weighs, target_mass_kg))
         {
             options.masses.model_kg = Some(target_mass_kg);
         }
@@ -144,128 +182,44 @@ impl PreparedChange {
     }
 }
 
-/// Findings about `model` that the change leaves: a finding about an object that the plan removes or replaces is left out.
-fn remaining_findings(plan: &Plan, model: &Model) -> Vec<Finding> {
-    let key = |finding: &Finding| (finding.code(), finding.place.clone());
-    let remaining: HashSet<_> = model_findings(plan.base_model(model)).iter().map(key).collect();
-    model_findings(model).iter().filter(|finding| remaining.contains(&key(finding))).cloned().collect()
-}
-
-/// The model that a plan makes.
-#[derive(Debug)]
-enum ResultingModel {
-    /// The old model with other numbers of contacts: no bytes were read again.
-    NumbersChanged(Model),
-    /// Read from its new bytes.
-    Read(Model),
-}
-
-impl ResultingModel {
-    /// The model that `plan` makes of `opened`. It is read from its new bytes only if something else than numbers changes.
-    ///
-    /// # Errors
-    /// Those of [`Plan::changed`].
-    fn renumbered_or_read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
-        plan.with_contact_numbers(&opened.model)
-            .map_or_else(|| Self::read(plan, opened), |model| Ok(Self::NumbersChanged(model)))
-    }
-
-    /// The model that `plan` makes of `opened`, read from its new bytes.
-    ///
-    /// # Errors
-    /// Those of [`Plan::changed`].
-    fn read(plan: &Plan, opened: &OpenModel) -> Result<Self, Failure> {
-        plan.changed_model(&opened.model).map(Self::Read).map_err(|fault| opened.failure(fault))
-    }
-
-    fn into_model(self) -> Model {
-        let (Self::NumbersChanged(model) | Self::Read(model)) = self;
-        model
-    }
-
-    fn model(&self) -> &Model {
-        let (Self::NumbersChanged(model) | Self::Read(model)) = self;
-        model
-    }
-
-    /// Findings about `model`, which is this model or the one before the change, without remedies. If only numbers changed, only the
-    /// rules about numbers are checked.
-    fn findings_without_remedies(
-        &self,
-        options: &InspectOptions,
-        opened: &OpenModel,
-        model: &Model,
-    ) -> Vec<FindingWithRemedy> {
-        match self {
-            Self::NumbersChanged(_) => {
-                let inspected = options.inspect_for_rules(opened.name(), model);
-                check_numbers(options, model, &inspected)
-            }
-            Self::Read(_) => findings_without_remedies(options, opened, model),
-        }
-    }
-}
-
-/// Warnings and errors of the resulting model that the model before does not have, or has with a lower level; and findings about
-/// bodies that stood at their default pose and do not any more.
+/// The model that `plan` makes of `opened`. It is read from its new bytes only if something else than numbers changes.
 ///
 /// # Errors
-/// An error among them, unless the caller confirmed it.
-fn worse_findings(
-    change: &PreparedChange,
-    opened: &OpenModel,
-    plan: &Plan,
-    changed: &ResultingModel,
-) -> Result<Vec<Finding>, Failure> {
-    let masses = &change.options.masses;
-    let weighs = masses.model_mass(&opened.model).ok();
-    let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
-    let weighs_kg = weighs.map(|mass| mass.kg);
-    // A change that is taken back gives a model that was there before: nobody has to be asked about it.
-    let is_confirmed = change.writes_given_numbers()
-        || plan.restores_original()
-        || change.answers.has(Question::WrongAfterwards);
-    let (before, after) = (change.options_before(plan), change.options_after(plan, weighs_kg));
-    let worse = findings_that_became_worse(&before, &after, opened, plan, changed);
-    let mut findings: Vec<Finding> = match worse.iter().find(|one| one.severity == Severity::Error) {
-        Some(wrong) if !is_confirmed => return Err(opened.failure(Fault::new(question_about(wrong)))),
-        _ => worse.iter().map(about_new_model).collect(),
-    };
-    if !change.bodies_await_scaling(plan, weighs_kg) {
-        findings.extend(bottoms_moved(plan, &opened.model, changed.model(), &findings));
-    }
-    Ok(findings)
+/// Those of [`Plan::changed_model`].
+fn renumbered_or_read(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
+    plan.with_contact_numbers(&opened.model).map_or_else(|| read_again(plan, opened), Ok)
 }
 
-/// Warnings and errors of the resulting model that the old one does not have, or has with a lower level.
-fn findings_that_became_worse(
-    before: &InspectOptions,
-    after: &InspectOptions,
-    opened: &OpenModel,
-    plan: &Plan,
-    changed: &ResultingModel,
-) -> Vec<FindingWithRemedy> {
-    let new_findings = changed.findings_without_remedies(after, opened, changed.model());
-    let is_bad = |one: &&FindingWithRemedy| {
-        one.severity >= Severity::Warning && !says_bodies_are_unscaled(one) && !is_reported_by_plan(plan, one)
-    };
-    let bad: Vec<&FindingWithRemedy> = new_findings.iter().filter(is_bad).collect();
-    if bad.is_empty() {
-        return Vec::new();
-    }
-    let old_findings = changed.findings_without_remedies(before, opened, &opened.model);
-    let old_index = FindingIndex::new(&old_findings);
-    // A finding new another code in the same place is not new: contacts that no longer are those new a published model are not worse.
-    let is_worse = |one: &&FindingWithRemedy| {
-        let was = old_index.find_same_or_other_depth(one);
-        was.is_none_or(|was| was.code() != one.code() && was.rule.severity < one.rule.severity)
-    };
-    bad.into_iter().filter(is_worse).cloned().collect()
+/// The model that `plan` makes of `opened`, read from its new bytes.
+///
+/// # Errors
+/// Those of [`Plan::changed_model`].
+fn read_again(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
+    plan.changed_model(&opened.model).map_err(|fault| opened.failure(fault))
 }
 
-/// Whether the finding only says that the bodies are not scaled yet: contacts are often scaled before them.
-pub(crate) fn says_bodies_are_unscaled(one: &FindingWithRemedy) -> bool {
-    one.code() == FindingCode::MassSourcesDisagree
+/// The findings `after` a change, each with whether the model had it `before`, or the `reference` has it; those `before` if nothing
+/// changes.
+fn findings_of_result(
+    before: &[FindingWithRemedy],
+    after: Option<Vec<FindingWithRemedy>>,
+    reference: &[FindingWithRemedy],
+) -> Vec<Finding> {
+    let index = FindingIndex::new(before);
+    let had = |one: &FindingWithRemedy| {
+        // A finding with another code in the same place is not new: contacts that no longer are those of a published model are not
+        // worse.
+        let was = index.find_same_or_other_depth(one);
+        was.is_some_and(|was| was.code() == one.code() || was.rule.severity >= one.rule.severity)
+            || reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity)
+    };
+    let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
+    after.as_deref().unwrap_or(before).iter().map(judged).collect()
+}
+
+/// Whether two findings are about one case.
+fn is_same_case(one: &Finding, other: &Finding) -> bool {
+    (one.code(), &one.place, one.severity) == (other.code(), &other.place, other.severity)
 }
 
 /// All findings about `model`, without remedies.
@@ -275,31 +229,43 @@ pub(crate) fn findings_without_remedies(
     model: &Model,
 ) -> Vec<FindingWithRemedy> {
     let inspected = options.inspect_for_rules(opened.name(), model);
-    check_model(options, model, &inspected, &[], NO_REMEDIES).findings
+    check_without_remedies(options, model, &inspected)
 }
 
-/// Whether the plan already reports this finding, with advice of its own, as `convert` does of the smoothing of stiff spheres. Such
-/// a finding is neither repeated nor a reason to refuse.
-fn is_reported_by_plan(plan: &Plan, one: &FindingWithRemedy) -> bool {
-    plan.findings.iter().any(|known| known.code() == one.code() && known.place == one.place)
-}
-
-/// The finding for people who have only the old file: its line, which is one of the new file, is left out.
-fn about_new_model(found: &FindingWithRemedy) -> Finding {
-    let message = phrase!["in the new model: ", &found.message];
-    found.finding.clone().with_message(message).with_line(None)
-}
-
-fn question_about(wrong: &FindingWithRemedy) -> NeedsAnswer {
+/// The question whether a result with the fault `wrong` is meant; `has_parted` says that bottoms of a foot were moved apart.
+fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
+    let advice = if has_parted {
+        phrase![
+            "Unlike radii change about centres that stay. Keep the lowest points where they are with ",
+            Input::Level,
+            ", or the radii with ",
+            Input::Radius.with_value("keep"),
+        ]
+    } else {
+        wrong.advice.clone()
+    };
     let text: Phrase = phrase![
         "the model would be wrong afterwards [",
         wrong.code().as_str(),
         "]: ",
         &wrong.message,
         ". ",
-        &wrong.advice
+        &advice
     ];
     NeedsAnswer::Other { question: Question::WrongAfterwards, text }
+}
+
+/// A finding about the new model, for people who have only the old file: its line, which is one of the new file, is left out.
+fn about_new_model(found: Finding) -> Finding {
+    if found.had_before {
+        return found.with_line(None);
+    }
+    let message = match found.code() {
+        // Only part of the contacts was changed.
+        FindingCode::StaleNote => "the next run will ask for which mass the contacts are made".into(),
+        _ => found.message.clone(),
+    };
+    found.with_message(phrase!["in the new model: ", &message]).with_line(None)
 }
 
 // What a change does to the bottoms of spheres: bodies that stood at their default pose and no longer do, and feet that it makes
@@ -310,27 +276,30 @@ const SMALL_MOVE_RADII: f64 = 0.1;
 /// A body stands if its lowest sphere is at most this far from its floor, in radii of the sphere.
 const STANDING_RADII: f64 = 0.5;
 
-/// Findings about the bottoms of spheres that `plan` moves, from the model `before` to the model `after`; `findings` are those about
-/// the new model so far.
+/// Findings about the bottoms of spheres that a plan moves.
 ///
 /// Spheres that follow their bodies are not judged: before, they were in wrong places. Nor are new spheres: `add` says where they are.
-fn bottoms_moved(plan: &Plan, before: &Model, after: &Model, findings: &[Finding]) -> Vec<Finding> {
-    let radii = plan.changes.iter().any(|change| change.property == Property::Radius);
-    let follow = plan.moves.iter().any(|one| one.by == ChangedBy::Follow);
-    if (!radii && plan.moves.is_empty()) || follow || !plan.objects().is_empty() {
-        return Vec::new();
+#[derive(Default)]
+struct MovedBottoms {
+    /// About bodies that stood at their default pose and no longer do.
+    off_floor: Vec<Finding>,
+    /// About limbs whose bottoms were moved apart.
+    uneven: Vec<Finding>,
+}
+
+impl MovedBottoms {
+    fn between(plan: &Plan, before: &Model, after: &Model) -> Self {
+        let radii = plan.changes.iter().any(|change| change.property == Property::Radius);
+        let follow = plan.moves.iter().any(|one| one.by == ChangedBy::Follow);
+        if (!radii && plan.moves.is_empty()) || follow || !plan.objects().is_empty() {
+            return Self::default();
+        }
+        let both = BodiesOverFloor::at_default_pose(before).zip(BodiesOverFloor::at_default_pose(after));
+        both.map_or_else(Self::default, |(before, after)| Self {
+            off_floor: after.no_longer_standing(&before).collect(),
+            uneven: after.uneven(&before),
+        })
     }
-    let Some((before, after)) =
-        BodiesOverFloor::at_default_pose(before).zip(BodiesOverFloor::at_default_pose(after))
-    else {
-        return Vec::new();
-    };
-    let mut moved: Vec<Finding> = after.no_longer_standing(&before).collect();
-    // A foot is called uneven once.
-    if !findings.iter().any(|one| one.code() == FindingCode::UnevenBottoms) {
-        moved.extend(after.uneven(&before));
-    }
-    moved
 }
 
 /// The bodies of a model at its default pose, with the heights of their spheres over the floors.

@@ -218,5 +218,5 @@ function verb = verb_declaration(name)
     end
     verb.name = name;
     verb.gives_json = ~isempty(verb.result);
-    verb.left_out = {'diff', 'format', 'quiet', 'full', 'deny', 'ascii'};
+    verb.left_out = {'diff', 'format', 'quiet', 'deny', 'full', 'ascii'};
 end

@@ -9,9 +9,9 @@ use osim_library::run::{
     Written,
 };
 use osim_library::{Disk, folder_of};
-use osim_model::FileId;
 use osim_model::files::{Failure, Files};
 use osim_model::messages::Input;
+use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
 use osim_requests::spell::Speller;
@@ -124,7 +124,10 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         exit = exit.and(Exit::Failed);
     }
     exit = exit.and(end_page(page, session));
-    let (counts, untold) = counts;
+    let (counts, untold, worst) = counts;
+    if options.deny.is_some_and(|deny| worst >= Some(deny.severity())) {
+        exit = exit.and(Exit::Failed);
+    }
     if !options.quiet && several {
         session.terminal.print_beside(&summary(&counts, options, session.words))?;
     } else if !options.quiet && counts.interrupted() {
@@ -133,14 +136,14 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     Ok(exit.and(exit_of(&counts, untold)))
 }
 
-/// Does all tasks and reports each in its turn; also whether something could not be shown.
+/// Does all tasks and reports each in its turn; also whether something could not be shown, and the worst that was found in results.
 fn do_tasks(
     run: &Run<'_>,
     options: &RunOptions,
     format: RunFormat,
     page: &mut Option<ReportPage>,
     session: &mut Session,
-) -> Result<(Counts, bool)> {
+) -> Result<(Counts, bool, Option<Severity>)> {
     let tasks = run.request().tasks.len();
     if tasks > 1 {
         exit::listen();
@@ -153,9 +156,11 @@ fn do_tasks(
         progress: Progress::begin(tasks, options.quiet),
     };
     let mut untold = false;
+    let mut worst = None;
     let report = |_: &Task, outcome: Outcome<Shown>| {
         let Outcome { record, earlier, shown, failure, .. } = outcome;
-        let Shown { outputs, entry } = shown.unwrap_or_default();
+        let Shown { outputs, entry, worst: worst_of_model } = shown.unwrap_or_default();
+        worst = worst.max(worst_of_model);
         if let Some(page) = page {
             page.add(entry.unwrap_or_else(|| entry_of_record(&record, earlier)));
         }
@@ -172,7 +177,7 @@ fn do_tasks(
     let counts = run.do_tasks(&shower, report);
     shower.progress.end();
     match counts {
-        Ok(counts) => Ok((counts, untold)),
+        Ok(counts) => Ok((counts, untold, worst)),
         Err(fault) => Err(session.refused(&fault)),
     }
 }
@@ -254,6 +259,8 @@ pub(crate) struct Shown {
     pub outputs: Vec<Output>,
     /// The model on the page; `None` without a page.
     pub entry: Option<Entry>,
+    /// The severity of the worst finding about the result.
+    pub worst: Option<Severity>,
 }
 
 /// One thing to report.
@@ -301,7 +308,8 @@ impl RunFrontEnd for Shower<'_> {
         let both = changed.before_after.take();
         let entry = both.map(|both| entry_of_change(&changed, &both, self.detail, self.words));
         let outputs = if changed.earlier { Vec::new() } else { self.outputs(&changed) };
-        Shown { outputs, entry }
+        let worst = changed.plan.findings.iter().map(|finding| finding.severity).max();
+        Shown { outputs, entry, worst }
     }
 
     fn is_interrupted(&self) -> bool {

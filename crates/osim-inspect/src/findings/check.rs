@@ -4,7 +4,10 @@
 
 use std::cell::LazyCell;
 
-use osim_model::{Finding, FindingCode, ForceId, MassRequest, Model, NeedsAnswer, Question, Selection};
+use osim_model::{
+    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, NeedsAnswer, Question, Selection,
+    same_mass,
+};
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
@@ -43,19 +46,18 @@ pub fn check_model(
     other_findings: &[Finding],
     changeable: Changeable,
 ) -> CheckResult {
-    let findings = find_all(options, model, inspected, other_findings, changeable, Scope::Everything);
+    let findings = find_all(options, model, inspected, other_findings, changeable);
     CheckResult::new(model, inspected, findings)
 }
 
-/// The findings that a change of contact numbers can raise or correct, without remedies, in the order of [`CheckResult::findings`].
-/// Floors and gravity are not checked.
-pub fn check_numbers(
+/// All findings about a model that was inspected, without remedies, in the order of [`CheckResult::findings`].
+pub fn check_without_remedies(
     options: &InspectOptions,
     model: &Model,
     inspected: &Inspection,
 ) -> Vec<FindingWithRemedy> {
     let without_remedies = Changeable { numbers: false, radii: false };
-    sort_findings(find_all(options, model, inspected, &[], without_remedies, Scope::ContactNumbers))
+    sort_findings(find_all(options, model, inspected, &[], without_remedies))
 }
 
 fn find_all(
@@ -64,7 +66,6 @@ fn find_all(
     inspected: &Inspection,
     other_findings: &[Finding],
     changeable: Changeable,
-    scope: Scope,
 ) -> Vec<FindingWithRemedy> {
     let shares_a_modulus = |finding: &Finding| {
         matches!(finding.code(), FindingCode::MixedRadii | FindingCode::SeveralParameterSets)
@@ -77,8 +78,7 @@ fn find_all(
     let place_findings = places.findings(model, &remedies);
     let mismatch = MassMismatch::of_note(model, &options.masses);
     // The command that moves misplaced spheres also scales their contacts to the mass.
-    let another_mass =
-        contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right());
+    let another_mass = contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right());
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
     let in_other_units = floors::find_too_large(model).is_some();
     let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);
@@ -86,7 +86,10 @@ fn find_all(
     if is_unsettled || places.are_wrong() || are_spheres_odd(model) {
         remedies = remedies.none_yet();
     }
-    let mut findings = find_in_model(model, inspected, &remedies, scope);
+    let mut findings = find_in_model(model, inspected, &remedies);
+    if are_bodies_of_another_mass(model, inspected, options) {
+        findings.retain(|finding| finding.code() != FindingCode::OddRadius);
+    }
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
@@ -111,6 +114,14 @@ fn find_all(
     with_published_severities(inspected, findings)
 }
 
+/// Whether the contacts are meant for another mass than that of the bodies, whose bones then say nothing about radii.
+fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &InspectOptions) -> bool {
+    let Some(made_for) = &inspected.contacts_mass_kg else { return false };
+    let is_meant =
+        [MassSource::Note, MassSource::ContactsMass].iter().any(|one| one.as_str() == made_for.source);
+    is_meant && options.masses.bodies_kg(model).is_some_and(|bodies_kg| !same_mass(made_for.value, bodies_kg))
+}
+
 /// Whether spheres have to be corrected first: figures of a sphere in millimetres, or of a copied sphere, mean nothing.
 fn are_spheres_odd(model: &Model) -> bool {
     let codes = [
@@ -122,22 +133,9 @@ fn are_spheres_odd(model: &Model) -> bool {
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
-/// What a check looks at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Scope {
-    Everything,
-    /// What depends on numbers of contacts: not the floors, and not gravity.
-    ContactNumbers,
-}
-
 /// Everything that the model shows apart from the figures of its spheres.
-fn find_in_model(
-    model: &Model,
-    inspected: &Inspection,
-    remedies: &Remedies<'_>,
-    scope: Scope,
-) -> Vec<FindingWithRemedy> {
-    let floors = LazyCell::new(|| Floors::of(model));
+fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
+    let floors = Floors::of(model);
     let sides = LazyCell::new(|| BothSides::of(model));
     let known_side = LazyCell::new(|| KnownSide::of(model, &sides, inspected));
     let with_remedy = |finding: &Finding| {
@@ -149,9 +147,7 @@ fn find_in_model(
     let mut findings: Vec<FindingWithRemedy> = inspected.findings.iter().map(with_remedy).collect();
     let remarks = model.remarks_on(&forces_on_half_spaces(model));
     findings.extend(remarks.into_iter().map(FindingWithRemedy::from));
-    if scope == Scope::Everything {
-        findings.extend(find_in_floors(model, &floors).into_iter().map(FindingWithRemedy::from));
-    }
+    findings.extend(find_in_floors(model, &floors).into_iter().map(FindingWithRemedy::from));
     let unknown = [
         floors::find_no_gravity(model, inspected, || floors.are_any()),
         contacts::find_count_unknown(inspected),

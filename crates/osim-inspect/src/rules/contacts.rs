@@ -173,7 +173,8 @@ pub(crate) fn find_contacts_of_another_mass(
     let mass = inspected.mass_kg?;
     let known = inspected.known_contacts?;
     let made_for = known.made_for_kg;
-    let is_as_published = inspected.contacts_mass_kg.as_ref().is_some_and(|mass| mass.source == "known-contacts");
+    let is_as_published =
+        inspected.contacts_mass_kg.as_ref().is_some_and(|mass| mass.source == "known-contacts");
     if !is_as_published || same_mass(mass, made_for) {
         return None;
     }

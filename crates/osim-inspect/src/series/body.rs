@@ -13,6 +13,7 @@ use osim_model::{
 };
 
 use crate::figures::Figures;
+use crate::findings::{FindingWithRemedy, check_without_remedies};
 use crate::floors::weight_share_on_floor;
 use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance};
 
@@ -313,6 +314,8 @@ pub struct ReferenceState {
     /// The body to draw; `None` if it cannot be drawn.
     pub body: Option<ContactBody>,
     pub figures: Option<Figures>,
+    /// What is wrong with it already: its contacts bring this along.
+    pub findings: Vec<FindingWithRemedy>,
 }
 
 impl ReferenceState {
@@ -320,12 +323,8 @@ impl ReferenceState {
         let masses = MassRequest { model_kg: Some(mass_kg), ..MassRequest::default() };
         let stance = Stance { spheres: Some(spheres), gravity_m_s2, ..Stance::default() };
         let name = preset.name.to_string();
-        Self {
-            name,
-            digest: None,
-            body: ContactBody::from_preset(preset, &masses, &stance).ok(),
-            figures: None,
-        }
+        let body = ContactBody::from_preset(preset, &masses, &stance).ok();
+        Self { name, digest: None, body, figures: None, findings: Vec::new() }
     }
 
     /// The mass, number of spheres and gravity are those that the contacts are made for.
@@ -345,9 +344,10 @@ impl ReferenceState {
             open.failure(fault)
         })
         .ok();
-        let figures = options.inspect(open.name(), &open.model, None).figures;
+        let inspected = options.inspect_for_rules(open.name(), &open.model);
+        let findings = check_without_remedies(&options, &open.model, &inspected);
         let digest = Some(short_digest(open.model.document().bytes()));
-        Self { name, digest, body, figures: Some(figures) }
+        Self { name, digest, body, figures: Some(inspected.figures), findings }
     }
 }
 

@@ -206,6 +206,7 @@ impl MassRequest {
     }
 
     fn disagreements_with(&self, model: &Model, taken: &Mass, noted: Option<(f64, Phrase)>) -> Vec<Finding> {
+        let noted_kg = noted.as_ref().map(|(kg, _)| *kg);
         let mut others: Vec<(f64, Phrase)> = noted.into_iter().collect();
         if let (Some(kg), true) = (self.model_kg, taken.source != MassSource::Mass) {
             others.push((kg, Input::Mass.into()));
@@ -221,10 +222,16 @@ impl MassRequest {
         };
         let differs = |kg: f64| !same_mass(kg, taken.kg) && !expected(kg);
         let taken_as = MassFromSource { kg: taken.kg, source: taken.source.describe() };
-        let warning = |(kg, source): (f64, Phrase)| {
+        // The caller says what the model will weigh, and the contacts are for that.
+        let is_for_scaled_bodies =
+            taken.source.is_about_contacts() && self.model_kg.is_some_and(|kg| same_mass(kg, taken.kg));
+        let finding = |(kg, source): (f64, Phrase)| {
+            if is_for_scaled_bodies && noted_kg != Some(kg) {
+                return rules::bodies_not_scaled(kg, taken.kg);
+            }
             rules::mass_sources_disagree(&taken_as, &MassFromSource { kg, source })
         };
-        others.into_iter().filter(|(kg, _)| differs(*kg)).map(warning).collect()
+        others.into_iter().filter(|(kg, _)| differs(*kg)).map(finding).collect()
     }
 }
 

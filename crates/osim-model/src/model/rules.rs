@@ -45,6 +45,16 @@ pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSour
     Finding::new(&MASS_SOURCES_DISAGREE, message)
 }
 
+/// The remark that the bodies do not have the mass yet that the caller says, and that the contacts are for.
+pub(crate) fn bodies_not_scaled(bodies_kg: f64, contacts_kg: f64) -> Finding {
+    let message = format!(
+        "the bodies weigh {} kg, and the contacts are for {} kg: scale the bodies, too, before you simulate",
+        readable(bodies_kg),
+        readable(contacts_kg)
+    );
+    Finding::new(&MASS_SOURCES_DISAGREE, message).with_severity(Severity::Remark)
+}
+
 impl Model {
     /// Remarks on `forces` that are special without being wrong, in the order of the codes.
     pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {

@@ -13,7 +13,7 @@ use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER};
 use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, bottoms_remark_and_level, warn_forces};
+use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, warn_forces};
 use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 
@@ -189,7 +189,7 @@ fn finish(
         remarks.push(rules::LEVEL.into());
     } else {
         remarks.push(PLACES_STAY.into());
-        remarks.extend(bottoms_remark_and_level(radii));
+        rules::remark_on_bottoms(&mut remarks, Some(radii));
     }
     // Nothing is to be set in OpenSim where the target is the model's own gravity.
     let other_gravity = wanted.target_gravity_m_s2.is_some_and(|target| model.gravity() != Some(target));

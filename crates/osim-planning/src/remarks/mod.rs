@@ -9,8 +9,8 @@ use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
 
 pub(crate) use feet::{
-    JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes, remark_on_noted_limbs, remark_on_other_planes, remark_on_standing,
-    remarks_on_parts_of_feet,
+    JointPositions, question_about_pad, question_about_scale, remark_on_leaning_planes,
+    remark_on_noted_limbs, remark_on_other_planes, remark_on_standing, remarks_on_parts_of_feet,
 };
 pub(crate) use forces::{
     findings_on_smoothing, remark_on_kept_friction, remark_on_old_document, remarks_on_dropped_pairs,

@@ -149,8 +149,7 @@ impl DesignPlanner {
 impl DesignPlanner {
     /// The mass that the contacts were made for before the design; `None` if it is uncertain.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
-        let origin =
-            ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default()).ok()?;
+        let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default()).ok()?;
         origin.refuse_other_body(model, &self.masses, Input::ContactsMass).ok().map(|()| origin.mass)
     }
 }

@@ -1,6 +1,6 @@
 //! The verb `rescale`: a model's own contacts at another mass; spheres may follow their bodies.
 
-use osim_inspect::{ContactsOrigin, Stance, find_misplaced_spheres};
+use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
@@ -107,9 +107,6 @@ impl Planner for RescalePlanner {
                 doubt: NoteDoubt::Absent,
                 input: Input::ContactsMass,
             }));
-        }
-        if bodies.is_none() {
-            findings.extend(find_misplaced_spheres(model));
         }
         let mut wanted = Rescale::new(self.target_mass_kg, contacts_mass);
         wanted.radius = radius.unwrap_or(RadiusRule::Isometric);

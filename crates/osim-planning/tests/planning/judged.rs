@@ -5,6 +5,7 @@ use std::path::Path;
 
 use osim_inspect::{Changeable, InspectOptions, check_model, model_findings};
 use osim_model::files::{Files, OpenModel};
+use osim_model::messages::Verb;
 use osim_model::{FileId, Finding, Force, Model, Question, Severity, Sphere, Value as Number};
 use osim_patch::Plan;
 use osim_planning::{PreparedChange, prepare};
@@ -151,11 +152,40 @@ fn compare(
         one.severity >= Severity::Warning && one.message.to_string().starts_with("in the new model: ")
     };
     compared.worse += plan.findings.iter().filter(|one| is_worse(one)).count();
+    if let Some(changed) = &changed {
+        assert_same_findings(change, &plan, changed, what);
+    }
     if let (Some(renumbered), Some(changed)) = (plan.with_contact_numbers(&opened.model), changed) {
         assert_eq!(seen_contacts(&renumbered), seen_contacts(&changed), "{what}");
         compared.models += 1;
     }
     Some(plan)
+}
+
+/// The run says of the result what `check RESULT --mass M` finds in it.
+fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, what: &str) {
+    if plan.note().is_none() {
+        // Only the run knows what the contacts are made for.
+        return;
+    }
+    let mut options = change.options.clone();
+    options.masses.contacts_mass_kg = None;
+    options.stance.gravity_m_s2 = change.target_gravity_m_s2.or(options.stance.gravity_m_s2);
+    if let Some(masses) = plan.masses.as_ref().filter(|_| change.verb == Verb::Rescale) {
+        options.masses.model_kg = Some(masses.target_mass_kg);
+    }
+    let inspected = options.inspect(MODEL, changed, None);
+    let found = check_model(&options, changed, &inspected, &[], Changeable::UNTRIED).findings;
+    for one in &found {
+        let said = plan
+            .findings
+            .iter()
+            .any(|said| (said.code(), &said.place, said.severity) == (one.code(), &one.place, one.severity));
+        assert!(said, "{what}: {} {}", one.code(), one.message);
+    }
+    for said in plan.findings.iter().filter(|said| said.had_before) {
+        assert!(found.iter().any(|one| one.code() == said.code()), "{what}: {}", said.code());
+    }
 }
 
 /// Everything of a model but where it is in a file.

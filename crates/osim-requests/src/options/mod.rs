@@ -11,7 +11,9 @@ pub use contacts::{ContactNumbers, FallOptions, NumberOptions, WantedOptions};
 pub use inspection::{
     CountOptions, ForceOptions, InspectionOptions, LoadOptions, MassOptions, SetFiles, StanceOptions,
 };
-pub use run::{AnswerOptions, Format, OutputOptions, ReportOptions, RunFormat, RunOptions, SheetFormat};
+pub use run::{
+    AnswerOptions, Deny, Format, OutputOptions, ReportOptions, RunFormat, RunOptions, SheetFormat,
+};
 pub use scaling::{
     AxisChoice, ClassChoice, DissipationChoice, FollowOptions, MirrorChoice, MovedChoice, RadiusAxisChoice,
     ReferenceOptions, RuleChoice, ScalingOptions,

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::{FaultKind, NeedsAnswer, Question};
+use osim_model::{FaultKind, NeedsAnswer, Question, Severity};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
 #[cfg(feature = "schemas")]
@@ -43,6 +43,24 @@ choices! {
     }
 }
 
+choices! {
+    /// The severity from which on a finding is a failure.
+    Deny: Error {
+        Warning = "warning", "Limits of the paper and traps, too";
+        Error = "error", "What OpenSim computes differently from what is written, or wrongly";
+    }
+}
+
+impl Deny {
+    /// The severity.
+    pub const fn severity(self) -> Severity {
+        match self {
+            Self::Warning => Severity::Warning,
+            Self::Error => Severity::Error,
+        }
+    }
+}
+
 impl From<Format> for SheetFormat {
     fn from(format: Format) -> Self {
         match format {
@@ -61,6 +79,7 @@ pub struct RunOptions {
     pub diff: bool,
     pub format: Option<RunFormat>,
     pub quiet: bool,
+    pub deny: Option<Deny>,
     #[serde(with = "path::Optional")]
     pub report: Option<PathBuf>,
     pub jobs: Option<Jobs>,

@@ -159,7 +159,9 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Motion => "The unit of the motion's angles, where its header does not say it",
             Plot => "Of motion: the unit of its angles, where its header does not say it",
             Fit => "The unit of the motions' angles, where their headers do not say it";
-        Deny = choice(Deny::WORDS).about(FieldGroup::Shown), "Exit with 1 where a finding is as bad as this, or worse";
+        Deny = choice(Deny::WORDS).rare_if(!is(&[Check])).about(FieldGroup::Shown).of_run(),
+            "Exit with 1 where the result has a finding as bad as this, or worse",
+            Check => "Exit with 1 where a finding is as bad as this, or worse";
         Height = value("HEIGHT").under_if(is(&[Plot]), FALL),
             "Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25";
         Duration = value("S").under_if(is(&[Plot]), FALL).rare_if(is(&[Plot])), "How long to follow the body, s",

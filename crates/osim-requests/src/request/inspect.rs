@@ -2,13 +2,12 @@
 
 use std::path::PathBuf;
 
-use osim_model::Severity;
 use serde::{Deserialize, Serialize};
 
 use crate::fault::Relation;
 use crate::options::{
-    AnswerOptions, ContactNumbers, CountOptions, ForceOptions, InspectionOptions, MassOptions, OutputOptions,
-    ReportOptions, RunOptions, SetFiles, SheetFormat,
+    AnswerOptions, ContactNumbers, CountOptions, Deny, ForceOptions, InspectionOptions, MassOptions,
+    OutputOptions, ReportOptions, RunOptions, SetFiles, SheetFormat,
 };
 use crate::values::serial::choices;
 use crate::values::{Acceleration, Count, Height, Kilograms, Positive, Samples, Speed, path};
@@ -38,24 +37,6 @@ impl InspectRequest {
         &[Relation::Required("models"), Relation::Needs("body_scale_file", "from")],
         ReportOptions::RELATIONS,
     ];
-}
-
-choices! {
-    /// The severity from which on a finding is a failure.
-    Deny: Error {
-        Warning = "warning", "Limits of the paper and traps, too";
-        Error = "error", "What OpenSim computes differently from what is written, or wrongly";
-    }
-}
-
-impl Deny {
-    /// The severity.
-    pub const fn severity(self) -> Severity {
-        match self {
-            Self::Warning => Severity::Warning,
-            Self::Error => Severity::Error,
-        }
-    }
 }
 
 /// Compares models with the limits of the paper and the traps of the format.

@@ -325,6 +325,7 @@ fn list_of_findings(topics: &mut Topics, plan: &Plan) -> Markup {
     let items: Vec<Markup> = plan
         .findings
         .iter()
+        .filter(|finding| !finding.had_before)
         .map(|finding| {
             html! {
                 li { p {

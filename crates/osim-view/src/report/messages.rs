@@ -2,15 +2,27 @@
 
 use osim_inspect::MassMismatch;
 use osim_model::messages::{Dialect, one_line};
-use osim_model::{Finding, FindingCode};
+use osim_model::{Finding, FindingCode, Severity};
 
-/// Findings, one line each: `warning: line 12: message [code]`.
+/// Findings, one line each: `warning: line 12: message [code]`; those that a model had before its change on one line, by their codes.
 pub(crate) fn finding_lines(findings: &[Finding]) -> String {
     let mut text = String::new();
-    for finding in findings {
+    let (before, new): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|one| one.had_before);
+    for finding in new {
         let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
         let severity = finding.severity.as_str();
         text.push_str(&format!("{severity}: {line}{} [{}]\n", finding.message, finding.code()));
+    }
+    let severities = [Severity::Error, Severity::Warning, Severity::Remark];
+    let of_severity = severities.into_iter().filter_map(|severity| {
+        let mut codes: Vec<&str> =
+            before.iter().filter(|one| one.severity == severity).map(|one| one.code().as_str()).collect();
+        codes.dedup();
+        (!codes.is_empty()).then(|| format!("{} {}", severity.as_str(), codes.join(", ")))
+    });
+    let as_before = of_severity.collect::<Vec<_>>().join("; ");
+    if !as_before.is_empty() {
+        text.push_str(&format!("as before: {as_before}\n"));
     }
     text
 }

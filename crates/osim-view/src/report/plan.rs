@@ -39,7 +39,8 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     let masses = plan.masses.as_ref().map(|masses| {
         format!("{} -> {} kg, ", readable(masses.contacts_mass.kg), readable(masses.target_mass_kg))
     });
-    let mut codes: Vec<&str> = plan.findings.iter().map(|finding| finding.code().as_str()).collect();
+    let new = plan.findings.iter().filter(|finding| !finding.had_before);
+    let mut codes: Vec<&str> = new.map(|finding| finding.code().as_str()).collect();
     codes.dedup();
     let in_brackets = if codes.is_empty() { String::new() } else { format!(" [{}]", codes.join(", ")) };
     let numbers = plan.changes.len() + plan.moves.len();

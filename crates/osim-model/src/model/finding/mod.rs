@@ -39,6 +39,8 @@ pub struct Finding {
     pub spheres: Vec<String>,
     /// Line in the model, from 1, where there is one.
     pub line: Option<usize>,
+    /// Of the result of a change: whether the model before it, or the reference, has this finding, too.
+    pub had_before: bool,
 }
 
 impl Finding {
@@ -52,6 +54,7 @@ impl Finding {
             place: None,
             spheres: Vec::new(),
             line: None,
+            had_before: false,
         }
     }
 
