@@ -147,3 +147,49 @@ fn a_transfer_makes_contacts_for_the_mass_of_the_model() {
         .succeeded()
         .says(&["contacts made for 0.0209 kg (note"]);
 }
+
+/// A scaled model that has the published contacts of its generic one, and models whose spheres do not fit.
+const SCALED: [(&str, &str); 4] = [
+    ("scale_tool/generic_smooth.osim", "generic.osim"),
+    ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ("check/known_contacts.osim", "known.osim"),
+    ("check/spheres_misplaced.osim", "misplaced.osim"),
+];
+
+#[test]
+fn published_contacts_under_a_scaled_body_are_asked_about_whatever_the_target_is() {
+    let dir = TestDir::with(&SCALED);
+    for kg in ["52", "80"] {
+        dir.run(&format!("scaled.osim --target-mass {kg} -o new.osim")).failed().wrote_nothing().says(&[
+            "for a body of 62 kg",
+            "transfer MODEL --from GENERIC",
+            "--contacts-mass 62",
+        ]);
+    }
+    dir.run("scaled.osim --target-mass 80 --contacts-mass 62").succeeded().wrote(&["scaled.scaled.osim"]);
+}
+
+#[test]
+fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_mass_is() {
+    let dir = TestDir::with(&SCALED);
+    for more in ["", " --reference-mass 62"] {
+        dir.run(&format!("transfer known.osim --from misplaced.osim --follow-bodies{more}"))
+            .failed()
+            .wrote_nothing()
+            .says(&["do not fit its own bones"]);
+    }
+}
+
+#[test]
+fn a_wrong_original_is_an_error_that_says_what_is_wrong() {
+    let dir = TestDir::with(&SCALED);
+    for (call, expected) in [
+        ("check generic.osim --from scaled.osim", "the two are swapped"),
+        ("check scaled.osim --from known.osim", "spheres-not-compared"),
+        ("check misplaced.osim --from misplaced.osim", "has a fault of its own"),
+    ] {
+        let run = dir.run(call).failed();
+        let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(expected) && text.contains("1 error"), "{call}: {text}");
+    }
+}

@@ -42,3 +42,12 @@ fn a_fault_that_the_model_already_had_is_not_repeated() {
         assert!(out.contains("as before: "), "{out}");
     }
 }
+
+#[test]
+fn the_status_follows_from_the_worst_finding_of_the_result_where_it_is_asked_for() {
+    let dir = TestDir::with_human();
+    let call = "set human.osim constant_contact_force=x100 hertz_smoothing=x0.1";
+    dir.run(&format!("{call} -o a.osim")).succeeded().wrote(&["a.osim"]);
+    dir.run(&format!("{call} -o b.osim --deny warning")).failed().wrote(&["b.osim"]);
+    dir.run("human.osim --target-mass 80 -o c.osim --deny warning").succeeded().wrote(&["c.osim"]);
+}

@@ -85,7 +85,7 @@ export interface ChangeRecord {
   target_mass_kg: number | null;
   objects: { change: string; class: string; name: string }[];
   changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
-  findings: { severity: Finding["severity"]; message: string }[];
+  findings: { severity: Finding["severity"]; message: string; had_before: boolean }[];
   remarks: string[];
 }
 

@@ -67,7 +67,7 @@ export class ResultView {
     }
     const { findings } = preview.change.record;
     this.#findings.hidden = findings.length === 0;
-    this.#findings.replaceChildren(...findings.map(({ severity, message }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), " ", message)));
+    this.#findings.replaceChildren(...findings.map(({ severity, message, had_before: hadBefore }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), hadBefore ? " as before: " : " ", message)));
     this.#diff.ask(preview.request);
   }
 
