@@ -48,7 +48,8 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     for remark in planned.remarks:
         log.info("%s: %s", printable(planned.path), remark)
     for finding in planned.findings:
-        level = logging.INFO if finding.severity == "remark" else logging.WARNING
+        is_new = finding.severity != "remark" and not finding.had_before
+        level = logging.WARNING if is_new else logging.INFO
         log.log(level, "%s: %s", printable(planned.path), finding.message)
     return planned
 

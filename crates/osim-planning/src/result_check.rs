@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use osim_inspect::{
-    Bottom, FindingIndex, FindingWithRemedy, InspectOptions, LoadSharing, Stance, StandingBody,
-    check_without_remedies, describe_unmatched_patterns,
+    Bottom, Figure, FindingIndex, FindingWithRemedy, InspectOptions, Inspection, LoadSharing, Stance,
+    StandingBody, check_without_remedies, describe_unmatched_patterns,
 };
 use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
@@ -91,8 +91,11 @@ impl PreparedChange {
         let weighs = weighs.or_else(|| Some(masses.contacts_mass(&opened.model).ok()?.0));
         let weighs_kg = weighs.map(|mass| mass.kg);
         let before = findings_without_remedies(&self.options_before(plan), opened, &opened.model);
+        let options_after = self.options_after(plan, weighs_kg);
+        let inspected = changed.map(|changed| options_after.inspect_for_rules(opened.name(), changed));
         let after = changed
-            .map(|changed| findings_without_remedies(&self.options_after(plan, weighs_kg), opened, changed));
+            .zip(inspected.as_ref())
+            .map(|(changed, inspected)| check_without_remedies(&options_after, changed, inspected));
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
         let mut judged = findings_of_result(&before, after, reference);
         // Conversion has advice of its own on what it makes.
@@ -109,14 +112,19 @@ impl PreparedChange {
         let is_confirmed = self.writes_given_numbers()
             || plan.restores_original()
             || self.answers.has(Question::WrongAfterwards);
-        // Where the bottoms of a foot part, the lower ones carry the body alone, at whatever pose.
+        // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
+        let has_parted = !moved.uneven.is_empty();
+        let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);
         let is_wrong = |one: &&Finding| {
             let is_error = one.severity == Severity::Error && !one.had_before;
-            is_error || (is_sunk_in(one) && !moved.uneven.is_empty())
+            match is_sunk_in(one) {
+                true => has_parted || (is_error && is_too_soft),
+                false => is_error,
+            }
         };
         let wrong = judged.iter().find(is_wrong);
         if let Some(wrong) = wrong.filter(|_| !is_confirmed) {
-            let has_parted = !moved.uneven.is_empty();
+            let has_parted = has_parted && is_sunk_in(&wrong);
             let mut question = opened.failure(Fault::new(question_about(wrong, has_parted)));
             self.keep_ways_out(&mut question.message);
             return Err(question);
@@ -220,6 +228,12 @@ fn findings_of_result(
 /// Whether two findings are about one case.
 fn is_same_case(one: &Finding, other: &Finding) -> bool {
     (one.code(), &one.place, one.severity) == (other.code(), &other.place, other.severity)
+}
+
+/// Whether spheres that all carry sink in up to their centres.
+fn sinks_in_to_centres(inspected: &Inspection) -> bool {
+    let mut spheres = inspected.figures.spheres();
+    spheres.any(|sphere| sphere.value(Figure::Indentation).is_some_and(|x| x >= 1.0))
 }
 
 /// All findings about `model`, without remedies.

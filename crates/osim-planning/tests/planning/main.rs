@@ -28,6 +28,7 @@ mod placement;
 mod random;
 mod remedies;
 mod rules;
+mod similar_copies;
 mod sizes;
 mod sizes_by_chance;
 mod space;
