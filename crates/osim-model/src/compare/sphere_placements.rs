@@ -3,14 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use glam::DVec3;
+
 use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
 use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step};
 
 /// Places that differ by no more than this are one, m.
 const SAME_PLACE_M: f64 = 1e-6;
-/// A place or radius that differs by no more than this, relative to the radius, is as it was.
-const UNTOUCHED_RADII: f64 = 1e-6;
 /// Factors that differ by no more than this (relative) are equal.
 const SAME_FACTOR: f64 = 1e-9;
 /// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
@@ -54,6 +54,8 @@ pub struct PlacedSphere {
     pub follows: bool,
     /// Whether place and radius are those in the model that was scaled.
     untouched: bool,
+    /// Whether it is where it was in the model that was scaled.
+    stayed: bool,
 }
 
 /// The scale factors between the bodies of both models.
@@ -142,9 +144,14 @@ impl SpherePlacements {
 }
 
 impl PlacedSphere {
+    /// The distance of the sphere from where it belongs, m.
+    pub fn distance_m(&self) -> f64 {
+        DVec3::from(self.here_m).distance(self.belongs_m.into())
+    }
+
     /// Whether the sphere is where it was in the model that was scaled.
     pub fn stayed(&self) -> bool {
-        is_same_place(self.here_m, self.was_m)
+        self.stayed
     }
 }
 
@@ -197,7 +204,11 @@ fn placed_spheres(
     let placed = compared.into_iter().map(|(sphere, now, old, of_body)| {
         let scaled_m = now.rotation.scaled_in_frame(of_body, old.location_m);
         let here_m = now.location_m;
-        let on_own_sole_m = on_sole(now, old, (of_body, now.radius_m), up);
+        let expected_m = [scaled_m, on_sole(now, old, (of_body, now.radius_m), up)];
+        let is_at = |place_m, tolerance_m| is_same_place(here_m, place_m, tolerance_m);
+        let rounding_m = SAME_PLACE_M.max(now.rounding_m);
+        // A place with all its digits is no other place rounded.
+        let tolerance_m = if is_at(old.location_m, SAME_PLACE_M) { SAME_PLACE_M } else { rounding_m };
         // As the proposed transfer writes it.
         let new_radius_m = old.radius_m * RadiusAxis::default().radius_ratio(of_body);
         let belongs_m = if suits_level { on_sole(now, old, (of_body, new_radius_m), up) } else { scaled_m };
@@ -208,8 +219,9 @@ fn placed_spheres(
             here_m,
             was_m: old.location_m,
             belongs_m,
-            follows: is_same_place(here_m, scaled_m) || is_same_place(here_m, on_own_sole_m),
-            untouched: is_untouched(now, old),
+            follows: expected_m.into_iter().any(|place_m| is_at(place_m, tolerance_m)),
+            untouched: now.is_as_in(old),
+            stayed: is_at(old.location_m, rounding_m),
         }
     });
     Ok((placed.collect(), unmatched(model, scaled, original), suits_level))
@@ -236,12 +248,6 @@ fn on_sole(
     up.in_frame(&now.rotation).levelled_centre(old.location_m, old.radius_m, radius_m, scaled)
 }
 
-/// Whether a sphere is as it was, as a transfer asks before it moves one.
-fn is_untouched(now: &AnatomySphere, old: &AnatomySphere) -> bool {
-    let same = |a: f64, b: f64| (a - b).abs() <= UNTOUCHED_RADII * old.radius_m;
-    same(now.radius_m, old.radius_m) && now.location_m.iter().zip(old.location_m).all(|(a, b)| same(*a, b))
-}
-
-fn is_same_place(a: [f64; 3], b: [f64; 3]) -> bool {
-    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME_PLACE_M)
+fn is_same_place(a: [f64; 3], b: [f64; 3], tolerance_m: f64) -> bool {
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= tolerance_m)
 }

@@ -128,6 +128,8 @@ pub struct BodyShape {
     /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
     /// above 0.
     pub gyration_m: Option<f64>,
+    /// Ixx + Iyy + Izz, kg m².
+    pub inertia_trace: Option<f64>,
     /// The places of its joints, also of those to ground, m.
     pub joints_m: Vec<DVec3>,
 }
@@ -157,11 +159,16 @@ impl BodyShape {
 
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     let centre_m = components.doc(body).triple(components.element(body), "mass_center");
-    let gyration_m = number(components, body, "mass")
-        .zip(inertia_trace(components, body))
-        .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
+    let inertia_trace = inertia_trace(components, body);
+    let gyration_m =
+        number(components, body, "mass").zip(inertia_trace).map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
     let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
-    BodyShape { centre_m: centre_m.unwrap_or_default().into(), gyration_m, joints_m: Vec::new() }
+    BodyShape {
+        centre_m: centre_m.unwrap_or_default().into(),
+        gyration_m,
+        inertia_trace,
+        joints_m: Vec::new(),
+    }
 }
 
 /// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.

@@ -47,6 +47,7 @@ pub use crate::xml::{
 pub use anatomy::bone_sizes::{JointDistances, TriplesByBody};
 pub use anatomy::{
     Anatomy, AnatomyJoint, AnatomySphere, CoordinateFunction, JointCoordinate, ModelJoint, Speeds,
+    rounding_of_places_m,
 };
 pub use body_sizes::{AttachedMesh, BodyShape, ScaledSinceNote};
 pub use choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};

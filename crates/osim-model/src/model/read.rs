@@ -29,13 +29,14 @@ impl Model {
     pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
         let components = Components::new(document, companions);
-        let skeleton = Skeleton::read(&components);
+        let mut skeleton = Skeleton::read(&components);
         let mut reader = ContactReader::new(&components, &skeleton);
         if let Err(fault) = reader.read() {
             let document = components.document(fault.file);
             return Err(fault.located(document.bytes()));
         }
         let ContactReader { spheres, forces, irregularities, .. } = reader;
+        skeleton.exclude_plates(&components, &forces, &spheres);
         let (document, companions) = (components.main(), components.companions());
         let gravity = match components.model_file().map(|file| components.document(file)) {
             Some(document) => document

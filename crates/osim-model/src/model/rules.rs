@@ -61,7 +61,12 @@ impl Model {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
         let mut remarks: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
         remarks.extend(forces().filter_map(find_several_parameter_sets));
-        remarks.extend(forces().filter_map(find_disabled_force));
+        match forces().next() {
+            Some(first) if forces().all(|force| !force.applies) => {
+                remarks.push(all_disabled(first, forces().count()))
+            }
+            _ => remarks.extend(forces().filter_map(find_disabled_force)),
+        }
         remarks
     }
 }
@@ -70,7 +75,7 @@ static DISABLED_FORCE: Rule = Rule {
     code: FindingCode::DisabledForce,
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
-    what: "A contact force that is switched off is changed with the others.",
+    what: "A contact force that is switched off is changed with the others. It is a warning if all are switched off.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
     advice: "Nothing, if that is meant; else `skip_disabled`",
     repair: Repair::NotPossible("nothing is wrong"),
@@ -87,6 +92,16 @@ fn find_disabled_force(force: &Force) -> Option<Finding> {
         force.path
     );
     (!force.applies).then(|| Finding::at(&DISABLED_FORCE, force.line, text).with_place(&force.path))
+}
+
+/// The warning that all `count` contact forces are switched off.
+fn all_disabled(first: &Force, count: usize) -> Finding {
+    let text = match count {
+        1 => format!("{}, the only contact force, is switched off: nothing carries the model", first.path),
+        _ => format!("all {count} contact forces are switched off: nothing carries the model"),
+    };
+    let finding = Finding::at(&DISABLED_FORCE, first.line, text).with_place(&first.path);
+    finding.with_severity(Severity::Warning)
 }
 
 static MIXED_RADII: Rule = Rule {

@@ -3,7 +3,9 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::model::components::{Base, ComponentId, Components};
+use crate::model::contacts::{Force, Sphere};
 use crate::model::fault::{Fault, FaultKind, FileId, Needed};
+use crate::model::names::Side;
 use crate::model::property::{Class, Origin, Property, Value};
 
 /// A body of the model; ground is none.
@@ -18,7 +20,7 @@ pub struct Body {
     /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
     pub fixed: bool,
     /// Whether the body does not count in the mass of the model: it is fixed, and has no child body, such as a platform. A body joined to
-    /// it by a joint along which it can move away does not count as its child.
+    /// it by a joint along which it can move away does not count as its child. Nor do the bodies of a plate count that carries a floor.
     pub excluded_from_mass: bool,
 }
 
@@ -78,6 +80,37 @@ impl Skeleton {
             Body { name, path, mass, file: component.file, fixed, excluded_from_mass }
         });
         Self { bodies: bodies.collect(), joined }
+    }
+
+    /// Takes the bodies of plates out of the mass of the model: those of joint trees without sides that carry the floor of moving spheres, and
+    /// no such sphere.
+    pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
+        let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
+        let top = |base: &Base| match base {
+            Base::Body(body) => Some(self.top(*body)),
+            Base::Ground | Base::Unknown => None,
+        };
+        let on_floors = forces.iter().filter(|force| of_force(force).any(|sphere| !sphere.fixed));
+        let floors = on_floors.flat_map(Force::half_space_bases);
+        let mut plates: HashSet<ComponentId> = floors.filter_map(|base| top(&base)).collect();
+        let moving = forces.iter().flat_map(of_force).filter(|sphere| !sphere.fixed);
+        moving.filter_map(|sphere| top(&sphere.base)).for_each(|top| {
+            plates.remove(&top);
+        });
+        if plates.is_empty() {
+            return;
+        }
+        let bodies = components.tree.iter().map(|(id, _)| id).filter(|id| components.tag(*id) == "Body");
+        let bodies = bodies.filter(|id| !components.is_ground(*id));
+        let tops: Vec<ComponentId> = bodies.map(|id| self.top(id)).collect();
+        let has_side = |top: ComponentId| {
+            let mut of_tree = tops.iter().zip(&self.bodies).filter(|(other, _)| **other == top);
+            of_tree.any(|(_, body)| Side::of_name(&body.name).is_some())
+        };
+        plates.retain(|top| !has_side(*top));
+        for (top, body) in tops.iter().zip(&mut self.bodies) {
+            body.excluded_from_mass |= plates.contains(top);
+        }
     }
 
     /// The loops that joints form.

@@ -169,7 +169,7 @@ impl Follow {
             let [x, y, z] = body_factors;
             logarithms += libm::log(x * y * z) / 3.0;
             count += 1.0;
-            let place = if request.moved == MovedSpheres::Keep && differs(now, old) {
+            let place = if request.moved == MovedSpheres::Keep && !now.is_as_in(old) {
                 FollowedSphere {
                     old_radius_m: old.radius_m,
                     radius_m: now.radius_m,
@@ -209,11 +209,15 @@ fn follow_one(
     FollowedSphere { old_radius_m: old.radius_m, radius_m, location_m }
 }
 
-/// Whether the scaled model's sphere is no longer as in the generic model.
-fn differs(now: &AnatomySphere, old: &AnatomySphere) -> bool {
-    let limit = UNTOUCHED_RADII * old.radius_m;
-    let moved = now.location_m.iter().zip(old.location_m).any(|(now, old)| (now - old).abs() > limit);
-    moved || (now.radius_m - old.radius_m).abs() > limit
+impl AnatomySphere {
+    /// Whether a sphere of a scaled model has the place and the radius that it has in the `generic` model.
+    pub(crate) fn is_as_in(&self, generic: &Self) -> bool {
+        let limit_m = UNTOUCHED_RADII * generic.radius_m;
+        let place_limit_m = limit_m.max(self.rounding_m);
+        let mut axes = self.location_m.iter().zip(generic.location_m);
+        axes.all(|(here, was)| (here - was).abs() <= place_limit_m)
+            && (self.radius_m - generic.radius_m).abs() <= limit_m
+    }
 }
 
 fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
@@ -251,7 +255,7 @@ fn refuse_moved(
     let changed: Vec<&str> = wanted
         .iter()
         .filter_map(|&id| scaled.spheres.get(id.index()))
-        .filter(|now| generic.sphere(&now.name).is_some_and(|old| differs(now, old)))
+        .filter(|now| generic.sphere(&now.name).is_some_and(|old| !now.is_as_in(old)))
         .map(|now| now.name.as_str())
         .collect();
     if changed.is_empty() {

@@ -21,6 +21,8 @@ pub struct AnatomyJoint {
     pub child: String,
     pub in_parent_m: DVec3,
     pub in_child_m: DVec3,
+    /// Whether it is a WeldJoint: then both bodies are one bone.
+    pub is_weld: bool,
     /// The child's frame in the parent's at the default pose; `None` where a function of the joint is not understood.
     placement: Option<Placement>,
 }
@@ -155,6 +157,7 @@ fn between_bodies(components: &Components, joint: &ModelJoint) -> Option<Anatomy
         placement: defaults.and_then(|values| joint.placement_at(components, &values)),
         in_parent_m: joint.in_parent.translation_m,
         in_child_m: joint.in_child.translation_m,
+        is_weld: joint.class == "WeldJoint",
     })
 }
 

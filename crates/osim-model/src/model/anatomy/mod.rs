@@ -73,6 +73,8 @@ pub struct AnatomySphere {
     pub location_m: [f64; 3],
     pub radius_m: f64,
     pub rotation: Rotation,
+    /// Places that differ by no more than this from `location_m` are the same, because the file has them with so few digits, m.
+    pub(crate) rounding_m: f64,
 }
 
 impl AnatomySphere {
@@ -83,8 +85,22 @@ impl AnatomySphere {
         (location_m, radius_m): ([f64; 3], f64),
         rotation: Rotation,
     ) -> Self {
-        Self { name, body, location_m, radius_m, rotation }
+        Self { name, body, location_m, radius_m, rotation, rounding_m: 0.0 }
     }
+}
+
+/// Places that are written with a number of decimals in this range may be rounded: to 1 mm or to 0.01 mm. With more decimals rounding
+/// is not seen, and with fewer a place is rather a round number.
+const DECIMALS_OF_ROUNDING: std::ops::RangeInclusive<i32> = 3..=5;
+
+/// Half of the last digit that any of the places has, m; 0 if they have so many digits, or so few, that they are not rounded.
+pub fn rounding_of_places_m(places: impl Iterator<Item = [f64; 3]>) -> f64 {
+    let decimals = |value: f64| {
+        let text = value.to_string();
+        text.split_once('.').map_or(0, |(_, decimals)| i32::try_from(decimals.len()).unwrap_or(i32::MAX))
+    };
+    let most = places.flatten().map(decimals).max().unwrap_or_default();
+    if DECIMALS_OF_ROUNDING.contains(&most) { 0.500_001 * 10_f64.powi(-most) } else { 0.0 }
 }
 
 impl Anatomy {
@@ -123,6 +139,8 @@ impl Anatomy {
             offsets: model.body_facts.frame_offsets(model.components()).clone(),
             ..Self::without_index(model)
         };
+        let places = model.spheres().iter().map(|sphere| sphere.location_m);
+        let rounding_m = rounding_of_places_m(places);
         for sphere in model.spheres() {
             let radius_m = sphere.radius_m()?;
             anatomy.spheres.push(AnatomySphere {
@@ -131,6 +149,7 @@ impl Anatomy {
                 location_m: sphere.location_m,
                 radius_m,
                 rotation: model.rotation_of(sphere)?,
+                rounding_m,
             });
         }
         anatomy.index = AnatomyIndex::new(&anatomy);
