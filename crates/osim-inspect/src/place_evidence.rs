@@ -1,11 +1,11 @@
 //! What one model file alone shows about the places of its spheres: its note, published layouts of spheres, and how far spheres reach.
 
 use std::cell::{OnceCell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use osim_model::{Model, ScaledSinceNote};
+use osim_model::{Model, ScaledSinceNote, rounding_of_places_m};
 use serde::Deserialize;
 use sha2::{Digest, Sha256};
 
@@ -20,6 +20,8 @@ pub(crate) enum PlaceEvidence {
     OtherSize(LayoutMatch),
     /// Each foot has the places that the published layout of this title has on the other foot.
     Mirrored(&'static str),
+    /// These bodies have spheres and are no feet, and the feet of the model have none.
+    NotOnFeet(Vec<String>),
     /// These spheres reach further than published ones.
     FarReach(Vec<Reach>),
     /// The note, or a published layout on bones of its size, shows that the spheres are at the right places.
@@ -37,6 +39,9 @@ impl PlaceEvidence {
         // Also before a note, which only says that spheres are where somebody put them.
         if let Some(title) = bones.and_then(|bones| find_mirrored_layout(model, bones)) {
             return Self::Mirrored(title);
+        }
+        if let Some(bodies) = bones.and_then(|bones| bodies_beside_feet(model, bones)) {
+            return Self::NotOnFeet(bodies);
         }
         if let Some(noted) = noted {
             return if noted.is_scaled() { Self::ScaledSinceNote(noted) } else { Self::Right };
@@ -61,13 +66,30 @@ impl PlaceEvidence {
 
     /// Whether spheres are where they should not be. Other corrections wait until they are moved.
     pub(crate) fn is_wrong(&self) -> bool {
-        matches!(self, Self::ScaledSinceNote(_) | Self::OtherSize(_) | Self::Mirrored(_) | Self::FarReach(_))
+        !matches!(self, Self::Right | Self::Unscaled | Self::Unknown)
     }
 
     /// Whether spheres are known to be where they belong.
     pub(crate) fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }
+}
+
+/// The bodies with spheres that are no foot, if no calcaneus of the model has spheres, or no foot where it has no calcaneus.
+fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
+    let spheres = model.loaded_spheres(&model.force_ids());
+    let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();
+    let names = |part: &'static str| move |body: &&str| body.to_lowercase().contains(part);
+    let has_calcaneus = model.bodies().iter().any(|body| names("calc")(&body.name.as_str()));
+    let is_foot = |body: &&str| if has_calcaneus { names("calc")(body) } else { bones.is_foot(body) };
+    if bodies.iter().any(is_foot) || !bones.has_feet() {
+        return None;
+    }
+    // The talus is above the ground, between shank and calcaneus.
+    let is_beside =
+        |body: &&str| bones.joint_above(body).is_some() && (!bones.is_foot(body) || names("talus")(body));
+    let beside: Vec<String> = bodies.into_iter().filter(is_beside).map(str::to_owned).collect();
+    (!beside.is_empty()).then_some(beside)
 }
 
 /// Whether the factors of meshes are 1, or convert a unit of length, such as 0.001.
@@ -80,7 +102,7 @@ fn is_unit(factors: [f64; 3]) -> bool {
 // A layout is recognised by its places. If its licence does not allow copying, the table has a digest of the places, in
 // whole micrometres, from which they cannot be read.
 
-/// Places that differ by no more than this in each axis are the same, m.
+/// Places that differ by no more than this in each axis are the same, m, unless they are rounded to fewer digits.
 const SAME_PLACE_M: f64 = 1e-6;
 
 /// Places of the contact spheres of a published model.
@@ -135,9 +157,8 @@ pub(crate) enum LayoutMatch {
         /// How people cite the publication.
         title: &'static str,
         body: String,
-        /// The factors of the body's meshes along x, y and z, here and as published.
-        here: [f64; 3],
-        published: [f64; 3],
+        /// By what the body is larger than published along x, y and z.
+        growth: [f64; 3],
     },
 }
 
@@ -175,22 +196,33 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
         let followed = layouts().iter().any(|layout| layout.grew_to(&centres, bones));
         return followed.then_some(LayoutMatch::AsPublished);
     };
-    let sizes: Vec<(&str, [f64; 3])> =
-        centres.list.iter().filter_map(|place| Some((place.body, bones.size(place.body)?))).collect();
-    if sizes.is_empty() {
+    let bodies: BTreeSet<&str> = centres.list.iter().map(|place| place.body).collect();
+    if bodies.iter().all(|body| bones.size(body).is_none() && bones.length_by_toe_joint(body).is_none()) {
         return None;
     }
     let differs = |published: &BTreeMap<String, [f64; 3]>| {
-        sizes.iter().find_map(|&(body, here)| {
-            let published = *published.get(published_name(body))?;
-            (!same_size(here, published)).then(|| (body.to_owned(), here, published))
+        bodies.iter().find_map(|&body| {
+            let growth = growth_of_bone(bones, body, *published.get(published_name(body))?)?;
+            Some((body.to_owned(), growth))
         })
     };
     // If the bones have none of the published sizes, the difference from the first is reported.
     let differences: Option<Vec<_>> = layout.sizes.iter().map(differs).collect();
     let first = differences.and_then(|differences| differences.into_iter().next());
-    let Some((body, here, published)) = first else { return Some(LayoutMatch::AsPublished) };
-    Some(LayoutMatch::OtherSize { title: &layout.title, body, here, published })
+    let Some((body, growth)) = first else { return Some(LayoutMatch::AsPublished) };
+    Some(LayoutMatch::OtherSize { title: &layout.title, body, growth })
+}
+
+/// A foot whose joint to the toes shows a length that differs by no more than this, relatively, is as long as published.
+const SAME_LENGTH: f64 = 0.02;
+
+/// By what `body` is larger than `published`, by its meshes or else by its joint to the toes; `None` if it has the published size.
+fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<[f64; 3]> {
+    let of_meshes = bones.size(body).filter(|here| !same_size(*here, published));
+    let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / published[axis]));
+    let of_length = || bones.length_by_toe_joint(body).map(|length| length / published[0]);
+    of_meshes
+        .or_else(|| of_length().filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH).map(|ratio| [ratio; 3]))
 }
 
 /// The title of the published layout whose mirror image the spheres of `model` are: each foot has the places of the other one. `None` if
@@ -231,7 +263,10 @@ impl PublishedLayout {
     fn matches(&self, list: &[SphereCentre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
         match (&self.places, &self.digest) {
             (Some(places), _) => {
-                let is_there = |place: &PublishedPlace| list.iter().any(|centre| place.is_at(centre));
+                let rounding_m =
+                    rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
+                let is_there =
+                    |place: &PublishedPlace| list.iter().any(|centre| place.is_at(centre, rounding_m));
                 places.len() == list.len() && places.iter().all(is_there)
             }
             (None, Some(digest)) => has_digest(digest),
@@ -276,8 +311,8 @@ impl SphereCentre<'_> {
 }
 
 impl PublishedPlace {
-    fn is_at(&self, other: &SphereCentre<'_>) -> bool {
-        let near = |a: f64, b: f64| (a - b).abs() <= SAME_PLACE_M;
+    fn is_at(&self, other: &SphereCentre<'_>, tolerance_m: f64) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= tolerance_m;
         let [x, y, z] = other.at_m;
         self.0 == other.body && near(self.1, x) && near(self.2, y) && near(self.3, z)
     }

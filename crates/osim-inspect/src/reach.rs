@@ -1,9 +1,10 @@
 //! How far spheres reach along the bones of a foot, and whether that is further than in any published model. Two measures are used:
 //!
 //! - towards the next joint: the sphere's centre is projected on the line from its body's origin to the body's farthest next joint, and
-//!   divided by their distance. Published models reach 1.206 (Moco's running).
+//!   divided by their distance. Published models reach 1.341. A joint that is welded does not end the bone.
 //! - along the foot: where the foremost centre is between the heel (0) and the tip of the toes (1) of OpenSim's standard foot, by the
-//!   extents of the bones' meshes. Published models have 0.691 to 1.007.
+//!   extents of the bones' meshes. Published models have 0.691 to 1.007. If the model has no toes, their tip is where toes of the foot's size
+//!   would end, because the foot may carry their spheres.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -14,7 +15,9 @@ use osim_model::messages::four_significant;
 use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
 
 /// Spheres that reach no further than this towards the next joint are usual.
-const LARGEST_TOWARDS_JOINT: f64 = 1.25;
+const LARGEST_TOWARDS_JOINT: f64 = 1.4;
+/// Spheres that are no farther behind the origin of their body are usual.
+const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual places of the foremost sphere along the foot.
 const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
 
@@ -26,6 +29,8 @@ pub(crate) struct Reach {
     /// The next joint, or the hind part of the foot.
     pub towards: String,
     measure: ReachMeasure,
+    /// The largest usual value.
+    most: f64,
 }
 
 /// The yardstick of a reach; the module describes both.
@@ -39,8 +44,8 @@ impl Reach {
     /// Whether no published sphere reaches so far.
     pub(crate) fn is_odd(&self) -> bool {
         match self.measure {
-            ReachMeasure::TowardsJoint => self.value > LARGEST_TOWARDS_JOINT,
-            ReachMeasure::AlongFoot => !USUAL_ALONG_FOOT.contains(&self.value),
+            ReachMeasure::TowardsJoint => self.value > self.most || self.value < LEAST_TOWARDS_JOINT,
+            ReachMeasure::AlongFoot => self.value < *USUAL_ALONG_FOOT.start() || self.value > self.most,
         }
     }
 
@@ -48,8 +53,11 @@ impl Reach {
     pub(crate) fn describe(&self) -> String {
         let (value, towards) = (four_significant(self.value), &self.towards);
         match self.measure {
+            ReachMeasure::TowardsJoint if self.value < 0.0 => {
+                format!("lies at {value} of the way to the next joint, {towards}: behind its body")
+            }
             ReachMeasure::TowardsJoint => format!(
-                "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.21"
+                "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.34"
             ),
             ReachMeasure::AlongFoot => format!(
                 "is the foremost of {towards} and lies at {value} of the foot's length, published ones at 0.69 to 1.01"
@@ -61,31 +69,33 @@ impl Reach {
 /// The reach of each foot sphere towards the next joint, and of the foremost sphere along each foot.
 pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     let mut reaches = Vec::new();
-    let mut foremost: BTreeMap<String, (SphereId, f64)> = BTreeMap::new();
+    let mut foremost: BTreeMap<String, (SphereId, f64, f64)> = BTreeMap::new();
     for id in model.loaded_spheres(&model.force_ids()) {
         let (Some(sphere), Some(centre)) = (model.sphere(id), model.centre_m(id)) else { continue };
         let Some(body) = sphere.body.as_deref().filter(|body| bones.is_foot(body)) else { continue };
         reaches.extend(reach_towards_joint(bones, body, id, centre, sphere.radius.number));
-        let as_hind_part = |body: &str| bones.standard_foot(body).map(|ends| (body.to_owned(), ends));
+        let as_hind_part = |body: &str| bones.standard_foot(body).map(|foot| (body.to_owned(), foot));
         let as_toes = || {
             let joint = bones.joint_above(body)?;
-            let (hind, ends) = as_hind_part(&joint.parent)?;
-            Some((hind, ends, joint.in_parent_m[0] - joint.in_child_m[0]))
+            let (hind, foot) = as_hind_part(&joint.parent)?;
+            Some((hind, foot, joint.in_parent_m[0] - joint.in_child_m[0]))
         };
-        let foot = as_hind_part(body).map(|(hind, ends)| (hind, ends, 0.0)).or_else(as_toes);
-        if let Some((hind, [heel, tip], origin)) = foot {
+        let foot = as_hind_part(body).map(|(hind, foot)| (hind, foot, 0.0)).or_else(as_toes);
+        if let Some((hind, StandardFoot { heel, tip, longest_tip }, origin)) = foot {
             let along = (origin + centre[0] - heel) / (tip - heel);
-            let most = foremost.entry(hind).or_insert((id, along));
-            if along > most.1 {
-                *most = (id, along);
+            let most = USUAL_ALONG_FOOT.end() * (longest_tip - heel) / (tip - heel);
+            let first = foremost.entry(hind).or_insert((id, along, most));
+            if along > first.1 {
+                *first = (id, along, most);
             }
         }
     }
-    reaches.extend(foremost.into_iter().map(|(towards, (sphere, value))| Reach {
+    reaches.extend(foremost.into_iter().map(|(towards, (sphere, value, most))| Reach {
         sphere,
         value,
         towards,
         measure: ReachMeasure::AlongFoot,
+        most,
     }));
     reaches
 }
@@ -107,6 +117,7 @@ fn reach_towards_joint(
         value,
         towards: joint.name.clone(),
         measure: ReachMeasure::TowardsJoint,
+        most: if joint.is_weld { f64::INFINITY } else { LARGEST_TOWARDS_JOINT },
     })
 }
 
@@ -117,6 +128,8 @@ fn reach_towards_joint(
 const HEEL_M: f64 = -0.0098;
 const FOOT_TIP_M: f64 = 0.183817;
 const TOES_TIP_M: f64 = 0.076918;
+/// Where the toes begin on the x axis of the foot in OpenSim's models at factor 1, m.
+const TOES_BEGIN_M: f64 = 0.1788;
 
 /// Factors that OpenSim's bones can have, from a mouse to a giant. The factor 0.001 of meshes in millimetres is not among them.
 const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
@@ -132,13 +145,23 @@ pub(crate) struct BodyBones {
     farthest: HashMap<String, (f64, usize)>,
 }
 
-/// The bone that the meshes of one body show.
+/// What the name, the meshes and the joints of one body show.
 struct BodyBone {
-    /// The factors of the meshes; `None` if these differ.
+    /// The factors of the meshes; `None` without meshes, or if these differ.
     size: Option<[f64; 3]>,
     is_foot: bool,
-    /// x of the heel and of the tip of the toes, m, if the body shows the hind part of OpenSim's standard foot.
-    standard_foot: Option<[f64; 2]>,
+    /// If the body shows the hind part of OpenSim's standard foot.
+    standard_foot: Option<StandardFoot>,
+}
+
+/// How far OpenSim's standard foot reaches along x of its hind part, m.
+#[derive(Debug, Clone, Copy)]
+struct StandardFoot {
+    heel: f64,
+    /// The tip of its bones.
+    tip: f64,
+    /// The tip with toes, if it has none of its own.
+    longest_tip: f64,
 }
 
 impl BodyBones {
@@ -159,7 +182,7 @@ impl BodyBones {
                 *most = (squared, at);
             }
         }
-        let bodies = anatomy.meshes.keys().map(|body| (body.clone(), OnceLock::new())).collect();
+        let bodies = anatomy.bodies.iter().map(|body| (body.clone(), OnceLock::new())).collect();
         Self { anatomy, bodies, farthest }
     }
 
@@ -177,9 +200,45 @@ impl BodyBones {
         self.bone(body)?.size
     }
 
+    /// By what factor `body` is longer than OpenSim's calcaneus, as its joint to the toes shows.
+    pub(crate) fn length_by_toe_joint(&self, body: &str) -> Option<f64> {
+        if !body.to_lowercase().contains("calc") {
+            return None;
+        }
+        let mut below = self.anatomy.joints_below(body);
+        let toes = below.find(|joint| joint.child.to_lowercase().contains("toe"))?;
+        Some(toes.in_parent_m[0] / TOES_BEGIN_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
+    }
+
+    /// The ankle of the calcaneus `body`, m, and the direction in which its foot points, both in its frame.
+    pub(crate) fn ankle_and_forward(&self, body: &str) -> Option<(DVec3, DVec3)> {
+        if !body.to_lowercase().contains("calc") {
+            return None;
+        }
+        let above = self.joint_above(body)?;
+        let mut ankle_m = above.in_child_m;
+        if self.is_foot(&above.parent) {
+            // The talus is between shank and calcaneus.
+            ankle_m += self.joint_above(&above.parent)?.in_child_m - above.in_parent_m;
+        } else if ankle_m == DVec3::ZERO {
+            // The origin of OpenSim's calcaneus is at the heel: here it is not known where the ankle is.
+            return None;
+        }
+        let forward = match self.farthest_joint(body) {
+            Some((_, joint)) => joint.in_parent_m - ankle_m,
+            None => self.standard_foot(body).map(|_| DVec3::X)?,
+        };
+        Some((ankle_m, forward.try_normalize()?))
+    }
+
+    /// Whether any body of the model belongs to a foot.
+    pub(crate) fn has_feet(&self) -> bool {
+        self.bodies.keys().any(|body| self.is_foot(body))
+    }
+
     /// The next joint of `body` that is farthest from its origin, and the square of that distance, m².
     fn farthest_joint(&self, body: &str) -> Option<(f64, &AnatomyJoint)> {
-        let (squared, at) = self.bodies.get(body).and_then(|_| self.farthest.get(body))?;
+        let (squared, at) = self.farthest.get(body)?;
         Some((*squared, self.anatomy.joints.get(*at)?))
     }
 
@@ -193,8 +252,7 @@ impl BodyBones {
         self.bone(body).is_some_and(|bone| bone.is_foot)
     }
 
-    /// x of the heel and of the tip of the toes, m, if `body` shows the hind part of OpenSim's standard foot.
-    fn standard_foot(&self, body: &str) -> Option<[f64; 2]> {
+    fn standard_foot(&self, body: &str) -> Option<StandardFoot> {
         self.bone(body)?.standard_foot
     }
 }
@@ -206,6 +264,10 @@ fn common_factors(anatomy: &Anatomy, body: &str) -> Option<[f64; 3]> {
 }
 
 fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
+    // The meshes of a hand have phalanges, too.
+    if body.to_lowercase().contains("hand") {
+        return false;
+    }
     let names = anatomy.meshes.get(body).into_iter().flat_map(BTreeMap::keys).map(String::as_str);
     names.chain([body]).map(str::to_lowercase).any(|name| FOOT_WORDS.iter().any(|word| name.contains(word)))
 }
@@ -220,16 +282,21 @@ fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<
     meshes.iter().find(is_standard).map(|(_, factors)| *factors)
 }
 
-fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<[f64; 2]> {
+fn standard_foot(anatomy: &Anatomy, body: &str) -> Option<StandardFoot> {
     let [foot, ..] = factors_of_opensim_bone(anatomy, body, "foot")?;
     let mut next = anatomy.joints_below(body);
     let toes =
         next.find_map(|joint| Some((joint, factors_of_opensim_bone(anatomy, &joint.child, "bofoot")?)));
-    let tip = match toes {
-        Some((joint, [toes, ..])) => joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_M,
-        None => foot * FOOT_TIP_M,
-    };
-    Some([foot * HEEL_M, tip])
+    let heel = foot * HEEL_M;
+    Some(match toes {
+        Some((joint, [toes, ..])) => {
+            let tip = joint.in_parent_m[0] - joint.in_child_m[0] + toes * TOES_TIP_M;
+            StandardFoot { heel, tip, longest_tip: tip }
+        }
+        None => {
+            StandardFoot { heel, tip: foot * FOOT_TIP_M, longest_tip: foot * (TOES_BEGIN_M + TOES_TIP_M) }
+        }
+    })
 }
 
 /// Factors whose relative difference is no more than this are equal: a millimetre on a human foot.

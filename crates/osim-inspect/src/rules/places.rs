@@ -1,7 +1,9 @@
 //! Rules about the places of spheres, compared with the model that was scaled if the caller gives it, else by this file alone.
 
+use std::collections::BTreeMap;
+
 use osim_model::compare::{PlacedSphere, SpherePlacements, is_stretched};
-use osim_model::messages::{Input, Verb, phrase, readable};
+use osim_model::messages::{Input, Verb, counted, listed, phrase, readable, shown, three_significant};
 use osim_model::{
     Example, Finding, FindingCode, Model, Note, Repair, Rule, ScaledSinceNote, Severity, Sphere, VerdictOn,
 };
@@ -11,8 +13,9 @@ use osim_requests::{Kilograms, Request, RescaleRequest, TransferRequest};
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
 use crate::inspection::Inspection;
 use crate::place_evidence::{LayoutMatch, PlaceEvidence};
-use crate::reach::Reach;
+use crate::reach::{BodyBones, Reach};
 use crate::rules::spheres::about_spheres;
+use crate::sides::BothSides;
 
 /// What is known about the places of a model's spheres.
 pub(crate) enum SpherePlaces<'i> {
@@ -52,16 +55,6 @@ impl<'i> SpherePlaces<'i> {
         match self {
             Self::Compared(placement) => placement.is_wrong(),
             Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => evidence.is_wrong(),
-        }
-    }
-
-    /// Whether spheres are certainly where they were before their bodies were scaled.
-    pub(crate) fn were_left_behind(&self) -> bool {
-        match self {
-            Self::Compared(placement) => placement.was_left_behind(),
-            Self::FileAlone(evidence) | Self::NotCompared(_, evidence) => {
-                matches!(evidence, PlaceEvidence::ScaledSinceNote(_) | PlaceEvidence::OtherSize(_))
-            }
         }
     }
 
@@ -144,13 +137,20 @@ fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> 
 fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     match evidence {
         PlaceEvidence::ScaledSinceNote(noted) => Some(left_behind_since_note(noted)),
-        PlaceEvidence::OtherSize(LayoutMatch::OtherSize { title, body, here, published }) => {
+        PlaceEvidence::OtherSize(LayoutMatch::OtherSize { title, body, growth }) => {
             let text = format!(
-                "the spheres stand where {title} has them on bones of size {}, and {body} has the size {}",
-                size_text(*published),
-                size_text(*here)
+                "{} is {} of the bone in {title}, but its spheres are placed as there",
+                shown(body),
+                percent_text(*growth),
             );
             Some(Finding::new(&SPHERES_MISPLACED, text))
+        }
+        PlaceEvidence::NotOnFeet(bodies) => {
+            let text = format!(
+                "spheres are on {}, which is no foot, and the feet of the model have none",
+                listed(bodies, MOST_BODIES_NAMED)
+            );
+            find_on_bodies(model, bodies, text)
         }
         PlaceEvidence::Mirrored(title) => {
             let text = format!(
@@ -174,7 +174,20 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     }
 }
 
-/// One finding for each sphere that is not where it belongs; one alone where the two models cannot be compared.
+/// A message names at most so many bodies.
+const MOST_BODIES_NAMED: usize = 4;
+
+/// The finding that all spheres are on these bodies, which are none of a foot.
+fn find_on_bodies(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
+    let is_there = |sphere: &&Sphere| {
+        let body = sphere.body.as_ref();
+        body.is_some_and(|body| bodies.contains(body))
+    };
+    about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
+}
+
+/// One finding for all spheres that stayed where they were, and one for those that were moved; one alone where the two models cannot be
+/// compared.
 fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
@@ -182,8 +195,11 @@ fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
         return vec![Finding::new(&SPHERES_NOT_COMPARED, text).with_severity(severity)];
     }
     let unmatched = placement.unmatched.iter().cloned().map(|why| Finding::new(&SPHERES_NOT_COMPARED, why));
-    let placed = placement.spheres.iter().filter(|sphere| !sphere.follows).map(misplaced_sphere);
-    placed.chain(unmatched).collect()
+    [misplaced_spheres(placement, true), misplaced_spheres(placement, false)]
+        .into_iter()
+        .flatten()
+        .chain(unmatched)
+        .collect()
 }
 
 pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
@@ -215,6 +231,12 @@ fn size_text([x, y, z]: [f64; 3]) -> String {
     if x == y && y == z { readable(x) } else { [x, y, z].map(readable).join(",") }
 }
 
+/// Factors along x, y and z in percent; one number if they are equal.
+fn percent_text([x, y, z]: [f64; 3]) -> String {
+    let percent = |factor: f64| format!("{} %", three_significant(100.0 * factor));
+    if x == y && y == z { percent(x) } else { [x, y, z].map(percent).join(" x ") }
+}
+
 pub(super) static SPHERES_MISPLACED: Rule = Rule {
     code: FindingCode::SpheresMisplaced,
     severity: Severity::Warning,
@@ -228,30 +250,27 @@ pub(super) static SPHERES_MISPLACED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
 };
 
-/// The finding about one sphere that stayed at its place in the model that was scaled, or was moved to a third place.
-fn misplaced_sphere(sphere: &PlacedSphere) -> Finding {
-    let PlacedSphere { name, path, line, .. } = sphere;
-    let (here, belongs) = (millimetres(sphere.here_m), millimetres(sphere.belongs_m));
-    let finding = if sphere.stayed() {
-        Finding::new(&SPHERES_LEFT_BEHIND, format!("{name} stayed at {here} mm and belongs at {belongs} mm"))
+/// The finding about all spheres that stayed at their places in the model that was scaled, or about all that were moved to a third place.
+fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Finding> {
+    let all: Vec<&PlacedSphere> =
+        placement.spheres.iter().filter(|sphere| !sphere.follows && sphere.stayed() == stayed).collect();
+    let worst = all.iter().copied().reduce(|a, b| if b.distance_m() > a.distance_m() { b } else { a })?;
+    let (count, total) = (all.len(), counted(placement.spheres.len(), "sphere"));
+    let most = format!("up to {} mm, {}", three_significant(1e3 * worst.distance_m()), worst.name);
+    let finding = if stayed {
+        Finding::new(&SPHERES_LEFT_BEHIND, format!("{count} of {total} did not follow the bones ({most})"))
     } else {
         let text = phrase![
-            format!("{name} was moved: it is at {here} mm, and at {belongs} mm by the factors of its body: "),
+            format!(
+                "{count} of {total} were moved by hand, away from where the bones have taken them ({most}): "
+            ),
             Input::MovedSpheres.with_placeholder("replace"),
-            " places it again"
+            " places them again"
         ];
         Finding::new(&SPHERES_MISPLACED, text)
     };
-    finding.with_place(path).with_line(Some(*line)).with_spheres(vec![name.clone()])
-}
-
-fn millimetres(place: [f64; 3]) -> String {
-    let axes = place.map(|metres| {
-        let text = format!("{:.2}", metres * 1e3);
-        // Write zero without a minus.
-        if text == "-0.00" { "0.00".to_owned() } else { text }
-    });
-    axes.join(" ")
+    let finding = finding.with_place(&worst.path).with_line(Some(worst.line));
+    Some(finding.with_spheres(all.into_iter().map(|sphere| sphere.name.clone()).collect()))
 }
 
 /// The finding that these spheres reach further than those of published models.
@@ -265,6 +284,42 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     };
     let text = format!("{} {}{more}", sphere.name, reach.describe());
     about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
+}
+
+/// Spheres that are ahead of the ankle by more than this part of the limb's longest bone are no heel. That of D'Hondt et al. is 0.027 ahead.
+const AHEAD_OF_ANKLE: f64 = 0.04;
+
+/// The remark that the spheres of a calcaneus are all ahead of the ankle, about the foot whose rearmost sphere is farthest ahead.
+pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
+    let bones = BodyBones::of(sides.model)?;
+    let mut rearmost: BTreeMap<&str, (f64, &Sphere)> = BTreeMap::new();
+    for (sphere, body, place_m) in sides.spheres() {
+        let Some((ankle_m, forward)) = bones.ankle_and_forward(body) else { continue };
+        let ahead_m = (place_m - ankle_m).dot(forward);
+        let least = rearmost.entry(body).or_insert((ahead_m, sphere));
+        if ahead_m < least.0 {
+            *least = (ahead_m, sphere);
+        }
+    }
+    let is_ahead = |body: &str, ahead_m: f64| {
+        sides.longest_bone_of_limb_m(body).is_some_and(|bone_m| ahead_m > AHEAD_OF_ANKLE * bone_m)
+    };
+    let without_heel = rearmost
+        .into_iter()
+        .filter(|(body, (ahead_m, _))| is_ahead(body, *ahead_m))
+        .map(|(_, rearmost)| rearmost);
+    let (ahead_m, sphere) = without_heel.reduce(|a, b| if b.0 > a.0 { b } else { a })?;
+    let text = format!(
+        "the heel has no sphere: the rearmost, {}, is {} mm ahead of the ankle",
+        shown(&sphere.name),
+        three_significant(1e3 * ahead_m)
+    );
+    let finding = about_spheres(&SPHERES_MISPLACED, text, std::iter::once(sphere))?;
+    Some(
+        finding
+            .with_severity(Severity::Remark)
+            .with_advice("Nothing, if that is meant; else look at the places of the heel's spheres"),
+    )
 }
 
 pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {

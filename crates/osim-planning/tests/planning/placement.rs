@@ -58,6 +58,8 @@ fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
     for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
     {
         let text = RIGHT.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
+        // The joint to the toes shows the size, too.
+        let text = if size == "1" { text.replace(">0.16341 ", ">0.1788 ") } else { text };
         assert_eq!(codes_without_reference(&text), expected, "{size}");
     }
 }
@@ -86,8 +88,8 @@ fn a_layout_that_grew_with_its_bones_is_right() {
 fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
     // The projection of (x, ...) on the joint's direction: |J - x/143.04 mm| < 0.002, as y and z are small.
     for (millimetres, expected) in [
-        (1.24 * 143.04, FindingCode::SpheresNotCompared),
-        (1.26 * 143.04, FindingCode::SpheresMisplaced),
+        (1.39 * 143.04, FindingCode::SpheresNotCompared),
+        (1.41 * 143.04, FindingCode::SpheresMisplaced),
         (100.0, FindingCode::SpheresNotCompared),
     ] {
         assert_eq!(
@@ -145,17 +147,17 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
         .filter(|finding| finding.code() == FindingCode::SpheresLeftBehind)
         .map(|finding| finding.message.to_string())
         .collect();
-    assert_eq!(behind.len(), 6);
-    // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95.
-    assert_eq!(behind[0], "heel_r stayed at -10.00 -40.00 5.00 mm and belongs at -10.20 -34.23 4.75 mm");
+    // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95. The heel's bottom was at -72 mm and goes to -64.8; with a radius of
+    // 32 ∛(1.02 · 0.9 · 0.95) = 30.57 mm its centre goes to -34.23, and from 5 to 4.75 mm sideways: √(0.2² + 5.77² + 0.25²) is 5.78.
+    assert_eq!(behind, ["6 of 6 spheres did not follow the bones (up to 5.78 mm, heel_r)"]);
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
     let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
     assert_eq!(said(found.findings[0].remedy.as_ref()), expected);
-    // What the spheres do where they should not be is not judged, and nothing else has a command.
+    // What the spheres do where they should not be is judged, too, but nothing else has a command.
     assert!(
         found.findings.iter().all(|one| one.remedy.is_none() || one.code() == FindingCode::SpheresLeftBehind)
     );
-    assert!(!found.findings.iter().any(|one| one.code() == FindingCode::BeyondHertz));
+    assert!(found.findings.iter().any(|one| one.code() == FindingCode::BeyondHertz));
 }
 
 #[test]
@@ -318,7 +320,7 @@ fn spheres_that_this_program_resized_are_placed_again() {
 #[test]
 fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
     // Beyond the toe joint, and a hundredth as stiff.
-    let text = with_x(NOBODYS, "s2_r", 1.3 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let text = with_x(NOBODYS, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
     let found = check(&text, None);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
     let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warning).collect();
@@ -340,6 +342,6 @@ fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
     let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
     assert!(Model::parse(shared.as_str()).unwrap().forces_of_other_classes().contains_key("heel_r"));
     let found = check(&shared, Some(GENERIC));
-    assert_eq!(codes(&found).len(), 6);
+    assert_eq!(codes(&found).len(), 1);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
 }
