@@ -17,6 +17,7 @@ mod feet;
 mod findings;
 mod fixed_to_ground;
 mod judged;
+mod kinds;
 mod known_contacts;
 mod left_behind;
 mod left_like_right;
