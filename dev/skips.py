@@ -19,6 +19,7 @@ HOLDS = {
     "as root": getattr(os, "geteuid", lambda: 1)() == 0,
     "not as root": getattr(os, "geteuid", lambda: 1)() != 0,
     "without OSIM_CORPUS": not os.environ.get("OSIM_CORPUS"),
+    "without OSIM_CASES": not os.environ.get("OSIM_CASES"),
 }
 
 # Tests in Rust and scripts say it themselves, pytest says it with -rs --no-fold-skipped. Where tests run one after the

@@ -99,6 +99,10 @@ if [ -z "${OSIM_CORPUS:-}" ] && [ -d ../shared/corpus ]; then
     OSIM_CORPUS=$(cd ../shared/corpus && pwd)
     export OSIM_CORPUS
 fi
+if [ -z "${OSIM_CASES:-}" ] && [ -d ../shared/cases ]; then
+    OSIM_CASES=$(cd ../shared/cases && pwd)
+    export OSIM_CASES
+fi
 ORACLE="target/oracle-venv/bin/python"
 PYTHON="target/python-venv/bin/python"
 PYTEST="-m pytest -q -rs --no-fold-skipped"

@@ -20,6 +20,7 @@ mod advice;
 mod bad_input;
 mod batch;
 mod bytes;
+mod cases;
 mod check;
 mod check_sides;
 mod convert;

@@ -1,0 +1,188 @@
+//! Cases of wrong judgement that users met, in the folder that OSIM_CASES names: each with its input, and what is expected in its README.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use crate::support::{TestDir, report_skip};
+
+/// A folder with copies of the files of a case; `None` after reporting that the test is skipped.
+fn case(name: &str) -> Option<TestDir> {
+    let folder = std::env::var_os("OSIM_CASES").map(PathBuf::from).filter(|folder| folder.is_dir());
+    let Some(folder) = folder else {
+        report_skip(name, "OSIM_CASES is not set to the folder of cases");
+        return None;
+    };
+    let dir = TestDir::new();
+    for entry in std::fs::read_dir(folder.join(name)).unwrap().map(|entry| entry.unwrap()) {
+        dir.write(entry.file_name().to_str().unwrap(), std::fs::read(entry.path()).unwrap());
+    }
+    Some(dir)
+}
+
+fn check(dir: &TestDir, arguments: &str) -> Value {
+    let run = dir.run(&format!("check {arguments} --format json"));
+    serde_json::from_str(&run.out()).unwrap_or_else(|error| panic!("{error}: {}{}", run.out(), run.err()))
+}
+
+/// The codes of the findings with this severity.
+fn codes<'r>(report: &'r Value, severity: &str) -> BTreeSet<&'r str> {
+    let findings = report["findings"].as_array().unwrap().iter();
+    let of_severity = findings.filter(|finding| finding["severity"] == severity);
+    of_severity.map(|finding| finding["code"].as_str().unwrap()).collect()
+}
+
+#[track_caller]
+fn assert_no_accusation(report: &Value) {
+    assert_eq!([codes(report, "error"), codes(report, "warning")], [BTreeSet::new(), BTreeSet::new()]);
+}
+
+fn sign<'r>(report: &'r Value, on: &str) -> &'r Value {
+    &report["verdicts"].as_array().unwrap().iter().find(|verdict| verdict["on"] == on).unwrap()["sign"]
+}
+
+fn finding<'r>(report: &'r Value, code: &str) -> &'r Value {
+    report["findings"].as_array().unwrap().iter().find(|finding| finding["code"] == code).unwrap()
+}
+
+#[test]
+fn a_row_that_warns_counts() {
+    let files = [
+        ("motion/walker.osim", "walker.osim"),
+        ("motion/walk.mot", "walk.mot"),
+        ("motion/plates.sto", "plates.sto"),
+    ];
+    let dir = TestDir::with(&files);
+    let call = "walker.osim --motion walk.mot --plates plates.sto";
+    let report = check(&dir, call);
+    assert_eq!((sign(&report, "motion"), &report["counts"]["warning"]), (&"warning".into(), &1.into()));
+    let row =
+        report["verdicts"].as_array().unwrap().iter().find(|verdict| verdict["on"] == "motion").unwrap();
+    assert_eq!(row["codes"][0], finding(&report, "unlike-recording")["code"]);
+    dir.run(&format!("check {call} --deny warning")).failed();
+}
+
+#[test]
+fn no_row_is_good_while_spheres_are_left_behind() {
+    let Some(dir) = case("left-behind-no-command") else { return };
+    let report = check(&dir, "scaled.osim --from generic.osim");
+    assert_eq!(sign(&report, "sizes"), "error");
+    assert_eq!(sign(&report, "solver"), "warning");
+    assert_ne!(sign(&report, "standing"), "good");
+    assert_eq!(finding(&report, "spheres-left-behind")["spheres"].as_array().unwrap().len(), 6);
+}
+
+#[test]
+fn rounded_places_are_the_same_places() {
+    let Some(dir) = case("places-rounded") else { return };
+    for model in ["scaled", "scaled_exact"] {
+        let report = check(&dir, &format!("{model}.osim --from generic.osim"));
+        assert!(codes(&report, "error").contains("spheres-left-behind"), "{model}");
+        let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
+        dir.run(&format!("{command} -o {model}_right.osim")).succeeded();
+        let report = check(&dir, &format!("{model}_right.osim --from generic.osim"));
+        assert_no_accusation(&report);
+    }
+}
+
+#[test]
+fn spheres_on_hands_are_not_on_feet() {
+    let Some(dir) = case("hands") else { return };
+    let report = check(&dir, "model.osim");
+    let found = finding(&report, "spheres-misplaced");
+    assert_eq!(found["severity"], "warning");
+    assert!(found["message"].as_str().unwrap().contains("hand_l, hand_r"), "{found}");
+}
+
+#[test]
+fn joints_show_the_size_of_bones_without_meshes() {
+    let Some(dir) = case("scaled_without_meshes") else { return };
+    assert!(codes(&check(&dir, "model.osim"), "warning").contains("spheres-misplaced"));
+}
+
+#[test]
+fn the_distance_that_is_said_is_the_one_that_is_moved() {
+    let files = [
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+    ];
+    let dir = TestDir::with(&files);
+    let report = check(&dir, "scaled.osim --from generic.osim");
+    let message = finding(&report, "spheres-left-behind")["message"].as_str().unwrap().to_owned();
+    let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
+    dir.run(&format!("{command} -o right.osim")).succeeded();
+    let place = |model: &str| -> Vec<f64> {
+        let out = dir.run(&format!("inspect {model} --format json")).succeeded().out();
+        let inspection: Value = serde_json::from_str(&out).unwrap();
+        let spheres = inspection["spheres"].as_array().unwrap().clone();
+        let heel = spheres.iter().find(|sphere| sphere["name"] == "heel_r").unwrap();
+        heel["location_m"].as_array().unwrap().iter().map(|value| value.as_f64().unwrap()).collect()
+    };
+    let moved: f64 =
+        place("scaled.osim").iter().zip(place("right.osim")).map(|(a, b)| (a - b) * (a - b)).sum();
+    assert!(
+        message.contains(&format!("{:.2} mm, heel_r", 1e3 * moved.sqrt())),
+        "{message}, moved by {}",
+        moved.sqrt()
+    );
+}
+
+#[test]
+fn a_body_that_is_too_dense_is_remarked() {
+    let Some(dir) = case("mass-against-length") else { return };
+    let report = check(&dir, "scaled.osim --from generic.osim");
+    let message = finding(&report, "mass-against-length")["message"].as_str().unwrap();
+    assert!(message.contains("0.35") && message.contains("0.0429") && message.contains("8.16"), "{message}");
+    assert!(codes(&report, "remark").contains("mass-against-length"));
+}
+
+#[test]
+fn a_torso_without_mass_is_named_and_no_command_hides_it() {
+    let Some(dir) = case("mass_zero_torso") else { return };
+    let report = check(&dir, "model.osim");
+    assert!(finding(&report, "massless-body")["place"].as_str().unwrap().ends_with("/torso"));
+    assert_eq!(report["commands"], Value::Array(Vec::new()));
+}
+
+#[test]
+fn a_plate_that_carries_the_floor_is_no_part_of_the_body() {
+    let Some(dir) = case("plate_counts_as_body") else { return };
+    let report = check(&dir, "model.osim");
+    assert_no_accusation(&report);
+    assert_eq!(report["commands"], Value::Array(Vec::new()));
+}
+
+#[test]
+fn a_radius_in_feet_is_odd() {
+    let Some(dir) = case("radius_in_feet") else { return };
+    assert_eq!(codes(&check(&dir, "model.osim"), "warning"), BTreeSet::from(["odd-radius"]));
+}
+
+#[test]
+fn what_was_published_so_is_a_remark_if_another_number_changes() {
+    let Some(dir) = case("dhondt_friction_changed") else { return };
+    assert_no_accusation(&check(&dir, "model.osim"));
+}
+
+#[test]
+fn a_pose_alone_is_no_error() {
+    let Some(dir) = case("tilted_pose_sunk_in") else { return };
+    assert_no_accusation(&check(&dir, "model.osim"));
+}
+
+#[test]
+fn spheres_that_no_force_presses_are_said() {
+    let Some(dir) = case("left_forces_deleted") else { return };
+    let found = check(&dir, "model.osim");
+    let found = finding(&found, "one-side-only");
+    assert_eq!((&found["severity"], found["spheres"].as_array().unwrap().len()), (&"warning".into(), 6));
+}
+
+#[test]
+fn spheres_that_part_are_refused_and_levelled_ones_are_not() {
+    let Some(dir) = case("unlike-radii-level") else { return };
+    let run = dir.run("model.osim --target-mass 8 -o out.osim").failed().wrote_nothing();
+    assert!(run.err().contains("sunk-in"), "{}", run.err());
+    dir.run("model.osim --target-mass 8 --level -o out.osim").succeeded();
+}
