@@ -27,7 +27,8 @@ pub(crate) fn check_report(dir: &TestDir, arguments: &str) -> Report {
     let report: Report = serde_json::from_str(&run.out())
         .unwrap_or_else(|error| panic!("{error}: {}{}", run.out(), run.err()));
     let on: Vec<&str> = report.verdicts.iter().filter_map(|verdict| verdict["on"].as_str()).collect();
-    assert_eq!(on, ["floor", "standing", "mass", "sides", "sizes", "solver"]);
+    let recorded = if arguments.contains("--motion") { &["motion"][..] } else { &[] };
+    assert_eq!(on, [&["floor", "standing", "mass", "sides", "sizes", "solver"], recorded].concat());
     assert_eq!(report.similarity.is_some(), arguments.contains("--from"), "{arguments}");
     report
 }
@@ -113,6 +114,10 @@ const PLAIN: &[Case] = triggers! {
     "duplicate-names": "format/same_force_name_twice.osim",
     "refused-name": "bad/name_with_blank.osim",
     "mass-unknown": "bad/mass_missing.osim",
+    "massless-body": "check/massless_body.osim",
+    "odd-gravity": "check/odd_gravity.osim",
+    "no-friction": "check/no_friction.osim",
+    "no-dissipation": "format/zero_dissipation.osim",
     "out-of-domain": "bad/dissipation_negative.osim",
 };
 
@@ -126,6 +131,25 @@ const COMPOSED: &[Case] = &[
         ],
         before: "",
         check: "model.osim --from generic.osim",
+    },
+    Case {
+        code: "mass-against-length",
+        fixtures: &[
+            ("check/known_contacts.osim", "original.osim"),
+            ("check/mass_against_length.osim", "model.osim"),
+        ],
+        before: "",
+        check: "model.osim --from original.osim",
+    },
+    Case {
+        code: "unlike-recording",
+        fixtures: &[
+            ("motion/walker.osim", "model.osim"),
+            ("motion/walk.mot", "walk.mot"),
+            ("motion/plates.sto", "plates.sto"),
+        ],
+        before: "",
+        check: "model.osim --motion walk.mot --plates plates.sto",
     },
     Case {
         code: "unmatched-pattern",

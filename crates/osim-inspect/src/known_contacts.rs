@@ -17,6 +17,8 @@ use crate::sides::BothSides;
 
 /// Values whose relative difference is no more than this are the same.
 const SAME_VALUE: f64 = 1e-6;
+/// Values that differ by no more than this, relatively, have the same findings: a radius that differs by 2 % changes other values by up to 6 %.
+const SIMILAR_VALUE: f64 = 0.07;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -54,8 +56,34 @@ impl KnownContacts {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
+        Self::find_like(&contacts_of_sets(model, forces)?, count, mass_kg, entries(), &Likeness::EXACT)
+    }
+
+    /// The severity that the table gives a finding about these `forces` if their contacts are not known, but those numbers are as published on
+    /// which the finding depends: what was published so is a remark, whatever the other numbers are.
+    pub(crate) fn severity_of_similar(
+        model: &Model,
+        forces: &[ForceId],
+        count: Option<f64>,
+        mass_kg: Option<f64>,
+        code: FindingCode,
+    ) -> Option<Severity> {
+        let likeness = Likeness::for_finding(code)?;
+        let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
-        let fits = |entry: &Entry, mass: f64, isometric: bool| entry.is_of(&contacts, count, mass, isometric);
+        Self::find_like(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
+    }
+
+    fn find_like(
+        contacts: &[SetContact],
+        count: Option<f64>,
+        mass_kg: Option<f64>,
+        entries: impl IntoIterator<Item = &'static Entry> + Clone,
+        likeness: &Likeness,
+    ) -> Option<Self> {
+        let fits = |entry: &Entry, mass: f64, isometric: bool| {
+            entry.is_of(contacts, count, (mass, isometric), likeness)
+        };
         let under_body = |entry: &'static Entry| {
             let mass = mass_kg?;
             let made_for_kg = entry.made_for_kg * (mass / entry.body_kg());
@@ -68,17 +96,21 @@ impl KnownContacts {
             let masses = entry.contacts.iter().map(|contact| {
                 // For unscaled contacts the mass is that of the entry, to the last bit.
                 let ratio = radius_m / contact.radius_m;
-                if close(ratio, 1.0) { entry.made_for_kg } else { entry.made_for_kg * ratio * ratio * ratio }
+                if likeness.is_close(ratio, 1.0) {
+                    entry.made_for_kg
+                } else {
+                    entry.made_for_kg * ratio * ratio * ratio
+                }
             });
             let made_for_kg = masses.filter(|_| is_for_its_body).find(|&mass| fits(entry, mass, true));
             made_for_kg.map(|made_for_kg| Self::new(entry, made_for_kg))
         };
-        entries().iter().find_map(under_body).or_else(|| entries().iter().find_map(at_any_mass))
+        entries.clone().into_iter().find_map(under_body).or_else(|| entries.into_iter().find_map(at_any_mass))
     }
 
     /// Whether they are for exactly this mass, kg.
     pub(crate) fn is_made_for(&self, mass_kg: f64) -> bool {
-        close(self.made_for_kg, mass_kg)
+        Likeness::EXACT.is_close(self.made_for_kg, mass_kg)
     }
 
     /// Whether they were published under a body of another mass than they are made for.
@@ -136,10 +168,62 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact>
     })
 }
 
+/// Which numbers are compared, and how closely.
+struct Likeness {
+    tolerance: f64,
+    stiffness: bool,
+    dissipation: bool,
+    /// `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing`.
+    smoothing: [bool; 3],
+    friction: bool,
+}
+
+impl Likeness {
+    const EXACT: Self = Self {
+        tolerance: SAME_VALUE,
+        stiffness: true,
+        dissipation: true,
+        smoothing: [true; 3],
+        friction: true,
+    };
+
+    /// The numbers on which a finding depends; `None` if it does not follow from these numbers and the weight.
+    fn for_finding(code: FindingCode) -> Option<Self> {
+        let radii = Self {
+            tolerance: SIMILAR_VALUE,
+            stiffness: false,
+            dissipation: false,
+            smoothing: [false; 3],
+            friction: false,
+        };
+        Some(match code {
+            FindingCode::SunkIn | FindingCode::BeyondHertz => Self { stiffness: true, ..radii },
+            FindingCode::BeyondHuntCrossley => Self { dissipation: true, ..radii },
+            FindingCode::LargeConstantIndentation => Self { smoothing: [true, false, false], ..radii },
+            FindingCode::WideTransition => Self { smoothing: [false, true, false], ..radii },
+            FindingCode::ForceBeforeContact => {
+                Self { stiffness: true, smoothing: [true, true, false], ..radii }
+            }
+            FindingCode::DeadDerivativeSmoothing => radii,
+            _ => return None,
+        })
+    }
+
+    fn is_close(&self, value: f64, expected: f64) -> bool {
+        (value - expected).abs() <= self.tolerance * expected.abs()
+    }
+}
+
 impl Entry {
     /// Whether `contacts` are those of the entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
     /// `isometric`, radii follow the mass, too.
-    fn is_of(&self, contacts: &[SetContact], count: Option<f64>, mass: f64, isometric: bool) -> bool {
+    fn is_of(
+        &self,
+        contacts: &[SetContact],
+        count: Option<f64>,
+        (mass, isometric): (f64, bool),
+        likeness: &Likeness,
+    ) -> bool {
         let mass_ratio = mass / if isometric { self.made_for_kg } else { self.body_kg() };
         let (per_limb, total) =
             (self.spheres(), contacts.iter().map(|contact| contact.spheres).sum::<usize>());
@@ -157,8 +241,8 @@ impl Entry {
         published.iter().all(|published| {
             let alike = contacts.iter().filter(|contact| {
                 let radius = contact.radius_m / published.radius_m;
-                self.has_values(contact, published, [mass_ratio, share])
-                    && (!isometric || close(radius * radius * radius, mass_ratio))
+                self.has_values(contact, published, [mass_ratio, share], likeness)
+                    && (!isometric || likeness.is_close(radius * radius * radius, mass_ratio))
             });
             alike.map(|contact| contact.spheres).sum::<usize>() * per_limb == published.spheres * total
         })
@@ -170,26 +254,31 @@ impl Entry {
         contact: &SetContact,
         published: &PublishedContact,
         [mass, share]: [f64; 2],
+        likeness: &Likeness,
     ) -> bool {
+        let close = |value, expected| likeness.is_close(value, expected);
         let radius = contact.radius_m / published.radius_m;
         // (10), (14), (C.2), (C.5), (C.10), and (8).
         let modulus = published.stiffness / EQUAL_SURFACES * mass / (radius * radius * share);
-        let is_scaled = |[cf, bd, bv]: [f64; 3], [c, d, v]: [f64; 3]| {
-            close(cf, c * radius * radius) && close(bd, d / radius) && close(bv, v / radius.sqrt())
+        let is_scaled = |values: [f64; 3], [c, d, v]: [f64; 3]| {
+            let expected = [c * radius * radius, d / radius, v / radius.sqrt()];
+            let mut compared = values.into_iter().zip(expected).zip(likeness.smoothing);
+            compared.all(|((value, expected), is_compared)| !is_compared || close(value, expected))
         };
         let has_smoothing = match (contact.smoothing, published.smoothing) {
             (Some(smoothing), Some(published)) => is_scaled(smoothing, published),
             (None, _) => true,
             (Some(_), None) => false,
         };
-        close(contact.composite_modulus, modulus)
-            && close(contact.dissipation, published.dissipation / radius.sqrt())
+        (!likeness.stiffness || close(contact.composite_modulus, modulus))
+            && (!likeness.dissipation || close(contact.dissipation, published.dissipation / radius.sqrt()))
             && has_smoothing
-            && self.has_friction(contact, radius)
+            && (!likeness.friction || self.has_friction(contact, radius, likeness))
     }
 
     /// Whether friction is as published: coefficients have no size; the two speeds can stay, or follow the radius.
-    fn has_friction(&self, contact: &SetContact, radius: f64) -> bool {
+    fn has_friction(&self, contact: &SetContact, radius: f64, likeness: &Likeness) -> bool {
+        let close = |value, expected| likeness.is_close(value, expected);
         let [r#static, dynamic, viscous] = self.friction;
         let velocity = self.transition_velocity;
         let speeds = [1.0, radius.sqrt()].into_iter().any(|speed| {
@@ -198,10 +287,6 @@ impl Entry {
         });
         close(contact.friction[0], r#static) && close(contact.friction[1], dynamic) && speeds
     }
-}
-
-fn close(value: f64, expected: f64) -> bool {
-    (value - expected).abs() <= SAME_VALUE * expected.abs()
 }
 
 /// An entry of the table of known contacts, `known_contacts.json`.

@@ -73,13 +73,12 @@ impl From<Severity> for Sign {
 }
 
 impl Verdict {
-    /// The answer to the question whether contacts fit a recording.
-    pub fn on_recording(sign: Sign, text: Phrase) -> Self {
-        Self { on: VerdictOn::Recording, sign, text, place: None, codes: Vec::new() }
-    }
-
     /// An answer with the text of the worst finding and the codes of all.
-    fn from_findings(on: VerdictOn, worst: &FindingWithRemedy, others: &[&FindingWithRemedy]) -> Self {
+    pub(crate) fn from_findings(
+        on: VerdictOn,
+        worst: &FindingWithRemedy,
+        others: &[&FindingWithRemedy],
+    ) -> Self {
         let mut codes = vec![worst.code()];
         for code in others.iter().map(|found| found.code()) {
             if !codes.contains(&code) {
@@ -99,7 +98,7 @@ impl Verdict {
     }
 
     /// An answer with what is right, or with why that is not known.
-    fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
+    pub(crate) fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {
             Ok(text) => (Sign::Good, text),
             Err(why) => (Sign::Unknown, why),
@@ -172,14 +171,22 @@ fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWith
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     // Of two that are equally bad, the mass comes first, because the depth follows from it.
-    deciding
-        .sort_by_key(|found| (Reverse(found.severity), found.code() != FindingCode::ContactsOfAnotherMass));
+    let rank = |code| match code {
+        FindingCode::MasslessBody => 0,
+        FindingCode::ContactsOfAnotherMass => 1,
+        _ => 2,
+    };
+    deciding.sort_by_key(|found| (Reverse(found.severity), rank(found.code())));
     if let Some((worst, others)) = deciding.split_first() {
         let origin = (on == VerdictOn::Mass).then(|| describe_origin(inspected, worst.code())).flatten();
         return Verdict::from_findings(on, worst, others).with_addition(origin);
     }
     if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
         return Verdict::without_findings(on, Err("there are no contacts".into()));
+    }
+    let follows_weight = matches!(on, VerdictOn::Standing | VerdictOn::Mass | VerdictOn::Solver);
+    if follows_weight && has_gravity_of_another_unit(inspected, findings) {
+        return Verdict::without_findings(on, Err("gravity is in another unit".into()));
     }
     let right = match on {
         VerdictOn::Floor => describe_floor(inspected),
@@ -191,6 +198,12 @@ fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWith
         VerdictOn::Recording => Err("no recording is given".into()),
     };
     Verdict::without_findings(on, right)
+}
+
+/// Whether figures are not judged, because gravity is in another unit in the file and the caller gives no other.
+fn has_gravity_of_another_unit(inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> bool {
+    findings.iter().any(|found| found.code() == FindingCode::GravityTooLarge)
+        && inspected.inspection.figures.gravity_m_s2 == inspected.inspection.gravity_m_s2
 }
 
 /// Describes the plane that most spheres press on: its tilt and the body that carries it.

@@ -228,7 +228,9 @@ impl Inspector {
     ) -> CheckResult {
         let name = FileName::from_parts(inspected.model.clone(), inspected.model_bytes.clone());
         let mesh = rules::find_odd_mesh(model, &name.to_path(), files);
-        let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).collect();
+        let similarity = self.scaled_with_size(model);
+        let density = similarity.as_ref().and_then(rules::find_mass_against_length);
+        let beside: Vec<Finding> = compiled.cloned().into_iter().chain(mesh).chain(density).collect();
         let result = check_with_trials(&self.options, model, inspected, &beside);
         let inspect = |name: &FileName, model: &Model| self.inspect_again(name, model);
         let of_reference = match (&self.generic, &self.place_reference) {
@@ -237,8 +239,10 @@ impl Inspector {
         };
         let mut result = RemedyTrials { options: &self.options, files, inspect: &inspect, of_reference }
             .with_tried_remedies(model, result);
-        result.similarity = self.scaled_with_size(model);
-        result.verdicts.extend(self.motion.as_ref().map(|motion| motion.verdict(&name.to_path(), files)));
+        result.similarity = similarity;
+        if let Some(motion) = &self.motion {
+            result.add_recording(motion.answer(&name.to_path(), files));
+        }
         result
     }
 

@@ -2,15 +2,16 @@
 
 use std::path::Path;
 
-use osim_inspect::{Sign, Verdict, describe_unmatched_patterns};
-use osim_model::DVec3;
+use osim_inspect::describe_unmatched_patterns;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, listed, phrase, readable};
+use osim_model::{DVec3, Finding};
 use osim_motion::{AngleUnit, FootSummary, LeftOutForces, ON_BW, PlateAssignment, PressureOnSole, Summary};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
 use crate::motion::{MotionResult, run_motion};
+use crate::rules;
 
 /// Forces that differ from the plates' by a larger ratio cannot be corrected by tuning the contacts.
 const TUNABLE_RATIO: f64 = 1.5;
@@ -325,37 +326,31 @@ impl CheckedMotion {
         Ok((result, remarks))
     }
 
-    /// The verdict whether the contacts of the model at `path` fit the recording.
-    pub(crate) fn verdict(&self, path: &Path, files: &dyn Files) -> Verdict {
+    /// Whether the contacts of the model at `path` fit the recording: in words, or a finding; or why it is not known.
+    pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> Result<Result<Phrase, Finding>, Phrase> {
         match self.follow(path, files) {
-            Ok((result, _)) => verdict(&result),
-            Err(RequestError::Failure(failure)) => Verdict::on_recording(
-                Sign::Unknown,
-                phrase![failure.model.to_string(), ": ", &failure.message],
-            ),
-            Err(RequestError::Fault(fault)) => Verdict::on_recording(Sign::Unknown, fault.phrase()),
+            Ok((result, _)) => answer(&result),
+            Err(RequestError::Failure(failure)) => {
+                Err(phrase![failure.model.to_string(), ": ", &failure.message])
+            }
+            Err(RequestError::Fault(fault)) => Err(fault.phrase()),
         }
     }
 }
 
-fn verdict(result: &MotionResult) -> Verdict {
+fn answer(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
     let weight_n = result.summary.weight_n;
     let feet = result.summary.feet.iter();
     let compared: Vec<_> = feet.filter_map(|foot| Some((foot, foot.comparison.as_ref()?))).collect();
     let worst = compared.iter().max_by(|a, b| a.1.normal_rms_n.total_cmp(&b.1.normal_rms_n));
-    let Some((foot, worst)) = worst else {
-        return Verdict::on_recording(
-            Sign::Unknown,
-            "no plate measured under a foot while it was recorded".into(),
-        );
-    };
+    let (foot, worst) = worst.ok_or("no plate measured under a foot while it was recorded")?;
     let rms: Vec<String> = compared
         .iter()
         .map(|(foot, one)| format!("{} {:.2}", foot.foot.name, one.normal_rms_n / weight_n))
         .collect();
     let rms = format!("errors of the force in body weights (rms): {}", rms.join(", "));
     if worst.normal_rms_n / weight_n <= FITS_BW {
-        return Verdict::on_recording(Sign::Good, Phrase::from(rms));
+        return Ok(Ok(Phrase::from(rms)));
     }
     let call = Verb::Fit
         .call_with_model()
@@ -371,5 +366,5 @@ fn verdict(result: &MotionResult) -> Verdict {
         call,
         " finds what would fit"
     ];
-    Verdict::on_recording(Sign::Warning, text)
+    Ok(Err(rules::unlike_recording(text)))
 }

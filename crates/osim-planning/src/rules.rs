@@ -4,13 +4,20 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
 use std::sync::LazyLock;
 
-use osim_inspect::{Bottom, StandingBody};
+use osim_inspect::{Bottom, SizeList, StandingBody};
 use osim_model::feet::{DefaultPose, FootBodies, MeshFolders, odd_meshes};
 use osim_model::files::Files;
-use osim_model::messages::{readable, shown, three_significant};
+use osim_model::messages::{Phrase, readable, shown, three_significant};
 use osim_model::{Anatomy, Example, Finding, FindingCode, Model, Repair, Rule, Severity, VerdictOn};
 
-const RULES: &[&Rule] = &[&BOTTOMS_MOVED, &COMPILED_MODEL_BESIDE, &HARD_LINKED, &ODD_MESH];
+const RULES: &[&Rule] = &[
+    &BOTTOMS_MOVED,
+    &COMPILED_MODEL_BESIDE,
+    &HARD_LINKED,
+    &MASS_AGAINST_LENGTH,
+    &ODD_MESH,
+    &UNLIKE_RECORDING,
+];
 
 /// Every rule of every crate, one for each code of a finding.
 pub fn all() -> &'static [&'static Rule] {
@@ -156,4 +163,57 @@ fn bodies_of_feet(model: &Model) -> BTreeSet<String> {
     let Ok(anatomy) = Anatomy::of(model) else { return carriers };
     let feet = FootBodies::find(model, &anatomy, &[], &[], &DefaultPose::of(model));
     feet.into_iter().flat_map(|foot| foot.bodies).collect()
+}
+
+/// Bodies whose densities differ by more than this factor are not similar.
+const UNLIKE_DENSITY: f64 = 2.5;
+
+static MASS_AGAINST_LENGTH: Rule = Rule {
+    code: FindingCode::MassAgainstLength,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Mass),
+    what: "The mass of a model does not fit its lengths, compared with the model that was scaled.",
+    why: "Bodies of one shape and one density have masses that follow the third power of their lengths. If lengths are multiplied by the ratio of masses, the body is several times as dense, and no contact that fits its mass fits its feet.",
+    advice: "Scale lengths by the third root of the ratio of masses; nothing, if the animal is meant to be so",
+    repair: Repair::NotPossible("only numbers of contacts are changed"),
+    example: Example::Request {
+        good: r#"{"verb": "check", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
+        bad: r#"{"verb": "check", "models": ["check/mass_against_length.osim"], "from": "check/known_contacts.osim"}"#,
+    },
+};
+
+/// The remark that a model is much denser, or much less dense, than the one that was scaled.
+pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
+    let (mass, length) =
+        sizes.mass_ratio.zip(sizes.length_ratio.filter(|_| sizes.length_source == "joints"))?;
+    let similar = length.powi(3);
+    let density = mass / similar;
+    let is_unlike = density >= UNLIKE_DENSITY || density * UNLIKE_DENSITY <= 1.0;
+    let text = format!(
+        "lengths are {} and the mass {} times those of the model that was scaled: a similar body has {} of its mass, this one is {} times as dense",
+        three_significant(length),
+        three_significant(mass),
+        three_significant(similar),
+        three_significant(density),
+    );
+    is_unlike.then(|| Finding::new(&MASS_AGAINST_LENGTH, text))
+}
+
+static UNLIKE_RECORDING: Rule = Rule {
+    code: FindingCode::UnlikeRecording,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Recording),
+    what: "Along the recording the contacts give other forces than the force plates measured.",
+    why: "The error of the force (root mean square, for each foot) is more than 0.2 body weights. Three fitted numbers reach that on measured gaits.",
+    advice: "`fit MODEL motion=MOTION plates=PLATES` finds the contacts, and the height of the floor, that fit",
+    repair: Repair::NotPossible("the numbers have to be fitted to the recording"),
+    example: Example::Request {
+        good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
+        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/plates.sto"}"#,
+    },
+};
+
+/// The finding that contacts do not fit a recording.
+pub(crate) fn unlike_recording(text: Phrase) -> Finding {
+    Finding::new(&UNLIKE_RECORDING, text)
 }

@@ -6,7 +6,7 @@ use std::cell::LazyCell;
 
 use osim_model::{
     Finding, FindingCode, ForceId, MassRequest, MassSource, Model, NeedsAnswer, Question, Selection,
-    same_mass,
+    Severity, same_mass,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -16,6 +16,7 @@ use crate::findings::finding::FindingWithRemedy;
 use crate::findings::remedy::Remedies;
 use crate::floors::Floors;
 use crate::inspection::Inspection;
+use crate::known_contacts::KnownContacts;
 use crate::load::{InspectOptions, MassMismatch, unexplained_mass_slip};
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
@@ -74,6 +75,10 @@ fn find_all(
     let one_modulus = model.remarks_on(&chosen).iter().any(shares_a_modulus);
     let mut remedies = Remedies::new(inspected, one_modulus, changeable.numbers, options)
         .with_radius_changes(!changeable.numbers || changeable.radii);
+    // A command that makes contacts right for the present mass would hide that a body has lost its own.
+    if model_findings(model).iter().any(|finding| finding.code() == FindingCode::MasslessBody) {
+        remedies = remedies.none_yet();
+    }
     let places = SpherePlaces::of(model, inspected);
     let place_findings = places.findings(model, &remedies);
     let mismatch = MassMismatch::of_note(model, &options.masses);
@@ -95,8 +100,8 @@ fn find_all(
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
         disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause()));
     }
-    // Figures of misplaced spheres, or under a gravity in another unit, are not judged.
-    if !places.were_left_behind() && (!in_other_units || options.stance.gravity_m_s2.is_some()) {
+    // Figures under a gravity in another unit are not judged.
+    if !in_other_units || options.stance.gravity_m_s2.is_some() {
         findings.extend(find_in_figures(&FigureCheck::new(inspected, &remedies)));
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
@@ -111,7 +116,7 @@ fn find_all(
     for remedy in findings.iter_mut().filter_map(|finding| finding.remedy.as_mut()) {
         answer_questions(remedy, model, &options.masses);
     }
-    with_published_severities(inspected, findings)
+    with_published_severities(model, &chosen, inspected, findings)
 }
 
 /// Whether the contacts are meant for another mass than that of the bodies, whose bones then say nothing about radii.
@@ -162,18 +167,27 @@ fn forces_on_half_spaces(model: &Model) -> Vec<ForceId> {
     forces.map(|force| force.id).collect()
 }
 
-/// If the contacts are known ones: gives each finding the severity that it has with these contacts, and adds a remark.
+/// Gives each finding the severity that it has with published contacts, if the numbers on which it depends are theirs; and adds a remark if
+/// all numbers are.
 fn with_published_severities(
+    model: &Model,
+    chosen: &[ForceId],
     inspected: &Inspection,
     findings: Vec<FindingWithRemedy>,
 ) -> Vec<FindingWithRemedy> {
-    let Some(known) = inspected.known_contacts else { return findings };
-    let with_severity = |finding: FindingWithRemedy| match known.severity(finding.code()) {
+    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
+    let count = inspected.spheres_per_limb.map(|count| count as f64);
+    let severity = |finding: &FindingWithRemedy| match inspected.known_contacts {
+        Some(known) => known.severity(finding.code()),
+        None if finding.severity == Severity::Remark => None,
+        None => KnownContacts::severity_of_similar(model, chosen, count, inspected.mass_kg, finding.code()),
+    };
+    let with_severity = |finding: FindingWithRemedy| match severity(&finding) {
         Some(severity) => finding.with_published_severity(severity),
         None => finding,
     };
     let mut findings: Vec<FindingWithRemedy> = findings.into_iter().map(with_severity).collect();
-    findings.push(contacts::known_contacts(known).into());
+    findings.extend(inspected.known_contacts.map(|known| contacts::known_contacts(known).into()));
     findings
 }
 

@@ -2,8 +2,8 @@
 
 use std::cmp::Reverse;
 
-use osim_model::messages::counted;
-use osim_model::{FindingCode, Model, Severity};
+use osim_model::messages::{Phrase, counted};
+use osim_model::{Finding, FindingCode, Model, Severity, VerdictOn};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
 #[cfg(feature = "schemas")]
@@ -73,6 +73,15 @@ pub struct Counts {
 }
 
 impl Counts {
+    fn of(findings: &[FindingWithRemedy]) -> Self {
+        let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
+        Self {
+            error: count(Severity::Error),
+            warning: count(Severity::Warning),
+            remark: count(Severity::Remark),
+        }
+    }
+
     /// The number of the worst findings, with 0 for less bad ones.
     pub const fn worst(self) -> Self {
         let Self { error, warning, remark } = self;
@@ -102,17 +111,11 @@ impl CheckResult {
         for remark in findings.iter_mut().filter(|finding| finding.severity == Severity::Remark) {
             remark.remedy = None;
         }
-        let count = |severity| findings.iter().filter(|finding| finding.severity == severity).count();
-        let counts = Counts {
-            error: count(Severity::Error),
-            warning: count(Severity::Warning),
-            remark: count(Severity::Remark),
-        };
         Self {
             schema_version: SCHEMA_VERSION,
             model: inspected.model.clone(),
             model_bytes: inspected.model_bytes.clone(),
-            counts,
+            counts: Counts::of(&findings),
             verdicts: verdicts::answer_all(model, inspected, &findings),
             findings,
             commands: Vec::new(),
@@ -120,6 +123,23 @@ impl CheckResult {
             similarity: None,
         }
         .with_steps_of_remedies()
+    }
+
+    /// Adds the answer to the question whether contacts fit a recording: what is right, or a finding; or why it is not known.
+    pub fn add_recording(&mut self, answer: Result<Result<Phrase, Finding>, Phrase>) {
+        let verdict = match answer {
+            Ok(Err(finding)) => {
+                let finding = FindingWithRemedy::from(finding);
+                let verdict = Verdict::from_findings(VerdictOn::Recording, &finding, &[]);
+                self.findings.push(finding);
+                self.findings = sort_findings(std::mem::take(&mut self.findings));
+                self.counts = Counts::of(&self.findings);
+                verdict
+            }
+            Ok(Ok(right)) => Verdict::without_findings(VerdictOn::Recording, Ok(right)),
+            Err(why) => Verdict::without_findings(VerdictOn::Recording, Err(why)),
+        };
+        self.verdicts.push(verdict);
     }
 
     /// Makes each remedy a step; whether the steps work one after the other was not tried.

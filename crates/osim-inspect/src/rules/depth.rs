@@ -13,7 +13,7 @@ pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,
     severity: Severity::Error,
     verdict: Some(VerdictOn::Mass),
-    what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper.",
+    what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper. Where only the default pose makes them sink so deep, it is a remark.",
     why: "No contact law holds so deep, but OpenSim goes on with the same formula. Nearly always the contacts were made for a lighter body, or the spheres are too small.",
     advice: "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative indentation of {indentation}",
     repair: Repair::Command(
@@ -78,9 +78,34 @@ fn carrying_limbs(check: &FigureCheck<'_>) -> String {
     }
 }
 
-/// Finds limbs whose lower spheres carry alone what all should carry. Their contacts are not too soft.
+/// A foot that leans by more than this at the default pose stands on an edge because of the pose, rad.
+const LEANS_RAD: f64 = 0.01;
+
+/// Finds limbs whose lower spheres carry alone what all should carry. Their contacts are not too soft. It is a remark if the foot leans,
+/// because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let affected = check.spheres_with(too_deep_at_own_height)?;
+    let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
+    let leaning: Vec<&str> =
+        bottoms.filter(|bottom| bottom.tilt_rad > LEANS_RAD).map(|bottom| bottom.path.as_str()).collect();
+    let limb_leans = |sphere: &SphereFigures| {
+        let mut limbs = check.inspected.figures.limbs.iter().map(|limb| &limb.spheres);
+        let limb = limbs.find(|limb| limb.iter().any(|one| one.path == sphere.path));
+        limb.is_some_and(|limb| limb.iter().any(|one| leaning.contains(&one.path.as_str())))
+    };
+    let too_deep = |leans: bool| {
+        check.spheres_with(|sphere| too_deep_at_own_height(sphere).filter(|_| limb_leans(sphere) == leans))
+    };
+    if let Some(affected) = too_deep(true).filter(|_| too_deep(false).is_none()) {
+        let text = format!(
+            "at the default pose the foot leans, and at body weight on {} its lower spheres alone carry the body and sink {} R into the \
+             floor",
+            carrying_limbs(check),
+            four_significant(affected.largest)
+        );
+        let finding = check.finding_at_sphere(&SUNK_IN, &text, &affected).with_severity(Severity::Remark);
+        return Some(finding.with_advice(ADVICE_FOR_LEANING_FOOT).into());
+    }
+    let affected = too_deep(false)?;
     let x = four_significant(affected.largest);
     let text = format!(
         "at body weight on {} the lower spheres carry the body alone, and sink {x} R into the floor (x/R with each sphere at its own \
@@ -92,6 +117,8 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
         check.remedies.level_feet(),
     ))
 }
+
+const ADVICE_FOR_LEANING_FOOT: &str = "Nothing, if simulations start from a pose of their own; else give the joints default values at which the foot lies flat";
 
 /// At least so many limbs carry a body that has more than two, as those of a horse that trots.
 const LEAST_CARRYING_LIMBS: f64 = 2.0;

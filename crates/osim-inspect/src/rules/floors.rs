@@ -205,6 +205,39 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
     Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_line(model.gravity_line()))
 }
 
+/// The gravity of a planet or a moon on which a body stands, m/s²: from that of a small moon to more than that of any solid planet.
+const GRAVITY_OF_PLACES: std::ops::RangeInclusive<f64> = 0.1..=20.0;
+/// A gravity below this, m/s², is not the Earth's.
+const LEAST_ON_EARTH: f64 = 9.0;
+
+pub(crate) static ODD_GRAVITY: Rule = Rule {
+    code: FindingCode::OddGravity,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Floor),
+    what: "Gravity is not that of the Earth. It is a remark from 0.1 to 9 m/s2, as on the Moon.",
+    why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a wrong point or unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
+    advice: "Write gravity in m/s², as a rule 0 -9.80665 0; nothing, if another gravity is meant",
+    repair: Repair::NotPossible("only you know the gravity"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<gravity>0 -9.81 0</gravity>",
+        bad: "<gravity>0 -32.17 0</gravity>",
+    },
+};
+
+/// Finds a gravity unlike the Earth's, unless the note says that the contacts are made for it.
+pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
+    let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
+    let is_noted =
+        model.note.as_ref().and_then(|note| note.gravity_m_s2).is_some_and(|noted| same_gravity(noted, size));
+    if is_noted || (LEAST_ON_EARTH..=*GRAVITY_OF_PLACES.end()).contains(&size) {
+        return None;
+    }
+    let text = format!("gravity is {} m/s2, that of the Earth 9.81 m/s2", readable(size));
+    let finding = Finding::new(&ODD_GRAVITY, text).with_line(model.gravity_line());
+    Some(if GRAVITY_OF_PLACES.contains(&size) { finding.with_severity(Severity::Remark) } else { finding })
+}
+
 pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     code: FindingCode::GravityNotDown,
     severity: Severity::Error,

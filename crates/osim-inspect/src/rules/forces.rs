@@ -137,7 +137,7 @@ pub(super) static TERRAIN: Rule = Rule {
     code: FindingCode::Terrain,
     severity: Severity::Remark,
     verdict: None,
-    what: "A sphere stands on ground or a body welded to it, or such a body has mass.",
+    what: "A sphere stands on ground or a body welded to it, or such a body has mass, or a plate that carries the floor.",
     why: "Such a sphere or body is scenery: it does not grow with the animal and carries nobody. It counts in no limb, no mass and no figure, and no verb changes it. A body on which others hang is none: a model whose pelvis is held weighs all that it weighs.",
     advice: "Nothing, if that is meant",
     repair: Repair::NotPossible("nothing is wrong"),
@@ -160,11 +160,12 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
     let kg = readable(*kg);
     let text = match heavy.len() {
         1 => format!(
-            "{} ({kg} kg) is welded to ground: it is scenery, which does not count in what the model weighs",
-            first.path
+            "{} ({kg} kg) {}: it is scenery, which does not count in what the model weighs",
+            first.path,
+            if first.fixed { "is welded to ground" } else { "carries the floor" }
         ),
         count => format!(
-            "{} ({kg} kg) and {} more {} are welded to ground: they are scenery, which does not count in what the model weighs",
+            "{} ({kg} kg) and {} more {} are welded to ground or carry the floor: they are scenery, which does not count in what the model weighs",
             first.path,
             count - 1,
             if count == 2 { "body" } else { "bodies" }

@@ -32,6 +32,7 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
     (&[&numbers::ODD_NUMBER, &numbers::NOT_FINITE, &numbers::OUT_OF_DOMAIN], numbers::find_odd_numbers),
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
+    (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
     (&[&components::INCLUDED_FILE], components::find_included_file),
     (&[&forces::DEAD_DERIVATIVE_SMOOTHING], forces::find_dead_derivative_smoothing),
     (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
@@ -41,6 +42,7 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     // This line also applies `SIDE_RULES`.
     (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_in_sides),
     (&[&numbers::LARGE_FRICTION], numbers::find_large_friction),
+    (&[&numbers::NO_FRICTION, &numbers::NO_DISSIPATION], numbers::find_no_friction_or_dissipation),
     (&[&components::CONTACT_DEFAULTS], components::find_contact_defaults),
     (&[&forces::MOCO_DIALECT], forces::find_moco_dialect),
     (&[&forces::TERRAIN], forces::find_terrain),
@@ -89,7 +91,7 @@ static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = 
 ];
 
 /// Rules that also depend on other things, such as options of the caller.
-static OTHER_RULES: [&Rule; 15] = [
+static OTHER_RULES: [&Rule; 16] = [
     &contacts::BARE_MODEL,
     &contacts::CONTACTS_OF_ANOTHER_MASS,
     &contacts::COUNT_UNKNOWN,
@@ -101,6 +103,7 @@ static OTHER_RULES: [&Rule; 15] = [
     &floors::GRAVITY_SOURCES_DISAGREE,
     &floors::GRAVITY_TOO_LARGE,
     &floors::NO_GRAVITY,
+    &floors::ODD_GRAVITY,
     &places::SPHERES_LEFT_BEHIND,
     &places::SPHERES_MISPLACED,
     &places::SPHERES_NOT_COMPARED,
@@ -139,12 +142,17 @@ fn find_in_sides(model: &Model) -> Vec<Finding> {
     let sides = BothSides::of(model);
     let mut findings = sides::find_differences(&sides);
     findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
+    findings.extend(places::find_no_heel(&sides));
     findings
 }
 
 /// Applies the rules about floors and about gravity towards them.
 pub(crate) fn find_in_floors(model: &Model, floors: &Floors) -> Vec<Finding> {
-    let about_gravity = [floors::find_too_large(model), floors::find_not_down(model, floors)];
+    let about_gravity = [
+        floors::find_too_large(model),
+        floors::find_not_down(model, floors),
+        floors::find_odd_gravity(model, floors),
+    ];
     about_gravity.into_iter().flatten().chain(FLOOR_RULES.iter().flat_map(|(_, find)| find(floors))).collect()
 }
 

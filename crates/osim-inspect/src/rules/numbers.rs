@@ -4,12 +4,13 @@ use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown};
 use osim_model::opensim_text::is_plain_triple;
 use osim_model::{
-    ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin, Property,
-    Repair, Rule, SetId, Severity, Value, VerdictOn,
+    Body, ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin,
+    Property, Repair, Rule, SetId, Severity, Value, VerdictOn,
 };
 use osim_requests::Request;
 
 use crate::findings::Remedies;
+use crate::rules::spheres::and_others;
 
 /// Says what is wrong with a value, in words that follow its name; `None` if nothing is.
 type DescribeValue = fn(&Value) -> Option<String>;
@@ -156,6 +157,43 @@ fn describe_out_of_domain(value: &Value) -> Option<String> {
         .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
 }
 
+/// A body without mass may have an inertia up to this, kg m²: programs write tiny ones for frames that weigh nothing.
+const INERTIA_OF_FRAME: f64 = 1e-6;
+
+pub(super) static MASSLESS_BODY: Rule = Rule {
+    code: FindingCode::MasslessBody,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Mass),
+    what: "A body has an inertia and a mass of 0.",
+    why: "No body is so: OpenSim sets its inertia to 0, too. Then the model weighs less than it should, and contacts that are made for the whole body look too stiff. A frame without mass has no inertia.",
+    advice: "Write the mass of the body",
+    repair: Repair::NotPossible("only you know what the body weighs"),
+    example: Example::Piece {
+        model: "check/known_contacts.osim",
+        good: "<mass>60</mass>",
+        bad: "<mass>0</mass>",
+    },
+};
+
+/// One finding for all bodies with an inertia and no mass.
+pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
+    let shapes = model.body_shapes();
+    let has_inertia = |name: &str| {
+        let trace = shapes.get(name).and_then(|shape| shape.inertia_trace);
+        trace.is_some_and(|trace| trace > INERTIA_OF_FRAME)
+    };
+    let massless: Vec<&Body> = model
+        .bodies()
+        .iter()
+        .filter(|body| body.mass_kg().is_ok_and(|kg| kg == 0.0) && has_inertia(&body.name))
+        .collect();
+    let Some(first) = massless.first() else { return Vec::new() };
+    let more = and_others(massless.len(), "another body, too", "other bodies, too");
+    let text = format!("{} has a mass of 0 and an inertia{more}", shown(&first.name));
+    let line = model.file(first.file).line(first.mass.offset);
+    vec![Finding::at(&MASSLESS_BODY, line, text).with_place(&first.path)]
+}
+
 pub(super) static DEFAULT_STIFFNESS: Rule = Rule {
     code: FindingCode::DefaultStiffness,
     severity: Severity::Error,
@@ -265,6 +303,58 @@ fn find_large_friction_in(force: &Force) -> Option<Finding> {
         readable(large.number)
     );
     Some(Finding::at(&LARGE_FRICTION, set.line, text).with_place(&force.path))
+}
+
+pub(super) static NO_FRICTION: Rule = Rule {
+    code: FindingCode::NoFriction,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Solver),
+    what: "No contact has friction.",
+    why: "With all coefficients of friction 0 the floor is ice: a body that stands slides away at the first push.",
+    advice: "Nothing, if that is meant; else write the coefficients, such as 0.8",
+    repair: Repair::NotPossible("only you know the numbers that are meant"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
+};
+
+/// A dissipation below this, s/m, takes away nothing: half a percent of the speed of an impact at 1 m/s would be 0.008.
+const LEAST_DISSIPATION_S_M: f64 = 1e-3;
+
+pub(super) static NO_DISSIPATION: Rule = Rule {
+    code: FindingCode::NoDissipation,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Solver),
+    what: "No contact has dissipation.",
+    why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
+    advice: "Nothing, if that is meant; else write the dissipation, for example for a restitution of {restitution}",
+    repair: Repair::NotPossible("only you know the number that is meant"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<dissipation>0.4</dissipation>",
+        bad: "<dissipation>0</dissipation>",
+    },
+};
+
+/// Finds models in which no force on a floor has friction, or none has dissipation.
+pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
+    let on_floors = || model.forces().iter().filter(|force| model.meets_half_space(force));
+    let Some(first) = on_floors().next() else { return Vec::new() };
+    let are_all_below = |properties: &[Property], limit: f64| {
+        let sets = on_floors().flat_map(|force| &force.sets);
+        let mut values = sets.flat_map(|set| properties.iter().filter_map(|&property| set.value(property)));
+        values.all(|value| (0.0..limit).contains(&value.number))
+    };
+    let frictions = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
+    // Defaults of the class are no choice of anybody.
+    let is_written = |property| {
+        let mut values = on_floors().filter_map(|force| force.value(SetId::FIRST, property));
+        values.any(|value| value.origin != Origin::ClassDefault)
+    };
+    let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
+        .then(|| Finding::at(&NO_FRICTION, first.line, "all coefficients of friction are 0"));
+    let no_dissipation = are_all_below(&[Property::Dissipation], LEAST_DISSIPATION_S_M).then(|| {
+        Finding::at(&NO_DISSIPATION, first.line, "the dissipation of all contacts is 0 s/m or nearly 0")
+    });
+    no_friction.into_iter().chain(no_dissipation).map(|finding| finding.with_place(&first.path)).collect()
 }
 
 pub(super) static ANGLE_IN_DEGREES: Rule = Rule {

@@ -1,7 +1,7 @@
 //! Rules about the left and the right side: contacts that differ between the sides, and spheres without a counterpart. If it is known which
 //! of two uneven sides is wrong, the remedy gives it the values of the other.
 
-use osim_model::messages::{shown, three_significant};
+use osim_model::messages::{counted, shown, three_significant};
 use osim_model::{
     Assignment, Example, Finding, FindingCode, Force, Model, Property, Repair, Rule, Severity, Side, Sphere,
     VerdictOn,
@@ -345,8 +345,18 @@ pub(super) static LEFT_RIGHT_SWAPPED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_swapped.osim" },
 };
 
-/// One finding for all swapped pairs. A single sphere on the wrong side has no counterpart, which is another finding.
+/// One finding for all swapped pairs, or for all spheres of the other side if only one side has spheres. A single sphere on the wrong side
+/// has no counterpart, which is another finding.
 pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> {
+    let of_other_side = sides
+        .one_side
+        .iter()
+        .filter(|placed| Side::of_name(&placed.sphere.name) == Some(placed.side.other()));
+    if let Some(first) = of_other_side.clone().next() {
+        let more = and_others(of_other_side.clone().count(), "another sphere, too", "other spheres, too");
+        let text = format!("{} is on {}{more}", shown(&first.sphere.name), shown(first.body));
+        return about_spheres(&LEFT_RIGHT_SWAPPED, text, of_other_side.map(|placed| placed.sphere));
+    }
     let swapped: Vec<&SpherePair<'_>> = sides.pairs.iter().filter(|pair| is_swapped(pair)).collect();
     let first = swapped.first()?;
     let more = and_others(swapped.len(), "another pair, too", "other pairs, too");
@@ -367,8 +377,8 @@ pub(super) static ONE_SIDE_ONLY: Rule = Rule {
     code: FindingCode::OneSideOnly,
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
-    what: "Spheres are on one side alone: the other one has none, or no body for them.",
-    why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side.",
+    what: "Spheres are on one side alone: the other one has none, or no body for them. It is a warning if the other side has spheres that no force presses.",
+    why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side. Spheres that no force presses do nothing in OpenSim.",
     advice: "Nothing, if that is meant; else give the other side contacts, too",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
@@ -381,6 +391,20 @@ pub(super) static ONE_SIDE_ONLY: Rule = Rule {
 /// One finding for all spheres of a side alone.
 pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
     if let Some(first) = sides.one_side.first() {
+        let other = first.side.other();
+        let idle =
+            sides.model.spheres().iter().filter(|sphere| {
+                !sphere.fixed && sphere.body.as_deref().and_then(Side::of_name) == Some(other)
+            });
+        let count = idle.clone().count();
+        if count > 0 {
+            let text = format!(
+                "no force presses {} on the {} side on a floor",
+                counted(count, "sphere"),
+                other.as_str()
+            );
+            return Some(about_spheres(&ONE_SIDE_ONLY, text, idle)?.with_severity(Severity::Warning));
+        }
         let text = format!("only the {} side has contact spheres that meet a floor", first.side.as_str());
         return about_spheres(&ONE_SIDE_ONLY, text, sides.one_side.iter().map(|placed| placed.sphere));
     }

@@ -9,6 +9,7 @@ use osim_model::{
     Sphere, VerdictOn,
 };
 
+use crate::reach::BodyBones;
 use crate::sides::{BothSides, place_key};
 
 /// A finding about all of `spheres`, placed at the first of them; `None` if there are none.
@@ -164,6 +165,12 @@ fn describe_far(worst: &FarSphere<'_>, count: usize) -> String {
 
 /// Plausible radii as parts of the limb's longest bone. Published ones are 0.011 to 0.2.
 const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
+/// A radius above this part of the longest bone is odd if the spheres of the foot are close together for it, too: it is larger than the foot
+/// is high.
+const LARGE_RADIUS_OF_BONE: f64 = 0.15;
+/// A radius above this part of the extent of the foot's sphere centres is large for them. Published ones are at most 0.3 where a foot has
+/// several spheres and none is above 0.15 of the bone.
+const LARGE_RADIUS_OF_EXTENT: f64 = 0.36;
 
 pub(super) static ODD_RADIUS: Rule = Rule {
     code: FindingCode::OddRadius,
@@ -182,7 +189,10 @@ pub(super) static ODD_RADIUS: Rule = Rule {
 
 /// One finding for all odd radii, about the one that is farthest outside the range.
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
-    let find = |(sphere, body, _): (_, &str, _)| find_odd(sphere, sides.longest_bone_of_limb_m(body)?);
+    let extents = FootExtents::of(sides);
+    let find = |(sphere, body, _): (_, &str, _)| {
+        find_odd(sphere, sides.longest_bone_of_limb_m(body)?, extents.extent_m(body))
+    };
     let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
     let worst = odd.first()?;
@@ -204,9 +214,49 @@ impl OddRadius<'_> {
     }
 }
 
-fn find_odd(sphere: &Sphere, bone_m: f64) -> Option<OddRadius<'_>> {
-    let part_of_bone = sphere.radius_m().ok()? / bone_m;
-    (!RADIUS_OF_BONE.contains(&part_of_bone)).then_some(OddRadius { sphere, bone_m, part_of_bone })
+fn find_odd(sphere: &Sphere, bone_m: f64, extent_m: Option<f64>) -> Option<OddRadius<'_>> {
+    let radius_m = sphere.radius_m().ok()?;
+    let part_of_bone = radius_m / bone_m;
+    let is_large = part_of_bone > LARGE_RADIUS_OF_BONE
+        && extent_m.is_some_and(|extent_m| radius_m > LARGE_RADIUS_OF_EXTENT * extent_m);
+    let is_odd = is_large || !RADIUS_OF_BONE.contains(&part_of_bone);
+    is_odd.then_some(OddRadius { sphere, bone_m, part_of_bone })
+}
+
+/// How far the sphere centres of each foot extend.
+struct FootExtents<'m> {
+    bones: Option<&'m BodyBones>,
+    places: BTreeMap<&'m str, Vec<DVec3>>,
+}
+
+impl<'m> FootExtents<'m> {
+    fn of(sides: &BothSides<'m>) -> Self {
+        let bodies: BTreeSet<&str> = sides.spheres().map(|(_, body, _)| body).collect();
+        let mut extents = Self { bones: BodyBones::of(sides.model), places: BTreeMap::new() };
+        for (_, body, place_m) in sides.spheres() {
+            let (hind, origin_m) =
+                extents.hind_part(body).filter(|(hind, _)| bodies.contains(hind)).unwrap_or_default();
+            let hind = if hind.is_empty() { body } else { hind };
+            extents.places.entry(hind).or_default().push(place_m + origin_m);
+        }
+        extents
+    }
+
+    /// The body that carries `body`, and the origin of `body` in it, m, if their frames are parallel.
+    fn hind_part(&self, body: &str) -> Option<(&'m str, DVec3)> {
+        let joint = self.bones?.joint_above(body)?;
+        Some((joint.parent.as_str(), joint.in_parent_m - joint.in_child_m))
+    }
+
+    /// The largest extent along an axis of the sphere centres on `body` and on the bodies that it carries, or that carry it, m; `None` if
+    /// there is one sphere.
+    fn extent_m(&self, body: &str) -> Option<f64> {
+        let hind = self.hind_part(body).map(|(hind, _)| hind);
+        let places =
+            self.places.get(body).or_else(|| self.places.get(hind?)).filter(|places| places.len() > 1)?;
+        let least = places.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        Some((places.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) - least).max_element())
+    }
 }
 
 fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> String {
@@ -222,7 +272,11 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
         three_significant(worst.part_of_bone),
         three_significant(worst.bone_m),
         RADIUS_OF_BONE.start(),
-        RADIUS_OF_BONE.end(),
+        if RADIUS_OF_BONE.contains(&worst.part_of_bone) {
+            &LARGE_RADIUS_OF_BONE
+        } else {
+            RADIUS_OF_BONE.end()
+        },
         against_mass.unwrap_or_default()
     )
 }
@@ -253,6 +307,11 @@ pub(super) fn find_crowded_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let crowds =
         by_body.iter().filter_map(|(body, spheres)| find_crowd(spheres, sides.longest_bone_of_limb_m(body)?));
     let mut crowds: Vec<Crowd<'_>> = crowds.collect();
+    let on_sides = || by_body.values().flatten();
+    if by_body.len() > 1 && on_sides().all(|(_, place_m)| *place_m == DVec3::ZERO) {
+        let text = format!("all {} spheres are at the origins of their bodies", on_sides().count());
+        return about_spheres(&CROWDED_SPHERES, text, on_sides().map(|(sphere, _)| *sphere));
+    }
     crowds.sort_by(|a, b| a.part_of_bone().total_cmp(&b.part_of_bone()));
     let worst = crowds.first()?;
     let text = describe_crowd(worst, crowds.len())?;

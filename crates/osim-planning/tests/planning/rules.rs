@@ -8,8 +8,8 @@ use osim_model::files::{CompanionPaths, InMemory};
 use osim_model::messages::{Call, Dialect, Input};
 use osim_model::{Example, Finding, FindingCode, Repair};
 use osim_planning::{Inspector, open_with, prepare, rules};
-use osim_requests::Request;
 use osim_requests::spell::CommandLine;
+use osim_requests::{CheckRequest, Request};
 use serde_json::json;
 
 #[test]
@@ -90,7 +90,7 @@ pub fn fixtures() -> InMemory {
                 folders.push(path);
             } else if path
                 .extension()
-                .is_some_and(|end| ["osim", "xml", "vtp"].iter().any(|known| end == *known))
+                .is_some_and(|end| ["osim", "xml", "vtp", "mot", "sto"].iter().any(|known| end == *known))
             {
                 files.add(path.strip_prefix(&root).unwrap(), std::fs::read(&path).unwrap());
             }
@@ -105,10 +105,12 @@ fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<Findin
 
 /// Codes of the findings of a check.
 fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
-    let request = json!({"verb": "check", "models": [model]}).to_string();
-    let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
-    let inspector = Inspector::for_check(&request, files);
-    let opened = open_with(Path::new(model), inspector.set_files().companion_paths(), files).unwrap();
+    codes_of_request(&json!({"verb": "check", "models": [model]}).to_string(), files)
+}
+
+fn codes_of_check_request(request: &CheckRequest, model: &Path, files: &InMemory) -> BTreeSet<FindingCode> {
+    let inspector = Inspector::for_check(request, files);
+    let opened = open_with(model, inspector.set_files().companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let found = inspector.check(&opened.model, &inspected, None, files);
     codes(found.findings.iter().map(|found| &found.finding))
@@ -118,6 +120,9 @@ fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
 fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = Request::from_json(request.as_bytes()).unwrap();
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
+    if let Request::Check(request) = &request {
+        return codes_of_check_request(request, &model, files);
+    }
     let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
     if let Request::Inspect(request) = &request {
         return codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().findings);

@@ -75,6 +75,7 @@ codes! {
     ReferenceWithoutSmoothing = "reference-without-smoothing",
     MixedPair = "mixed-pair",
     MassUnknown = "mass-unknown",
+    MasslessBody = "massless-body",
     AngleInDegrees = "angle-in-degrees",
     GravityTooLarge = "gravity-too-large",
     GravityNotDown = "gravity-not-down",
@@ -101,6 +102,11 @@ codes! {
     NoGravity = "no-gravity",
     BareModel = "bare-model",
     UnmatchedPattern = "unmatched-pattern",
+    MassAgainstLength = "mass-against-length",
+    UnlikeRecording = "unlike-recording",
+    OddGravity = "odd-gravity",
+    NoFriction = "no-friction",
+    NoDissipation = "no-dissipation",
 }
 
 impl fmt::Display for FindingCode {
@@ -114,11 +120,11 @@ impl fmt::Display for FindingCode {
 /// Exhaustive: the JSON of a finding promises these three.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// Worth knowing; nothing is wrong.
+    /// What may be meant, such as a pose or a damped contact.
     Remark,
-    /// Outside a limit of the paper, or a trap: look at it.
+    /// Outside a limit, or OpenSim loads it but presses nothing there, or elsewhere than the file seems to say.
     Warning,
-    /// OpenSim computes something else than the file seems to say, or nonsense.
+    /// OpenSim 4.6 refuses it or reads another number than is written, or no reading makes it right.
     Error,
 }
 
