@@ -90,13 +90,13 @@ fn save_before_exchange(dir: &TestDir) {
     dir.write("human.osim", [fixture(HUMAN.0), MARK.as_bytes().to_vec()].concat());
 }
 
-/// Names of files that hold what was saved.
+/// Names of the files that contain what the other program saved.
 fn files_with_save(dir: &TestDir) -> Vec<String> {
     let has_mark = |bytes: &[u8]| String::from_utf8_lossy(bytes).contains(MARK);
     dir.files().into_iter().filter(|(_, bytes)| has_mark(bytes)).map(|(name, _)| name).collect()
 }
 
-/// The save exists now, and after a later run it has the name of the model or of a backup.
+/// What another program saved into the model during the run is in a file now, and after a later run in the model or in its backup.
 #[track_caller]
 fn assert_save_is_kept(dir: &TestDir, when: &str) {
     let names = files_with_save(dir);

@@ -37,7 +37,7 @@ pub(crate) fn exit_of(error: &anyhow::Error) -> Exit {
     error.downcast_ref::<ExitError>().map_or(otherwise, |ended| ended.exit)
 }
 
-/// The message for the reader.
+/// The message of an error as the program prints it.
 pub(crate) fn text_of(error: &anyhow::Error) -> String {
     match error.downcast_ref::<std::io::Error>() {
         Some(why) => format!("cannot write to standard output: {why}"),
@@ -115,7 +115,7 @@ pub(crate) fn report(failure: &Failure, words: Words, terminal: &mut Terminal) {
     }
 }
 
-/// The line with carets below it.
+/// The faulty line of the file, with carets below the fault.
 fn snippet(excerpt: &Excerpt) -> String {
     let source = Snippet::source(excerpt.text.as_str()).line_start(excerpt.line);
     let marked = source.annotation(AnnotationKind::Primary.span(excerpt.marked.clone()));

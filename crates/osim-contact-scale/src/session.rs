@@ -17,9 +17,9 @@ use osim_view::report::json::{FailureRecord, line};
 use crate::exit::{self, Exit, ExitError, exit_of_cause};
 use crate::terminal::Terminal;
 
-/// A call of the program.
+/// One call of the program.
 pub(crate) struct Session {
-    /// Output streams of the call.
+    /// Standard output and error of the call.
     pub terminal: Terminal,
     /// The language in which the call spells options and calls.
     pub words: Words,
@@ -46,7 +46,7 @@ impl Session {
         }
     }
 
-    /// Wrong usage, as an error.
+    /// The error of a request that was wrong.
     pub(crate) fn usage(&self, fault: &RequestFault) -> anyhow::Error {
         anyhow::anyhow!(fault.spelled(self.words))
     }
@@ -60,7 +60,7 @@ impl Session {
 // The words in which this program names its options: those of its command line, of a request in JSON, or of the functions
 // that send one.
 
-/// Options as they are typed.
+/// Spells options in messages as a user types them.
 pub(crate) static WORDS: Words = &CommandLine;
 
 /// The language of those who read messages about a request.

@@ -38,7 +38,7 @@ impl Terminal {
         (self.out, self.err) = (None, None);
     }
 
-    /// Results for people, on standard output.
+    /// Prints a result for people on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
         let text = fitted(&terminal_safe(text), self.out).into_owned();
         self.write_bytes(text.as_bytes())

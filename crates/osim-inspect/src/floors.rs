@@ -9,7 +9,7 @@ use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 pub(crate) enum PlaneKind {
     /// A level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
     Fine,
-    /// A slope of so many degrees.
+    /// A slope against level ground, in degrees.
     Slope(f64),
     /// A floor that leans by so many degrees, too steep to stand on.
     Steep(f64),
@@ -157,9 +157,9 @@ const LEVEL_DEGREES: f64 = 1.0;
 /// How a plane is turned against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Tilt {
-    /// Level, within a degree.
+    /// Level to within a degree.
     Level,
-    /// A slope of so many degrees.
+    /// A slope against level ground, in degrees.
     Slope(f64),
     /// A plane that leans by so many degrees that nothing stands on it.
     Steep(f64),
@@ -209,7 +209,7 @@ struct PosedTrees<'m> {
     trees: HashMap<String, BodyTree>,
 }
 
-/// The bodies of one joint tree.
+/// The bodies that joints connect to one top body.
 #[derive(Default)]
 struct BodyTree {
     count: usize,

@@ -22,7 +22,7 @@ pub struct Stance {
     pub limbs: Option<f64>,
     /// Speed before an impact, m/s; `None`: √(gR/2).
     pub impact_speed_m_s: Option<f64>,
-    /// Gravity instead of the model's, m/s².
+    /// Gravity that replaces the model's, m/s².
     pub gravity_m_s2: Option<f64>,
 }
 

@@ -111,7 +111,6 @@ const SAME_PLACE_M: f64 = 1e-6;
 struct PublishedLayout {
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     name: String,
-    /// How people cite the publication.
     title: String,
     /// Publication and licence of the layout.
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
@@ -154,7 +153,6 @@ pub(crate) enum LayoutMatch {
     AsPublished,
     /// The bones have another size than published; one of them is named.
     OtherSize {
-        /// How people cite the publication.
         title: &'static str,
         body: String,
         /// By what the body is larger than published along x, y and z.

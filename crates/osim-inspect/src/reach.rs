@@ -21,7 +21,7 @@ const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual places of the foremost sphere along the foot.
 const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
 
-/// How far one sphere reaches.
+/// How far one sphere reaches towards the next joint, or along the foot.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Reach {
     pub sphere: SphereId,

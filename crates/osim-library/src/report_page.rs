@@ -113,7 +113,7 @@ impl ReportPage {
     }
 }
 
-/// Whether this program wrote the file.
+/// Whether this program wrote the page at `path`.
 fn is_report_page(path: &Path) -> bool {
     read_head(path, HEAD_BYTES).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
@@ -129,7 +129,7 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
     }
 }
 
-/// Bytes that are copied at once.
+/// How many bytes are copied at once.
 const CHUNK_BYTES: usize = 1 << 16;
 
 /// Text that is kept in a file without a name until the text before it on the page is complete.

@@ -23,15 +23,12 @@ use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
 
 /// Models and how they are looked at.
 pub struct Survey<'s> {
-    /// `check`, else the models are inspected.
+    /// `check`, or another verb: then the models are inspected.
     pub verb: Verb,
-    /// Models of the survey.
     pub sources: &'s Sources,
     /// Files in memory, which go before those on the disk.
     pub memory: &'s BTreeMap<PathBuf, Vec<u8>>,
-    /// The inspector of all models.
     pub inspector: &'s Inspector,
-    /// The options of the page.
     pub report: &'s ReportOptions,
     /// Whether each model is shown by itself, however many there are.
     pub shows_each: bool,
@@ -45,11 +42,10 @@ pub struct Survey<'s> {
 pub enum SurveyedModel {
     /// The model's inspection, and the numbers of its findings if they are shown.
     Inspected(Box<Inspection>, Option<Counts>),
-    /// The model's findings.
+    /// The findings of the model that was checked.
     Checked(Box<CheckResult>),
     /// A model of a folder without contacts.
     WithoutContacts,
-    /// Why the model cannot be read.
     Failed(Box<Failure>),
 }
 
@@ -116,7 +112,7 @@ impl Survey<'_> {
         Ok(first_error)
     }
 
-    /// Begins the text about the models.
+    /// The text about all models, still empty.
     pub fn begin_text(&self, colour: Colour) -> SurveyText {
         let mut text = SurveyText {
             words: self.words,
@@ -202,7 +198,7 @@ impl Survey<'_> {
         Ok((surveyed, entry))
     }
 
-    /// The model's entry on the page.
+    /// The entry of one model on the report page.
     fn entry(&self, opened: &OpenModel, inspection: &Inspection, check: &CheckResult) -> Entry {
         let digest =
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };

@@ -9,7 +9,6 @@ use crate::states::{ContactStates, Wrench};
 /// How far the forces of a model are from those that plates measured, over the frames in which both are known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
-    /// How many frames were compared.
     pub frames: usize,
     /// Root mean square of the difference along the plane's normal, N.
     pub normal_rms_n: f64,

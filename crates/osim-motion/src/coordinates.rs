@@ -23,7 +23,7 @@ pub struct ModelCoordinate {
     pub name: String,
     pub joint: String,
     pub kind: CoordinateKind,
-    /// The value of its default pose.
+    /// Value of the coordinate in the default pose.
     pub(crate) default: Option<f64>,
     /// The function of time that prescribes it, if it is prescribed; the inner `None` is a function that is not understood.
     pub(crate) prescribed: Option<Option<CoordinateFunction>>,

@@ -14,7 +14,7 @@ pub struct Foot {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
     pub side: Option<Side>,
-    /// Indices of its contact pairs.
+    /// Indices of the foot's contact pairs.
     pub pairs: Vec<usize>,
     pub bodies: Vec<String>,
 }

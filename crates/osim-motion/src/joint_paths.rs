@@ -22,7 +22,7 @@ struct PathStep<'m> {
 /// The joints on the paths from ground to some bodies.
 pub(crate) struct JointPaths<'m> {
     model: &'m Model,
-    /// Step n places body n.
+    /// Step n gives the placement of body n.
     steps: Vec<PathStep<'m>>,
     bodies: HashMap<&'m str, usize>,
     /// Joints that close a loop. Nothing enforces that these loops stay closed.

@@ -19,14 +19,12 @@ pub enum TouchedSurface {
 pub struct ContactPair {
     pub force: ForceId,
     pub sphere: SphereId,
-    /// The sphere's parameter set.
     pub set: SetId,
     pub touched: TouchedSurface,
     /// Whether the touched surface is the ground: a plane, or a sphere that cannot move.
     pub is_ground: bool,
-    /// Whether the force is switched on.
+    /// Whether OpenSim computes the force (`appliesForce`).
     pub applies: bool,
-    /// The sphere's radius, m.
     pub radius_m: f64,
     pub law: Law,
     pub friction: Friction,
@@ -34,9 +32,9 @@ pub struct ContactPair {
     pub smoothing: Option<f64>,
     /// How deep below the other surface the force acts, as a part of the indentation: 1/2 for equal surfaces.
     pub depth_share: f64,
-    /// The body of the sphere.
+    /// The body that carries the sphere.
     pub body: String,
-    /// The centre in that body, m.
+    /// Centre of the sphere in that body, m.
     pub(crate) centre_m: DVec3,
 }
 
@@ -116,7 +114,7 @@ impl PairBuilder<'_> {
         })
     }
 
-    /// The common friction of both surfaces.
+    /// Friction of the sphere and the plane together.
     fn friction(&self) -> Result<FrictionValues, Fault> {
         let value = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
         let mixed = |property| {

@@ -33,7 +33,7 @@ pub struct PlateAssignment {
 /// Forces that the plates measured under each foot, in the frames of a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredForces {
-    /// The use of each plate.
+    /// Which foot stands on each plate.
     pub uses: Vec<PlateAssignment>,
     /// The force for each foot and frame; `None` if a plate that the foot may be on has no data or no known foot, or the foot stands beside the
     /// plates.

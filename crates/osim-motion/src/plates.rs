@@ -120,7 +120,7 @@ fn is_ground(frame: &str) -> bool {
 }
 
 impl Wrench {
-    /// Interpolates linearly to another wrench.
+    /// The wrench between this one and `other`, by linear interpolation.
     fn interpolate(&self, other: &Self, part: f64) -> Self {
         let mixed = |a: DVec3, b: DVec3| a + part * (b - a);
         Self {
@@ -132,29 +132,28 @@ impl Wrench {
 
 // OpenSim's `ExternalLoads`: which columns act on which body.
 
-/// The content of an `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
     pub loads: Vec<ExternalLoad>,
-    /// The text of `datafile`.
+    /// File of the forces, from the element `<datafile>`.
     pub data_file: Option<String>,
 }
 
-/// An `ExternalForce` of such a file.
+/// An `<ExternalForce>` of an ExternalLoads file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoad {
     pub name: String,
     pub applies: bool,
-    /// The body that it acts on.
+    /// The body on which the force acts.
     pub body: Option<String>,
     /// The frame of the force; empty for ground.
     pub force_frame: String,
     pub point_frame: String,
-    /// The beginning of the force's columns.
+    /// The text with which names of the force's columns begin.
     pub force: Option<String>,
     /// The beginning of the columns of the point where it acts.
     pub point: Option<String>,
-    /// The beginning of the moment's columns.
+    /// The text with which names of the moment's columns begin.
     pub torque: Option<String>,
 }
 
@@ -220,7 +219,7 @@ fn child_text(document: &Document, owner: ElementId, tag: &str) -> Option<String
 
 /// Three columns whose names only differ in x, y and z at the end.
 struct ColumnTriple<'t> {
-    /// The common part of the names.
+    /// The common beginning of the columns' names.
     stem: String,
     columns: [&'t Column; 3],
     quantity: PlateQuantity,

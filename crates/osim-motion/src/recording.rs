@@ -34,9 +34,9 @@ pub struct Recording {
     /// The coordinates of all joints, in the order of the joints.
     pub coordinates: Vec<ModelCoordinate>,
     pub facts: RecordingFacts,
-    /// Frame by frame, rad or m.
+    /// Value of the coordinate in each frame, rad or m.
     values: Vec<f64>,
-    /// Frame by frame, rad/s or m/s.
+    /// Speed of the coordinate in each frame, rad/s or m/s.
     speeds: Vec<f64>,
     /// Whether each joint's speeds are OpenSim's generalised speeds; if not, they are derivatives of its values.
     pub(crate) has_opensim_speeds: Vec<bool>,
@@ -56,7 +56,7 @@ pub struct RecordingFacts {
     pub coupled: Vec<String>,
     /// Whether the table gives the speeds of all coordinates that it gives values of.
     pub speeds_given: bool,
-    /// Constraints that are not enforced.
+    /// Constraints of the model that this program does not enforce.
     pub unenforced: Vec<String>,
 }
 

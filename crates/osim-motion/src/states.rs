@@ -14,7 +14,6 @@ use crate::table::{MotionFault, Table};
 #[derive(Debug, Clone, PartialEq)]
 pub enum Belt {
     Constant(DVec3),
-    /// A velocity for each frame.
     PerFrame(Vec<DVec3>),
 }
 
@@ -44,7 +43,7 @@ impl Belt {
 }
 
 impl Default for Belt {
-    /// A floor, which does not move.
+    /// A floor that does not move.
     fn default() -> Self {
         Self::Constant(DVec3::ZERO)
     }
@@ -76,13 +75,13 @@ impl From<Fault> for StatesError {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ContactState {
     pub centre_m: DVec3,
-    /// Velocity of the centre, m/s.
+    /// Velocity of the sphere's centre, m/s.
     pub velocity_m_s: DVec3,
     /// Normal of the plane, out of it.
     pub normal: DVec3,
     /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 without contact.
     pub indentation_m: f64,
-    /// The rate of the indentation, m/s.
+    /// Rate of the indentation, m/s.
     pub rate_m_s: f64,
     /// Slip velocity of the sphere against the plane (or the belt) at the point where the force acts, m/s.
     pub slip_m_s: DVec3,
@@ -234,7 +233,7 @@ struct Surface {
 
 #[derive(Clone, Copy)]
 enum Shape {
-    /// A plane with this normal.
+    /// A plane with this unit normal.
     Plane(DVec3),
     /// A sphere with this radius, m.
     Sphere(f64),
@@ -330,7 +329,7 @@ impl ContactPair {
 /// The sum of several forces, with its moment.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrench {
-    /// The sum of the forces, N.
+    /// Sum of the contact forces, N.
     pub force_n: DVec3,
     /// The moment of the forces about the origin of ground, N m.
     pub moment_n_m: DVec3,

@@ -13,7 +13,7 @@ use crate::states::{CentreOfPressure, ContactState, ContactStates, Wrench};
 /// Summary of a sphere along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereSummary {
-    /// Index of its contact pair.
+    /// Index of the sphere's contact pair.
     pub pair: usize,
     /// Largest force of the sphere along the normal, N.
     pub peak_n: f64,
@@ -228,7 +228,7 @@ impl FootSummary {
         self.wrenches.get(frame)?.centre_of_pressure(on.normal, on.point_m, on.least_n)
     }
 
-    /// The times of its whole strides.
+    /// Begin and end of each whole stride, s.
     pub fn strides(&self) -> Vec<(f64, f64)> {
         let stances: Vec<StancePhase> = self.stances.iter().map(|one| one.stance).collect();
         strides(&stances)

@@ -40,7 +40,7 @@ impl Table {
         Ok(Self { time_s, columns: Vec::new(), declared: Some(AngleUnit::Radians), has_version: true, lines })
     }
 
-    /// The first column of this name.
+    /// The first column called `name`.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
     }
@@ -316,7 +316,6 @@ pub struct MotionFault {
 }
 
 impl MotionFault {
-    /// An error about the whole file.
     pub fn new(message: impl Into<String>) -> Self {
         Self { line: None, message: message.into(), needs_angles: false }
     }
@@ -326,7 +325,7 @@ impl MotionFault {
         Self { needs_angles: true, ..Self::new(message) }
     }
 
-    /// An error about one line.
+    /// An error about line `line` of the file.
     pub fn at(line: usize, message: impl Into<String>) -> Self {
         Self { line: Some(line), ..Self::new(message) }
     }

@@ -42,7 +42,6 @@ pub struct NumberChange {
     pub property: Property,
     /// Present effective value, as OpenSim reads it.
     pub from: f64,
-    /// New value of the number.
     pub to: f64,
     /// The factor by which the value was multiplied; `None` if it was set.
     pub factor: Option<f64>,
@@ -74,13 +73,12 @@ pub struct NumberChange {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaceChange {
-    /// Name of the sphere or half-space.
+    /// Name of the sphere or half-space that moves.
     pub sphere: String,
     /// Component path of the object that changes.
     pub path: String,
-    /// Present location in its frame, m.
+    /// Location in the frame of the sphere or half-space before the change, m.
     pub from: [f64; 3],
-    /// New location of the sphere, m.
     pub to: [f64; 3],
     pub by: ChangedBy,
     /// Line of the location, from 1, or of the sphere that gets one.
@@ -95,11 +93,10 @@ pub struct PlaceChange {
 pub enum ChangedBy {
     /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.
     Equation(&'static str),
-    /// The caller gave the value.
     Given,
     /// The size of a body that was scaled.
     Follow,
-    /// A fit to a recording.
+    /// The value comes from a fit to a recording.
     Fit,
     /// The bottom of the sphere stays, or moves to the height of its foot's lowest one.
     Level,

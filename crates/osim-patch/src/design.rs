@@ -61,7 +61,7 @@ pub enum DesignModulus {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Design {
-    /// How E₁* (N/m²) is determined.
+    /// How the modulus E₁* (N/m²) is determined.
     pub modulus: Option<DesignModulus>,
     /// Total load (N) and the spheres that share it; needed for [`DesignModulus::Indentation`].
     pub load: Option<SharedLoad>,

@@ -15,7 +15,7 @@ use osim_model::{Fault, FaultKind, FileId, Model};
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// Bytes of the original, from 0.
+    /// The bytes of the original file that the edit replaces, from 0.
     pub span: Range<usize>,
     /// New text in the place of the old one.
     pub text: String,
@@ -41,7 +41,7 @@ pub struct Edit {
 #[derive(Debug, Clone)]
 pub struct Patch<'b> {
     bytes: &'b [u8],
-    /// Edits sorted by place, without overlaps.
+    /// The edits in the order of the file, without overlaps.
     edits: Vec<Edit>,
 }
 

@@ -192,7 +192,7 @@ pub(crate) fn white_space_before(tree: &Tree, at: usize) -> String {
     }
 }
 
-/// White space without its line end.
+/// The last line of the white space `space`, without its line end.
 fn indentation(space: &str) -> &str {
     space.rsplit('\n').next().unwrap_or_default()
 }
@@ -250,9 +250,9 @@ impl<'t> EmptyElement<'t> {
 pub(crate) enum EmptyForm {
     /// `<objects/>`; any white space in it but a single blank stays in its start tag.
     Closed,
-    /// `<objects />`
+    /// An element written as `<objects />`.
     ClosedWithBlank,
-    /// `<objects></objects>`
+    /// An element written as `<objects></objects>`.
     Open,
 }
 

@@ -52,11 +52,9 @@ pub struct Plan {
     pub masses: Option<Masses>,
     /// The first line of every report: which masses or values the change starts from, and where they come from.
     pub taken: Phrase,
-    /// Things the user should know.
     pub findings: Vec<Finding>,
     /// Remarks about the whole change, such as what stays as it is.
     pub remarks: Vec<Phrase>,
-    /// Errors of a fit to recordings.
     pub errors: Option<RecordingErrors>,
     /// How far the floor of each recording is above that of the unchanged model, m; empty if no height was fitted.
     pub floor_up_m: Vec<f64>,

@@ -60,12 +60,12 @@ impl Radii {
         self.0.keys().copied().collect()
     }
 
-    /// Root of the mean R² before.
+    /// Root of the mean R² of the force's spheres before the change.
     fn mean_old(&self, force: &Force) -> f64 {
         root_mean_square(self.pairs(force).iter().map(|pair| pair.old))
     }
 
-    /// Root of the mean R² afterwards.
+    /// Root of the mean R² of the force's spheres after the change.
     pub(crate) fn mean_new(&self, force: &Force) -> f64 {
         root_mean_square(self.pairs(force).iter().map(|pair| pair.new))
     }

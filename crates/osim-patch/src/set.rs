@@ -81,7 +81,7 @@ impl Set {
         format!("{}{level}", self.assigned())
     }
 
-    /// The operation without `level`.
+    /// The operation in words, without `level`.
     fn assigned(&self) -> String {
         let each = self.assignments.iter().map(|(property, value)| format!(" {property}={value}"));
         format!("set{}", each.collect::<String>())

@@ -139,7 +139,7 @@ fn changes_all_numbers(plan: &Plan, options: &InspectOptions, opened: &OpenModel
 #[derive(Clone, Copy)]
 pub struct BeforeAndAfterPlan<'s> {
     pub change: &'s PreparedChange,
-    /// The model before the change.
+    /// The model as it was before the change.
     pub opened: &'s OpenModel,
     pub plan: &'s Plan,
     /// The new model; `None` if nothing changes.

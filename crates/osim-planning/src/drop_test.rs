@@ -266,9 +266,8 @@ struct Entry {
     value: FigureValue,
 }
 
-/// How to get a figure.
+/// The function that computes a figure of a drop.
 enum FigureValue {
-    /// A figure that every drop has.
     Always(fn(&DropResult) -> f64),
     /// A figure of some drops, for example those that lift off again.
     Shown(fn(&DropResult) -> Option<f64>),

@@ -12,7 +12,6 @@ use crate::sheet::Sheet;
 /// A fit of contact parameters to a measured curve.
 #[derive(Debug, Clone)]
 pub struct FitResult {
-    /// The file of the measurement.
     pub file: PathBuf,
     /// Spheres that shared the force.
     pub sphere_count: f64,

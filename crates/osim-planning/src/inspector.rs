@@ -42,7 +42,7 @@ pub struct Inspector {
 struct GenericModel {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
-    /// The Scale Tool's factors of bodies.
+    /// The factors by which the Scale Tool scaled bodies.
     file: Option<ScaleFile>,
     /// Size of the model, and quantities that follow size.
     size: ModelSize,
@@ -151,7 +151,6 @@ impl Inspector {
         }
     }
 
-    /// An inspector without a generic model.
     pub fn new(options: &InspectionOptions) -> Self {
         Self {
             options: InspectOptions::from(options),

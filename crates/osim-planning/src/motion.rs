@@ -145,7 +145,7 @@ pub(crate) fn mass_and_gravity(masses: &MassRequest, model: &Model) -> Result<(f
 pub struct PlatesRead {
     /// The table that they were read from.
     pub file: PathBuf,
-    /// The ExternalLoads that name its columns.
+    /// The ExternalLoads file that names the columns of the plate's table.
     pub loads: Option<PathBuf>,
     /// The data file that the ExternalLoads name, if its name differs from that of the table.
     pub other_data_file: Option<String>,

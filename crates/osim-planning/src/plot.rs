@@ -291,7 +291,7 @@ pub struct TableColumn {
 pub struct HeatTable {
     /// The file's name without its folders.
     pub name: String,
-    /// Along the horizontal axis.
+    /// The columns along the horizontal axis.
     pub x: TableColumn,
     /// Along the vertical axis; `None` where the table varies one thing only.
     pub y: Option<TableColumn>,

@@ -23,10 +23,10 @@ use crate::files::RequestFiles;
 use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
-/// A record and its text.
+/// A record in JSON's form, and its text.
 type Answer<'py> = (Bound<'py, PyAny>, String);
 
-/// The request of one verb.
+/// Reads a request of the verb `$verb` from a dictionary.
 macro_rules! request {
     ($verb:ident, $fields:expr) => {
         match Request::from_map($fields)? {

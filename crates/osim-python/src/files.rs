@@ -8,7 +8,7 @@ use osim_library::Disk;
 use osim_model::files::{FileError, Files};
 use pyo3::pybacked::PyBackedBytes;
 
-/// Bytes by their names.
+/// Bytes of files by their names.
 pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Memory first, then the disk if that is allowed.
@@ -29,17 +29,16 @@ impl RequestFiles {
         Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
     }
 
-    /// A file in memory.
+    /// Bytes of a file that Python gave in memory.
     pub(crate) fn in_memory(&self, path: &Path) -> Option<&Vec<u8>> {
         self.memory.get(path)
     }
 
-    /// All files in memory.
     pub(crate) fn memory(&self) -> &Memory {
         &self.memory
     }
 
-    /// Everything that was read.
+    /// Bytes of every file that was read.
     pub(crate) fn into_read(self) -> Memory {
         self.read.into_inner()
     }

@@ -48,7 +48,7 @@ pub(crate) fn request_fields(fields: &Bound<'_, PyDict>) -> PyResult<Map<String,
     Ok(all)
 }
 
-/// Why no request can hold `value`.
+/// Why no request can hold `value` as the field `name`.
 fn value_fault(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
     let py = value.py();
     if !error.is_instance_of::<PyException>(py) {

@@ -25,7 +25,7 @@ use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
-/// The words of all messages.
+/// How messages of this package spell names: as Python does.
 pub(crate) static WORDS: Words = &PythonWords;
 
 /// The JSON of a check of a model's state, and for each finding the request that corrects it.
@@ -165,8 +165,8 @@ impl Planned {
         bodies.filter_map(|body| Some((body.path.clone(), body.mass_kg().ok()?))).collect()
     }
 
-    /// The checks of the model before and after: two results, each as the JSON of the command has it, and the requests that correct the
-    /// findings.
+    /// Checks of the model before the change and after it, each as the JSON of the command `check`, and for each finding the request
+    /// that corrects it.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<CheckAndRequests<'py>>> {
         let both = guarded(py, || {
             let both = self.model.show(&PythonWords, false, |changed| changed.before_after)?;

@@ -21,15 +21,15 @@ pub(crate) struct Problem {
     class: &'static str,
     code: &'static str,
     message: String,
-    /// The file, as it was named.
+    /// The file's path as the caller named it.
     path: Option<OsString>,
     line: Option<usize>,
     column: Option<usize>,
-    /// The line of the file.
+    /// The faulty line of the file.
     excerpt: Option<String>,
     /// Keywords that the message names, in its order.
     keywords: Vec<String>,
-    /// An exception that Python raised before.
+    /// An exception that Python raised during the call, which is raised again.
     raised: Option<PyErr>,
 }
 
@@ -50,7 +50,7 @@ impl Problem {
         }
     }
 
-    /// A defect of this program.
+    /// An internal error, which a user should report.
     pub(crate) fn defect(message: String) -> Self {
         let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
         Self { message: text, ..Self::general("ContactScaleError", "internal", "") }
@@ -71,12 +71,12 @@ impl Problem {
         Self { message, ..Self::general("RequestError", "usage", "") }
     }
 
-    /// An exception that Python raised before.
+    /// A problem that stands for an exception which Python raised during the call.
     pub(crate) fn raised(error: PyErr) -> Self {
         Self { raised: Some(error), ..Self::general("ContactScaleError", "raised", "") }
     }
 
-    /// The exception of Python.
+    /// The Python exception for this problem.
     pub(crate) fn into_error(mut self, py: Python<'_>) -> PyErr {
         if let Some(raised) = self.raised.take() {
             return raised;

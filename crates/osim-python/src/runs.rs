@@ -168,7 +168,7 @@ pub(crate) fn run(
     Ok((records, remarks))
 }
 
-/// The lines for Python.
+/// The records of a run as lines for Python.
 pub(crate) fn lines(py: Python<'_>, records: Vec<JsonRecord>, remarks: Vec<String>) -> PyResult<Lines<'_>> {
     let records = records.iter().map(|record| dictionary(py, record)).collect::<PyResult<_>>()?;
     Ok((records, remarks))

@@ -53,7 +53,7 @@ pub(crate) fn given_fields<T: Default + Serialize>(request: &T) -> Map<String, V
     map(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
 }
 
-/// Every field of a request.
+/// The request as a dictionary that has every field.
 pub(crate) fn map(request: &impl Serialize) -> Map<String, Value> {
     match serde_json::to_value(request) {
         Ok(Value::Object(fields)) => fields,
@@ -135,7 +135,7 @@ fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'
     value.as_array()?.iter().find_map(|item| Some((item, wrong(item)?)))
 }
 
-/// The field that was probably meant.
+/// The name of the field that `field` probably means.
 fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
     let likely = |name: &&String| {
         name.starts_with(field)

@@ -3,49 +3,43 @@
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
-/// A fault in a request.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestFault {
     /// The request has no field of this name.
     UnknownField {
-        /// The name as it was given.
+        /// The name of the field as the caller gave it.
         field: String,
-        /// A field that was probably meant.
+        /// Name of the field that was probably meant.
         nearest: Option<String>,
     },
-    /// A value cannot be taken.
+    /// A field cannot take its value.
     BadValue {
-        /// Name of the field.
         field: String,
-        /// The value as it was given.
+        /// The value of the field as the caller gave it.
         value: String,
-        /// The expectation, in words.
+        /// What was expected, in words.
         reason: String,
     },
-    /// A field is missing.
     Missing {
-        /// Name of the field.
         field: &'static str,
     },
     /// A field has no meaning without another.
     Needs {
-        /// Name of the field.
+        /// Name of the field that is given.
         field: &'static str,
-        /// Name of the other field.
+        /// Name of the field that is missing.
         other: &'static str,
     },
     /// Only one of two fields can be given.
     Excludes {
-        /// Name of one field.
         field: &'static str,
-        /// Name of the other field.
         other: &'static str,
     },
     /// The request makes no sense, whatever the model.
     Refused {
         /// The field that it is about, where it is one.
         input: Option<Input>,
-        /// Why, and what to do.
+        /// Why the request is refused, and what to do.
         message: Phrase,
     },
 }
@@ -70,7 +64,7 @@ impl RequestFault {
         }
     }
 
-    /// The message, with inputs as data.
+    /// The message of the fault; inputs in it are data, for a spelling.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
@@ -120,7 +114,6 @@ impl std::error::Error for RequestFault {}
 /// Why a request cannot be begun: the request or a file. A match on it is complete, so that no error is lost.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestError {
-    /// The request itself is wrong.
     Fault(RequestFault),
     /// A file that it needs cannot be used.
     Failure(Failure),
@@ -143,7 +136,7 @@ impl From<Failure> for RequestError {
 /// How options depend on each other; each is named by its field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
-    /// The field is required.
+    /// The field must be given.
     Required(&'static str),
     /// The field is required in a dictionary; the command line asks for it in its own words.
     Expected(&'static str),
@@ -158,7 +151,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// The field that it is about.
+    /// The field to which the relation applies.
     pub const fn field(self) -> &'static str {
         match self {
             Self::Required(field)

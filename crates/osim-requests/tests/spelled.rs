@@ -91,10 +91,10 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     }
     let required = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str);
     let mut wanted: Vec<&str> = required.filter(|name| !["verb", "models"].contains(name)).collect();
-    // A sweep has one of two.
+    // A sweep needs a grid or a ladder.
     wanted.extend((verb == Verb::Sweep && !["ladder", "soft"].contains(&field)).then_some("grid"));
     wanted.extend((verb == Verb::Fit).then_some("radius"));
-    // And so has a set.
+    // A set needs an assignment, unless it only levels feet.
     wanted.extend((verb == Verb::Set && field != "level").then_some("set"));
     wanted.extend((verb == Verb::Note && field != "stance_limbs").then_some("contacts_mass"));
     wanted.push(field);

@@ -25,12 +25,11 @@ use crate::problem::Problem;
 
 /// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
 const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
-/// The new model in space.
+/// Name of the section that shows the new model in space.
 const SCENE: &str = "scene";
-/// Falls on the contacts before and after.
+/// Name of the section that shows falls on the contacts before and after the change.
 const FALLS: &str = "falls";
 
-/// A change that is planned.
 pub(crate) struct PlannedChange {
     change: PreparedChange,
     opened: Rc<OpenedModel>,
@@ -42,10 +41,10 @@ pub(crate) struct PlannedChange {
     pub(crate) results: Vec<NewFile>,
 }
 
-/// A file that a change makes.
+/// A new file that a change makes.
 pub(crate) struct NewFile {
     from: FileId,
-    /// As the command would call it.
+    /// Name of the file as the command would choose it.
     pub(crate) name: PathBuf,
     pub(crate) bytes: Vec<u8>,
 }
@@ -59,13 +58,13 @@ pub(crate) struct ChangeShown<'p> {
     results: Vec<ResultShown<'p>>,
     sections: Vec<Section>,
     explained: Vec<Explained>,
-    /// Of the model after the change, where they were asked for.
+    /// Findings of the model after the change, where they were asked for.
     findings: Option<Vec<FindingShown>>,
-    /// The verdicts on it, likewise.
+    /// Verdicts on the model after the change, where they were asked for.
     verdicts: Option<Vec<VerdictShown>>,
     /// The new model in space, where it was asked for.
     scene: Option<Scene>,
-    /// Falls before and after, likewise.
+    /// Falls on the contacts before and after the change, where they were asked for.
     falls: Vec<BodyFall>,
 }
 
@@ -100,7 +99,7 @@ impl PlannedChange {
         Ok(Self { change, opened, plan, changed, words, results })
     }
 
-    /// The model that it changes.
+    /// Path of the model that the change is for.
     pub(crate) fn path(&self) -> &Path {
         &self.opened.path
     }
@@ -202,7 +201,7 @@ impl PlannedChange {
         })
     }
 
-    /// The lines that change.
+    /// The lines of the file that change, as a diff.
     pub(crate) fn diff(&self) -> String {
         let opened = &self.opened.model;
         let each = self.results.iter().map(|made| {

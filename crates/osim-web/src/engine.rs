@@ -39,7 +39,7 @@ const MAX_OPEN_MODELS: usize = 4;
 #[derive(Default)]
 pub struct Engine {
     files: GivenFiles,
-    /// The last one first.
+    /// Models that were opened, the latest first.
     opened: Vec<Rc<OpenedModel>>,
     last: Option<PlannedChange>,
 }
@@ -92,7 +92,7 @@ impl Engine {
     }
 }
 
-/// An answer in JSON.
+/// An answer without error, in JSON.
 fn ok_answer(answer: impl Serialize) -> Result<String, Problem> {
     #[derive(Serialize)]
     struct Answer<T> {

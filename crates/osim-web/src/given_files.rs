@@ -12,7 +12,7 @@ use osim_model::files::{FileError, Files, InMemory};
 #[derive(Debug, Default)]
 pub(crate) struct GivenFiles {
     files: InMemory,
-    /// The names that were given.
+    /// Names of the files that the page gave.
     names: BTreeSet<PathBuf>,
 }
 
@@ -23,12 +23,12 @@ impl GivenFiles {
         self.files.add(name, bytes);
     }
 
-    /// The date, for notes.
+    /// Sets the date that notes in models get.
     pub(crate) fn set_today(&mut self, date: &str) {
         self.files.set_today(date);
     }
 
-    /// Takes a file away.
+    /// Removes a file from those that the page gave.
     pub(crate) fn remove(&mut self, name: &str) {
         self.names.remove(Path::new(name));
         self.files.remove(Path::new(name));

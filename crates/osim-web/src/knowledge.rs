@@ -44,7 +44,6 @@ pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<Pres
     Ok(presets.iter().map(shown).collect())
 }
 
-/// Explains a topic in words.
 pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields = [("verb", "explain"), ("topics", topic)];
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();

@@ -116,7 +116,7 @@ impl FindingShown {
         Self { finding, remedy }
     }
 
-    /// All of a model.
+    /// Every finding of a check.
     pub(crate) fn all(found: &CheckResult) -> Vec<Self> {
         found.findings.iter().map(|finding| Self::of(finding, found.steps.first())).collect()
     }
@@ -194,7 +194,7 @@ pub(crate) fn look(
     })
 }
 
-/// The model along a recording.
+/// The model's motion along a recording.
 pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording, Problem> {
     match request {
         Request::Motion(request) => {
@@ -246,7 +246,7 @@ pub(crate) struct VerdictShown {
 }
 
 impl VerdictShown {
-    /// All of a model.
+    /// Every verdict of a check.
     pub(crate) fn all(verdicts: &[Verdict]) -> Vec<Self> {
         let shown = |verdict: &Verdict| Self { question: verdict.on.question(), verdict: verdict.clone() };
         verdicts.iter().map(shown).collect()

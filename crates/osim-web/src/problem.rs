@@ -59,7 +59,7 @@ impl Problem {
         Self::with_code("usage", &message.into())
     }
 
-    /// A defect of this program.
+    /// An internal error, which a user should report.
     pub(crate) fn defect(message: impl std::fmt::Display) -> Self {
         let text = format!("this is a defect of osim-contact-scale, please report it: {message}");
         Self::with_code("internal", &text.into())

@@ -12,11 +12,11 @@ pub type Uses = BTreeMap<(Path, Path), String>;
 /// How many imports of imports are followed: imports in a circle would never end.
 const DEEPEST: usize = 20;
 
-/// What a path leads to.
+/// The module or item that a path in the code names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Target {
     Module(Path),
-    /// Something that this module defines.
+    /// A function, type or constant of the module with this path.
     ItemOf(Path),
 }
 

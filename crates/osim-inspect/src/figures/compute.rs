@@ -245,7 +245,7 @@ impl LoadedLimb<'_> {
 /// A limb under a load, the bottoms of its spheres level.
 struct LevelLimb {
     body_weights: f64,
-    /// The share of each sphere, N.
+    /// The load of each sphere, N.
     load_n: f64,
     /// The common indentation of all spheres by the Hertz law and by the model's, m; `None` if the spheres are alike, so that equal shares
     /// keep them level.

@@ -236,7 +236,7 @@ pub struct LimitCheck {
     pub value: Option<f64>,
     /// The limit, in the figure's own unit.
     pub limit: f64,
-    /// Whether the figure is within it.
+    /// Whether the figure is within the limit.
     pub within_limit: bool,
 }
 

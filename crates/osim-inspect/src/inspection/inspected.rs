@@ -161,7 +161,7 @@ pub struct InspectedSphere {
     pub body: Option<String>,
     /// Line of the element, from 1.
     pub line: usize,
-    /// Limb it belongs to.
+    /// Limb to which the sphere belongs.
     pub limb: Option<String>,
     /// Lowest point in the body's frame, m, with the body's axes as they are at the default pose.
     pub lowest_point_m: Option<[f64; 3]>,
@@ -182,9 +182,9 @@ pub struct InspectedForce {
     pub set: Option<usize>,
     /// Names of its spheres.
     pub spheres: Vec<String>,
-    /// Whether OpenSim computes it.
+    /// Whether OpenSim computes this force.
     pub applies: bool,
-    /// Whether a change would change it.
+    /// Whether a change of the model would change this force.
     pub selected: bool,
     /// Effective values, in OpenSim's units.
     pub parameters: Parameters,

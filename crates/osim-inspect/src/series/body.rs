@@ -31,12 +31,12 @@ pub struct Weight {
 }
 
 impl Weight {
-    /// M g, in N.
+    /// Weight of the body, M g, in N.
     pub fn body_weight_n(&self) -> f64 {
         self.mass_kg * self.gravity_m_s2
     }
 
-    /// M g / n, in N.
+    /// Weight that each sphere bears, M g / n, in N.
     pub(crate) fn share_n(&self) -> f64 {
         self.body_weight_n() / self.sphere_count
     }

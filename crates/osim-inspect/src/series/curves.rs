@@ -11,7 +11,7 @@ use crate::series::sampling::{ForceUnit, Point, Units, equal_breaks, sample_curv
 /// Force against indentation of one kind of sphere.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceSeries {
-    /// The curve of the Hertz law.
+    /// Force over indentation by the Hertz law.
     pub hertz: Vec<Point>,
     /// The curve with the constant indentation (C.1); empty for a `HuntCrossleyForce`.
     pub with_constant: Vec<Point>,
@@ -33,7 +33,7 @@ pub struct LoopSeries {
 pub struct DropSeries {
     pub name: String,
     pub points: Vec<Point>,
-    /// Unit of time √(R/g), s.
+    /// Unit of time of dimensionless plots, √(R/g), s.
     pub time_unit_s: f64,
     /// The time after which the force stays within 1 % of the body weight, s; the end if it does not.
     pub settled_s: f64,

@@ -49,9 +49,7 @@ pub struct HeatSeries {
 /// A parameter that is sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
-    /// The stiffness E₁*.
     Stiffness,
-    /// The dissipation α.
     Dissipation,
 }
 

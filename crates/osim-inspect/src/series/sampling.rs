@@ -1,12 +1,12 @@
 //! Units of series, and points of curves: many where a curve bends and few where it is straight, so that lines between them look like it.
 
-/// A point of a curve.
+/// A point of a curve: x and y.
 pub type Point = (f64, f64);
 
 /// The unit of an axis of indentations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndentationUnit {
-    /// Indentation over radius, x/R.
+    /// Indentation as a fraction of the radius, x/R.
     Relative,
     Millimetre,
 }

@@ -139,7 +139,6 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
     images.into_iter().map(|image| image.distance(place)).reduce(f64::min)
 }
 
-/// The bodies of both sides.
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
     /// Bodies by the name without its side; sorted, so that sums have the same last bit in each run.

@@ -177,9 +177,9 @@ const SMALL_VELOCITY_RATIO: f64 = 1.2;
 /// A number that differs between the sides.
 #[derive(Debug, Clone)]
 pub(crate) struct SideDifference {
-    /// Words that follow "differ: ".
+    /// Words that follow "differ: " in the finding.
     pub text: String,
-    /// Whether published models differ as much.
+    /// Whether sides of published models differ as much.
     pub is_small: bool,
     /// The side that is unlike most other contacts of the model, if it is known.
     pub odd: Option<Side>,
@@ -189,7 +189,7 @@ pub(crate) struct SideDifference {
 #[derive(Debug)]
 pub(crate) struct Majorities<'m> {
     model: &'m Model,
-    /// Counted at the first difference.
+    /// How many numbers differ; counted when the first difference is found.
     counts: OnceCell<NumberCounts>,
 }
 

@@ -23,7 +23,6 @@ pub(crate) struct SpherePair<'m> {
     pub bodies: Option<BodyPair<'m>>,
 }
 
-/// A sphere without a counterpart.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UnpairedSphere<'m> {
     pub sphere: SideSphere<'m>,

@@ -41,17 +41,16 @@ pub(crate) enum FileKinds {
     Streams,
 }
 
-/// Why a file is not read.
 #[derive(Debug)]
 pub(crate) enum ReadRefusal {
-    /// The system reports an error.
+    /// The operating system reports an error.
     System(std::io::Error),
     Kind(&'static str),
     /// The file is larger than this, in bytes.
     Large(u64),
     /// The file does not fit into the memory.
     Memory,
-    /// Another program writes the file.
+    /// Another program wrote the file meanwhile.
     Changed,
 }
 
@@ -256,7 +255,7 @@ fn read_to_limit(stream: impl Read, most: u64) -> Result<Vec<u8>, ReadRefusal> {
     if bytes.len() as u64 > most { Err(ReadRefusal::Large(most)) } else { Ok(bytes) }
 }
 
-/// SHA-256 as 64 hexadecimal digits.
+/// SHA-256 of `bytes` as 64 hexadecimal digits.
 pub fn sha256(bytes: &[u8]) -> String {
     sha256_of_parts(std::iter::once(bytes))
 }

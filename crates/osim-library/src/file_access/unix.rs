@@ -51,7 +51,7 @@ pub(super) fn is_device_name(_path: &Path) -> bool {
     false
 }
 
-/// Sockets cannot be opened at all.
+/// The kind of a file that cannot be opened at all: a socket.
 pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {
     type_of_path(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
 }

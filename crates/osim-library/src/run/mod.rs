@@ -34,7 +34,7 @@ pub use rows::{CheckedRows, RowReader};
 pub use task::{Destination, PathConflicts, PathOwner, Task};
 pub use writing::{GeometryResult, ResultBytes, Written};
 
-/// A run whose paths were compared.
+/// A run of which no two tasks use the same path.
 pub struct Run<'r> {
     request: RunRequest,
     context: RunContext<'r>,
@@ -162,7 +162,7 @@ impl<'r> Run<'r> {
         &self.kept_files
     }
 
-    /// Models that could not be listed.
+    /// Models that could not be listed, each with the reason.
     pub fn failures(&self) -> &[Failure] {
         &self.request.failures
     }

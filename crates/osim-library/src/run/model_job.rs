@@ -89,13 +89,11 @@ impl Counts {
         *count += 1;
     }
 
-    /// Whether the run was stopped.
     pub fn interrupted(&self) -> bool {
         self.not_begun > 0
     }
 }
 
-/// The work on one model.
 pub(super) struct ModelJob<'j, F> {
     pub(super) context: &'j RunContext<'j>,
     pub(super) front_end: &'j F,

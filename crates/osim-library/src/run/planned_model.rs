@@ -56,7 +56,7 @@ impl PlannedModel {
         &self.opened
     }
 
-    /// The plan with spelled messages.
+    /// The plan, with messages spelled for the caller.
     pub fn plan(&self) -> &Plan {
         &self.plan
     }

@@ -34,7 +34,6 @@ pub struct RunRequest {
 }
 
 impl RunRequest {
-    /// A request without failures and remarks.
     pub(super) fn new(verb: Verb, tasks: Vec<Task>) -> Self {
         Self {
             verb,
@@ -174,7 +173,7 @@ pub enum ModelDetail {
     ResultOnly,
     /// Inspections and checks of both states.
     BeforeAfter {
-        /// Whether feet are included.
+        /// Whether the feet of both states are included.
         feet: bool,
     },
 }

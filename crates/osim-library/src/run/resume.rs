@@ -28,12 +28,11 @@ pub(super) struct PreviousRun {
     /// The places of all lines, sorted by file; the latest line of a file is last. A file has several lines if a run was killed while it
     /// replaced the output of an earlier run.
     places: Vec<LinePlace>,
-    /// The folder of the summary.
     folder: PathBuf,
     paths: Mutex<Resolver>,
 }
 
-/// The place of a line.
+/// Where a line of a summary is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LinePlace {
     /// Hash of the file that the line is about. Several files may have the same hash; the line itself has the name.

@@ -20,7 +20,7 @@ use crate::source::{OrdinaryFiles, Source};
 
 /// The rows of a table after all of them were checked.
 pub enum CheckedRows {
-    /// Every row can be done.
+    /// All rows can be done: the run that does them.
     Run(RunRequest),
     /// Some rows are wrong, so none is done.
     Invalid(Vec<Failure>),

@@ -15,7 +15,6 @@ use crate::run::summary_lines::SummaryFormat;
 use crate::run::task::Task;
 use crate::write::{PendingFile, WriteMode};
 
-/// Writes the lines of a summary.
 #[derive(Debug)]
 pub(super) struct SummaryWriter {
     format: SummaryFormat,

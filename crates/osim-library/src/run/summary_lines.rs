@@ -81,7 +81,7 @@ fn with_user_columns(lines: Vec<u8>, record: &Record) -> Result<Vec<u8>, Library
 pub(super) struct PreviousLines {
     format: SummaryFormat,
     file: Mutex<File>,
-    /// Length of its whole lines.
+    /// Length of the summary's complete lines, in bytes.
     end: u64,
     header: csv::StringRecord,
 }

@@ -26,7 +26,7 @@ pub struct Task {
     /// Whether the user named the output: then it is written even if nothing changes.
     pub(super) output_is_named: bool,
     pub(super) settings: Arc<JobSettings>,
-    /// Row of the manifest, from 1.
+    /// Row of the model in the manifest, from 1.
     pub row: Option<usize>,
     /// The user's own columns of the manifest: name and text.
     pub user_columns: Vec<(String, String)>,
@@ -55,7 +55,7 @@ impl Task {
         Self { user_columns, ..self }
     }
 
-    /// The file that is written.
+    /// The file that the task writes.
     pub fn output(&self) -> Option<&Path> {
         self.destination.path(&self.source)
     }
@@ -95,7 +95,6 @@ impl JobSettings {
     }
 }
 
-/// Destination of a model's result.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
     /// The result is written to standard output.

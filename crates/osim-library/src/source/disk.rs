@@ -116,7 +116,7 @@ impl Stamp {
         Self { metadata, modified }
     }
 
-    /// The metadata at that moment.
+    /// Metadata of the file when it was opened.
     pub fn metadata(&self) -> &Metadata {
         &self.metadata
     }

@@ -64,7 +64,6 @@ pub struct Sources {
     pub models: Vec<Source>,
     /// Files and folders that cannot be listed.
     pub failures: Vec<Failure>,
-    /// Remarks about files that were skipped.
     pub remarks: Vec<String>,
 }
 

@@ -53,16 +53,15 @@ pub struct SweepEnd {
     pub same: SameContacts,
     /// Models of other sweeps in the folder; only counted if this run makes all variants.
     pub others: OtherModels,
-    /// Variants that could not be made.
+    /// How many variants could not be made.
     pub failed: usize,
     pub not_begun: usize,
 }
 
 enum VariantOutcome {
-    /// The variant exists now.
+    /// A row of the table: the variant is written.
     Row {
         row: Vec<u8>,
-        /// Number of the variant, from 1.
         number: usize,
         contacts: String,
         earlier: bool,
@@ -242,7 +241,7 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    /// How the table is written.
+    /// Whether the table may replace an existing file.
     fn table_mode(&self) -> WriteMode {
         if self.request.force || self.request.resume { WriteMode::Replace } else { WriteMode::New }
     }
@@ -297,7 +296,6 @@ impl<'s> SweepRun<'s> {
         }
     }
 
-    /// Writes `bytes` to the file `path`.
     fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
         let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
         let prepared = PendingFile::new(path, bytes, like, mode)?;

@@ -34,7 +34,7 @@ impl<'p> SweepTables<'p> {
         self.part.as_deref().unwrap_or(&self.whole)
     }
 
-    /// Whether this run makes a part.
+    /// Whether this run makes only some of the variants.
     pub(super) fn is_part(&self) -> bool {
         self.part.is_some()
     }

@@ -33,9 +33,9 @@ pub(crate) struct Successor<'b> {
     pub(crate) prepared: PendingFile,
     /// The model's bytes when it was read.
     pub(crate) read_bytes: &'b [u8],
-    /// The new bytes, in several parts.
+    /// The new bytes of the file, in several parts.
     pub(crate) written_bytes: Vec<&'b [u8]>,
-    /// The backup of the old model.
+    /// Path of the backup of the old model, if one is kept.
     pub(crate) backup: Option<PathBuf>,
 }
 
@@ -49,9 +49,9 @@ pub(crate) struct ExchangedModel<'b> {
     backup: Option<PathBuf>,
 }
 
-/// The outcome of undoing a change.
+/// What became of a change that was undone.
 pub(crate) enum UndoOutcome {
-    /// The old model is back.
+    /// The old model is in its place.
     Restored,
     /// The old model is back; a file that another program saved in between is this backup.
     Kept(PathBuf),

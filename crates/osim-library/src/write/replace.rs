@@ -23,10 +23,9 @@ pub struct PendingFile {
     replaces: bool,
 }
 
-/// How a file may be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WriteMode {
-    /// Refuse to replace anything.
+    /// Only a new file is written: nothing is replaced.
     New,
     /// Replace an existing file, and keep its owner and group if the system allows it.
     Replace,
@@ -34,7 +33,7 @@ pub enum WriteMode {
     InPlace,
 }
 
-/// Adds bytes; [`commit`](PendingFile::commit) completes the file.
+/// Adds bytes to the file that [`commit`](PendingFile::commit) completes.
 impl Write for PendingFile {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.temporary.write(bytes)

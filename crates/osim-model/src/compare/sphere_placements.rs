@@ -41,9 +41,8 @@ pub struct SpherePlacements {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedSphere {
     pub name: String,
-    /// Component path of the sphere.
     pub path: String,
-    /// Line of the element, from 1.
+    /// Line of the sphere's element, from 1.
     pub line: usize,
     pub here_m: [f64; 3],
     /// Place of the sphere in the model that was scaled.

@@ -183,7 +183,7 @@ impl MeshFolders {
         self
     }
 
-    /// The folders, in order.
+    /// The folders in which meshes of bones are searched, in order.
     pub fn iter(&self) -> impl Iterator<Item = &Path> {
         self.0.iter().map(PathBuf::as_path)
     }

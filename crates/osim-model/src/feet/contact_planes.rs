@@ -44,7 +44,7 @@ pub struct ContactPlane {
 pub struct PlaneSurface {
     /// Outward normal of the plane, of length 1.
     pub normal: DVec3,
-    /// A point of it, m.
+    /// A point of the plane, m.
     pub point_m: DVec3,
     /// The angle between its normal and up, which is against gravity, rad: 0 for a level floor, π upside down.
     pub tilt_rad: f64,
@@ -139,7 +139,7 @@ impl PlanesWithSpheres {
 /// Two spheres on different bodies that one force lets touch each other.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpherePair {
-    /// The first in the force's order.
+    /// The sphere that the force names first.
     pub one: SphereId,
     pub other: SphereId,
     /// The gap between them at the default pose, m, not above 0 where they touch; or why it is not known.
@@ -181,7 +181,6 @@ fn gap_m(model: &Model, pose: &DefaultPose, one: &Sphere, other: &Sphere) -> Res
     Ok(distance - radius(one)? - radius(other)?)
 }
 
-/// The centre of `sphere` in ground.
 fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<DVec3, String> {
     let unread = || format!("the place of {} cannot be read", sphere.path);
     let place = model.centre_m(sphere.id).ok_or_else(unread)?;

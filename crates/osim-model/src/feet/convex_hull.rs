@@ -2,7 +2,6 @@
 
 use glam::DVec2;
 
-/// How far apart two points are.
 pub(super) fn distance(a: DVec2, b: DVec2) -> f64 {
     libm::hypot(a.x - b.x, a.y - b.y)
 }

@@ -16,7 +16,7 @@ const FIRST_WITH_IS_ENFORCED: u32 = 30509;
 /// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupler {
-    /// The coordinate that it depends on.
+    /// The coordinate that determines the dependent one.
     pub independent: String,
     pub dependent: String,
     factor: f64,
@@ -38,7 +38,7 @@ impl Coupler {
 pub struct Couplers {
     /// Coordinates that are functions of others, in file order.
     pub couplers: Vec<Coupler>,
-    /// Constraints that are not understood.
+    /// Constraints that this program cannot evaluate.
     pub unknown: Vec<PoseFault>,
 }
 
@@ -207,7 +207,7 @@ fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Ve
 /// Whether a coordinate can change, and if not, why.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateState {
-    /// The coordinate can change.
+    /// Nothing fixes the coordinate.
     Free,
     Locked,
     /// A function of time, or another coordinate, sets it.

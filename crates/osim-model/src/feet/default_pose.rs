@@ -45,7 +45,7 @@ impl DefaultPose {
         Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(Placements::of(model)))))
     }
 
-    /// The frame of `body` in ground.
+    /// Placement of the frame of `body` in ground.
     pub fn placement(&self, body: &str) -> Result<&Placement, PoseFault> {
         if let Some(doubt) = &self.0.doubt {
             return Err(doubt.clone());
@@ -112,7 +112,7 @@ struct JointPlacements<'m> {
 }
 
 impl JointPlacements<'_> {
-    /// The child's frame in the parent's.
+    /// Placement of the joint's child frame in its parent frame.
     fn placement(&self, joint: &ModelJoint) -> Result<Placement, PoseFault> {
         let mut values = Vec::new();
         for coordinate in &joint.coordinates {
@@ -141,7 +141,7 @@ pub struct JointStep<'j> {
     pub joint: &'j ModelJoint,
     /// The body at which it is reached; `None` is ground.
     pub from: Option<&'j str>,
-    /// The body that it leads to.
+    /// The body at the end of the path.
     pub to: Option<&'j str>,
     /// Whether the step leads from the joint's parent to its child.
     pub forward: bool,

@@ -44,10 +44,10 @@ pub enum FeetFault {
         /// The file as the model spells it.
         mesh: String,
         file: PathBuf,
-        /// Why it is none.
+        /// Why the file is no mesh.
         fault: MeshFault,
     },
-    /// Factors that no bone can have.
+    /// Scale factors that no bone can have.
     #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
     Factors {
         body: String,
@@ -58,7 +58,7 @@ pub enum FeetFault {
     /// The model has no gravity, so that no direction is up.
     #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
     NoGravity,
-    /// A number that makes no sense.
+    /// A value of a request that is out of range.
     #[error("{what} is {value}, expected {expected}")]
     Request { what: &'static str, value: f64, expected: &'static str },
     /// Bottoms would be closer than 1 mm.
@@ -141,7 +141,6 @@ pub enum PoseFault {
         "it is not known how joint {joint}, a {class}, stands at the default pose: one of its functions, or the joint itself, is not understood"
     )]
     Joint { joint: String, class: String },
-    /// A coordinate without a value.
     #[error("coordinate {coordinate} of joint {joint} has no default value that can be read")]
     Coordinate { coordinate: String, joint: String },
     /// A constraint that may move bodies before anything else does.

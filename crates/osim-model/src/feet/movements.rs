@@ -24,7 +24,6 @@ pub struct Freedom {
     pub slides: bool,
 }
 
-/// The joint above a body.
 #[derive(Debug, Clone)]
 struct JointAbove {
     /// The parent body of the joint; `None` is ground.
@@ -56,7 +55,6 @@ struct PathEnd {
 impl Freedom {
     const ALL: Self = Self { turns: true, slides: true };
 
-    /// Whether anything is free.
     pub const fn is_any(self) -> bool {
         self.turns || self.slides
     }
@@ -71,7 +69,7 @@ impl Movements {
         Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(PathsToGround::of(model)))))
     }
 
-    /// Whether `body` can move in ground.
+    /// Whether `body` can move relative to ground.
     pub fn can_move(&self, body: &str) -> bool {
         // A body without a parent moves freely.
         self.0.ends.get(body).is_none_or(|end| end.moves)

@@ -11,9 +11,9 @@ use crate::model::{Model, ModelJoint, Placement, without_side};
 
 /// A coordinate that tilts a foot by less than this does not count, rad: 0.3 degrees.
 const LEAST_TILT_RAD: f64 = 0.005;
-/// Coordinates that are named at most.
+/// How many coordinates a message names at most.
 const MOST_COORDINATES_NAMED: usize = 4;
-/// Joints above a body, at most.
+/// How many joints are followed from a body to ground at most.
 const MOST_JOINTS: usize = 64;
 
 /// A coordinate whose default value tilts a foot.

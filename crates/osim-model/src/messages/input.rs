@@ -14,7 +14,6 @@ macro_rules! inputs {
         }
 
         impl Input {
-            /// Every input.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Name of the field in a request, for example `contacts_mass`.
@@ -188,7 +187,6 @@ macro_rules! verbs {
         }
 
         impl Verb {
-            /// Every verb.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Name of the verb, for example `drop-test`.

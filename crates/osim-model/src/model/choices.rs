@@ -48,7 +48,6 @@ impl PropertySet {
         self
     }
 
-    /// Whether `property` may change.
     pub fn contains(&self, property: Property) -> bool {
         self.0.contains(&property)
     }
@@ -114,11 +113,8 @@ pub enum DissipationBy {
 /// How a radius follows from three factors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RadiusAxis {
-    /// The factor along x.
     X,
-    /// The factor along y.
     Y,
-    /// The factor along z.
     Z,
     /// The cube root of the product of all three.
     #[default]

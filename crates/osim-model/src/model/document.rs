@@ -76,17 +76,17 @@ impl Document {
         Self { may_include: OnceLock::from(false), ..self }
     }
 
-    /// Bytes of the file, untouched.
+    /// Bytes of the file as it was read.
     pub fn bytes(&self) -> &[u8] {
         self.tree.bytes()
     }
 
-    /// The file, untouched, without a copy.
+    /// Bytes of the file as it was read, without a copy.
     pub fn into_bytes(self) -> Vec<u8> {
         self.tree.into_bytes()
     }
 
-    /// The elements and their spans.
+    /// The elements of the file and the bytes that each spans.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }

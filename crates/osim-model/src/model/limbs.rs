@@ -299,7 +299,7 @@ impl<'f> CarrierTree<'f> {
         tree
     }
 
-    /// Bodies without a parent.
+    /// Bodies that have no parent body.
     fn tops(&self) -> &[ComponentId] {
         &self.tops
     }
@@ -315,7 +315,7 @@ impl<'f> CarrierTree<'f> {
         all
     }
 
-    /// Whether spheres are on `body` itself.
+    /// Whether `body` itself has spheres.
     fn carries(&self, body: ComponentId) -> bool {
         self.nodes.get(&body).is_some_and(|node| node.carrier.is_some())
     }

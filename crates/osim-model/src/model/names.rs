@@ -91,7 +91,6 @@ impl Pattern {
     }
 }
 
-/// Whether one of `patterns` matches `name`.
 pub(crate) fn any_matches(patterns: &[Pattern], name: &str) -> bool {
     patterns.iter().any(|pattern| pattern.matches(name))
 }
@@ -133,9 +132,9 @@ impl Eq for Pattern {}
 /// Side of the body, read from names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
-    /// `_r`, `right`, …
+    /// The right side: `_r`, `right`, …
     Right,
-    /// `_l`, `left`, …
+    /// The left side: `_l`, `left`, …
     Left,
 }
 

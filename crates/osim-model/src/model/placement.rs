@@ -125,7 +125,6 @@ impl Axis {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LevelAxis {
-    /// Which axis it is.
     pub axis: Axis,
     /// Whether the axis points down: then away from the ground is its negative direction.
     pub down: bool,
@@ -255,7 +254,7 @@ pub struct MovingPlacement {
 }
 
 impl MovingPlacement {
-    /// A frame that does not move.
+    /// The frame at `at`, without velocity.
     pub const fn still(at: Placement) -> Self {
         Self { at, angular_velocity: DVec3::ZERO, velocity_m_s: DVec3::ZERO }
     }

@@ -58,7 +58,6 @@ impl Property {
         Self::Radius,
     ];
 
-    /// Name of the property in OpenSim.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Stiffness => "stiffness",
@@ -294,10 +293,9 @@ impl Class {
     }
 }
 
-/// Source of an effective value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// The object's own element.
+    /// The property's own element in the object.
     Element,
     /// The class's object in the document's `<defaults>`.
     Defaults,

@@ -17,7 +17,6 @@ impl Model {
         Self::read(Document::parse(bytes)?)
     }
 
-    /// Reads a model from one file.
     pub fn read(document: Document) -> Result<Self, Fault> {
         Self::read_with(document, vec![])
     }

@@ -42,7 +42,7 @@ pub struct Selection {
 /// The forces chosen by [`Selection::apply`]; none by default.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Selected {
-    /// Their handles, in file order.
+    /// Handles of the selected forces, in file order.
     pub forces: Vec<ForceId>,
     /// Whether the choice has every force of the default one.
     pub complete: bool,

@@ -12,7 +12,6 @@ use crate::model::property::{Class, Origin, Property, Value};
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,
-    /// Component path of the body.
     pub path: String,
     /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
@@ -113,7 +112,6 @@ impl Skeleton {
         }
     }
 
-    /// The loops that joints form.
     pub fn loops(&self) -> &Loops {
         &self.joined.loops
     }

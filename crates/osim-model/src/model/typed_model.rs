@@ -165,12 +165,11 @@ impl Model {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
 
-    /// The parent of each body.
     pub fn skeleton(&self) -> &Skeleton {
         &self.skeleton
     }
 
-    /// The objects of all files.
+    /// The objects of all files of the model.
     pub fn components(&self) -> &Components {
         &self.components
     }

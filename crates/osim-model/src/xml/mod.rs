@@ -31,9 +31,8 @@ pub use tree::{Children, ElementId, Piece, PieceKind, Tree};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
-    /// Bytes before this place.
+    /// Number of bytes before this place.
     pub offset: usize,
-    /// Line, counted from 1.
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,

@@ -30,7 +30,7 @@ const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
 /// Exhaustive: a text is empty, read in part, not read, or refused.
 #[derive(Debug, Clone, PartialEq)]
 pub enum NumberFault {
-    /// No text, or only white space.
+    /// The element has no text, or only white space.
     Empty,
     /// OpenSim reads a number from the start of the text and ignores the rest.
     Prefix {

@@ -38,7 +38,7 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
 
 struct Scan<'t> {
     bytes: &'t [u8],
-    /// Position of the next byte.
+    /// Offset of the next byte to read.
     at: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,
@@ -82,7 +82,7 @@ impl Scan<'_> {
         Some(())
     }
 
-    /// `<name …>` or `<name …/>`.
+    /// Reads a start tag, `<name …>` or `<name …/>`.
     #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn tag(&mut self) -> Option<()> {
         let name_len = self.name(self.at + 1)?;
@@ -150,7 +150,6 @@ impl Scan<'_> {
         Some(())
     }
 
-    /// Length of the name at `from`.
     fn name(&self, from: usize) -> Option<usize> {
         let rest = self.bytes.get(from..)?;
         let length = rest.iter().position(|&byte| !is_name_byte(byte))?;
@@ -178,7 +177,7 @@ impl Scan<'_> {
         }
     }
 
-    /// The place after `="value"`.
+    /// The offset after an attribute's `="value"`.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {

@@ -16,7 +16,6 @@ pub enum SyntaxFault {
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
-    /// No text, or only white space.
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
     Empty,
     /// UTF-16 (or something else with two bytes a character).
@@ -25,7 +24,7 @@ pub enum SyntaxFault {
     /// Two byte order marks in a row.
     #[error("the file starts with two byte order marks, expected one at most: remove the second")]
     SecondByteOrderMark,
-    /// `<!DOCTYPE x […]>`
+    /// A DOCTYPE with declarations of its own, `<!DOCTYPE x […]>`.
     #[error("the DOCTYPE has an internal subset [...], which OpenSim cannot read: remove it")]
     DoctypeSubset,
     #[error("a second outermost element starts here, expected the end of the file")]
@@ -33,13 +32,13 @@ pub enum SyntaxFault {
     /// Text before or after the root element.
     #[error("text outside the outermost element, expected the end of the file")]
     TextOutsideRoot,
-    /// The file ends inside an element.
+    /// The file ends before an element is closed.
     #[error("<{tag}> is never closed: the file looks truncated, copy it again from where it came")]
     Unclosed {
         /// Tag of the innermost open element.
         tag: String,
     },
-    /// An end tag of another name.
+    /// The end tag has another name than the start tag.
     #[error("</{found}> closes <{expected}>, expected </{expected}>")]
     MismatchedEnd { expected: String, found: String },
     /// An end tag without a start tag.
@@ -47,7 +46,7 @@ pub enum SyntaxFault {
     UnexpectedEnd { found: String },
     #[error("<{tag}>: {what}")]
     Attribute { tag: String, what: String },
-    /// Anything else the parser refuses.
+    /// Anything else that the parser refuses.
     #[error("{what}")]
     Malformed { what: String },
     /// The file ends inside a tag, comment or instruction.
@@ -64,7 +63,7 @@ pub enum SyntaxFault {
 #[derive(Debug)]
 pub struct SyntaxError {
     pub fault: SyntaxFault,
-    /// Byte of the file.
+    /// Offset of the place in the file, in bytes.
     pub offset: usize,
     /// The file, for code that shows the place.
     pub(crate) file: FileText,

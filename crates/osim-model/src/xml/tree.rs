@@ -7,18 +7,17 @@ use std::ops::Range;
 #[repr(u8)]
 pub enum PieceKind {
     ByteOrderMark,
-    /// `<tag …>`
+    /// A start tag, `<tag …>`.
     Open,
-    /// `</tag>`
+    /// An end tag, `</tag>`.
     Close,
-    /// `<tag …/>`
+    /// A tag of an element without content, `<tag …/>`.
     Empty,
     Text,
-    /// `<![CDATA[…]]>`
+    /// Text in `<![CDATA[…]]>`.
     CData,
-    /// `&name;`
+    /// A reference such as `&name;`.
     Reference,
-    /// `<!-- … -->`
     Comment,
     /// XML declaration, processing instruction or DOCTYPE.
     Other,
@@ -46,7 +45,6 @@ pub(super) struct StoredPiece {
 pub struct ElementId(u32);
 
 impl ElementId {
-    /// The first element of the file.
     pub const ROOT: Self = Self(0);
 
     /// The number of the element among all of its file, from 0.
@@ -95,17 +93,17 @@ impl Tree {
         Self { text, pieces, elements }
     }
 
-    /// Bytes of the file, untouched.
+    /// Bytes of the file as it was read.
     pub fn bytes(&self) -> &[u8] {
         self.text.bytes()
     }
 
-    /// The file, untouched, without a copy.
+    /// Bytes of the file as it was read, without a copy.
     pub fn into_bytes(self) -> Vec<u8> {
         self.text.into_bytes()
     }
 
-    /// All pieces, in file order.
+    /// All pieces of the file, in order.
     pub fn pieces(&self) -> impl DoubleEndedIterator<Item = Piece<'_>> {
         (0..self.pieces.len()).filter_map(|index| self.piece(index))
     }
@@ -123,7 +121,7 @@ impl Tree {
         Some(Piece { kind, text: self.slice(span.clone()), span })
     }
 
-    /// All elements, in file order.
+    /// All elements of the file, in order.
     pub fn elements(&self) -> impl Iterator<Item = ElementId> + use<> {
         // Their number was counted in `u32`.
         (0..u32::try_from(self.elements.len()).unwrap_or(u32::MAX)).map(ElementId)
@@ -168,7 +166,7 @@ impl Tree {
         self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
     }
 
-    /// Bytes of an element's start tag.
+    /// Bytes that an element's start tag spans.
     pub fn open_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).open as usize)
     }
@@ -212,7 +210,7 @@ impl Tree {
         (id != ElementId::ROOT).then(|| ElementId(self.element(id).parent))
     }
 
-    /// Child elements in file order.
+    /// Child elements of an element, in file order.
     #[inline]
     pub fn children(&self, id: ElementId) -> Children<'_> {
         let element = self.element(id);
@@ -311,12 +309,12 @@ impl FileText {
         &self.text
     }
 
-    /// Bytes of the file, untouched.
+    /// Bytes of the file as it was read.
     pub(crate) fn bytes(&self) -> &[u8] {
         self.original.as_deref().unwrap_or(self.text.as_bytes())
     }
 
-    /// The file, untouched, without a copy.
+    /// Bytes of the file as it was read, without a copy.
     pub(crate) fn into_bytes(self) -> Vec<u8> {
         self.original.unwrap_or(self.text.into_bytes())
     }
@@ -333,12 +331,11 @@ pub(super) fn decode(raw: Cow<'_, str>) -> Cow<'_, str> {
     }
 }
 
-/// Whether `byte` may be in a plain name.
+/// Whether `byte` may be in the name of a tag or attribute that is ASCII.
 pub(super) fn is_name_byte(byte: u8) -> bool {
     NAME_BYTES.get(byte as usize).is_some_and(|&plain| plain)
 }
 
-/// Whether XML calls `byte` white space.
 pub(super) fn is_space(byte: u8) -> bool {
     matches!(byte, b' ' | b'\n' | b'\t' | b'\r')
 }

@@ -28,7 +28,7 @@ pub struct FitErrors {
 /// A fit of one part of the data, tested on the other part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldOut {
-    /// The fitted part, in words.
+    /// The part of the model that is fitted, in words.
     pub fitted: String,
     pub tested: String,
     /// The error on the tested part, body weights.
@@ -70,7 +70,6 @@ impl MotionFit {
 /// The penalty for a sphere that is deeper than allowed by one radius, body weights.
 const TOO_DEEP_BW: f64 = 200.0;
 
-/// The values that a fit searches.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Unknowns {
     /// The logarithm of the factor of all stiffnesses.
@@ -109,7 +108,7 @@ impl Unknowns {
         }
     }
 
-    /// The unknowns of one trial alone.
+    /// The unknowns of the trial at index `trial`.
     pub(super) fn for_trial(&self, trial: usize) -> Self {
         let floor_up_m = self.floor_up_m.get(trial).copied().into_iter().collect();
         Self { floor_up_m, ..self.clone() }
@@ -119,13 +118,12 @@ impl Unknowns {
 /// The object that a fitted height moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FittedHeight {
-    /// The floor of each trial.
+    /// The height of the floor, for each trial.
     Floor,
     /// All spheres move in their bodies. The floor of the first trial stays; each other trial has one of its own.
     Spheres,
 }
 
-/// Which parameters are fitted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FitWanted {
     pub stiffness: bool,

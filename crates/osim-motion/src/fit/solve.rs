@@ -134,7 +134,7 @@ const HALVINGS: usize = 6;
 const HEIGHT_STEP_M: f64 = 0.002;
 /// A fit is nearly as good if its error is at most so many times larger, or larger by `NEARLY_BEST_BW`.
 const NEARLY_BEST_FACTOR: f64 = 1.05;
-/// See `NEARLY_BEST_FACTOR`; body weights.
+/// The difference of errors up to which a fit is nearly as good, in body weights; see `NEARLY_BEST_FACTOR`.
 const NEARLY_BEST_BW: f64 = 0.005;
 
 /// Ranges are computed with at most about so many frames of a foot.
@@ -156,7 +156,6 @@ impl<'b> NearlyAsGood<'b> {
         Self { trials, wanted, limits, best, rms_bw }
     }
 
-    /// The range of the stiffness factor.
     pub(super) fn stiffness(&self) -> (f64, f64) {
         let wanted = FitWanted { stiffness: false, ..self.wanted };
         let tried =

@@ -161,7 +161,7 @@ impl FootForces {
         }
     }
 
-    /// The contacts of a frame.
+    /// Indentation and rate of each contact in a frame.
     pub(crate) fn frame(&self, frame: usize) -> &[(f64, f64)] {
         let count = self.laws.len();
         self.contacts.get(frame * count..(frame + 1) * count).unwrap_or_default()
@@ -198,7 +198,6 @@ impl FootForces {
 /// How a contact changes per metre that its sphere moves down in its body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct ChangePerMetre {
-    /// Change of the indentation per metre.
     indentation: f64,
     /// Change of its rate per metre, 1/s.
     rate_s: f64,

@@ -152,7 +152,6 @@ fn added_object(class: &'static str, name: &str, path: &str, body: Option<&str>)
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewSphere<'p> {
     pub name: &'p str,
-    /// Component path of the new sphere.
     pub path: &'p str,
     /// Name of the body that carries it.
     pub body: &'p str,

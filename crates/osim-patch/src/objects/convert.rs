@@ -50,7 +50,6 @@ impl Convert {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
     pub rebuilt: RebuiltModel,
-    /// Findings about the conversion.
     pub findings: Vec<Finding>,
     /// Old and new names of forces that were divided.
     pub renamed: Vec<(String, Vec<String>)>,

@@ -14,7 +14,6 @@ use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 
 pub(super) struct Carrier<'c> {
-    /// Name of the body, or `ground`.
     pub(super) name: &'c str,
     /// Component path of the body or of ground.
     pub(super) path: &'c str,
@@ -40,7 +39,7 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     Ok(Node::leaf(tag, text.map_err(|fault| fault.at_element(name))?))
 }
 
-/// The element of a `ContactSphere`.
+/// The element `<ContactSphere>` of a new contact.
 pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
     let name = contact.sphere.as_str();
     let place = triple("location", contact.location_m, name)?;
@@ -172,7 +171,7 @@ impl NamesInList {
 /// Objects that are taken out of forces.
 #[derive(Default)]
 pub(super) struct SurfacesInsideForces {
-    /// New elements of the geometry set.
+    /// New elements of the contact geometry set.
     pub(super) geometry: Vec<Node>,
     pub(super) objects: Vec<ObjectChange>,
     /// Half-spaces that are written already: frame, place and angles of each, and its new path.

@@ -28,7 +28,7 @@ impl ObjectAction {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectChange {
     pub action: ObjectAction,
-    /// OpenSim's class, such as `ContactSphere`.
+    /// OpenSim's class of the object, such as `ContactSphere`.
     pub class: &'static str,
     pub name: String,
     /// Component path that the object will have, or had.

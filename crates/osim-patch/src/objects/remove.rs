@@ -255,7 +255,7 @@ fn removed_object_in(word: &str, gone: &HashSet<&str>) -> Option<String> {
     objects.find(|object| gone.contains(object)).map(str::to_owned)
 }
 
-/// The object that `leaf` belongs to.
+/// The object whose property `leaf` is.
 fn named_owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
     std::iter::successors(tree.parent(leaf), |&id| tree.parent(id))
         .find(|&id| tree.attribute(id, "name").is_some())

@@ -191,7 +191,7 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 
-/// Factors this close (relative) are one.
+/// Factors whose relative difference is at most this are taken as one.
 const SAME_FACTOR: f64 = 1e-6;
 
 /// Whether the spheres of `force` have several ContactParameters, each matched by name with the reference.

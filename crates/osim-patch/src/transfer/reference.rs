@@ -14,7 +14,7 @@ use crate::objects::{ContactLayout, NewContact};
 pub struct ReferenceContact {
     /// Names of the spheres that have it, and their radii, m.
     pub spheres: Vec<String>,
-    /// Radius of each of `spheres`, m.
+    /// Radius of each sphere in `spheres`, m.
     pub radii_m: Vec<f64>,
     /// Their radius (the root of the mean R² where they differ), m.
     pub radius_m: f64,
@@ -111,7 +111,7 @@ impl From<&Preset> for Reference {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Transfer {
-    /// Source of the contacts.
+    /// The model or preset from which the contacts are taken.
     pub reference: Reference,
     /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
     /// of the same name.
@@ -126,7 +126,7 @@ pub struct Transfer {
     /// The rule for the radii.
     pub radius: RadiusRule,
     pub properties: PropertySet,
-    /// Which size α follows (14).
+    /// Whether α follows the radius or the mass (14).
     pub dissipation_by: DissipationBy,
     /// Gravity of this model, m/s², where the contacts are scaled to it; `None`: they are as under the reference's gravity.
     pub target_gravity_m_s2: Option<f64>,

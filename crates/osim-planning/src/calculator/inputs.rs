@@ -313,5 +313,4 @@ pub(super) fn solve_at_rest(
     Ok(solution)
 }
 
-/// OpenSim's default gravity, m/s².
 pub(crate) const STANDARD_GRAVITY_M_S2: f64 = 9.80665;

@@ -63,7 +63,7 @@ pub struct DesignFigure {
 pub struct DesignLimit {
     /// The limit in words.
     pub text: String,
-    /// Whether the figure is within it.
+    /// Whether the figure is within the limit.
     pub within_limit: bool,
 }
 

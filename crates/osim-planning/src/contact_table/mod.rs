@@ -66,7 +66,7 @@ pub struct ContactTable {
 pub struct ContactRow {
     /// Line in the file; the header is line 1.
     pub line: u64,
-    /// Name of its sphere.
+    /// Name of the sphere.
     pub name: String,
     /// Name of the body that carries it.
     pub body: String,
@@ -191,7 +191,7 @@ enum ColumnMeaning {
     OfBody(usize),
     /// A coordinate in MuSkeMo's local frame: a number only where a local frame was assigned.
     Local(usize),
-    /// A coordinate in MuSkeMo's global frame.
+    /// A coordinate x, y or z in MuSkeMo's global frame.
     Global(usize),
     /// A column that is not used, such as one whose name begins with #.
     Ignored,

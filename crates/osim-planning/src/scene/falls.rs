@@ -22,7 +22,7 @@ pub struct BodyFall {
     pub name: String,
     /// Time from one moment to the next, s.
     pub step_s: f64,
-    /// √(Σ R²/n) of the spheres, m.
+    /// Root of the mean R² of the body's spheres, √(Σ R²/n), m.
     pub radius_m: f64,
     /// Height of the spheres' bottoms over the ground at each moment, m; below 0 in contact.
     pub heights_m: Vec<f64>,

@@ -124,7 +124,7 @@ pub(super) fn part_name(request: &SweepRequest) -> Option<String> {
 const POINT_PREFIX: &str = "point-";
 const SHARD_PREFIX: &str = "shard-";
 
-/// Whether [`part_name`] may return this text.
+/// Whether `text` has the form of a name that [`part_name`] returns.
 pub(super) fn is_part_name(text: &str) -> bool {
     let numbers = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit()) && !text.is_empty();
     let is_point = text.strip_prefix(POINT_PREFIX).is_some_and(numbers);

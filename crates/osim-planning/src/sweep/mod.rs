@@ -1,4 +1,4 @@
-//! Variants of one model: the points of a grid, or the steps of a ladder.
+//! Variants of one model: the points of a grid, or the steps of a ladder, which go from soft to stiff contacts.
 
 mod grid;
 mod variant;
@@ -34,9 +34,8 @@ struct VariantJob {
     stages: StepChanges,
 }
 
-/// A variant, in memory.
+/// A variant whose bytes are in memory, not in a file yet.
 pub struct MadeVariant {
-    /// Bytes of the variant.
     pub bytes: Vec<u8>,
     /// The operation on the model, as its note says it.
     pub operation: String,
@@ -90,7 +89,7 @@ impl<'s> SweepPlan<'s> {
         grid::indices_of_call(self.request, self.count)
     }
 
-    /// The model that is varied.
+    /// The model that the sweep varies.
     pub fn model(&self) -> &ModelFiles {
         &self.model
     }

@@ -1,4 +1,4 @@
-//! A variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder.
+//! A variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder, which go from soft to stiff contacts.
 
 use std::collections::BTreeSet;
 
@@ -27,7 +27,7 @@ pub(super) struct Variant {
     figures: Option<Figures>,
     /// A digest that is equal for variants whose contacts have equal numbers.
     pub digest: String,
-    /// Codes of its errors and warnings.
+    /// Codes of the variant's errors and warnings.
     wrong: BTreeSet<FindingCode>,
 }
 
@@ -67,7 +67,7 @@ impl Variant {
         Self::read(request, current, target_mass_kg)
     }
 
-    /// The original as a variant.
+    /// The original model as a variant without changes.
     pub(super) fn unchanged(request: &SweepRequest, model: &ModelFiles) -> Result<Self, Failure> {
         Self::read(request, model.clone(), None)
     }
@@ -124,7 +124,7 @@ impl Variant {
         }
     }
 
-    /// k̂ under one body weight (B.3).
+    /// Dimensionless stiffness k̂ under one body weight (B.3).
     pub(super) fn dimensionless_stiffness(&self) -> Option<f64> {
         self.figure(Figure::DimensionlessStiffness)
     }

@@ -11,7 +11,7 @@ use crate::verbs::changing_verbs;
 /// The field of `fit` that names its model.
 const FIT_MODEL: &str = "file";
 
-/// How a cell becomes a value.
+/// How a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Model,
@@ -25,7 +25,6 @@ pub(super) enum Kind {
     From,
     List,
     ListWithCommas,
-    /// A column of several paths.
     Paths,
     Flag,
     UserColumn,
@@ -137,7 +136,7 @@ fn of_the_run(cell: &str, field: &str) -> Phrase {
     }
 }
 
-/// The field that was probably meant.
+/// The name of the field that `cell` probably means.
 fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> String {
     let flat = |text: &str| text.replace('_', "");
     let close = known.keys().find(|field| {

@@ -24,12 +24,12 @@ pub struct Table {
     sheet: Sheet,
     columns: Columns,
     masses: Masses,
-    /// Paths of the table begin here.
+    /// The folder at which relative paths of the table begin.
     folder: PathBuf,
     yes: Vec<Question>,
 }
 
-/// The request of a row.
+/// The request that a row of a table makes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowRequest {
     /// Line of the row in the table; the first row, which names the columns, is line 1.

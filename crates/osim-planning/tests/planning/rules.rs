@@ -131,7 +131,7 @@ fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes(&plan.findings)
 }
 
-/// Codes that the good and the bad example raise; `None` where a test elsewhere makes the files.
+/// Codes of the findings that the good and the bad example of a rule raise; `None` if a test in another file makes the example.
 fn codes_of_example(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
     let mut files = fixtures();
     match example {

@@ -12,7 +12,7 @@ const NUMBER_OF_ELEMENTS: &str = "the number of elements";
 pub(crate) struct EquationError {
     /// The argument that was refused; `None` where it is about several together.
     pub parameter: Option<&'static str>,
-    /// Name of the refused quantity.
+    /// Name of the quantity that was refused.
     pub quantity: &'static str,
     /// The value that it had, in SI units.
     pub value: f64,

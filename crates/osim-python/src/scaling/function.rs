@@ -10,7 +10,6 @@ use crate::scaling::text::{Argument, docstring};
 /// An equation with plain numbers in and one number out, all in SI units.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Function {
-    /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling`, by which the register has its equation: `Hertz::force`.
     pub computes: &'static str,
@@ -18,14 +17,13 @@ pub(crate) struct Function {
     pub parameters: &'static [Parameter],
     /// The kind of value that the function returns.
     pub returns: Returns,
-    /// The Rust function that computes it.
+    /// The Rust function that computes the values of the Python function.
     pub call: RustFunction,
 }
 
 /// The Rust function that computes a Python one.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum RustFunction {
-    /// A function of numbers alone.
     Numbers(fn(&[f64]) -> Result<f64, EquationError>),
     /// A function of numbers and one of two rules for the modulus of two surfaces: Python's keyword `rule`.
     WithRule(fn(MixingRule, &[f64]) -> Result<f64, EquationError>),

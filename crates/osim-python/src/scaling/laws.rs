@@ -209,9 +209,9 @@ fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
 pub(crate) struct SmoothSteps {
     /// k̂ at the load of the last step, without unit (B.3).
     pub dimensionless_stiffness: Vec<f64>,
-    /// Factor of the last step's E*.
+    /// E* of each step over that of the last step.
     pub modulus_factor: Vec<f64>,
-    /// Factor of the last step's α.
+    /// α of each step over that of the last step.
     pub dissipation_factor: Vec<f64>,
 }
 

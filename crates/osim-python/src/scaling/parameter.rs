@@ -17,14 +17,13 @@ pub(crate) struct Parameter {
 /// The kind of value that an equation gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Returns {
-    /// A value of this kind.
+    /// A value of the quantity that the symbol stands for.
     Value(Symbol),
     /// A factor of this symbol from one animal to another.
     Factor(Symbol),
 }
 
 impl Returns {
-    /// The symbol of the value.
     pub(crate) fn symbol(&self) -> Symbol {
         match self {
             Self::Value(symbol) | Self::Factor(symbol) => *symbol,

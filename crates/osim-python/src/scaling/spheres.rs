@@ -14,7 +14,6 @@ use crate::scaling::text::{Argument, docstring};
 /// An equation over spheres, whose bottoms are level or each at its own height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SphereListFunction {
-    /// Name of the function in Python.
     pub name: &'static str,
     /// The function of `contact-scaling` for spheres whose bottoms are level.
     pub level: &'static str,
@@ -31,7 +30,6 @@ pub(crate) struct SphereListFunction {
 
 /// Height of a sphere's bottom: left out where all are level.
 pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
-/// The load on all spheres together.
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
 /// The functions of Hertz's law and of the smoothed one.
@@ -142,11 +140,10 @@ impl SphereListFunction {
 /// An equation that takes one list of numbers, and gives one number for all of them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NumberListFunction {
-    /// Name of the function in Python.
     pub name: &'static str,
-    /// The function of `contact-scaling`.
+    /// Name of the function in `contact-scaling` that computes it.
     pub computes: &'static str,
-    /// The argument that is a list.
+    /// The argument that takes a list of values.
     pub parameter: Parameter,
     /// The kind of value that the function returns.
     pub returns: Returns,

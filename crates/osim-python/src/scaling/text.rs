@@ -21,7 +21,7 @@ impl Argument {
         Self::new(parameter, ARRAY_TYPE)
     }
 
-    /// A list of numbers.
+    /// Describes an argument that is a list of numbers.
     pub(super) fn of_list(parameter: Parameter) -> Self {
         Self::new(parameter, "sequence of float")
     }
@@ -31,7 +31,7 @@ impl Argument {
         Self::new(parameter, "sequence of float, optional")
     }
 
-    /// An argument that is one number.
+    /// Describes an argument that is one number.
     pub(super) fn of_number(parameter: Parameter) -> Self {
         Self::new(parameter, "float")
     }
@@ -99,7 +99,7 @@ fn other_symbols(
     if text.is_empty() { text } else { format!("\nwhere\n\n{text}") }
 }
 
-/// The quantity that is computed.
+/// The name of the quantity that the function computes.
 fn computed_quantity(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
     let unit = forms.first().map_or("", |(_, form)| form.unit);
     match returns {
@@ -110,7 +110,7 @@ fn computed_quantity(forms: &[(&'static Equation, &'static Form)], returns: Retu
     }
 }
 
-/// What it says, in a line.
+/// What the equation says, in one line.
 fn summary(forms: &[(&'static Equation, &'static Form)]) -> String {
     let Some((equation, form)) = forms.first() else { return String::new() };
     let title = equation.title;

@@ -51,7 +51,7 @@ impl LengthUnit {
 }
 
 impl ForceUnit {
-    /// The unit in N.
+    /// Size of the unit in N.
     pub const fn newtons(self) -> f64 {
         match self {
             Self::Newton => 1.0,
@@ -62,7 +62,7 @@ impl ForceUnit {
 }
 
 impl SpeedUnit {
-    /// The unit in m/s.
+    /// Size of the unit in m/s.
     pub const fn metres_per_second(self) -> f64 {
         match self {
             Self::MetresPerSecond => 1.0,
@@ -72,7 +72,7 @@ impl SpeedUnit {
 }
 
 impl TimeUnit {
-    /// The unit in s.
+    /// Size of the unit in s.
     pub const fn seconds(self) -> f64 {
         match self {
             Self::S => 1.0,

@@ -173,7 +173,7 @@ impl ContactNumbers {
         }
     }
 
-    /// Gravity of the contact, if given.
+    /// Gravity in the contact's numbers, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

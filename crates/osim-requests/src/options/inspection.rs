@@ -143,7 +143,7 @@ impl LoadOptions {
         self.body_weights.map_or(1.0, Positive::get)
     }
 
-    /// Gravity of the load, if given.
+    /// Gravity in the options of the load, if given.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }

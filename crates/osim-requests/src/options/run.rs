@@ -94,7 +94,6 @@ impl RunOptions {
     pub(crate) const RELATIONS: &'static [Relation] =
         &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
 
-    /// Whether results are shown as JSON.
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)
     }
@@ -188,7 +187,7 @@ impl AnswerOptions {
         Self { yes }
     }
 
-    /// Whether this question is answered.
+    /// Whether the options answer `question`.
     pub fn has(&self, question: Question) -> bool {
         self.yes.contains(&question)
     }

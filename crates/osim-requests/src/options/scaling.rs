@@ -93,7 +93,7 @@ impl ScalingOptions {
         Ok(())
     }
 
-    /// The properties that change.
+    /// The properties that a scaling changes.
     pub fn properties(&self) -> PropertySet {
         // Naming a friction property among those that change asks for it.
         let friction = self.friction
@@ -112,7 +112,7 @@ impl ScalingOptions {
         self.level.then(axis)
     }
 
-    /// The rule for dissipation.
+    /// Whether dissipation follows the radius or the mass.
     pub fn dissipation(&self) -> DissipationBy {
         match self.dissipation_by {
             DissipationChoice::Radius => DissipationBy::Radius,
@@ -178,7 +178,7 @@ impl FollowOptions {
         Relation::Needs("height_ratio", "rule"),
     ];
 
-    /// Factors by the names of bodies.
+    /// Factors that the caller gave, by the names of bodies.
     pub fn given(&self) -> BTreeMap<String, [f64; 3]> {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
     }
@@ -221,7 +221,7 @@ choices! {
 }
 
 impl ClassChoice {
-    /// The law of OpenSim's class `kind`.
+    /// The choice that means OpenSim's class `kind`.
     pub const fn of(kind: ForceKind) -> Self {
         match kind {
             ForceKind::SmoothSphereHalfSpace => Self::Smooth,
@@ -229,7 +229,7 @@ impl ClassChoice {
         }
     }
 
-    /// OpenSim's class.
+    /// OpenSim's class that the choice means.
     pub const fn kind(self) -> ForceKind {
         match self {
             Self::Smooth => ForceKind::SmoothSphereHalfSpace,

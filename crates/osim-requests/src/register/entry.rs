@@ -7,7 +7,7 @@ use crate::values::serial::Words;
 /// An option as one verb has it.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
-    /// Name of its field in requests.
+    /// Name of the option as a field of requests.
     pub name: &'static str,
     /// Help of the option, in plain words; other fields are in `backticks`.
     pub help: &'static str,
@@ -35,16 +35,16 @@ pub struct Entry {
 pub enum OptionValue {
     /// The option has no value: its name alone says it.
     Flag,
-    /// A number or a text.
+    /// A number or any text.
     Text,
-    /// One of a few words.
+    /// One of the words that are listed.
     Choice(Words),
     /// The name of a file that is read, of a model, or of a preset.
     FileRead,
     /// The name of a file that is written.
     FileWritten,
     Folder,
-    /// Properties, each with its value.
+    /// Properties of contacts, each with its value.
     Assignments,
 }
 
@@ -52,7 +52,7 @@ pub enum OptionValue {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum List {
     One,
-    /// The option is repeated.
+    /// The option is repeated for each value.
     Repeated,
     /// The values are one word, with commas between them.
     Commas,
@@ -64,7 +64,7 @@ pub enum List {
 pub enum FieldGroup {
     /// Which files results are written to.
     Output,
-    /// Many models at once.
+    /// Work on many models in one call.
     Many,
     /// How results are shown: on a terminal, and by an exit status.
     Shown,

@@ -172,7 +172,7 @@ impl SweepRequest {
     }
 }
 
-/// Number of points; `None` beyond counting.
+/// How many points the grid has; `None` if the number is too large.
 fn points(axes: &[Axis]) -> Option<usize> {
     axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }

@@ -75,7 +75,6 @@ choices! {
 }
 
 impl BranchChoice {
-    /// The branch.
     pub const fn branch(self) -> Branch {
         match self {
             Self::Both => Branch::Both,

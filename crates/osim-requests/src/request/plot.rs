@@ -50,7 +50,6 @@ pub enum HeatQuantity {
 }
 
 impl QuantityChoice {
-    /// The quantity.
     pub const fn quantity(self) -> HeatQuantity {
         match self {
             Self::Indentation => HeatQuantity::Indentation,

@@ -117,7 +117,6 @@ macro_rules! verbs {
         }
 
         impl Request {
-            /// Verb of the request.
             pub const fn verb(&self) -> Verb {
                 match self { $(Self::$variant(_) => Verb::$variant),+ }
             }

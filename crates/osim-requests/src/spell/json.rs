@@ -54,7 +54,7 @@ impl Speller for JsonRequest {
 
 impl FrontEnd for JsonRequest {}
 
-/// The field that names the model.
+/// The field of a request of `verb` that names the model, in JSON.
 const fn model(verb: Verb) -> &'static str {
     match verb {
         Verb::Sweep => r#""model": "model.osim""#,

@@ -113,7 +113,7 @@ const RESERVED_NAMES: [&str; 20] = [
     "while",
 ];
 
-/// The longest name of a field.
+/// The most letters that the name of a field may have in MATLAB.
 const LONGEST_NAME: usize = 63;
 
 /// The name of an option in MATLAB: `TargetMass` for `target_mass`.

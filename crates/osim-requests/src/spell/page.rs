@@ -5,7 +5,7 @@ use osim_model::messages::{Call, Dialect, Example, Input, readable};
 use crate::request::{Request, verb_title};
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
 
-/// The button that answers a question.
+/// Text of the button with which a user answers a question.
 const ANSWER_BUTTON: &str = "“It is meant as it is: go on”";
 
 /// A page: the field “mass of the model”.
@@ -63,7 +63,7 @@ fn field_words((name, value): &Field) -> Vec<String> {
     }
 }
 
-/// `stiffness × 2`, `dissipation 1.5`.
+/// Spells an assignment, for example `stiffness × 2` or `dissipation 1.5`.
 fn spelled_assignment((property, value): &Field) -> String {
     let factor = match value {
         FieldValue::Text(text) => text.strip_prefix('x').and_then(|factor| factor.parse().ok()),

@@ -142,7 +142,7 @@ fn carried_out(fields: &Fields) -> Vec<String> {
     lines
 }
 
-/// The files of a figure.
+/// The lines of a script that save a figure and its data.
 fn drawn(fields: &Fields) -> Vec<String> {
     let file = |name| Some(saved("save", name, fields.option(name)?, fields));
     ["output", "data"].into_iter().filter_map(file).collect()
@@ -169,7 +169,7 @@ fn keywords<'f>(options: impl Iterator<Item = &'f Field>) -> impl Iterator<Item 
     })
 }
 
-/// The value of the field `name`.
+/// A Python literal for the value of the field `name`.
 fn literal(name: &str, value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "True".to_owned(),
@@ -227,7 +227,7 @@ fn is_number(text: &str) -> bool {
     digit && text.parse::<f64>().is_ok_and(f64::is_finite)
 }
 
-/// A string as Python reads it.
+/// `text` as a string literal of Python.
 pub fn python_quoted(text: &str) -> String {
     let mut literal = String::from("\"");
     for letter in text.chars() {

@@ -63,7 +63,7 @@ pub trait FrontEnd: Speller {
 /// A field that says something, by its name in requests.
 pub(super) type Field = (String, FieldValue);
 
-/// A request, taken apart.
+/// The fields of a request, in the order in which a call lists them.
 #[derive(Debug)]
 pub(super) struct Fields {
     pub(super) verb: Verb,
@@ -114,7 +114,7 @@ impl Fields {
             .filter(|(name, _)| self.group_of(name).is_none_or(|group| !groups.contains(&group)))
     }
 
-    /// The options of this group.
+    /// The options that belong to `group`.
     pub(super) fn only(&self, group: FieldGroup) -> impl Iterator<Item = &Field> {
         self.options.iter().filter(move |(name, _)| self.group_of(name) == Some(group))
     }
@@ -123,14 +123,14 @@ impl Fields {
         option_named(self.verb, name)?.group
     }
 
-    /// The option of this name.
+    /// The value of the option `name`.
     pub(super) fn option(&self, name: &str) -> Option<&FieldValue> {
         self.options.iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 }
 
 impl FieldValue {
-    /// `None` where it says nothing.
+    /// The field's value; `None` if it is null or false, which a call leaves out.
     fn of(value: Value) -> Option<Self> {
         Some(match value {
             Value::Null | Value::Bool(false) => return None,

@@ -79,12 +79,10 @@ impl Assignments {
         Ok(())
     }
 
-    /// All assignments.
     pub fn as_slice(&self) -> &[(Property, Assignment)] {
         &self.0
     }
 
-    /// Whether nothing is set.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

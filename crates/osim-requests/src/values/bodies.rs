@@ -130,7 +130,7 @@ pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S
     serializer.collect_map(scales.iter().map(|scale| (&scale.body, scale.factors)))
 }
 
-/// The schema of both.
+/// The schema of scale factors of bodies, in a file or one by one.
 #[cfg(feature = "schemas")]
 pub(crate) fn body_scale_schema(_generator: &mut SchemaGenerator) -> Schema {
     let text = json!({"type": "string", "pattern": "="});

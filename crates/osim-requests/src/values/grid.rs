@@ -30,7 +30,7 @@ const MOST_VALUES: u32 = 100_000;
 /// The quantity that varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisName {
-    /// A property, by OpenSim's name.
+    /// A property of contacts, by OpenSim's name.
     Property(Property),
     /// Relative indentation under the load (11).
     Indentation,
@@ -51,7 +51,6 @@ impl AxisName {
         axis.parse::<Axis>().is_ok().then_some(axis)
     }
 
-    /// Name of the axis.
     pub fn as_str(self) -> &'static str {
         match self {
             Self::Property(property) => property.name(),
@@ -83,7 +82,7 @@ impl FromStr for AxisName {
 pub struct GridValue {
     /// The value in names of files and in notes: as typed, or to six digits.
     pub label: String,
-    /// The number.
+    /// The value as a number.
     pub number: f64,
     /// Whether the value is a factor of what the model has.
     pub is_factor: bool,
@@ -103,7 +102,7 @@ pub struct Axis {
     pub name: AxisName,
     /// Values of the axis, each once.
     pub values: Vec<GridValue>,
-    /// As it was written.
+    /// The axis as the caller wrote it.
     text: String,
 }
 
@@ -243,7 +242,7 @@ pub struct Grid {
 const MOST_POINTS: u32 = 200;
 
 impl Grid {
-    /// Factors from `from` to `to`.
+    /// An axis of factors from `from` to `to`.
     pub const fn factors(from: f64, to: f64, count: u32) -> Self {
         Self { from, to, count, factors: true }
     }

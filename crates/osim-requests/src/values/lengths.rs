@@ -35,7 +35,7 @@ fn radius_schema(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl Radius {
-    /// Rule for the radii.
+    /// The rule that gives the new radii.
     pub const fn rule(self) -> RadiusRule {
         self.0
     }
@@ -93,7 +93,7 @@ const EXPECTED: &str = "isometric, follow or a radius in metres";
 /// No radius is beyond this, in whatever unit, m.
 const LARGEST_LENGTH_M: f64 = 1e9;
 
-/// `isometric`, `follow` or metres.
+/// The new radius of spheres: `isometric`, `follow` or a length in m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum NewRadius {
     /// The reference's times the cube root of the masses' ratio (8).
@@ -101,7 +101,7 @@ pub enum NewRadius {
     Isometric,
     /// The reference's times the geometric mean of the factors of the body that carries the sphere.
     Follow,
-    /// All radii are this, m.
+    /// One radius for all spheres, m.
     Metres(f64),
 }
 
@@ -166,7 +166,6 @@ impl<'d> Deserialize<'d> for NewRadius {
 /// Height of the sphere bottoms at the start of a fall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DropHeight {
-    /// A length in m.
     Metres(f64),
     /// A length in radii of the sphere.
     Radii(f64),
@@ -204,7 +203,6 @@ fn height_schema(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl Height {
-    /// Height of the drop.
     pub const fn get(self) -> DropHeight {
         self.0
     }
@@ -266,7 +264,6 @@ fn number_or_word(_generator: &mut SchemaGenerator) -> Schema {
 }
 
 impl ContactOnset {
-    /// Onset of contact.
     pub const fn get(self) -> Onset {
         self.0
     }

@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-/// How JSON has a path.
+/// How a path is written in JSON.
 #[derive(Serialize, Deserialize)]
 #[serde(untagged, deny_unknown_fields)]
 enum WrittenPath {
-    /// The path as text.
+    /// A path that is Unicode, as text.
     Text(String),
     /// As the bytes that the system has, where these are not UTF-8.
     Bytes { bytes: Vec<u8> },
@@ -67,7 +67,7 @@ const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [
 /// The message about a name of no letters.
 const EMPTY_NAME: &str = "it is empty, expected the name of a file";
 
-/// A path as a value.
+/// A path as a value of JSON.
 pub fn to_value(path: &Path) -> serde_json::Value {
     serde_json::to_value(WrittenPath::of(path)).unwrap_or_default()
 }

@@ -30,7 +30,6 @@ macro_rules! quantities {
         pub struct $name(f64);
 
         impl $name {
-            /// The number of the quantity.
             pub const fn get(self) -> f64 {
                 self.0
             }
@@ -193,12 +192,13 @@ impl Default for Count {
 impl Positive {
     /// How long a drop is followed where none is given, s.
     pub(crate) const DROP_DURATION_S: Self = Self(2.0);
-    /// k̂ of the first step of a ladder where none is given: that of the softest contacts of the paper's Fig. 1(C).
+    /// k̂ of the first step of a ladder (a sweep from soft to stiff contacts), if the caller gives none: that of the softest contacts of
+    /// the paper's Fig. 1(C).
     pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
 }
 
 impl Default for Threshold {
-    /// The threshold of section C.2.
+    /// The threshold of the paper's section C.2.
     fn default() -> Self {
         Self(contact_scaling::limits::TRANSITION_THRESHOLD)
     }
@@ -214,7 +214,6 @@ macro_rules! whole_numbers {
         pub struct $name($type);
 
         impl $name {
-            /// The number of the quantity.
             pub const fn get(self) -> $type {
                 self.0
             }

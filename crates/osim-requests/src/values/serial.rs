@@ -113,13 +113,11 @@ macro_rules! choices {
         }
 
         impl $name {
-            /// Every choice.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Every word with what it means, where that is said.
             pub(crate) const WORDS: $crate::values::serial::Words = &[$(($word, concat!($($help)?))),+];
 
-            /// The word of the choice.
             pub const fn as_str(self) -> &'static str {
                 match self { $(Self::$variant => $word),+ }
             }

@@ -135,9 +135,9 @@ pub fn factor(text: &str) -> Option<&str> {
 /// A range as it is written; what its ends mean is for the reader to say.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range<'t> {
-    /// First value of the range.
+    /// First value of the range, as it was typed.
     pub first: &'t str,
-    /// Last value of the range.
+    /// Last value of the range, as it was typed.
     pub last: &'t str,
     /// The number of values in the range, both ends among them.
     pub count: u32,

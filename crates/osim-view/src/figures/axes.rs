@@ -8,7 +8,7 @@ use osim_inspect::series::{
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
 
-/// The units of both axes.
+/// The units of a figure's axes of indentation and force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisUnits {
     /// x/R, and force over the weight's share of one sphere.

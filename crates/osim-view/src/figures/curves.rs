@@ -278,7 +278,6 @@ pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Pa
     panel
 }
 
-/// Labels of the time axis.
 pub(super) const TIME_IN_SECONDS: &str = "time t (s)";
 pub(super) const DIMENSIONLESS_TIME: &str = "non-dimensional time t/√(R/g) (–)";
 
@@ -350,7 +349,7 @@ const MOST_MODELS_WITH_DOTS: usize = 60;
 
 /// x̂ at rest of all models in one state.
 pub struct Indentations<'s> {
-    /// The name in the legend.
+    /// Name of the series in the legend.
     pub name: &'s str,
     /// Relative indentation x̂ = x/R of the deepest sphere of each model.
     pub indentations: &'s [f64],

@@ -135,7 +135,7 @@ pub fn failure_of_plot(error: PlotError, bodies: &[ContactBody]) -> Failure {
     plot_failure(bodies, why)
 }
 
-/// Columns of a figure's data.
+/// Names of the columns in the data of a figure.
 const DATA_COLUMNS: [&str; 9] =
     ["panel", "kind", "name", "x_axis", "x", "y_axis", "y", "value_name", "value"];
 

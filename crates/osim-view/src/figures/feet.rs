@@ -57,7 +57,7 @@ pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) ->
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
-/// The first of two states.
+/// The feet before the change, if there are two states.
 fn state_before(states: &[ModelFeet]) -> Option<&ModelFeet> {
     states.split_last().and_then(|(_, before)| before.last())
 }

@@ -64,7 +64,7 @@ pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
     if low > 0.0 && high > LOGARITHMIC_RATIO * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 
-/// Texts of a curve.
+/// Texts of a curve on a heat map.
 struct CurveTexts<'t> {
     title: String,
     body: &'t str,
@@ -107,11 +107,11 @@ fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
     }
 }
 
-/// Texts about a quantity.
+/// Texts of a heat map's quantity.
 struct QuantityWords {
     title: &'static str,
     label: &'static str,
-    /// The curve's name in the legend.
+    /// Name of the curve in the legend.
     curve: &'static str,
     limit: String,
 }

@@ -32,7 +32,6 @@ pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     }
 }
 
-/// Pairs of panels of one foot.
 struct FootPanels {
     times: [Panel; 2],
     strides: Option<[Panel; 2]>,

@@ -73,7 +73,7 @@ struct AnimalDrop {
     taxon: &'static str,
     /// Time in s, force in body weights.
     points: Vec<Point>,
-    /// Unit of time √(R/g), in s.
+    /// Unit of time of the dimensionless axis, √(R/g), s.
     time_unit_s: f64,
 }
 

@@ -29,7 +29,7 @@ pub struct ChangedModelOnPage<'c> {
     pub before_under_new_weight: Option<&'c Figures>,
     /// The new model; `None` if nothing changes.
     pub after: Option<InspectedAndChecked<'c>>,
-    /// States of the model for curves.
+    /// The contacts of each state of the model, whose force curves the page plots.
     pub bodies: Vec<ContactBody>,
     /// The feet of these states, the last with its bones; empty if they are not drawn.
     pub feet: Vec<ModelFeet>,
@@ -41,7 +41,7 @@ pub struct ChangedModelOnPage<'c> {
     pub in_file: bool,
     /// The gravity that the contacts are scaled to, if the model has another one, m/s².
     pub target_gravity_m_s2: Option<f64>,
-    /// Files that were read and written.
+    /// Files that the change read and wrote.
     pub files: ListedFiles,
 }
 
@@ -154,7 +154,7 @@ fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
     drawn
 }
 
-/// Numbers that the page counts.
+/// Numbers about the change that the page's summary counts.
 fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
     let last = changed.after.unwrap_or(changed.before);
     let mut facts = ModelFacts::new(&last.inspection.figures, last.check, changed.bodies.last());

@@ -35,7 +35,7 @@ pub struct Entry {
     pub(super) fragment: Option<Box<Fragment>>,
     /// The error, if it could not be done.
     pub(super) error: Option<&'static ErrorCode>,
-    /// Numbers that the page counts.
+    /// Numbers about the model that the page's summary counts.
     pub(super) facts: Option<ModelFacts>,
     /// The model's states to be drawn, if it is chosen.
     pub(super) drawn: Option<DrawnStates>,
@@ -242,18 +242,16 @@ impl From<String> for Cell {
 /// A model of a run, for its row in the table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RunRow {
-    /// Row of the manifest, from 1.
+    /// Row of the model in the manifest, from 1.
     pub row: Option<usize>,
     pub model: String,
-    /// Name of the output file.
     pub output: Option<String>,
-    /// The outcome, in words.
     pub status: String,
     /// The mass that its contacts were made for, kg.
     pub contacts_mass_kg: Option<f64>,
     /// The mass that its new contacts are made for, kg.
     pub target_mass_kg: Option<f64>,
-    /// Number of changed numbers and places.
+    /// How many numbers and places changed.
     pub changes: usize,
 }
 
@@ -275,7 +273,6 @@ pub struct EarlierRun {
 /// The error of a model that could not be done.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RowError {
-    /// Stable short name of the error.
     pub code: String,
     /// The message in the words of the front end.
     pub message: String,
@@ -315,7 +312,7 @@ impl RunRow {
 }
 
 impl RowError {
-    /// An error without a place.
+    /// An error that is about no place in a file.
     pub fn new(code: impl Into<String>, message: impl Into<String>) -> Self {
         Self { code: code.into(), message: message.into(), line: None, column: None }
     }

@@ -207,7 +207,7 @@ pub(super) fn as_sentence(clause: &str) -> String {
     format!("{first}{}{end}", letters.as_str())
 }
 
-/// The file's name for titles.
+/// Name of the file `shown` without its folders, for titles.
 pub(super) fn file_name(shown: &str) -> &str {
     if shown == "-" {
         return "standard input";

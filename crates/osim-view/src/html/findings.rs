@@ -22,7 +22,7 @@ pub(super) fn add_findings_of_model(fragment: &mut Fragment, check: &CheckResult
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// Findings of the new model.
+/// Findings of the model after the change.
 pub(super) struct NewModelFindings<'r> {
     pub(super) check: &'r CheckResult,
     /// Whether the new model is in a file, so that commands can name it.
@@ -102,7 +102,7 @@ enum LineOf {
     New,
 }
 
-/// Whether commands of remedies are shown.
+/// Whether the page shows commands of remedies.
 #[derive(Clone, Copy, PartialEq)]
 enum CommandDisplay {
     Shown,

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use crate::html::explained::Topics;
 
-/// One model on the page.
+/// The sections of one model on the page.
 #[derive(Debug)]
 pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
@@ -55,7 +55,7 @@ impl Fragment {
         self.sections.iter().map(|section| one(section).0).collect()
     }
 
-    /// A heading inside of a section.
+    /// A heading inside a section of this model.
     pub(super) fn heading(&self, text: &str) -> Markup {
         if self.detail.is_alone() {
             html! { h3 { (text) } }
@@ -87,7 +87,7 @@ pub(super) fn header_cell(header: &str) -> Markup {
     html! { th class=[class] scope="col" { (header.trim_start_matches(' ')) } }
 }
 
-/// One section, without its heading.
+/// A section of the page, without its heading.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Section {
     /// Name of the section, such as `plots`.
@@ -119,7 +119,7 @@ impl DetailLevel {
         }
     }
 
-    /// Whether feet may be drawn.
+    /// Whether a page with this level of detail draws feet.
     pub const fn has_feet(self) -> bool {
         !matches!(self, Self::OneOfMany)
     }

@@ -26,11 +26,11 @@ pub(super) struct PageCounts {
     models: usize,
     failed: usize,
     earlier: usize,
-    /// Different references, in order of appearance.
+    /// The references of all models, each once, in order of appearance.
     references: Vec<String>,
     /// Outcomes of models that did not fail, with their numbers, in order of appearance.
     outcomes: Vec<(String, usize)>,
-    /// Number of models that were inspected.
+    /// How many models were inspected.
     inspected: usize,
     /// Numbers of inspected models with errors, with warnings and with remarks.
     models_with: [usize; 3],
@@ -88,7 +88,7 @@ impl PageCounts {
         self.now.len() > 1
     }
 
-    /// The list of counts.
+    /// The counts of models and findings as a list of the page.
     pub(super) fn counts(&self) -> Markup {
         let too_deep = self.now.iter().filter(|value| is_too_deep(**value)).count();
         html! {
@@ -172,7 +172,7 @@ impl PageCounts {
     }
 }
 
-/// The section about one model.
+/// The section "at a glance" of a page about one model.
 pub(super) fn glance_of_one_model(entry: &Entry, code: &Markup) -> Markup {
     let (id, title) = SECTION;
     html! {

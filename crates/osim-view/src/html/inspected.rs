@@ -31,7 +31,6 @@ pub struct InspectedModelOnPage<'m> {
     pub recording: Option<Section>,
 }
 
-/// The entry of an inspected model.
 pub fn entry_of_inspected_model(
     inspected: InspectedModelOnPage<'_>,
     detail: DetailLevel,
@@ -217,7 +216,7 @@ impl<'m> From<&'m (Inspection, CheckResult)> for InspectedAndChecked<'m> {
     }
 }
 
-/// A file with its digest.
+/// A file's name with its digest.
 #[derive(Debug, Clone)]
 pub struct NamedDigest {
     pub name: String,
@@ -229,7 +228,6 @@ pub struct NamedDigest {
 pub struct ListedFiles {
     /// Files that were read, the model first.
     pub inputs: Vec<NamedDigest>,
-    /// The outcome, in words.
     pub result: String,
     pub outputs: Vec<NamedDigest>,
 }

@@ -18,7 +18,7 @@ pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
 pub(super) const SECTION_END: &str = "</section>\n";
 
-/// Which table the models are in.
+/// Which columns the table of models has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Columns {
     Changes,
@@ -145,7 +145,7 @@ pub(super) fn failures_opening(columns: Columns) -> String {
     )
 }
 
-/// The row of a failed model.
+/// The table row of a model that failed.
 pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
     let row = html! {
         tr {

@@ -52,11 +52,11 @@ pub struct Page<'d, S> {
 /// Parts of the page that are written after the parts before them are complete.
 #[derive(Debug, Default)]
 pub struct DeferredParts<S> {
-    /// Rows of models that failed.
+    /// Rows of the table for models that failed.
     pub failures: S,
-    /// Rows of the other models.
+    /// Rows of the table for the other models.
     pub rows: S,
-    /// Sections about each model.
+    /// The sections about each model.
     pub details: S,
 }
 

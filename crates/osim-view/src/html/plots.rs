@@ -119,7 +119,7 @@ pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
 /// Meshes that are listed; of more, the page says how many.
 const MAX_LISTED_MESHES: usize = 12;
 
-/// The figure with its caption.
+/// The figure of the feet, with its caption.
 pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     let last = states.last()?;
     let svg = figures::feet_svg(states, &last.name, Some("Feet")).ok()?;

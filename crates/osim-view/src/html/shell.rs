@@ -17,7 +17,7 @@ const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters
                                 count, and number of contact spheres. Journal of Biomechanics.";
 const DOI: &str = "10.1016/j.jbiomech.2026.113420";
 
-/// Everything before the first section.
+/// The page up to the first section.
 pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> String {
     let head = html! {
         meta charset="utf-8";
@@ -69,7 +69,7 @@ pub(super) fn command_line(command: &str) -> Markup {
     }
 }
 
-/// Everything after the last model.
+/// The page after the last model.
 pub(super) fn closing() -> String {
     let (id, title) = ORIGIN;
     let end = html! {
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
     use contact_plots::{Axis, Curve, Figure, Limit, Look, Panel, Paper, figure};
 
-    /// CITATION.cff folds its texts over lines.
+    /// `text` on one line: CITATION.cff folds texts over several.
     fn flat(text: &str) -> String {
         text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
     }

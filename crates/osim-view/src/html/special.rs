@@ -22,7 +22,7 @@ pub(crate) struct ModelFacts {
     pub(crate) codes: BTreeMap<FindingCode, Severity>,
     /// The model's contact without dimensions: models with equal texts have the same contact.
     pub(crate) contact: Option<String>,
-    /// Source of the contacts, in words.
+    /// The model or preset that contacts were taken from, in words.
     pub(crate) reference: Option<String>,
 }
 
@@ -96,7 +96,7 @@ pub(crate) struct DrawnStates {
     pub(crate) feet: Vec<ModelFeet>,
 }
 
-/// A model that may be drawn.
+/// A model that the page draws if it is among the chosen ones.
 pub(crate) struct Candidate {
     number: usize,
     pub(crate) model: String,

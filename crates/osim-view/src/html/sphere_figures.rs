@@ -28,7 +28,7 @@ pub(super) struct ModelState<'s> {
 /// The spheres of a state, to be looked up.
 struct SphereLookup<'s> {
     by_path: HashMap<&'s str, &'s SphereFigures>,
-    /// Spheres of a reference by name.
+    /// Figures of a reference's spheres, by name of the sphere.
     by_name: HashMap<&'s str, &'s SphereFigures>,
     /// Any sphere of a reference where all are alike.
     any: Option<&'s SphereFigures>,

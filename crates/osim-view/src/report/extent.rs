@@ -4,13 +4,13 @@ use osim_model::messages::{listed, shortest, shown_whole};
 
 use crate::report::layout::clipped;
 
-/// How much a text shows.
+/// How much a text of a result shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extent {
     /// Rounded numbers, the first names of a long list, and explanations of what has to be put right.
     #[default]
     Brief,
-    /// All explanations, rows, names and digits.
+    /// The text shows all explanations, rows, names and digits.
     Full,
 }
 

@@ -215,7 +215,7 @@ pub struct ChangeRecord {
     pub set: Option<usize>,
     /// Name of the sphere whose radius or location changes.
     pub sphere: Option<String>,
-    /// OpenSim's name of what changes.
+    /// OpenSim's name of the property that changes.
     pub property: &'static str,
     /// Effective value now, in OpenSim's unit.
     pub from: Amount,

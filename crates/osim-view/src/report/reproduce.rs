@@ -60,7 +60,7 @@ pub struct NumberRecord {
     pub equation: &'static str,
     /// As the paper prints it, with all its digits.
     pub printed: &'static str,
-    /// As it is computed.
+    /// The number as this program computes it.
     pub computed: f64,
     /// The computed number minus the printed one.
     pub difference: f64,

@@ -37,7 +37,7 @@ pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
     sentences
 }
 
-/// The list, a line a kind.
+/// The list as text, one line for each kind of number.
 pub fn text(list: &SizeList, extent: Extent) -> String {
     let mut text = "What else follows size:\n".to_owned();
     for sentence in about(list, extent) {

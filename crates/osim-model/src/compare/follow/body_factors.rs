@@ -17,13 +17,13 @@ pub enum FactorSource {
     Given,
     /// The Scale Tool's applied ScaleSet.
     ScaleFile,
-    /// `scale_factors` of the body's meshes.
+    /// `scale_factors` of meshes that show the body's bone.
     Mesh,
     /// Translations of frames fixed to the body: joint offsets.
     Joint,
     /// The ratio of distances from the body's origin to a joint below it: one factor for all axes, between different models.
     Distance,
-    /// The factors of its parent body.
+    /// The factors of the parent body.
     Above,
 }
 
@@ -42,7 +42,7 @@ impl FactorSource {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisFactor {
-    /// New length over old length.
+    /// Ratio of the new to the old length.
     pub factor: f64,
     pub source: FactorSource,
 }
@@ -71,7 +71,7 @@ impl BodyIndex {
         Self(places)
     }
 
-    /// Number of `body` among all bodies.
+    /// Index of `body` among all bodies.
     pub(super) fn place(&self, body: &str) -> Option<usize> {
         self.0.get(body).copied()
     }
@@ -93,7 +93,7 @@ const SHORTEST_OF_BONE: f64 = 0.2;
 #[derive(Debug)]
 pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
-    /// Place in the reference, m.
+    /// Location in the reference model, m.
     pub(super) old_m: DVec3,
     new_m: DVec3,
 }

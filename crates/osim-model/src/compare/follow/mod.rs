@@ -34,7 +34,7 @@ const UNTOUCHED_RADII: f64 = 1e-6;
 pub enum OwnRadii {
     /// A body as large as in the reference by (8): the reference's radii times this factor.
     Isometric(f64),
-    /// All radii are this, m.
+    /// One radius for all spheres, m.
     Metres(f64),
 }
 
@@ -56,11 +56,10 @@ pub struct FollowRequest {
 /// The new place and radius of one sphere: from [`Follow::sphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FollowedSphere {
-    /// Radius in the reference, m.
+    /// Radius of the sphere in the reference model, m.
     pub old_radius_m: f64,
-    /// New radius of the sphere, m.
     pub radius_m: f64,
-    /// New location in its frame, m.
+    /// New location of the sphere in its frame, m.
     pub location_m: [f64; 3],
 }
 

@@ -21,7 +21,7 @@ pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 pub enum CopyDifference {
     /// The reference has too few bodies to say: one joint is always explained by some factors.
     Fragment,
-    /// A joint is between other bodies.
+    /// A joint connects other bodies than in the reference.
     Joint {
         joint: String,
         /// The bodies that it joins in the model.
@@ -34,17 +34,15 @@ pub enum CopyDifference {
         /// The body on which the joint is.
         body: String,
         joint: String,
-        /// x, y or z.
+        /// The axis x, y or z of the offset.
         axis: &'static str,
-        /// The offset in the model, m.
         here_m: f64,
-        /// The offset in the reference, m.
         there_m: f64,
     },
     /// Meshes of one body have factors that are not the same.
     Meshes {
         body: String,
-        /// x, y or z.
+        /// The axis x, y or z of the factor.
         axis: &'static str,
     },
 }
@@ -133,7 +131,7 @@ impl<'a> SharedJoints<'a> {
         self.0.entry(body).or_default().push(offset);
     }
 
-    /// Offsets on `body`, in file order.
+    /// Offsets of frames on `body`, in file order.
     pub(super) fn on(&self, body: &str) -> &[SharedOffset<'a>] {
         self.0.get(body).map(Vec::as_slice).unwrap_or_default()
     }

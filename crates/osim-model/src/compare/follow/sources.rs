@@ -26,7 +26,7 @@ pub(super) struct BodyFactorSources<'a> {
     pub(super) body: &'a str,
     /// Sources with their factors, in the order in which they count.
     pub(super) by_source: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// Meshes that show the same bone.
+    /// Meshes that show the same bone in both models.
     pub(super) meshes: Vec<BonePair>,
     /// Between different models, the joint at the other end of the distance.
     distance: Option<ComparedJoint<'a>>,

@@ -22,7 +22,7 @@ pub enum LengthFrom {
 /// Factors by which numbers of one kind changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFactors {
-    /// Numbers that are in both models.
+    /// How many numbers both models have.
     pub pairs: usize,
     /// Compared numbers that are the same in both models, 0 among them.
     pub same: usize,
@@ -30,7 +30,6 @@ pub struct ComparedFactors {
     pub factors: Option<Spread>,
 }
 
-/// The numbers of one kind.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimilarityRow {
     pub kind: SizedKind,

@@ -100,9 +100,9 @@ const TOLERANCE_SHARE: f64 = 0.25;
 pub enum SizeVerdict {
     /// The numbers changed as similarity has it: their median is near that factor, or the factor is in their range.
     Follows,
-    /// None of the numbers changed.
+    /// All numbers of the kind are as they were.
     Left,
-    /// Some numbers did not change.
+    /// Some numbers of the kind are as they were, others changed.
     PartlyLeft,
     /// The numbers changed by another factor than similarity has.
     Other,

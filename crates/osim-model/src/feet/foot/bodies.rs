@@ -16,7 +16,7 @@ const FOOT_NAMES: [&str; 10] =
 pub struct FootBodies {
     /// Bodies of the foot, the topmost first.
     pub bodies: Vec<String>,
-    /// Right or left, if known.
+    /// Side of the foot, if known.
     pub side: Option<Side>,
     /// Spheres of the foot, in file order.
     pub spheres: Vec<SphereId>,
@@ -129,7 +129,7 @@ fn feet_of_group(
     vec![FootBodies { bodies, side: group.side, spheres: group.spheres }]
 }
 
-/// Feet of a model without spheres.
+/// The feet of a model without spheres: bodies near the ground.
 fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>) -> Vec<FootBodies> {
     let names: Vec<&str> = tree.bodies().collect();
     let sided = |name: &&str| Side::of_name(name).is_some();
@@ -163,7 +163,7 @@ impl<'t> BodyTree<'t> {
         Self { anatomy }
     }
 
-    /// All bodies, in file order.
+    /// All bodies of the foot, in file order.
     pub(super) fn bodies(&self) -> impl Iterator<Item = &'t str> {
         self.anatomy.bodies.iter().map(String::as_str)
     }

@@ -27,7 +27,7 @@ pub enum FootFrame {
     /// The frame of a body: it is not known where that body is in ground.
     Body {
         name: String,
-        /// Why it is not known.
+        /// Why the placement is not known.
         fault: PoseFault,
     },
 }
@@ -66,7 +66,7 @@ pub struct FootBone {
 pub struct Foot {
     /// The topmost of its bodies, to which the others are joined.
     pub name: String,
-    /// Right or left, if known.
+    /// Side of the foot, if known.
     pub side: Option<Side>,
     /// The frame of all places of the foot.
     pub frame: FootFrame,
@@ -265,7 +265,7 @@ impl<'p> FootPlaces<'p> {
         Self { anatomy, top, fault, pose }
     }
 
-    /// A point of a body, m.
+    /// A point of a body in ground, else in the frame of the foot's first body, m.
     fn point(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         match (body, &self.fault) {
             ("", None) => Some(point_m),

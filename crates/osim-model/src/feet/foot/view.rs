@@ -14,7 +14,7 @@ const AXIS_NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]]
 pub struct ViewAxes {
     /// x, level; y where x is up or down.
     pub forward: DVec3,
-    /// The direction against gravity.
+    /// The direction opposite to gravity.
     pub up: DVec3,
     /// The direction to the right: forward × up.
     pub right: DVec3,

@@ -142,7 +142,7 @@ const MOST_POINTS_COMPARED: usize = 16;
 
 /// A point that is far from all others.
 struct Stray {
-    /// Number of the point, from 0.
+    /// Index of the bad point, from 0.
     index: usize,
     /// Distance of the point from the middle, in the unit of the points.
     distance: f64,

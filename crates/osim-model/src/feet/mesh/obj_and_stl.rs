@@ -53,7 +53,7 @@ const TITLE_BYTES: usize = 80;
 const TRIANGLE: usize = 50;
 const NORMAL: usize = 12;
 
-/// The corners of all triangles.
+/// The corners of all triangles of an STL file.
 pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     // Many binary files begin with "solid" too: the size decides.
     let count = bytes

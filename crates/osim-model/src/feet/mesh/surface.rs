@@ -15,7 +15,6 @@ pub enum MeshFault {
     /// Something that is legal and not read here.
     #[error("{0}: save it as ASCII, for example with ParaView")]
     Unsupported(String),
-    /// More points than a bone needs.
     #[error("it has more than {most} points, reduce it first, for example with MeshLab")]
     TooManyPoints { most: usize },
     /// More triangles than a picture of a bone needs.
@@ -24,13 +23,12 @@ pub enum MeshFault {
     /// A coordinate of a point is NaN, infinite or larger than any unit of length makes it.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
     Coordinate {
-        /// Which point, from 1.
+        /// Number of the bad point, from 1.
         point: usize,
-        /// x, y or z.
+        /// The axis x, y or z of the bad number.
         axis: char,
         value: String,
     },
-    /// Too few points for an outline.
     #[error("it has {0} different points, expected at least four")]
     FewPoints(usize),
     #[error("all its points are in one line, expected the surface of a bone")]
@@ -41,7 +39,7 @@ pub enum MeshFault {
          broken, correct them or take it out of the file"
     )]
     StrayPoint {
-        /// Which point, from 1.
+        /// Number of the bad point, from 1.
         point: usize,
         /// Distance of the point from the middle, in the unit of the file.
         distance: String,
@@ -63,7 +61,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// Each three points are a triangle.
+    /// A surface whose triangles are each three points in turn.
     pub(super) fn of_corners(points: Vec<[f64; 3]>) -> Result<Self, MeshFault> {
         let mut surface = Self { points, triangles: Vec::new() };
         for first in (0..surface.points.len()).step_by(3) {

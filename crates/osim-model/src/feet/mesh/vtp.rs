@@ -161,7 +161,7 @@ const ZLIB: &str = "vtkZLibDataCompressor";
 const MOST_UNPACKED_BYTES: usize = MOST_POINTS * 3 * 8;
 const POINTS_CUT_OFF: MeshFault = MeshFault::Truncated("its points");
 
-/// How a file writes arrays.
+/// How a VTP file encodes its arrays.
 pub(super) struct Coding<'b> {
     big_endian: bool,
     /// Bytes of each number of a header.
@@ -246,7 +246,7 @@ impl<'b> Coding<'b> {
     }
 }
 
-/// Adds `size` bytes that `packed` holds.
+/// Appends to `all` the `size` bytes that `packed` holds compressed.
 fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFault> {
     let end = all.len().checked_add(size).filter(|&end| end <= MOST_UNPACKED_BYTES);
     let end = end.ok_or(MeshFault::TooManyPoints { most: MOST_POINTS })?;

@@ -133,7 +133,7 @@ impl FootAxes {
         Self { up, forward, outward, rearmost: least(forward), innermost: least(outward), lowest: least(up) }
     }
 
-    /// The points along these directions.
+    /// The points projected onto these directions.
     pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
         let from = |point: &BonePoint, direction, least| on_grid(point.at.dot(direction) - least);
         let flat = |point: &BonePoint| FlatPoint {

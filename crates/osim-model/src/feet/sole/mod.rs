@@ -119,7 +119,6 @@ fn refuse_bad_request(request: &SoleRequest) -> Result<(), FeetFault> {
     Ok(())
 }
 
-/// The direction opposite to gravity.
 fn up_of(model: &Model) -> Option<DVec3> {
     let size = model.gravity().filter(|size| size.is_finite() && *size > 0.0)?;
     // Not -0, where gravity has 0.
@@ -273,7 +272,6 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     feet.into_iter().map(sided).collect()
 }
 
-/// The parent of each body.
 fn parents(model: &Model) -> HashMap<String, String> {
     let joints = model.joints().iter();
     joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()

@@ -59,7 +59,7 @@ impl SphereFloors {
         self.by_sphere.keys().copied().collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The floors of `spheres`, each once.
+    /// The floors under `spheres`, each once.
     pub(super) fn floors_under(&self, spheres: &[SphereId]) -> Vec<&(ContactPlane, PlaneSurface)> {
         let of_spheres = spheres.iter().filter_map(|sphere| self.by_sphere.get(sphere)).flatten();
         let places: BTreeSet<usize> = of_spheres.copied().collect();
@@ -115,7 +115,6 @@ fn centre_and_radius(
 
 // How deep spheres are where they carry a load.
 
-/// The law by which spheres rest.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(clippy::exhaustive_enums, reason = "Hertz' law is under each law that a file can have")]
 pub enum RestLaw {
@@ -132,7 +131,7 @@ pub struct RestOnFloor {
     pub down_m: f64,
     /// The load that they carry, along the normal, N.
     pub load_n: f64,
-    /// Each sphere, in file order.
+    /// Gaps of the resting spheres, in file order.
     pub spheres: Vec<RestingSphere>,
 }
 

@@ -47,12 +47,10 @@ pub enum NotLevelled {
     /// The places of bodies at the default pose are not known.
     #[error("the bottoms of a foot cannot be made level: {0}")]
     Pose(#[from] PoseFault),
-    /// A frame that cannot be read.
     #[error("{0}")]
     Frame(Box<Fault>),
 }
 
-/// A sphere over its lowest floor.
 struct OverLowestFloor {
     sphere: SphereId,
     gap_m: f64,

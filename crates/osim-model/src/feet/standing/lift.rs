@@ -27,7 +27,6 @@ pub struct Lift {
 /// Why no coordinate lifts the spheres of a joint tree from their floor.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum NotLifted {
-    /// No joint above all spheres moves.
     #[error("it is welded to what its floor is on")]
     Welded,
     /// The coordinates between the tree and ground only turn.
@@ -41,7 +40,6 @@ pub enum NotLifted {
     /// A coordinate lifts the tree, but a function or another coordinate sets it.
     #[error("{coordinate}, which would lift it, is set by a function")]
     Driven { coordinate: String },
-    /// Floors of several directions.
     #[error("its floors have several directions")]
     SeveralFloors,
 }
@@ -163,7 +161,6 @@ fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ParentJoint<'j> {
     pub(super) joint: &'j ModelJoint,
-    /// The child body of the joint.
     pub(super) body: &'j str,
     /// The body above it; `None` is ground.
     pub(super) parent: Option<&'j str>,
@@ -193,7 +190,6 @@ impl<'j> JointTree<'j> {
         tree
     }
 
-    /// The joints from `body` to ground.
     pub(super) fn path_to_ground(&self, body: &str) -> Vec<ParentJoint<'j>> {
         let mut path = Vec::new();
         let mut at = self.above.get(body);

@@ -95,7 +95,6 @@ impl Standing {
         Some(lift.default_m - down_m / lift.rise)
     }
 
-    /// The sphere whose bottom is lowest.
     pub fn lowest(&self) -> Option<&SphereOverFloor> {
         self.spheres.iter().min_by(|a, b| a.gap_m.total_cmp(&b.gap_m))
     }

@@ -15,12 +15,11 @@ enum FunctionKind {
     Scaled(f64, Box<FunctionKind>),
     /// Straight lines between points: their x, and their y.
     PiecewiseLinear(Vec<f64>, Vec<f64>),
-    /// SIMM's cubic spline.
+    /// A cubic spline by SIMM's rule.
     Spline(SimmSpline),
 }
 
 impl CoordinateFunction {
-    /// The function that is 0 everywhere.
     pub(crate) const ZERO: Self = Self(FunctionKind::Polynomial(Vec::new()));
 
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {

@@ -15,7 +15,7 @@ use crate::xml::{ElementId, opensim_text};
 pub enum Speeds<'s> {
     /// Derivatives of the values, rad/s or m/s.
     Rates(&'s [f64]),
-    /// OpenSim's generalized speeds.
+    /// The speeds that OpenSim calls generalized.
     Generalized(&'s [f64]),
 }
 
@@ -60,7 +60,6 @@ pub(crate) enum JointMotion {
     Spatial(Vec<TransformAxis>),
 }
 
-/// An axis of a `<SpatialTransform>`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TransformAxis {
     /// Whether the child rotates about the axis; else it moves along it.

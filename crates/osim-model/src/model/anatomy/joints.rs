@@ -13,7 +13,6 @@ use crate::model::fault::FileId;
 use crate::model::placement::{MovingPlacement, Placement};
 use crate::xml::ElementId;
 
-/// A joint between two bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomyJoint {
     pub name: String,

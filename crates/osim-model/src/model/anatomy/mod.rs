@@ -156,7 +156,6 @@ impl Anatomy {
         Ok(anatomy)
     }
 
-    /// The joint whose child is `body`.
     pub fn joint_above(&self, body: &str) -> Option<&AnatomyJoint> {
         self.joints.get(*self.index.joints_by_child.get(body)?)
     }
@@ -167,7 +166,7 @@ impl Anatomy {
         below.filter_map(|&at| self.joints.get(at))
     }
 
-    /// The first joint of that name.
+    /// The first joint called `name`.
     pub fn joint(&self, name: &str) -> Option<&AnatomyJoint> {
         self.joints.get(*self.index.joints.get(name)?)
     }
@@ -219,12 +218,12 @@ impl Anatomy {
         self
     }
 
-    /// The first sphere of that name.
+    /// The first sphere called `name`.
     pub fn sphere(&self, name: &str) -> Option<&AnatomySphere> {
         self.spheres.get(*self.index.spheres.get(name)?)
     }
 
-    /// Whether several spheres have that name.
+    /// Whether several spheres are called `name`.
     pub(crate) fn has_several_spheres(&self, name: &str) -> bool {
         self.index.repeated_spheres.contains(name)
     }

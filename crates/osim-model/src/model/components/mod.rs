@@ -28,7 +28,6 @@ pub struct Companion {
 pub struct Components {
     main: Document,
     companions: Vec<Companion>,
-    /// The objects of all these files.
     pub tree: ComponentTree,
 }
 
@@ -112,7 +111,7 @@ impl Components {
         self.tree.get(id).map_or(ElementId::ROOT, |component| component.element)
     }
 
-    /// The file of an object.
+    /// The file in which an object is.
     pub fn doc(&self, id: ComponentId) -> &Document {
         self.document(self.file_of(id))
     }

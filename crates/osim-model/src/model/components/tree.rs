@@ -18,7 +18,7 @@ use crate::xml::ElementId;
 /// skipped, which keeps large models fast.
 const MODEL_SETS: [&str; 6] =
     ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
-/// Sets inside a contact force.
+/// Names of the sets of parameters inside a contact force.
 const CONTACT_PARAMETERS_SETS: [&str; 2] =
     ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
@@ -28,11 +28,10 @@ pub struct ComponentId(u32);
 
 #[derive(Debug)]
 pub struct Component {
-    /// Which of the files.
     pub file: FileId,
     /// Element of the component in its file.
     pub element: ElementId,
-    /// The object that it is in.
+    /// The object that contains this one.
     pub parent: Option<ComponentId>,
     /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
     pub segment: Arc<str>,
@@ -76,7 +75,7 @@ pub struct ComponentTree {
 
 #[derive(Clone, Copy)]
 enum ElementRole {
-    /// No element below is an object.
+    /// No element below this one is an object.
     Nothing,
     Object(ComponentId),
     /// The children of this element are objects that belong to this one.
@@ -347,7 +346,7 @@ impl ComponentTree {
         (!self.list.is_empty()).then_some(ComponentId(0))
     }
 
-    /// The data root above `id`.
+    /// The data root that contains `id`.
     pub(crate) fn root_of(&self, id: ComponentId) -> ComponentId {
         let mut at = id;
         while let Some(parent) = self.get(at).and_then(|object| object.parent) {

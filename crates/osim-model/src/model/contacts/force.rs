@@ -53,7 +53,6 @@ pub struct Slot {
     pub object: ElementId,
     /// Class of the force, which says the order of its elements.
     pub class: Class,
-    /// Tag of the property's element.
     pub tag: &'static str,
     /// The bytes of its text; `None` where the object has no such element.
     pub span: Option<Range<usize>>,
@@ -66,7 +65,6 @@ pub struct Slot {
 pub struct Sphere {
     pub id: SphereId,
     pub name: String,
-    /// Component path of the sphere.
     pub path: String,
     /// Effective radius, m, as OpenSim reads it; [`Sphere::radius_m`] checks it.
     pub radius: Value,
@@ -77,11 +75,11 @@ pub struct Sphere {
     pub body: Option<String>,
     /// Whether the sphere is on ground or on a body welded to ground: such a sphere counts in nothing and is never changed.
     pub fixed: bool,
-    /// Line of its element, from 1.
+    /// Line of the sphere's element, from 1.
     pub line: usize,
     pub file: FileId,
     pub(crate) element: ElementId,
-    /// First byte of its element.
+    /// First byte of the sphere's element.
     pub(super) start: usize,
     pub(crate) base: Base,
     pub(super) spelling: SphereSpelling,
@@ -161,7 +159,7 @@ pub enum ForceKind {
 }
 
 impl ForceKind {
-    /// OpenSim's class name.
+    /// Name of OpenSim's class.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::HuntCrossley => "HuntCrossleyForce",
@@ -174,7 +172,6 @@ impl ForceKind {
 pub struct Force {
     pub id: ForceId,
     pub name: String,
-    /// Component path of the force.
     pub path: String,
     pub kind: ForceKind,
     /// Whether the force is switched on (`appliesForce`, or `isDisabled` in old documents).
@@ -183,7 +180,7 @@ pub struct Force {
     pub sets: Vec<ParameterSet>,
     /// The force's own `transition_velocity`.
     pub transition_velocity: Value,
-    /// Line of its element, from 1.
+    /// Line of the force's element, from 1.
     pub line: usize,
     pub file: FileId,
     pub(crate) element: ElementId,
@@ -203,7 +200,7 @@ pub struct ParameterSet {
     pub values: Vec<Value>,
     /// Whether the whole set is in `<defaults>`, where other forces find it too.
     pub inherited: bool,
-    /// Line of its element, from 1.
+    /// Line of the set's element, from 1.
     pub line: usize,
     pub(crate) element: ElementId,
     pub(crate) class: Class,

@@ -15,9 +15,8 @@ const ROUNDING_OF_NORMAL: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
     pub name: String,
-    /// Component path of the half-space.
     pub path: String,
-    /// Component path of its frame.
+    /// Component path of the half-space's frame.
     pub frame_path: String,
     /// Place of the half-space in its frame, m; `None` where a number cannot be read.
     pub location_m: Option<[f64; 3]>,
@@ -33,10 +32,10 @@ pub struct HalfSpace {
     pub frame_rotation: Option<Rotation>,
     /// The orientations that turn it: its own, then those of the offset frames between it and ground or its body.
     pub orientations: Vec<Orientation>,
-    /// The property that names its frame.
+    /// The property that names the half-space's frame.
     pub frame: FrameProperty,
     pub file: FileId,
-    /// Line of its element, from 1.
+    /// Line of the half-space's element, from 1.
     pub line: usize,
     pub element: ElementId,
     /// The slot of the half-space's place in that file.

@@ -40,7 +40,7 @@ pub use read::Irregularity;
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedSphere {
     pub sphere: SphereId,
-    /// The force that presses it.
+    /// The force that presses the sphere on a surface.
     pub force: ForceId,
     /// Parameter set of the sphere in the force.
     pub set: SetId,

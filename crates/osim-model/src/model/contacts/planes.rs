@@ -175,7 +175,6 @@ impl Components {
         frames
     }
 
-    /// The parent of an offset frame.
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
         let parent = self.connectee(frame, "parent", &["parent_frame"])?;
         self.frame(frame, &parent)?.component

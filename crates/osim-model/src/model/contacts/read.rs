@@ -32,20 +32,18 @@ pub enum Irregularity {
     TakenByName {
         /// Path of the component that names another one.
         owner: String,
-        /// The path as written.
+        /// The component path as the file writes it.
         text: String,
         /// Path of the component that was taken.
         taken: String,
-        /// Line of the text, from 1.
         line: usize,
     },
     /// The parameter set of a force has a `name` that OpenSim does not look for.
     MisnamedSet {
-        /// Path of the force.
+        /// Component path of the force.
         force: String,
         /// Name of the object.
         name: String,
-        /// Line of the set, from 1.
         line: usize,
     },
 }
@@ -405,7 +403,6 @@ impl ParameterSet {
     }
 }
 
-/// OpenSim's classes of contact geometry.
 const GEOMETRY_CLASSES: [&str; 6] = [
     "ContactSphere",
     "ContactHalfSpace",

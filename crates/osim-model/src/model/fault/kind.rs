@@ -43,7 +43,7 @@ pub enum FaultKind {
     },
     /// A number that a strict reader and OpenSim do not read alike.
     Number {
-        /// OpenSim's property name.
+        /// OpenSim's name of the property.
         property: String,
         text: String,
         fault: NumberFault,
@@ -54,7 +54,7 @@ pub enum FaultKind {
     },
     /// A number outside the domain in which the equations hold.
     Domain {
-        /// OpenSim's property name.
+        /// OpenSim's name of the property.
         property: String,
         /// The value as OpenSim reads it.
         value: f64,
@@ -62,11 +62,11 @@ pub enum FaultKind {
     },
     /// A number that would be written, and is not finite or outside the domain in which the equations hold.
     NewValue {
-        /// OpenSim's property name.
+        /// OpenSim's name of the property.
         property: String,
-        /// The refused new value.
+        /// The new value, which is refused.
         value: f64,
-        /// The domain, in words.
+        /// The values that are allowed, in words.
         expected: &'static str,
         /// The computation of the value: the value before, the factor, the equation.
         origin: String,
@@ -79,7 +79,7 @@ pub enum FaultKind {
     /// A path or name that leads nowhere.
     Unresolved {
         owner: String,
-        /// The path or name as written.
+        /// The path or name of the connectee as the file writes it.
         connectee: String,
         wanted: &'static str,
     },
@@ -104,28 +104,26 @@ pub enum FaultKind {
         file: String,
     },
     ParametersInDefaults {
-        /// Component path of the force.
         force: String,
     },
     /// A number that the caller gave is outside its domain.
     BadInput {
         input: Input,
-        /// The number that the caller gave.
         value: f64,
-        /// The domain, in words.
+        /// The values that are allowed, in words.
         expected: &'static str,
     },
     UnknownBody {
-        /// The name that the caller gave.
+        /// The name of a body as the caller gave it.
         body: String,
     },
     UnknownReferenceSphere {
-        /// The name that the caller gave.
+        /// The name of a sphere as the caller gave it.
         sphere: String,
         reference: String,
         known: Vec<String>,
     },
-    /// No force is in the selection.
+    /// The selection contains no force.
     NothingSelected {
         forces: String,
     },

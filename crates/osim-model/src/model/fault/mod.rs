@@ -84,7 +84,7 @@ impl Fault {
         Self { offset: Some(offset), ..Self::new(kind) }
     }
 
-    /// A fault over the bytes `span`.
+    /// A fault at the bytes `span` of the file.
     pub fn at_span(kind: impl Into<FaultKind>, span: Range<usize>) -> Self {
         Self { offset: Some(span.start), span: Some(span), ..Self::new(kind) }
     }
@@ -125,7 +125,7 @@ impl Fault {
         self.kind.code()
     }
 
-    /// The message, with inputs as data.
+    /// The message of the fault; inputs in it are data, for a spelling.
     pub fn phrase(&self) -> Phrase {
         self.kind.phrase()
     }
@@ -145,11 +145,9 @@ const CONTEXT_BYTES: usize = 200;
 /// A line of a file, and what to underline in it; of a long line the part around that.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt {
-    /// Number of the line, from 1.
     pub line: usize,
     /// The line, without its end and without a byte order mark.
     pub text: String,
-    /// Bytes of `text` to underline.
     pub marked: Range<usize>,
 }
 

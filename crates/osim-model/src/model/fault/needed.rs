@@ -35,7 +35,6 @@ pub enum Needed {
     /// The mass of the model, whose bodies have no total mass.
     ModelMass {
         bodies: usize,
-        /// Sum of the bodies' masses, kg.
         kg: f64,
     },
     /// The mass of the model: OpenSim counts a body in a loop of joints twice.
@@ -65,7 +64,6 @@ pub enum Needed {
     },
     /// Which forces are meant: a sphere is used by forces that change and by others that stay.
     SharedSphere {
-        /// Component path of the sphere.
         sphere: String,
         /// Names of the forces that change, shortened.
         changed: String,
@@ -83,7 +81,6 @@ pub enum Needed {
     },
     /// Whose contact to take for one force: its spheres have different ones in the reference.
     ReferenceContactOfForce {
-        /// Component path of the force.
         force: String,
     },
     /// The radius: those of the reference differ.
@@ -124,7 +121,6 @@ pub enum Needed {
     KnownContactsMass {
         title: String,
         made_for_kg: f64,
-        /// Mass of the bodies, kg.
         bodies_kg: f64,
         input: Input,
     },
@@ -134,7 +130,6 @@ pub enum Needed {
     HeightRatio,
 }
 
-/// Forces of one animal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ForcesOfAnimal {
     /// Name of the body that is joined to ground.
@@ -143,7 +138,6 @@ pub struct ForcesOfAnimal {
     pub forces: String,
 }
 
-/// Whose spheres are to be counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CountedSpheres {
     Model,

@@ -110,7 +110,6 @@ pub enum Question {
     UnequalFeet,
     /// A change after which the contacts are wrong.
     WrongAfterwards,
-    /// A very large number of files.
     ManyModels,
 }
 
@@ -128,7 +127,7 @@ impl Question {
         Self::ManyModels,
     ];
 
-    /// Stable short name, which answers it.
+    /// Stable short name of the question, which also answers it.
     pub fn code(&self) -> &'static str {
         match self {
             Self::ImplausibleMass => "implausible-mass",
@@ -185,12 +184,11 @@ pub enum NeedsAnswer {
         bodies_kg: Option<f64>,
         /// The masses of the other rows of its table, if it is out of their range.
         other_rows: Option<MassesOfOtherRows>,
-        /// The mistake that it looks like.
+        /// The mistake that probably led to the mass.
         mistake: MassMistake,
     },
     Radius {
         sphere: String,
-        /// The new radius, m.
         radius_m: f64,
         /// The longest distance between the joints of its body and of those next to it, m.
         longest_m: f64,

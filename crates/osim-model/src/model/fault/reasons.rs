@@ -66,7 +66,7 @@ const NO_GRAVITY: &str = " has no gravity";
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RadiusChangeReason {
     Rule,
-    /// The bodies that spheres follow.
+    /// Spheres follow bodies that were scaled.
     Bodies,
     ContactStiffness,
     Assignment,
@@ -150,7 +150,6 @@ fn contacts_are(input: Input) -> &'static str {
 pub enum NoteDoubt {
     /// The model has no note, and the sum of its bodies is not the mass: they were scaled.
     Absent,
-    /// The note cannot be read.
     Unreadable,
     /// Force set and geometry set carry notes of different runs.
     MixedPair,

@@ -165,7 +165,7 @@ impl ModelFiles {
         Self { name: name.into(), ..self }
     }
 
-    /// Bytes of the model itself.
+    /// Bytes of the model's own file.
     pub fn bytes(&self) -> &[u8] {
         match &self.main {
             MainFile::Bytes(bytes) | MainFile::WithoutIncludes(bytes) => bytes,

@@ -144,7 +144,6 @@ pub trait Files {
     }
 }
 
-/// Why a file cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct FileError(String);

@@ -166,7 +166,7 @@ impl Rule {
 }
 
 impl Repair {
-    /// A sentence without its full stop.
+    /// The text as a sentence, without its full stop.
     pub fn sentence(self) -> String {
         match self {
             Self::Command(what) => format!("check proposes a command that {what}"),

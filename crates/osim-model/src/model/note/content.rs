@@ -101,7 +101,7 @@ pub struct Step {
     pub from_mass_kg: Option<f64>,
     /// Source of the contacts that the step took.
     pub reference: Option<Source>,
-    /// Date of the step, as `2026-11-25`.
+    /// Date of the step, for example `2026-11-25`.
     pub date: Option<String>,
 }
 
@@ -120,7 +120,7 @@ impl Step {
         Self { operation: in_note_letters(operation), ..Self::default() }
     }
 
-    /// The verb that did it.
+    /// The verb that made the step.
     pub fn verb(&self) -> Option<Verb> {
         Verb::named(self.operation.split(' ').next()?)
     }
@@ -199,7 +199,7 @@ const PROPERTY_DIGITS: usize = 4;
 /// Names of the contacts and digests of their properties.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedParts {
-    /// The spheres of contact forces.
+    /// Names of the spheres of contact forces.
     pub spheres: NotedNames,
     pub forces: NotedNames,
     /// The first 4 digits of the SHA-256 of the values of each property of the forces.
@@ -265,7 +265,7 @@ pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
     positive(text.strip_suffix(" kg")?).map(Some)
 }
 
-/// A number above 0.
+/// `text` as a number above 0.
 pub(super) fn positive(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0)
 }

@@ -204,7 +204,7 @@ fn inner(comment: &str) -> &str {
 /// Differences between a model and its note.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedSinceNote {
-    /// Differences of the contacts themselves.
+    /// How the contacts themselves differ from the note.
     pub contacts: ChangedContacts,
     /// Whether bodies that carry spheres have other mesh factors.
     pub sizes: bool,

@@ -12,11 +12,11 @@ use self::SizedKind::{
 /// A dimension: the powers of mass, length and time in a unit. N, which is kg m s^-2, is `1, 1, -2`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Dimension {
-    /// The power of kg.
+    /// Exponent of kg in the unit.
     pub mass: i8,
-    /// The power of m.
+    /// Exponent of m in the unit.
     pub length: i8,
-    /// The power of s.
+    /// Exponent of s in the unit.
     pub time: i8,
 }
 
@@ -139,7 +139,7 @@ impl SizedKind {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
 
-    /// Number of the kind in lists.
+    /// Index of the kind in lists, which sorts them.
     pub const fn order(self) -> usize {
         self as usize
     }
@@ -157,7 +157,7 @@ pub(super) enum KindRule {
     ByCoordinate(Option<SizedKind>, SizedKind),
 }
 
-/// A property of a class.
+/// A property of an OpenSim class that has a size.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SizedProperty {
     pub(super) tag: &'static str,

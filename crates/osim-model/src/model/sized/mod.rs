@@ -48,7 +48,6 @@ impl NotRead {
 /// All numbers of a model that have mass, length or time in their unit, except those of contacts.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SizedValues {
-    /// Values in file order.
     pub values: Vec<SizedValue>,
     pub not_read: Vec<NotRead>,
 }

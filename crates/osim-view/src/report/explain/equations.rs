@@ -103,7 +103,7 @@ pub(crate) fn sentence_of_use(label: &str) -> Phrase {
     Phrase::template(template(label))
 }
 
-/// Inputs and calls are in backticks.
+/// Where the equation called `label` meets the user, with names of inputs and of calls in backticks.
 fn template(label: &str) -> &'static str {
     match label {
         "1" => "fit: modulus and contact onset; drop-test: force of a HuntCrossleyForce; inspect",

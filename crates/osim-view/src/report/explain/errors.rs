@@ -4,22 +4,20 @@
 
 use osim_model::messages::Phrase;
 
-/// One kind of failure.
 #[derive(Debug, PartialEq, Eq)]
 pub struct ErrorCode {
-    /// As in the JSON `error.code`.
+    /// Code of the error, as JSON has it in `error.code`.
     pub code: &'static str,
     means: &'static str,
     way_out: &'static str,
 }
 
 impl ErrorCode {
-    /// What the error means.
     pub fn means(&self) -> Phrase {
         Phrase::template(self.means)
     }
 
-    /// The way out of the error.
+    /// How the user can get out of the error.
     pub fn way_out(&self) -> Phrase {
         Phrase::template(self.way_out)
     }
@@ -30,7 +28,7 @@ impl ErrorCode {
 pub enum ErrorGroup {
     /// Errors of a file, before anything in it is read.
     File,
-    /// The content of a model.
+    /// Errors of a model's content.
     Model,
     /// Something that only the user can know.
     Question,
@@ -42,7 +40,7 @@ impl ErrorGroup {
     /// Every group, in the order of the documents.
     pub const ALL: [Self; 4] = [Self::File, Self::Model, Self::Question, Self::Request];
 
-    /// Codes of errors of this kind.
+    /// Codes of the errors in this group.
     pub const fn errors(self) -> &'static [ErrorCode] {
         match self {
             Self::File => FILE_ERRORS,
@@ -58,7 +56,7 @@ pub fn errors() -> impl Iterator<Item = &'static ErrorCode> {
     ErrorGroup::ALL.iter().flat_map(|group| group.errors())
 }
 
-/// The failure of this code.
+/// The error whose code is `code`.
 pub fn error(code: &str) -> Option<&'static ErrorCode> {
     errors().find(|error| error.code == code)
 }

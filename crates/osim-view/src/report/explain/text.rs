@@ -10,7 +10,7 @@ use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{options, table};
 
-/// One topic in full.
+/// All that is known of one topic, as text.
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => equation_text(equation, dialect, letters),
@@ -73,7 +73,7 @@ fn error_text(error: &ErrorCode, dialect: &dyn Dialect) -> String {
     format!("{} (error)\n\n{body}{}", error.code, book_line("Book:  ", "errors"))
 }
 
-/// Topics by kind, one line each.
+/// A list of topics by kind, one line each.
 pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
     let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
@@ -116,10 +116,9 @@ fn paragraph(label: &str, body: &str) -> String {
     format!("{}\n", textwrap::fill(&body, options))
 }
 
-/// Which letters a text may have.
+/// Whether a text may have letters outside ASCII.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Letters {
-    /// All letters of Unicode.
     #[default]
     Unicode,
     /// Only the letters of old consoles: `alpha`, `sqrt(R)`.
@@ -174,7 +173,7 @@ const SPELLINGS_OF_SYMBOLS: &[(&str, &str)] = &[
     ("≥", ">="),
 ];
 
-/// `text` in ASCII; roots become `sqrt(…)`.
+/// `text` in ASCII: roots become `sqrt(…)`.
 pub(super) fn ascii(text: &str) -> String {
     let mut out = text.to_owned();
     for (symbol, spelling) in SPELLINGS_OF_SYMBOLS {

@@ -13,7 +13,7 @@ use crate::report::explain::equations::{equation, equations};
 use crate::report::explain::errors::{ErrorCode, errors};
 use crate::report::explain::traps;
 
-/// Something that can be explained.
+/// Something that `explain` can explain.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Topic {
     /// An equation, or a rule of this project.
@@ -29,14 +29,14 @@ pub enum Topic {
 /// A name by which no topic is called.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTopic {
-    /// The unknown name.
+    /// The name that no topic has.
     pub name: String,
     /// Names of topics that are like it.
     pub similar_names: Vec<&'static str>,
 }
 
 impl Topic {
-    /// Everything that can be explained.
+    /// All topics that `explain` can explain.
     pub fn all() -> Vec<Self> {
         let findings = rules::all().iter().copied().map(Self::Finding);
         let numbers = equations().map(Self::Equation).chain(quantities().map(Self::Quantity));
@@ -88,7 +88,7 @@ fn is_kind_of_questions(name: &str) -> bool {
     name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
 
-/// The errors that ask.
+/// The topics of errors that ask the user a question.
 fn questions() -> Vec<Topic> {
     let asks = |error: &&ErrorCode| Question::ALL.iter().any(|question| question.code() == error.code);
     errors().filter(asks).map(Topic::Error).collect()
@@ -133,12 +133,12 @@ impl UnknownTopic {
 
 // Everything that has a number: OpenSim's properties, and the figures of every register.
 
-/// A quantity, as it is explained.
+/// A quantity of the registers, with what explains it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuantityTopic {
     /// OpenSim's name of a property, or the name in JSON and CSV.
     pub name: &'static str,
-    /// Other names of the quantity.
+    /// Symbols of the quantity: each names its topic, too.
     pub symbols: &'static [&'static str],
     /// Unit of the quantity; empty for a pure number.
     pub unit: &'static str,
@@ -209,7 +209,7 @@ impl QuantityTopic {
         Self { equation: quantity.equation, limit, ..topic }
     }
 
-    /// What the quantity is.
+    /// What the quantity is, in words.
     pub fn what(&self) -> Phrase {
         Phrase::template(&self.what)
     }
@@ -219,7 +219,6 @@ impl QuantityTopic {
         Phrase::template(self.trap)
     }
 
-    /// The unit, in words.
     pub(crate) fn unit_in_words(&self) -> &'static str {
         if self.unit.is_empty() { "none, it is a pure number" } else { self.unit }
     }

@@ -147,7 +147,7 @@ pub struct DropDifferenceRecord {
     /// The other body's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub other_bytes: Option<Vec<u8>>,
-    /// Up to which t/√(R/g).
+    /// Dimensionless time t/√(R/g) up to which the drops are compared.
     pub until_dimensionless_time: f64,
     /// Largest difference of height over radius.
     pub height_over_radius: f64,

@@ -233,7 +233,7 @@ impl MotionCells {
 
 // The ground reactions of a model as OpenSim reads them: a table, and which of its columns act on which body.
 
-/// The contacts of one body.
+/// The contact forces on one body.
 struct Load {
     body: String,
     /// The part of the columns' names between `ground_force_` and `_vx`.

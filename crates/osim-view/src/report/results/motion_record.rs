@@ -25,11 +25,11 @@ pub struct MotionRecord {
     /// The motion's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub motion_bytes: Option<Vec<u8>>,
-    /// How many frames it has.
+    /// How many frames the motion has.
     pub frames: usize,
-    /// The first time, s.
+    /// Time of the first frame, s.
     pub from_s: f64,
-    /// The last time, s.
+    /// Time of the last frame, s.
     pub to_s: f64,
     /// Mass of the model, kg.
     pub mass_kg: f64,
@@ -89,7 +89,7 @@ pub struct MotionFootRecord {
     pub stance_slip_m_s: Option<[f64; 3]>,
     /// Stances of the foot.
     pub stances: Vec<MotionStanceRecord>,
-    /// Each of its spheres.
+    /// Results for each sphere of the foot.
     pub spheres: Vec<MotionSphereRecord>,
     /// How far the model's centre of pressure is ahead of the plates' along the foot, m: the mean over frames.
     pub cop_ahead_m: Option<f64>,
@@ -135,7 +135,7 @@ pub struct MotionSphereRecord {
     pub beyond_radius_s: f64,
     /// The median of its slip speed while it is in the plane, m/s.
     pub slip_m_s: Option<f64>,
-    /// Each time that it comes down.
+    /// Each touch-down of the sphere.
     pub touch_downs: Vec<MotionTouchDownRecord>,
 }
 
@@ -167,7 +167,7 @@ pub struct MotionComparisonRecord {
     pub horizontal_rms_bw: f64,
     /// The model's largest force along the normal in these frames, N.
     pub peak_n: f64,
-    /// The largest measured one, N.
+    /// The largest measured force, N.
     pub measured_peak_n: f64,
     /// Root mean square of the distance between both centres of pressure, m.
     pub cop_rms_m: Option<f64>,

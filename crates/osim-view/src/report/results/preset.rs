@@ -193,7 +193,7 @@ pub struct SweepRecord {
     pub models: usize,
     /// How many of these an earlier sweep had made.
     pub done_before: usize,
-    /// How many could not be made.
+    /// How many variants could not be made.
     pub failed: usize,
 }
 
