@@ -47,7 +47,7 @@ fn commands_that_are_not_run(document: &Path) -> Vec<String> {
 }
 
 /// README.md and the pages of docs/ and its folders that hold examples.
-fn documents() -> Vec<PathBuf> {
+fn pages_with_examples() -> Vec<PathBuf> {
     let mut documents = vec![root().join("README.md")];
     let mut folders = vec![root().join("docs")];
     while let Some(folder) = folders.pop() {
@@ -65,7 +65,7 @@ fn documents() -> Vec<PathBuf> {
 
 #[test]
 fn pages_in_folders_of_docs_are_included() {
-    let documents = documents();
+    let documents = pages_with_examples();
     for page in ["README.md", "docs/check.md", "docs/reference/errors.md"] {
         assert!(documents.contains(&root().join(page)), "{page}");
     }
@@ -73,7 +73,7 @@ fn pages_in_folders_of_docs_are_included() {
 
 #[test]
 fn commands_with_fixtures_are_in_blocks_that_are_run() {
-    for document in documents() {
+    for document in pages_with_examples() {
         let not_run = commands_that_are_not_run(&document);
         assert!(not_run.is_empty(), "{}: {not_run:#?}", document.display());
     }
@@ -82,7 +82,7 @@ fn commands_with_fixtures_are_in_blocks_that_are_run() {
 // One test for all pages: they share the process's working folder.
 #[test]
 fn examples_in_the_documents_match_the_output() {
-    let documents = documents();
+    let documents = pages_with_examples();
     assert!(!documents.is_empty(), "neither README.md nor docs/ holds a ```console example");
     for document in documents {
         // Each page starts with untouched fixtures.

@@ -60,7 +60,7 @@ fn as_markdown(text: &str) -> String {
 const DOCS: &str = "docs:";
 
 /// A table in Markdown, without blanks beside the bars, which would count as words.
-fn table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
+fn markdown_table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut text = format!("|{}|\n|{}\n", header.join("|"), "---|".repeat(header.len()));
     for row in rows {
         text.push_str(&format!("|{}|\n", row.join("|")));
@@ -94,7 +94,7 @@ fn findings_table(severity: Severity) -> String {
         let [what, advice] = [rule.what(), rule.advice()].map(|text| phrase_as_markdown(&text));
         vec![format!("`{}`", rule.code), first_clause(&what), first_sentence(&advice), check.to_owned()]
     });
-    table(&["code", "what it is", "what to do", "`check`"], rows)
+    markdown_table(&["code", "what it is", "what to do", "`check`"], rows)
 }
 
 /// docs/check.md: on how many published models each rule fires; `None` without them.
@@ -124,7 +124,7 @@ fn published_models_table() -> Option<String> {
     let with_warnings =
         checked.iter().filter(|result| result.counts.error + result.counts.warning > 0).count();
     let all = checked.len();
-    let table = table(&["code", "severity", "models", "which, where they are few"], rows);
+    let table = markdown_table(&["code", "severity", "models", "which, where they are few"], rows);
     Some(format!(
         "Of {all} published models with contacts {with_warnings} have an error or a warning.\n\n{table}"
     ))
@@ -149,7 +149,7 @@ fn limits_table() -> String {
     let rows = limits::ALL
         .iter()
         .map(|limit| vec![as_markdown(limit.what), limit.in_words(), as_markdown(limit.source)]);
-    table(&["figure", "limit", "source"], rows)
+    markdown_table(&["figure", "limit", "source"], rows)
 }
 
 /// docs/reference/json.md: the figures of a sphere.
@@ -161,7 +161,7 @@ fn figures_table() -> String {
             [info.name.to_owned(), info.column().to_string()].map(|name| format!("`{name}`"));
         vec![name, column, info.equation.to_owned(), limit]
     });
-    table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
+    markdown_table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
 }
 
 /// docs/reference/json.md: what a design without a model finds.
@@ -170,7 +170,7 @@ fn design_figures_table() -> String {
         let info = quantity.info();
         vec![format!("`{}`", info.name), info.unit.to_owned(), info.equation.to_owned()]
     });
-    table(&["`name`", "unit", "equation"], rows)
+    markdown_table(&["`name`", "unit", "equation"], rows)
 }
 
 /// The first of several ways out.
@@ -190,17 +190,17 @@ fn errors_table(group: ErrorGroup) -> String {
             first_way_out(&first_clause(&phrase_as_markdown(&error.way_out()))),
         ]
     });
-    table(&header, rows.map(Vec::from))
+    markdown_table(&header, rows.map(Vec::from))
 }
 
 /// docs/reference/errors.md: what the exit status says.
 fn exit_statuses_table() -> String {
     let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
-    table(&["status", "means"], ExitStatus::ALL.iter().map(row))
+    markdown_table(&["status", "means"], ExitStatus::ALL.iter().map(row))
 }
 
 /// Each part: its page, its name, its text.
-fn parts() -> Vec<(&'static str, &'static str, String)> {
+fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
     const FINDINGS: &str = "reference/findings.md";
     const ERRORS: &str = "reference/errors.md";
     const JSON: &str = "reference/json.md";
@@ -218,7 +218,8 @@ fn parts() -> Vec<(&'static str, &'static str, String)> {
         (ERRORS, "errors-question", errors_table(ErrorGroup::Question)),
         (ERRORS, "errors-request", errors_table(ErrorGroup::Request)),
     ];
-    let records = records::PARTS.iter().map(|(part, schemas)| (JSON, *part, records::table(schemas)));
+    let records =
+        records::PARTS.iter().map(|(part, schemas)| (JSON, *part, records::table_of_records(schemas)));
     others.into_iter().chain(records).chain(published).collect()
 }
 
@@ -238,7 +239,7 @@ fn with_part_replaced(page: &str, name: &str, text: &str) -> Option<String> {
 fn generated_parts_of_the_docs_are_up_to_date() {
     let update = std::env::var_os("UPDATE_DOCS").is_some();
     let mut differ = Vec::new();
-    for (name, part, text) in parts() {
+    for (name, part, text) in parts_of_pages() {
         let path = page_path(name);
         let current = std::fs::read_to_string(&path).unwrap();
         let to_docs = "../".repeat(name.matches('/').count());

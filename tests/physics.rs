@@ -58,7 +58,7 @@ fn assert_close(value: f64, expected: f64, within: f64, what: &str) {
 
 /// What a run of a changing verb, with `--format json`, changes: property to `(from, to)`, equal for all that have it.
 #[track_caller]
-fn changes(run: &CommandRun) -> BTreeMap<String, (f64, f64)> {
+fn changes_in_json(run: &CommandRun) -> BTreeMap<String, (f64, f64)> {
     let plan = json_object(run);
     let mut by_property: BTreeMap<String, (f64, f64)> = BTreeMap::new();
     for change in plan["changes"].as_array().unwrap() {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::add_table::{HUMAN, assert_refused, human_with_meshes, inspect_model, spheres};
+use crate::add_table::{HUMAN, assert_refused, human_with_meshes, inspect_model, spheres_by_name};
 use crate::support::TestDir;
 
 #[test]
@@ -11,7 +11,7 @@ fn spheres_are_placed_under_the_bones() {
     let call = "add human.osim --feet calcn_r,toes_r,calcn_l,toes_l --count 4 --pad 0.01";
     dir.run(&format!("{call} --from falisse2022 -o out.osim")).succeeded();
     let inspection = inspect_model(&dir, "out.osim");
-    let placed = spheres(&inspection);
+    let placed = spheres_by_name(&inspection);
     let names: Vec<&str> = placed.keys().map(String::as_str).collect();
     assert_eq!(names.len(), 8);
     for (name, (place, radius)) in &placed {
@@ -39,7 +39,7 @@ fn spheres_are_placed_under_the_bones() {
 
     // A given radius is used for all spheres.
     dir.run(&format!("{call} --indentation 0.1 --class smooth --radius 0.02 -o made.osim")).succeeded();
-    assert!(spheres(&inspect_model(&dir, "made.osim")).values().all(|(_, radius)| *radius == 0.02));
+    assert!(spheres_by_name(&inspect_model(&dir, "made.osim")).values().all(|(_, radius)| *radius == 0.02));
 }
 
 #[test]

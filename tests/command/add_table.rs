@@ -35,7 +35,7 @@ pub(crate) fn inspect_model(dir: &TestDir, model: &str) -> Value {
 }
 
 /// Centres and radii by name, m.
-pub(crate) fn spheres(inspection: &Value) -> BTreeMap<String, ([f64; 3], f64)> {
+pub(crate) fn spheres_by_name(inspection: &Value) -> BTreeMap<String, ([f64; 3], f64)> {
     let place_and_radius = |sphere: &Value| {
         let at: Vec<f64> =
             sphere["location_m"].as_array().unwrap().iter().map(|x| x.as_f64().unwrap()).collect();
@@ -46,7 +46,7 @@ pub(crate) fn spheres(inspection: &Value) -> BTreeMap<String, ([f64; 3], f64)> {
 }
 
 /// A parameter of the force called `name`; NaN where its class does not have it.
-fn parameter(inspection: &Value, name: &str, property: &str) -> f64 {
+fn parameter_of_force(inspection: &Value, name: &str, property: &str) -> f64 {
     let mut forces = inspection["forces"].as_array().unwrap().iter();
     let force = forces.find(|force| force["name"] == name).unwrap_or_else(|| panic!("{name}: {inspection}"));
     force["parameters"][property].as_f64().unwrap_or(f64::NAN)
@@ -60,7 +60,7 @@ fn assert_close(value: f64, expected: f64) {
 /// The spheres are where the table's generator put them.
 #[track_caller]
 fn assert_placed(inspection: &Value, tolerance: f64) {
-    let spheres = spheres(inspection);
+    let spheres = spheres_by_name(inspection);
     let names: Vec<&str> = spheres.keys().map(String::as_str).collect();
     assert_eq!(names, PLACES.map(|(name, _)| name));
     for (name, expected) in PLACES {
@@ -86,17 +86,17 @@ fn places_and_radii_of_a_table_are_used_unchanged() {
         .wrote(&["out.osim"]);
     let inspection = inspect_model(&dir, "out.osim");
     assert_placed(&inspection, 0.0);
-    assert_eq!(spheres(&inspection)["ball_l"].1, 0.025);
+    assert_eq!(spheres_by_name(&inspection)["ball_l"].1, 0.025);
     // (10) from 62 kg on 6 spheres of 0.032 m with 1e6 N/m2, to 62 kg on 2 spheres a limb; (14), (C.2), (C.5).
     for (name, radius) in [("force_heel_r", 0.03), ("force_ball_l", 0.025)] {
         let ratio: f64 = radius / 0.032;
-        assert_close(parameter(&inspection, name, "stiffness"), 1e6 * (6.0 / 2.0) / (ratio * ratio));
-        assert_close(parameter(&inspection, name, "dissipation"), 2.0 / ratio.sqrt());
-        assert_close(parameter(&inspection, name, "constant_contact_force"), 1e-5 * ratio * ratio);
-        assert_close(parameter(&inspection, name, "hertz_smoothing"), 300.0 / ratio);
+        assert_close(parameter_of_force(&inspection, name, "stiffness"), 1e6 * (6.0 / 2.0) / (ratio * ratio));
+        assert_close(parameter_of_force(&inspection, name, "dissipation"), 2.0 / ratio.sqrt());
+        assert_close(parameter_of_force(&inspection, name, "constant_contact_force"), 1e-5 * ratio * ratio);
+        assert_close(parameter_of_force(&inspection, name, "hertz_smoothing"), 300.0 / ratio);
         // Falisse's frictions.
-        assert_eq!(parameter(&inspection, name, "static_friction"), 0.8);
-        assert_eq!(parameter(&inspection, name, "viscous_friction"), 0.5);
+        assert_eq!(parameter_of_force(&inspection, name, "static_friction"), 0.8);
+        assert_eq!(parameter_of_force(&inspection, name, "viscous_friction"), 0.5);
     }
     // After `remove` the file is as before.
     dir.run("remove out.osim -o back.osim").succeeded();
@@ -130,12 +130,12 @@ fn a_muskemo_export_is_read_in_both_modes() {
         // 0.032 m times the cube root of 496/62.
         .says(&["radii are the reference's, times the cube root of the masses' ratio (8): 0.064 m"]);
     // With equal masses the radii are those of the reference.
-    assert!(spheres(&inspect_model(&dir, "local.osim")).values().all(|(_, radius)| *radius == 0.032));
+    assert!(spheres_by_name(&inspect_model(&dir, "local.osim")).values().all(|(_, radius)| *radius == 0.032));
 
     // Bodies in ground: the global ones.
     dir.run("add global_mode.osim --contacts muskemo_global.csv --from falisse2022 -o global.osim")
         .succeeded();
-    let (heel, _) = spheres(&inspect_model(&dir, "global.osim"))["heel_r"];
+    let (heel, _) = spheres_by_name(&inspect_model(&dir, "global.osim"))["heel_r"];
     assert_eq!(heel, [-0.090_545_266_246_5, 0.02, 0.088_430_200_966_5]);
 
     // Places in ground alone need `--default-pose` if the bodies have other frames, and a remark says so.
@@ -206,11 +206,11 @@ fn parameters_can_follow_from_indentation_and_restitution() {
     let force = 62.0 * 9.81 / 2.0;
     for (name, radius) in [("force_heel_r", 0.03), ("force_ball_r", 0.025)] {
         let composite = 3.0 * force / (4.0 * radius * radius * 0.1_f64.powf(1.5));
-        assert_close(parameter(&inspection, name, "stiffness"), 2_f64.powf(1.5) * composite);
+        assert_close(parameter_of_force(&inspection, name, "stiffness"), 2_f64.powf(1.5) * composite);
         // (13): (1 - 0.5) / 0.5 m/s.
-        assert_close(parameter(&inspection, name, "dissipation"), 1.0);
-        assert_eq!(parameter(&inspection, name, "static_friction"), 0.7);
-        assert!(parameter(&inspection, name, "hertz_smoothing").is_nan());
+        assert_close(parameter_of_force(&inspection, name, "dissipation"), 1.0);
+        assert_eq!(parameter_of_force(&inspection, name, "static_friction"), 0.7);
+        assert!(parameter_of_force(&inspection, name, "hertz_smoothing").is_nan());
     }
     dir.run("remove out.osim -o back.osim").succeeded();
     assert_eq!(dir.read("back.osim"), dir.read("human.osim"));
@@ -226,10 +226,19 @@ fn contacts_are_converted_to_the_requested_class() {
     assert_eq!(inspection["forces"][0]["type"], "SmoothSphereHalfSpaceForce");
     // The smoothing of Falisse et al. at 0.032 m: 1e-5 m2, 300/m, 50 s/m; (C.2), (C.5), (C.10).
     let ratio: f64 = 0.025 / 0.032;
-    assert_close(parameter(&inspection, "force_ball_r", "constant_contact_force"), 1e-5 * ratio * ratio);
-    assert_close(parameter(&inspection, "force_ball_r", "hertz_smoothing"), 300.0 / ratio);
-    assert_close(parameter(&inspection, "force_ball_r", "hunt_crossley_smoothing"), 50.0 / ratio.sqrt());
-    assert_close(parameter(&inspection, "force_ball_r", "stiffness"), 1e6 * (6.0 / 2.0) / (ratio * ratio));
+    assert_close(
+        parameter_of_force(&inspection, "force_ball_r", "constant_contact_force"),
+        1e-5 * ratio * ratio,
+    );
+    assert_close(parameter_of_force(&inspection, "force_ball_r", "hertz_smoothing"), 300.0 / ratio);
+    assert_close(
+        parameter_of_force(&inspection, "force_ball_r", "hunt_crossley_smoothing"),
+        50.0 / ratio.sqrt(),
+    );
+    assert_close(
+        parameter_of_force(&inspection, "force_ball_r", "stiffness"),
+        1e6 * (6.0 / 2.0) / (ratio * ratio),
+    );
 
     dir.write("reference.osim", crate::support::fixture("table1/human_62kg_smooth_sphere.osim"));
     for call in ["", "--contacts own.csv"] {
@@ -277,17 +286,19 @@ fn add_asks_which_contact_of_a_mixed_reference_to_use() {
             .succeeded();
         let inspection = inspect_model(&dir, "out.osim");
         assert!(
-            spheres(&inspection).values().all(|(_, radius)| (radius / 0.032 - 1.0).abs() < PRODUCT_TOLERANCE),
+            spheres_by_name(&inspection)
+                .values()
+                .all(|(_, radius)| (radius / 0.032 - 1.0).abs() < PRODUCT_TOLERANCE),
             "{inspection}"
         );
         let force = inspection["forces"][0]["name"].as_str().unwrap();
         // A given value has priority over the reference's 0.8.
-        assert_eq!(parameter(&inspection, force, "static_friction"), 0.4);
+        assert_eq!(parameter_of_force(&inspection, force, "static_friction"), 0.4);
     }
     // Spheres with the names of the reference get its radii: (8) with equal masses.
     dir.write("named.csv", "name,body,x,y,z\ns1_r,calcn_r,0,0,0\ns2_r,calcn_r,0.1,0,0\n");
     dir.run("add human.osim --contacts named.csv --from reference.osim -o named.osim").succeeded();
-    let placed = spheres(&inspect_model(&dir, "named.osim"));
+    let placed = spheres_by_name(&inspect_model(&dir, "named.osim"));
     assert_eq!((placed["s1_r"].1, placed["s2_r"].1), (0.02, 0.032));
 }
 
@@ -367,12 +378,13 @@ fn a_reference_of_one_side_is_mirrored() {
     let (both, right) = (inspect_model(&dir, "of_both.osim"), inspect_model(&dir, "of_right.osim"));
     // Its spheres are mirror images of each other, called by other numbers.
     let places = |inspection: &Value| {
-        let mut all: Vec<String> = spheres(inspection).values().map(|sphere| format!("{sphere:?}")).collect();
+        let mut all: Vec<String> =
+            spheres_by_name(inspection).values().map(|sphere| format!("{sphere:?}")).collect();
         all.sort();
         all
     };
     assert_eq!(places(&both), places(&right));
-    assert_eq!(spheres(&right).len(), 12);
+    assert_eq!(spheres_by_name(&right).len(), 12);
 
     assert_refused(
         &dir,

@@ -33,7 +33,7 @@ fn line_without_note(line: &str) -> String {
 }
 
 /// The number between the tags of a line.
-pub(crate) fn number(line: &str) -> f64 {
+pub(crate) fn number_between_tags(line: &str) -> f64 {
     let (_, rest) = line.split_once('>').unwrap();
     let text = rest.split('<').next().unwrap().trim();
     text.parse().unwrap_or_else(|_| panic!("no number in {line}"))
@@ -73,7 +73,7 @@ fn a_human_scaled_to_1190_kg_gets_the_numbers_of_the_equations() {
         let lines = lines_of_element(&added, tag);
         assert_eq!(lines.len(), 12, "{tag}");
         for line in lines {
-            assert_close(number(line), expected, LAST_BITS, tag);
+            assert_close(number_between_tags(line), expected, LAST_BITS, tag);
         }
     }
     assert_eq!(dir.text("human.scaled.osim").matches("[contacts made for 1190 kg at ").count(), 1);
@@ -91,7 +91,12 @@ fn mouse_contacts_scale_to_giraffe_contacts() {
         let (before, after) = (lines_of_element(&removed, tag), lines_of_element(&added, tag));
         assert_eq!((before.len(), after.len()), (4, 4), "{tag}");
         for (before, after) in before.iter().zip(&after) {
-            assert_close(number(after) / number(before), ratio.powf(exponent), 1e-14, tag);
+            assert_close(
+                number_between_tags(after) / number_between_tags(before),
+                ratio.powf(exponent),
+                1e-14,
+                tag,
+            );
         }
     }
     assert_eq!(added.len(), 12, "without the note nothing else changes");
@@ -106,12 +111,12 @@ fn scaling_there_and_back_restores_the_numbers() {
     let added: Vec<_> = added.iter().filter(|line| !line.starts_with("<!--")).collect();
     assert_eq!(removed.len(), added.len());
     for (before, after) in removed.iter().zip(added) {
-        assert_close(number(after), number(before), 1e-14, before);
+        assert_close(number_between_tags(after), number_between_tags(before), 1e-14, before);
     }
 }
 
 #[test]
-fn two_rescalings_equal_one() {
+fn two_rescalings_in_turn_equal_one() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 3.7 -o a.osim").succeeded();
     dir.run("a.osim --target-mass 1190 -o two.osim").succeeded();
@@ -119,7 +124,7 @@ fn two_rescalings_equal_one() {
     let (one, two) = line_changes(&dir.read("one.osim"), &dir.read("two.osim"));
     assert_eq!(one.len(), two.len());
     for (one, two) in one.iter().zip(&two) {
-        assert_close(number(two), number(one), 1e-14, one);
+        assert_close(number_between_tags(two), number_between_tags(one), 1e-14, one);
     }
 }
 
@@ -174,7 +179,7 @@ fn inserted_elements_are_indented_like_their_siblings() {
             && rest.contains("</hunt_crossley_smoothing>\n\t\t\t\t</SmoothSphere"),
         "{text}"
     );
-    assert_close(number(&format!(">{rest}")), 35.355_339_059_327_38, LAST_BITS, "bv");
+    assert_close(number_between_tags(&format!(">{rest}")), 35.355_339_059_327_38, LAST_BITS, "bv");
     assert!(text.contains("</gravity>\n\t\t<credits>[contacts made for 492 kg at "), "{text}");
 }
 

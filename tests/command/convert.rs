@@ -169,7 +169,7 @@ fn convert_warns_if_the_body_would_float() {
 }
 
 #[test]
-fn options_without_effect_are_refused() {
+fn convert_refuses_options_without_effect() {
     let dir = TestDir::with(&[HUNT]);
     for option in ["--constant-contact-force 1e-6", "--hertz-smoothing 5", "--hunt-crossley-smoothing 5"] {
         let name = option.split(' ').next().unwrap();

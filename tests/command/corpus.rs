@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::bytes::{assert_close, line_changes, lines_of_element, number};
+use crate::bytes::{assert_close, line_changes, lines_of_element, number_between_tags};
 use crate::support::{TestDir, corpus_folder};
 
 fn dir_with_model(folder: &Path, model: &str) -> TestDir {
@@ -39,7 +39,7 @@ fn the_falisse_model_scales_to_500_kg() {
         let (before, after) = (lines_of_element(&removed, tag), lines_of_element(&added, tag));
         assert_eq!((before.len(), after.len()), (if inserted { 0 } else { 12 }, 12), "{tag}");
         for line in after {
-            assert!((number(line) - printed).abs() <= digits, "{line}, expected {printed}");
+            assert!((number_between_tags(line) - printed).abs() <= digits, "{line}, expected {printed}");
         }
     }
     assert_eq!((removed.len(), added.len()), (36, 36 + 36), "nothing but the note changes beside");
@@ -128,11 +128,11 @@ fn every_published_model_is_rescaled_there_and_back_or_refused() {
             }
             // Each number came back; each line that is new was a default.
             let tag = line.trim_start_matches('<').split(['>', ' ']).next().unwrap();
-            let expected = number(line);
+            let expected = number_between_tags(line);
             let near = added
                 .iter()
                 .filter(|new| new.starts_with(&format!("<{tag}")))
-                .any(|new| (number(new) - expected).abs() <= 1e-14 * expected.abs());
+                .any(|new| (number_between_tags(new) - expected).abs() <= 1e-14 * expected.abs());
             assert!(near, "{model}: {line} did not come back");
         }
         rescaled.push(model.clone());

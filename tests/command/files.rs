@@ -60,12 +60,15 @@ fn a_symlink_stays_a_symlink() {
 /// In a folder whose new files get another group.
 #[cfg(unix)]
 #[test]
-fn owner_and_group_are_kept() {
+fn a_changed_model_keeps_owner_and_group() {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, chown};
     let dir = TestDir::with_human();
     let change_group = |name: &str, group| chown(dir.path(name), None, Some(group)).is_ok();
     if !change_group("human.osim", 54321) || !change_group(".", 12345) {
-        crate::support::report_skip("owner_and_group_are_kept", "this user may not give files to groups");
+        crate::support::report_skip(
+            "a_changed_model_keeps_owner_and_group",
+            "this user may not give files to groups",
+        );
         return;
     }
     std::fs::set_permissions(dir.path("."), PermissionsExt::from_mode(0o2775)).unwrap();
@@ -77,7 +80,7 @@ fn owner_and_group_are_kept() {
 
 #[cfg(unix)]
 #[test]
-fn permissions_are_kept() {
+fn a_changed_model_keeps_its_permissions() {
     use std::os::unix::fs::{MetadataExt, PermissionsExt};
     let dir = TestDir::with_human();
     let mode = |name: &str| dir.path(name).metadata().unwrap().mode() & 0o7777;
@@ -267,7 +270,7 @@ fn a_compiled_model_beside_the_output_causes_a_warning() {
 }
 
 #[test]
-fn no_temporary_file_remains() {
+fn no_run_leaves_a_temporary_file() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 1190 --in-place").succeeded();
     dir.run("human.osim --target-mass 5 -o out/deep/er.osim").succeeded().wrote(&["out/deep/er.osim"]);

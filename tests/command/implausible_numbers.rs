@@ -201,7 +201,7 @@ fn a_column_of_a_table_holds_the_answers() {
 }
 
 #[test]
-fn sweeps_ask_before_they_write() {
+fn sweeps_ask_about_implausible_masses_before_they_write() {
     let dir = TestDir::with_human();
     let call = "sweep human.osim --grid target_mass=50,137";
     assert_asks(dir.run(call), "sweep");

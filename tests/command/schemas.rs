@@ -100,7 +100,7 @@ mod names_that_are_not_utf_8 {
     }
 
     #[test]
-    fn have_their_bytes_in_json() {
+    fn paths_that_are_not_unicode_have_their_bytes_in_json() {
         let Some(dir) = dir_with_latin1_name() else { return };
         for words in [
             &["inspect", "NAME", "--format", "json"][..],
@@ -134,7 +134,7 @@ mod names_that_are_not_utf_8 {
     }
 
     #[test]
-    fn stay_in_remedies() {
+    fn paths_that_are_not_unicode_stay_in_remedies() {
         let Some(dir) = dir_with_latin1_name() else { return };
         std::fs::write(dir.path("").join(OsStr::from_bytes(NAME)), fixture("check/sunk_in.osim")).unwrap();
         let request = json!({"verb": "check", "models": [{"bytes": NAME}], "format": "json"}).to_string();

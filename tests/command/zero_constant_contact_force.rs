@@ -59,7 +59,7 @@ fn a_zero_in_a_force_outside_the_selection_is_found() {
 }
 
 #[test]
-fn no_call_writes_a_zero() {
+fn no_call_writes_a_zero_constant_contact_force() {
     let dir = TestDir::with(&[HUMAN, (FOOT, "zero.osim")]);
     dir.write(
         "presets.toml",

@@ -26,7 +26,7 @@ fn a_sphere_missing_on_one_side_is_named() {
 }
 
 #[test]
-fn renamed_spheres_are_named() {
+fn spheres_with_other_names_in_the_reference_are_named() {
     let dir = generic_and_scaled("smooth");
     for name in ["\"ball_r\"", "contactgeometryset/ball_r<"] {
         replace_in_file(&dir, "scaled.osim", name, &name.replace("ball_r", "forefoot_r"));

@@ -25,7 +25,7 @@ const SHARED: &[(&str, &str)] =
 const SHOWN_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
 
 /// A row for each record of these schemas.
-pub(crate) fn table(schemas: &[&str]) -> String {
+pub(crate) fn table_of_records(schemas: &[&str]) -> String {
     let mut text = "|record|fields|\n|---|---|\n".to_owned();
     for name in schemas {
         let schema = read_schema(name);

@@ -98,7 +98,7 @@ fn files_with_save(dir: &TestDir) -> Vec<String> {
 
 /// What another program saved into the model during the run is in a file now, and after a later run in the model or in its backup.
 #[track_caller]
-fn assert_save_is_kept(dir: &TestDir, when: &str) {
+fn assert_saved_text_survives(dir: &TestDir, when: &str) {
     let names = files_with_save(dir);
     let beside = |name: &String| name.starts_with("human.osim");
     assert!(names.iter().any(beside), "{when}: {names:?} of {:?}", dir.files().keys());
@@ -135,7 +135,7 @@ fn save_and_kill(options: &str) {
     let (killed, text) = run_shell(&dir, "kill -9 $(cat process)");
     assert_eq!(killed, Some(0), "{text}");
     child.wait().unwrap();
-    assert_save_is_kept(&dir, options);
+    assert_saved_text_survives(&dir, options);
     assert!(!files_with_save(&dir).contains(&"human.osim".to_owned()), "killed before it was put back");
 }
 
@@ -151,7 +151,7 @@ fn a_save_survives_a_kill_at_every_later_system_call() {
             let mut child = exchange.start(&dir, &injected);
             save_before_exchange(&dir);
             let status = child.wait().unwrap();
-            assert_save_is_kept(&dir, &format!("{call} {at}, {status}"));
+            assert_saved_text_survives(&dir, &format!("{call} {at}, {status}"));
             if status.signal() != Some(9) {
                 break;
             }

@@ -17,7 +17,7 @@ fn finished_run() -> TestDir {
 }
 
 #[test]
-fn unchanged_models_are_skipped() {
+fn a_resumed_run_skips_unchanged_models() {
     let dir = finished_run();
     let before = dir.files();
     resume(&dir).succeeded().wrote_nothing().says(&["5 models: 5 done before"]);
@@ -79,7 +79,7 @@ fn a_missing_output_is_written_again() {
 }
 
 #[test]
-fn an_edited_output_is_kept() {
+fn a_resumed_run_keeps_an_edited_output() {
     let dir = finished_run();
     dir.write("out/even/model02.osim", "my work");
     resume(&dir).failed().says(&[

@@ -15,7 +15,7 @@ fn outputs_of_share(dir: &TestDir, index: usize, count: usize) -> BTreeSet<Strin
 }
 
 #[test]
-fn shares_are_disjoint_and_complete() {
+fn shares_of_a_run_are_disjoint_and_complete() {
     for count in [1, 3, 7] {
         let dir = folder_with_models(30);
         let shares: Vec<_> = (1..=count).map(|index| outputs_of_share(&dir, index, count)).collect();

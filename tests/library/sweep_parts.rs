@@ -5,7 +5,7 @@ use std::fs::File;
 use crate::model_folder::{start, wait_for_output};
 use crate::support::TestDir;
 use crate::sweep_resume::{
-    BUSY, CALL, FIFTH_MODEL, TABLE, assert_undisturbed, emu, replace_by_heavier_model,
+    BUSY, CALL, FIFTH_MODEL, TABLE, assert_undisturbed, dir_with_emu, replace_by_heavier_model,
     replace_by_model_of_mass,
 };
 
@@ -31,7 +31,7 @@ fn finish_sweep(dir: &TestDir, says: &str) {
 
 /// Two shares of the six models, one after the other.
 fn sweep_in_two_shares() -> TestDir {
-    let dir = emu();
+    let dir = dir_with_emu();
     for share in share_options(2) {
         dir.run(&format!("{CALL} {share}")).succeeded().says(&["3 models written", "of 6"]);
     }
@@ -49,7 +49,7 @@ fn rows_and_header(dir: &TestDir, table: &str) -> (Vec<String>, String) {
 #[test]
 fn parallel_shares_and_a_last_call_make_the_whole_sweep() {
     for count in [1, 2, 4] {
-        let dir = emu();
+        let dir = dir_with_emu();
         run_in_parallel(&dir, share_options(count));
         assert!(!dir.has(TABLE));
         finish_sweep(&dir, "0 models written, 6 done before");
@@ -58,7 +58,7 @@ fn parallel_shares_and_a_last_call_make_the_whole_sweep() {
 
 #[test]
 fn parallel_points_and_a_last_call_make_the_whole_sweep() {
-    let dir = emu();
+    let dir = dir_with_emu();
     run_in_parallel(&dir, (1..=6).map(|point| format!("--point {point} --jobs 1")));
     let parts: Vec<_> =
         (1..=6).map(|point| rows_and_header(&dir, &format!("out/emu_sweep.point-{point}.csv"))).collect();
@@ -75,7 +75,7 @@ fn parallel_points_and_a_last_call_make_the_whole_sweep() {
 /// Shares and single points in parallel: two calls write each model.
 #[test]
 fn a_point_that_two_calls_write_is_complete() {
-    let dir = emu();
+    let dir = dir_with_emu();
     for option in ["--resume", "--force"] {
         let parts = share_options(2).chain((1..=6).map(|point| format!("--point {point}")));
         run_in_parallel(&dir, parts.map(|part| format!("{part} {option}")));
@@ -85,7 +85,7 @@ fn a_point_that_two_calls_write_is_complete() {
 
 #[test]
 fn a_share_is_every_nth_point_and_may_be_empty() {
-    let dir = emu();
+    let dir = dir_with_emu();
     dir.run(&format!("{CALL} --shard 2/4")).succeeded().wrote(&[
         "out/emu_2_stiffness-x0.5_dissipation-2.osim",
         "out/emu_6_stiffness-x2_dissipation-2.osim",
@@ -166,7 +166,7 @@ fn models_of_a_killed_part_are_recognised() {
 
 #[test]
 fn the_whole_sweep_and_its_parts_refuse_to_run_at_the_same_time() {
-    let dir = emu();
+    let dir = dir_with_emu();
     let lock_file = |name: &str| {
         dir.write(name, "");
         let file = File::options().append(true).open(dir.path(name)).unwrap();
@@ -210,7 +210,7 @@ fn tables_that_another_program_saved_are_kept() {
 #[test]
 fn steps_of_a_ladder_are_points() {
     let call = "sweep emu.osim --ladder 3 --indentation 0.16 --restitution 0.9 -d out";
-    let dir = emu();
+    let dir = dir_with_emu();
     dir.run(&format!("{call} --point 2"))
         .succeeded()
         .wrote(&["out/emu_ladder-2-of-3.osim", "out/emu_ladder.point-2.csv"]);

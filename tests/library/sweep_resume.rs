@@ -17,13 +17,13 @@ fn resume(dir: &TestDir) -> CommandRun {
     dir.run(&format!("{CALL} --resume"))
 }
 
-pub(crate) fn emu() -> TestDir {
+pub(crate) fn dir_with_emu() -> TestDir {
     TestDir::with(&[(MODEL, "emu.osim")])
 }
 
 /// A folder after a sweep of six models.
 fn finished_sweep() -> TestDir {
-    let dir = emu();
+    let dir = dir_with_emu();
     dir.run(CALL).succeeded().says(&["6 models written"]);
     dir
 }
@@ -51,7 +51,7 @@ pub(crate) fn assert_undisturbed(dir: &TestDir, call: &str) {
 }
 
 #[test]
-fn complete_models_are_skipped() {
+fn a_resumed_sweep_skips_complete_variants() {
     let dir = finished_sweep();
     resume(&dir).succeeded().wrote_nothing().says(&["0 models written, 6 done before"]);
     // The state after a kill: no table, and not all files.
@@ -72,13 +72,13 @@ fn resume_json(dir: &TestDir) -> serde_json::Value {
 
 #[test]
 fn a_first_run_may_have_resume() {
-    let dir = emu();
+    let dir = dir_with_emu();
     resume(&dir).succeeded().says(&["6 models written; what"]);
     assert_undisturbed(&dir, CALL);
 }
 
 #[test]
-fn an_edited_model_is_kept() {
+fn a_resumed_sweep_keeps_an_edited_variant() {
     let dir = finished_sweep();
     dir.write(FIFTH_MODEL, "my work");
     for _ in 0..2 {
@@ -132,7 +132,7 @@ fn another_grid_writes_only_its_new_points() {
     let call = CALL.replace("x0.5,x1,x2 ", "x0.5 ");
     dir.run(&format!("{call} --resume")).succeeded().wrote(&[TABLE]).says(&["2 done before"]);
     assert_eq!(dir.text(TABLE).lines().count(), 3);
-    let undisturbed = emu();
+    let undisturbed = dir_with_emu();
     undisturbed.run(&call).succeeded();
     assert_eq!(dir.text(TABLE), undisturbed.text(TABLE));
     // Other points under these numbers are other files.
@@ -217,7 +217,7 @@ fn a_table_saved_by_a_spreadsheet_with_commas_is_refused() {
 
 #[test]
 fn a_ladder_can_be_resumed() {
-    let dir = emu();
+    let dir = dir_with_emu();
     let ladder = |steps: usize| {
         let words = "--indentation 0.16 --restitution 0.9 -d out --resume";
         dir.run(&format!("sweep emu.osim --ladder {steps} {words}"))
@@ -240,7 +240,7 @@ fn a_sweep_that_exists_names_the_options_to_continue() {
 
 #[test]
 fn a_second_sweep_into_a_busy_folder_is_refused() {
-    let dir = emu();
+    let dir = dir_with_emu();
     dir.write(PARTIAL, "");
     let other = std::fs::File::options().append(true).open(dir.path(PARTIAL)).unwrap();
     other.lock().unwrap();
@@ -256,7 +256,7 @@ fn a_second_sweep_into_a_busy_folder_is_refused() {
 /// Ctrl-C: the partial table stays, and the same call with `--resume` ends it.
 #[test]
 fn an_interrupted_sweep_can_be_resumed() {
-    let dir = emu();
+    let dir = dir_with_emu();
     let call = "sweep emu.osim --grid stiffness=x0.1..x10/30 --grid dissipation=1..2/20 -d out --jobs 1";
     let mut child = start(&dir, call);
     let deadline = Instant::now() + Duration::from_secs(60);

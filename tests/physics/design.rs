@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::support::{CommandRun, HUMAN, TestDir};
-use crate::{assert_close, changed_lines, changes, json_object};
+use crate::{assert_close, changed_lines, changes_in_json, json_object};
 
 /// Table 1 as the paper prints it.
 const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
@@ -83,7 +83,7 @@ fn a_stiffness_and_an_indentation_give_radius_and_modulus() {
 }
 
 #[test]
-fn body_weights_multiply_the_load() {
+fn design_multiplies_the_load_by_body_weights() {
     let sheet = design_sheet(
         "--mass 62 --body-weights 2.5 --spheres 6 --radius 0.032 --indentation 0.1 --gravity 9.81",
     );
@@ -100,7 +100,7 @@ fn youngs_modulus_and_poissons_ratio_give_the_stiffness_on_rigid_ground() {
 }
 
 #[test]
-fn restitution_gives_the_dissipation() {
+fn design_computes_dissipation_from_restitution() {
     // 1 − 0.208 = 0.792 = α ẋ; theory: the exact restitution there is 0.550 where (13) says 0.208.
     let given = design_sheet("--restitution 0.208 --impact-speed 0.396");
     assert_figure(&given, "dissipation", 2.0, 1e-14);
@@ -116,7 +116,7 @@ fn restitution_gives_the_dissipation() {
 }
 
 #[test]
-fn widths_give_the_smoothing() {
+fn design_computes_smoothing_from_widths() {
     let sheet = design_sheet(
         "--radius 0.032 --constant-indentation 0.1 --state-width 0.3 --speed-width 0.25 --threshold 0.01",
     );
@@ -281,7 +281,7 @@ fn with_a_model_an_indentation_writes_the_stiffness_and_nothing_else() {
 fn the_load_follows_from_the_options() {
     let dir = TestDir::with_human();
     let stiffness = |options: &str| {
-        changes(
+        changes_in_json(
             &dir.run(&format!("design human.osim --indentation 0.16 {options} --dry-run --format json"))
                 .succeeded(),
         )["stiffness"]
@@ -302,7 +302,7 @@ fn a_new_radius_scales_the_other_parameters() {
     let dir = TestDir::with_human();
     let run =
         dir.run("design human.osim --indentation 0.16 --radius 0.04 --dry-run --format json").succeeded();
-    let value = changes(&run);
+    let value = changes_in_json(&run);
     // ρ = 1.25: α and bv × ρ^(−1/2), cf × ρ², bd / ρ; the stiffness by (11) at the new radius (mpmath).
     let root = 0.894_427_190_999_915_9;
     for (name, from, to) in [
@@ -318,14 +318,14 @@ fn a_new_radius_scales_the_other_parameters() {
     }
     // Without an indentation the stiffness follows the radius too, E1* ∝ R^(−2).
     let run = dir.run("design human.osim --radius x1.25 --dry-run --format json").succeeded();
-    assert_close(changes(&run)["stiffness"].1, 1e6 / 1.5625, 1e-14, "stiffness");
+    assert_close(changes_in_json(&run)["stiffness"].1, 1e6 / 1.5625, 1e-14, "stiffness");
 }
 
 #[test]
 fn each_design_option_writes_its_property() {
     let dir = TestDir::with_human();
     let run = |options: &str| {
-        changes(&dir.run(&format!("design human.osim {options} --dry-run --format json")).succeeded())
+        changes_in_json(&dir.run(&format!("design human.osim {options} --dry-run --format json")).succeeded())
     };
     // mpmath: 0.1/√(9.81 · 0.032/2); 0.1/0.5; 1e5/(1 − 0.49²) · 2^(3/2); (0.1 · 0.032)²; 2 atanh(0.9)/(0.3 · 0.032);
     // 2 atanh(0.9)/0.3.

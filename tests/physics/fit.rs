@@ -191,7 +191,7 @@ fn bad_tables_are_refused_with_the_place() {
 }
 
 #[test]
-fn wrong_options_are_refused() {
+fn fit_refuses_wrong_options() {
     let dir = dir_with_curve();
     dir.run("fit curve.csv").usage_error().says(&["--radius"]);
     dir.run("fit curve.csv --radius 0.032 --onset late").usage_error().says(&["--onset 'late'"]);

@@ -401,7 +401,7 @@ fn a_moved_floor_of_other_spheres_is_reported() {
 }
 
 #[test]
-fn options_without_effect_are_refused() {
+fn fit_of_a_motion_refuses_options_without_effect() {
     let dir = TestDir::with(&FILES);
     dir.run(&format!("{FIT} --fit stiffness --height-in spheres"))
         .usage_error()

@@ -259,7 +259,7 @@ fn a_motion_plot_shows_model_and_plates() {
 
 /// The page of `check` shows the recording: words, feet, and the figure with a curve of each foot.
 #[test]
-fn a_report_shows_the_recording() {
+fn the_report_of_a_check_shows_the_recording() {
     let dir = TestDir::with(&FILES);
     let call =
         "check walker.osim --motion walk.mot --plates plates.sto --loads plates.xml --report page.html";
@@ -304,7 +304,7 @@ fn an_option_that_a_plot_lacks_is_named() {
 
 /// JSON has no number for what is not finite, and its schema promises numbers: such a model is refused.
 #[test]
-fn numbers_that_overflow_are_refused() {
+fn a_model_whose_motion_overflows_is_refused() {
     let dir = TestDir::with(&FILES);
     let walker = dir.text("walker.osim");
     for (old, new) in [

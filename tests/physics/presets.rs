@@ -1,7 +1,7 @@
 //! `presets`, and presets in a file of the user.
 
 use crate::support::{HUMAN, TestDir};
-use crate::{assert_close, changes, json_object, number};
+use crate::{assert_close, changes_in_json, json_object, number};
 
 const LAB: &str = "# Presets of the lab
 [[preset]]
@@ -77,7 +77,7 @@ fn user_presets_are_listed_after_the_published_one() {
 fn transfer_accepts_a_user_preset() {
     let dir = TestDir::with(&[("format/v40000.osim", "feet.osim"), HUMAN]);
     write_lab_presets(&dir);
-    let changed = changes(
+    let changed = changes_in_json(
         &dir.run("transfer feet.osim --from lab_heel --presets lab.toml --dry-run --format json").succeeded(),
     );
     // (10): 53/70 · 4/2 · (0.03/0.0325)² · 1.5e6; (14): √(0.03/0.0325). mpmath.

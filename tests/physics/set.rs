@@ -1,7 +1,7 @@
 //! `set`: plain changes of values.
 
 use crate::support::{HUMAN, TestDir};
-use crate::{changed_lines, changes, json_object};
+use crate::{changed_lines, changes_in_json, json_object};
 
 #[test]
 fn set_writes_values_and_factors_and_nothing_else() {
@@ -29,7 +29,7 @@ fn set_changes_a_radius_alone() {
     let dir = TestDir::with_human();
     let run = dir.run("set human.osim radius=x1.25 --dry-run --format json").succeeded();
     assert_eq!(json_object(&run)["changes"].as_array().unwrap().len(), 12, "one for each sphere");
-    let changed = changes(&run);
+    let changed = changes_in_json(&run);
     assert_eq!(changed.into_iter().collect::<Vec<_>>(), [("radius".to_owned(), (0.032, 0.04))]);
 }
 

@@ -10,7 +10,7 @@ const GIRAFFE: &str = "#D55E00";
 
 /// The figure that `plot ARGUMENTS` draws.
 #[track_caller]
-fn plot(dir: &TestDir, arguments: &str) -> Svg {
+fn plot_svg(dir: &TestDir, arguments: &str) -> Svg {
     dir.run(&format!("plot {arguments} -o figure.svg --force")).succeeded().wrote(&["figure.svg"]);
     Svg::read(&dir.text("figure.svg"))
 }
@@ -42,7 +42,7 @@ fn distance_to_curve((px, py): (f64, f64), curve: &[(f64, f64)]) -> f64 {
 
 #[test]
 fn the_preset_shows_its_three_laws() {
-    let svg = plot(&TestDir::new(), "force falisse2022");
+    let svg = plot_svg(&TestDir::new(), "force falisse2022");
     svg.says(&[
         "Contact force: falisse2022",
         "Hertz (1)",
@@ -65,13 +65,13 @@ fn the_preset_shows_its_three_laws() {
 #[test]
 fn several_bodies_are_drawn_relative_to_their_weight() {
     let dir = TestDir::with(&[HUMAN, ("table1/mouse_smooth_sphere.osim", "mouse.osim")]);
-    let svg = plot(&dir, "force human.osim mouse.osim --stance-limbs 1");
+    let svg = plot_svg(&dir, "force human.osim mouse.osim --stance-limbs 1");
     svg.says(&["human", "mouse", "force of one sphere / its share Mg/n (–)"]);
 }
 
 #[test]
 fn scaled_contacts_have_the_same_dimensionless_curve() {
-    let svg = plot(&TestDir::new(), "force falisse2022 --target-mass 1190");
+    let svg = plot_svg(&TestDir::new(), "force falisse2022 --target-mass 1190");
     svg.says(&["falisse2022", "falisse2022, scaled to 1190 kg"]);
     let axes = (&svg.scale_of_x(), &svg.scale_of_y());
     let (before, after) = (svg.curves(MOUSE)[0], svg.curves(GIRAFFE)[0]);
@@ -83,21 +83,21 @@ fn scaled_contacts_have_the_same_dimensionless_curve() {
     // At rest each carries its share: falisse2022 rests at 0.33948.
     assert!((value_at(before, axes, 0.339_48) - 1.0).abs() < 4e-3);
     // With their dimensions they are far apart: 32 mm and 85.7 mm.
-    let dimensional = plot(&TestDir::new(), "force falisse2022 --target-mass 1190 --axes real");
+    let dimensional = plot_svg(&TestDir::new(), "force falisse2022 --target-mass 1190 --axes real");
     dimensional.says(&["indentation x (mm)", "force of one sphere (N)", "−40", "40"]);
 }
 
 #[test]
 fn different_spheres_have_a_curve_each() {
     let dir = TestDir::with(&[("format/unequal_radii.osim", "unequal.osim")]);
-    let svg = plot(&dir, "force unequal.osim --spheres 2");
+    let svg = plot_svg(&dir, "force unequal.osim --spheres 2");
     // The title says whose they are.
     svg.says(&["heel_r, toe_r", "heel_l, toe_l"]);
 }
 
 #[test]
 fn fig_c5_shows_what_default_smoothing_does_to_small_spheres() {
-    let svg = plot(&TestDir::new(), "fig-c5");
+    let svg = plot_svg(&TestDir::new(), "fig-c5");
     svg.says(&[
         "A",
         "B",
@@ -138,7 +138,7 @@ fn fig_c5_shows_what_default_smoothing_does_to_small_spheres() {
 
 #[test]
 fn fig_4_shows_the_mouse_bouncing_until_its_dissipation_is_scaled() {
-    let svg = plot(&TestDir::new(), "fig4");
+    let svg = plot_svg(&TestDir::new(), "fig4");
     svg.says(&[
         "mouse",
         "giraffe",
@@ -186,9 +186,9 @@ fn fig_4_shows_the_mouse_bouncing_until_its_dissipation_is_scaled() {
 #[test]
 fn drops_states_and_loops_name_their_axes() {
     let dir = TestDir::with(&[HUMAN]);
-    plot(&dir, "drop human.osim").says(&["Drop test: human", "time t (s)", "body weight"]);
-    plot(&dir, "state human.osim").says(&["contact state (–)", "smoothed (C.4)", "state 0.05"]);
-    let svg = plot(&dir, "loop falisse2022");
+    plot_svg(&dir, "drop human.osim").says(&["Drop test: human", "time t (s)", "body weight"]);
+    plot_svg(&dir, "state human.osim").says(&["contact state (–)", "smoothed (C.4)", "state 0.05"]);
+    let svg = plot_svg(&dir, "loop falisse2022");
     // √(gR/2) = 0.39611 m/s; theory.md: the exact restitution at α ẋ⁻ = 0.792 is 0.550.
     svg.says(&["0.396 m/s, restitution 0.55", "force at rest"]);
 }
@@ -197,7 +197,7 @@ fn drops_states_and_loops_name_their_axes() {
 fn a_heat_map_shows_its_quantity_over_stiffness_and_dissipation() {
     let dir = TestDir::new();
     let grid = "--stiffness x0.1..x10/7 --dissipation x0.1..x4/6";
-    let svg = plot(&dir, &format!("sweep falisse2022 --quantity peak-force {grid}"));
+    let svg = plot_svg(&dir, &format!("sweep falisse2022 --quantity peak-force {grid}"));
     svg.says(&[
         "peak force / body weight (–)",
         "stiffness E₁* (N/m²)",
@@ -213,10 +213,10 @@ fn a_heat_map_shows_its_quantity_over_stiffness_and_dissipation() {
 #[test]
 fn a_sweep_of_one_parameter_is_a_curve() {
     let dir = TestDir::new();
-    let svg = plot(&dir, "sweep falisse2022 --quantity restitution");
+    let svg = plot_svg(&dir, "sweep falisse2022 --quantity restitution");
     svg.says(&["coefficient of restitution (–)", "dissipation α (s/m)", "falisse2022 now"]);
     assert!(svg.fills.iter().all(|fill| fill == "#FFFFFF"), "no cells: {:?}", svg.fills);
-    let svg = plot(&dir, "sweep falisse2022 --quantity indentation");
+    let svg = plot_svg(&dir, "sweep falisse2022 --quantity indentation");
     svg.says(&["x̂ under body weight, Hertz (–)", "stiffness E₁* (N/m²)", "x̂ = 0.16, limit of the Hertz law"]);
     assert!(!svg.texts.iter().any(|text| text.contains("dissipation")), "{:?}", svg.texts);
 }

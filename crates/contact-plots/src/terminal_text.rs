@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn every_line_fits() {
+    fn every_line_fits_the_width_of_the_terminal() {
         for columns in [20, 40, 80, 132] {
             let points =
                 (0..1000).map(|i| f64::from(i) / 500.0).map(|t| (t, 4e6 * (9.0 * t).sin().abs())).collect();
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_to_draw_is_told() {
+    fn a_figure_without_points_says_that_nothing_can_be_drawn() {
         assert!(text(&panel(vec![(0.0, 1.0)]), 80, 16).is_err());
         assert!(text(&panel(vec![(0.0, 1.0), (f64::NAN, 1.0)]), 80, 16).is_err());
     }

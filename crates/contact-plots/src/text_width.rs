@@ -152,7 +152,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn widths_are_those_of_arial() {
+    fn widths_of_letters_are_those_of_arial() {
         // In thousandths of the size, as in Adobe's tables of Helvetica: W 944, i 222, blank 278, M 833, alpha 578 (Arial).
         assert!((width_pt("Wi i", 1000.0) - (944.0 + 222.0 + 278.0 + 222.0)).abs() < 2.0);
         assert!((width_pt("M", 1000.0) - 833.0).abs() < 1.0);
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn long_texts_are_cut() {
+    fn long_texts_are_cut_to_a_width() {
         assert_eq!(cut("toe", 7.0, 40.0), "toe");
         let short = cut("a name without end", 7.0, 40.0);
         assert!(short.ends_with('…') && width_pt(&short, 7.0) <= 40.0, "{short}");

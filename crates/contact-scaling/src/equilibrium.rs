@@ -313,11 +313,11 @@ mod tests {
     use super::*;
     use crate::{Contact, ContactValues, Law, SmoothingValues, falisse2022};
 
-    fn smooth(cf: f64, bd: f64, radius: f64, count: f64) -> Spheres {
-        damped(cf, bd, radius, count, (2.0, 50.0))
+    fn smooth_spheres(cf: f64, bd: f64, radius: f64, count: f64) -> Spheres {
+        damped_spheres(cf, bd, radius, count, (2.0, 50.0))
     }
 
-    fn damped(cf: f64, bd: f64, radius: f64, count: f64, (alpha, bv): (f64, f64)) -> Spheres {
+    fn damped_spheres(cf: f64, bd: f64, radius: f64, count: f64, (alpha, bv): (f64, f64)) -> Spheres {
         let smoothing =
             SmoothingValues { constant_contact_force: cf, hertz_smoothing: bd, hunt_crossley_smoothing: bv };
         let values = ContactValues {
@@ -334,15 +334,15 @@ mod tests {
         let law = Law::of(&Contact::new(values).unwrap(), 0.032).unwrap();
         let law = [Spheres::new(law, 3.0).unwrap()];
         assert_eq!(indentation(&law, 300.0), hertz_indentation(&law, 300.0));
-        let sharp = [smooth(0.0, 1e9, 0.032, 3.0)];
+        let sharp = [smooth_spheres(0.0, 1e9, 0.032, 3.0)];
         let ratio = indentation(&sharp, 300.0).unwrap() / hertz_indentation(&sharp, 300.0).unwrap();
         assert!((ratio - 1.0).abs() < 1e-14);
     }
 
     #[test]
-    fn an_unscaled_mouse_floats() {
+    fn unscaled_contacts_hold_a_mouse_above_the_floor() {
         // Section C.1: with the default cf the mouse rests above the ground.
-        let mouse = [smooth(1e-5, 300.0, 0.002, 2.0)];
+        let mouse = [smooth_spheres(1e-5, 300.0, 0.002, 2.0)];
         let x = indentation(&mouse, 0.0209 * 9.81).unwrap();
         assert!(x < 0.0, "{x}");
     }
@@ -357,7 +357,7 @@ mod tests {
             (50.0, 5.0, 0.528_091_387),
         ];
         for (alpha, bv, x_hat) in RESTS {
-            let human = [damped(1e-5, 300.0, 0.032, 6.0, (alpha, bv))];
+            let human = [damped_spheres(1e-5, 300.0, 0.032, 6.0, (alpha, bv))];
             let x = indentation(&human, 62.0 * 9.81).unwrap() / 0.032;
             assert!((x - x_hat).abs() < 1e-8, "{alpha} {bv}: {x} {x_hat}");
         }
@@ -366,7 +366,7 @@ mod tests {
     #[test]
     fn the_first_rest_from_above_is_found() {
         // With next to no cf the smoothed force rises before contact and falls again towards it.
-        let sphere = [smooth(1e-12, 300.0, 0.032, 1.0)];
+        let sphere = [smooth_spheres(1e-12, 300.0, 0.032, 1.0)];
         let force = |x: f64| sphere[0].law().force(x, 0.0);
         let points = (-20_000..0).map(|i| f64::from(i) * 1e-6);
         let (top, bump) =
@@ -382,16 +382,19 @@ mod tests {
     #[test]
     fn no_sphere_and_no_load_are_errors() {
         assert_eq!(hertz_indentation(&[], 1.0).unwrap_err().quantity(), "sum of force coefficients");
-        assert_eq!(indentation(&[smooth(1e-5, 300.0, 0.03, 1.0)], 0.0).unwrap_err().quantity(), "load");
+        assert_eq!(
+            indentation(&[smooth_spheres(1e-5, 300.0, 0.03, 1.0)], 0.0).unwrap_err().quantity(),
+            "load"
+        );
     }
 
     proptest! {
         #[test]
-        fn the_load_is_carried_there(
+        fn the_load_is_carried_at_the_indentation_at_rest(
             load in 1e-3..1e5, cf in 1e-9..1e-3, bd in 1.0..5e3, r1 in 1e-3..0.3, r2 in 1e-3..0.3,
             alpha in 0.0..100.0, bv in 0.1..500.0,
         ) {
-            let spheres = [damped(cf, bd, r1, 1.0, (alpha, bv)), damped(cf * 2.0, bd / 3.0, r2, 2.5, (2.0, 50.0))];
+            let spheres = [damped_spheres(cf, bd, r1, 1.0, (alpha, bv)), damped_spheres(cf * 2.0, bd / 3.0, r2, 2.5, (2.0, 50.0))];
             let x = indentation(&spheres, load).unwrap();
             let force: f64 = spheres.iter().map(|s| s.force(x, 0.0)).sum();
             prop_assert!((force / load - 1.0).abs() < 1e-10, "{x} {force} {load}");
@@ -427,7 +430,7 @@ mod tests {
     }
 
     #[test]
-    fn heights_and_loads_have_domains() {
+    fn heights_and_loads_out_of_their_domains_are_refused() {
         assert_eq!(
             RaisedSpheres::new(spheres_with_smoothing(None, 0.03), -1e-3).unwrap_err().quantity(),
             "height"

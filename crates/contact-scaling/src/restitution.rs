@@ -170,7 +170,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn no_loss_no_change() {
+    fn without_dissipation_restitution_is_one() {
         assert_eq!(approximate(0.0, 1.0), Ok(1.0));
         assert_eq!(exact(0.0, 1.0), Ok(1.0));
         assert_eq!(exact(1.0, 0.0), Ok(1.0));
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn extreme_losses_have_their_limit() {
+    fn restitution_of_extreme_dissipation_has_its_limit() {
         // c d → 1 as d → ∞.
         for d in [40.0, 1e3, 1e12, 1e300] {
             assert!((restitution_from_loss(d) * d - 1.0).abs() < 1e-12, "{d}");

@@ -434,7 +434,7 @@ mod tests {
         }
 
         #[test]
-        fn two_steps_equal_one(a in any_ratios(), b in any_ratios()) {
+        fn two_scalings_in_turn_equal_one(a in any_ratios(), b in any_ratios()) {
             let direct = Ratios::new(RatioValues {
                 mass: a.mass() * b.mass(),
                 sphere_count: a.sphere_count() * b.sphere_count(),

@@ -238,7 +238,7 @@ mod tests {
     }
 
     #[test]
-    fn any_three_give_the_rest() {
+    fn any_three_quantities_of_a_size_give_the_rest() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
             let sizing = quantities_of_mask(mask).solve().unwrap();
             for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN_AT_BODY_WEIGHT) {

@@ -251,7 +251,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn thresholds_have_open_bounds() {
+    fn thresholds_of_smoothing_have_open_bounds() {
         for refused in [0.0, 0.5, 1.0, f64::NAN] {
             assert_eq!(transition_width(refused, 300.0, 0.03).unwrap_err().quantity(), "threshold");
             assert!(hertz_smoothing_for_width(refused, 0.3, 0.03).is_err());
@@ -263,7 +263,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn inverses_round_trip(t in 0.001..0.499, r in 1e-3..0.5, x in 0.01..1.0, b in 1.0..50.0) {
+        fn smoothing_widths_and_parameters_are_inverses(t in 0.001..0.499, r in 1e-3..0.5, x in 0.01..1.0, b in 1.0..50.0) {
             let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-13;
             let cf = constant_contact_force(x, r).unwrap();
             prop_assert!(close(constant_indentation(cf, r).unwrap(), x));

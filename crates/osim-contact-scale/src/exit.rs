@@ -126,7 +126,7 @@ fn snippet(excerpt: &Excerpt) -> String {
 mod tests {
     /// Elsewhere whole runs are stopped in `tests/library/interrupted.rs`.
     #[test]
-    fn ctrl_c_is_a_wish() {
+    fn ctrl_c_asks_the_run_to_stop() {
         super::listen();
         assert!(!super::came());
         signal_hook::low_level::raise(super::consts::SIGINT).unwrap();

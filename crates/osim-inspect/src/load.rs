@@ -303,7 +303,7 @@ mod tests {
     use super::*;
 
     /// A model of 28 kg, which is 62 lb. With a stiffness of 1000000 it has published contacts for 62 kg.
-    fn child(stiffness: &str) -> Model {
+    fn model_of_child(stiffness: &str) -> Model {
         let text = include_str!("../../../fixtures/check/known_contacts.osim");
         let text = text.replace("<stiffness>1000000<", &format!("<stiffness>{stiffness}<"));
         let model = Model::parse(text.as_str()).unwrap();
@@ -329,7 +329,7 @@ mod tests {
 
     #[test]
     fn a_mass_that_known_contacts_or_the_target_explain_is_not_asked_about() {
-        let (known, other) = (child("1000000"), child("1020000"));
+        let (known, other) = (model_of_child("1000000"), model_of_child("1020000"));
         assert!((MassRequest::default().bodies_kg(&other).unwrap() - 28.0).abs() < 1e-9);
         for (model, contacts_mass_kg, target_mass_kg, expected) in [
             (&known, Some(62.0), Some(28.0), None),
@@ -351,7 +351,7 @@ mod tests {
 
     #[test]
     fn a_target_in_grams_is_asked_about_for_a_body_of_another_size_too() {
-        let model = child("1000000");
+        let model = model_of_child("1000000");
         for (target_mass_kg, expected) in [
             (20_000.0, Some(MassMistake::Grams)),
             (28.0 * 201.0, Some(MassMistake::Grams)),

@@ -312,7 +312,7 @@ mod tests {
     use super::*;
 
     /// The largest reach towards a joint, and the least and largest along the foot, of a model of the corpus, from files `names`.
-    fn measured(names: &[&str]) -> Option<(f64, f64, f64)> {
+    fn measured_reaches(names: &[&str]) -> Option<(f64, f64, f64)> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;
         let read = |name: &str| std::fs::read(folder.join(name)).unwrap();
@@ -356,7 +356,7 @@ mod tests {
             (&["v40000_dhondt_2024_3seg_human.osim"], 1.0249, none, none),
             (&moco, 1.1374, 0.9551, 0.9551),
         ] {
-            let Some(found) = measured(names) else {
+            let Some(found) = measured_reaches(names) else {
                 eprintln!(
                     "skipped: reach of published models: OSIM_CORPUS is not set to the folder of real models"
                 );

@@ -82,7 +82,12 @@ struct Ran {
 }
 
 /// Rescales `models` to 80 kg, into `output`.
-fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> Result<Ran, LibraryFault> {
+fn rescale_to_80_kg(
+    models: &Path,
+    field: &str,
+    output: &Path,
+    options: &RunOptions,
+) -> Result<Ran, LibraryFault> {
     let (models, output) = (models.to_str().unwrap(), output.to_str().unwrap());
     let request = serde_json::json!({"verb": "rescale", "models": models, "target_mass": 80, field: output})
         .to_string();
@@ -103,7 +108,7 @@ fn rescale(models: &Path, field: &str, output: &Path, options: &RunOptions) -> R
 }
 
 /// Names and contents of all files of a folder.
-fn files(folder: &Path) -> Vec<(String, String)> {
+fn files_in_folder(folder: &Path) -> Vec<(String, String)> {
     let mut files: Vec<(String, String)> = std::fs::read_dir(folder)
         .unwrap()
         .map(|entry| entry.unwrap().path())
@@ -131,9 +136,9 @@ fn three_models() -> (TempDir, PathBuf) {
 #[test]
 fn a_bad_file_in_the_middle_stops_nothing() {
     let (folder, models) = three_models();
-    let before = files(&models);
+    let before = files_in_folder(&models);
     let output = folder.path().join("scaled");
-    let ran = rescale(&models, "output_dir", &output, &RunOptions::default()).unwrap();
+    let ran = rescale_to_80_kg(&models, "output_dir", &output, &RunOptions::default()).unwrap();
 
     // In the order of the names, whichever thread was first.
     let all: Vec<(&str, Status)> =
@@ -144,7 +149,7 @@ fn a_bad_file_in_the_middle_stops_nothing() {
     let bad = &ran.records[1];
     assert_eq!(bad.error_code.as_deref(), Some("malformed-xml"));
     assert!(bad.error.as_ref().is_some_and(|error| error.contains("SmoothSphereHalfSpaceForce")));
-    assert_eq!(files(&models), before);
+    assert_eq!(files_in_folder(&models), before);
 }
 
 #[test]
@@ -153,10 +158,10 @@ fn outputs_are_whole_and_alone_in_their_folder() {
     let output = folder.path().join("scaled");
     let summary = Some(folder.path().join("summary.csv"));
     let options = RunOptions { summary, ..RunOptions::default() };
-    let ran = rescale(&models, "output_dir", &output, &options).unwrap();
+    let ran = rescale_to_80_kg(&models, "output_dir", &output, &options).unwrap();
     assert_eq!(ran.written, [output.join("a.osim"), output.join("c.osim")]);
 
-    let written = files(&output);
+    let written = files_in_folder(&output);
     let names: Vec<&str> = written.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["a.osim", "c.osim"]);
     for ((_, text), record) in written.iter().zip([&ran.records[0], &ran.records[2]]) {
@@ -183,22 +188,22 @@ fn outputs_are_whole_and_alone_in_their_folder() {
 }
 
 #[test]
-fn no_model_is_written_over() {
+fn no_run_overwrites_a_model() {
     let (folder, models) = three_models();
-    let before = files(&models);
+    let before = files_in_folder(&models);
     // Onto itself: refused before anything is begun.
     let a = models.join("a.osim");
-    assert!(rescale(&a, "output", &a, &RunOptions::default()).is_err());
+    assert!(rescale_to_80_kg(&a, "output", &a, &RunOptions::default()).is_err());
     // The whole folder into itself: what is written into is never read, so nothing is left to be done.
-    let ran = rescale(&models, "output_dir", &models, &RunOptions::default()).unwrap();
+    let ran = rescale_to_80_kg(&models, "output_dir", &models, &RunOptions::default()).unwrap();
     assert_eq!((ran.counts.written, ran.counts.failed, ran.failures), (0, 1, 1));
     // Onto another file that is there already: that model fails.
     let there = folder.path().join("there.osim");
     std::fs::write(&there, "something else").unwrap();
-    let ran = rescale(&a, "output", &there, &RunOptions::default()).unwrap();
+    let ran = rescale_to_80_kg(&a, "output", &there, &RunOptions::default()).unwrap();
     assert_eq!((ran.counts.written, ran.counts.failed), (0, 1));
     assert_eq!(std::fs::read_to_string(&there).unwrap(), "something else");
-    assert_eq!(files(&models), before);
+    assert_eq!(files_in_folder(&models), before);
 }
 
 /// The rows of a table in memory, whose paths begin in `folder`.
@@ -220,14 +225,14 @@ fn row_faults(
 }
 
 /// The stiffness in a model of [`ONE_FOOT`]'s kind.
-fn stiffness(model: &Path) -> f64 {
+fn stiffness_in_model(model: &Path) -> f64 {
     let text = std::fs::read_to_string(model).unwrap();
     let (_, rest) = text.split_once("<stiffness>").unwrap();
     rest.split_once('<').unwrap().0.trim().parse().unwrap()
 }
 
 #[test]
-fn a_table_needs_no_file() {
+fn a_table_can_be_in_memory() {
     let (folder, models) = three_models();
     let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
     let request = BatchRequest { allow_outside: true, ..BatchRequest::default() };
@@ -250,7 +255,7 @@ fn a_table_needs_no_file() {
     // (10) with radii that follow the masses' cube root: E* grows like M^(1/3); 10 kg had 1e6 N/m².
     for (name, mass) in [("a80.osim", 80.0_f64), ("c6.osim", 6.0)] {
         let expected = 1e6 * (mass / 10.0).cbrt();
-        let found = stiffness(&folder.path().join(name));
+        let found = stiffness_in_model(&folder.path().join(name));
         assert!((found / expected - 1.0).abs() < 1e-12, "{name}: {found}, expected {expected}");
     }
 }
@@ -260,7 +265,7 @@ fn all_wrong_rows_of_a_table_are_found_at_once() {
     let (folder, models) = three_models();
     let request = BatchRequest::default();
     let table = "model,target_mass,output\nmissing.osim,80,\na.osim,-1,\n.,80,\nc.osim,80,../outside.osim\n";
-    let before = files(&models);
+    let before = files_in_folder(&models);
     let found = row_faults(&request, table, &models);
     let places: Vec<_> = found.iter().map(|(line, column, _)| (*line, *column)).collect();
     assert_eq!(
@@ -276,7 +281,7 @@ fn all_wrong_rows_of_a_table_are_found_at_once() {
     ]) {
         assert!(message.contains(part), "{message}");
     }
-    assert_eq!(files(&models), before);
+    assert_eq!(files_in_folder(&models), before);
     assert!(!folder.path().join("outside.osim").exists());
 }
 

@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn percentiles_are_between_values() {
+    fn percentiles_are_interpolated_between_values() {
         assert_eq!(percentile(&[3.0, 1.0, 2.0], 0.5), Some(2.0));
         assert_eq!(percentile(&[1.0, 2.0], 0.25), Some(1.25));
         assert_eq!(percentile(&[], 0.5), None);

@@ -93,7 +93,7 @@ impl<'m> JointPaths<'m> {
                 _ => Speeds::Rates(speeds),
             };
             let moving =
-                step.joint.moving_placement(self.model, values.get(range).unwrap_or_default(), speeds);
+                step.joint.placement_and_velocity(self.model, values.get(range).unwrap_or_default(), speeds);
             let moving = moving.unwrap_or(MovingPlacement::still(Placement::IDENTITY));
             let moving = if step.forward { moving } else { moving.inverse() };
             let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&moving));

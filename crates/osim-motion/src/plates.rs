@@ -325,7 +325,7 @@ fn columns_with_prefix<'t>(table: &'t Table, prefix: &str) -> Result<[&'t Column
 mod tests {
     use super::*;
 
-    fn table(text: &str) -> Table {
+    fn parsed_table(text: &str) -> Table {
         Table::read(text.as_bytes()).unwrap()
     }
 
@@ -334,7 +334,7 @@ mod tests {
         let text = "endheader\ntime 1_ground_force_vx 1_ground_force_vy 1_ground_force_vz 1_ground_force_px 1_ground_force_py \
             1_ground_force_pz 1_ground_torque_x 1_ground_torque_y 1_ground_torque_z F2x F2y F2z other\n\
             0 0 100 0 0.5 0 0.1 0 7 0 1 2 3 9\n1 0 200 0 0.5 0 0.1 0 7 0 1 2 3 9\n";
-        let plates = Plate::from_columns(&table(text)).unwrap();
+        let plates = Plate::from_columns(&parsed_table(text)).unwrap();
         assert_eq!(
             plates.iter().map(|plate| (plate.name.as_str(), plate.has_points)).collect::<Vec<_>>(),
             [("1_ground_force_v", true), ("F2", false)]
@@ -351,21 +351,21 @@ mod tests {
     }
 
     #[test]
-    fn loads_name_their_columns() {
+    fn external_loads_name_the_columns_of_plates() {
         let xml = "<OpenSimDocument Version=\"40000\"><ExternalLoads><objects><ExternalForce name=\"R\"><applied_to_body>calcn_r\
            </applied_to_body><force_identifier>a_</force_identifier><point_identifier>b_</point_identifier>\
            </ExternalForce></objects></ExternalLoads></OpenSimDocument>";
         let loads = ExternalLoads::read(xml.as_bytes()).unwrap();
         let text = "endheader\ntime a_x a_y a_z b_x b_y b_z\n0 0 10 0 0 0 0\n";
-        let plates = Plate::from_loads(&table(text), &loads).unwrap();
+        let plates = Plate::from_loads(&parsed_table(text), &loads).unwrap();
         assert_eq!((plates[0].body.as_deref(), plates[0].has_points), (Some("calcn_r"), false));
-        let lost = Plate::from_loads(&table("endheader\ntime a_x a_y\n0 0 1\n"), &loads).unwrap_err();
+        let lost = Plate::from_loads(&parsed_table("endheader\ntime a_x a_y\n0 0 1\n"), &loads).unwrap_err();
         assert!(lost.message.contains("'a_'"), "{lost}");
-        assert!(Plate::from_columns(&table(text)).is_err());
+        assert!(Plate::from_columns(&parsed_table(text)).is_err());
     }
 
     #[test]
-    fn names_of_laboratories_are_understood() {
+    fn column_names_of_known_laboratories_are_understood() {
         let plate =
             |stem: &str| quantity_and_plate(stem).map(|(quantity, plate)| (quantity, plate.leak() as &str));
         assert_eq!(plate("ground_force_v"), Some((PlateQuantity::Force, "")));

@@ -361,7 +361,7 @@ fn three_decimals(value: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn table(rows: usize) -> Table {
+    fn table_with_rows(rows: usize) -> Table {
         let times = (0..rows).map(|row| row as f64 / 100.0).collect();
         Table::from_times(times).unwrap()
     }
@@ -373,8 +373,8 @@ mod tests {
             (0..200).map(|row| (std::f64::consts::TAU * hertz * f64::from(row) / 100.0).cos()).collect()
         };
         let (slow, fast) = (
-            low_pass(&table(200), &wave(2.0), 6.0).unwrap(),
-            low_pass(&table(200), &wave(30.0), 6.0).unwrap(),
+            low_pass(&table_with_rows(200), &wave(2.0), 6.0).unwrap(),
+            low_pass(&table_with_rows(200), &wave(30.0), 6.0).unwrap(),
         );
         // Twice through |H|² = 1/(1 + (tan(π f/fs)/tan(π fc/fs))⁴), nothing delayed.
         let gain = |hertz: f64| {
@@ -387,9 +387,9 @@ mod tests {
 
     #[test]
     fn rows_must_be_even_and_enough() {
-        assert!(low_pass(&table(6), &[0.0; 6], 6.0).is_err());
-        assert!(low_pass(&table(7), &[0.0; 7], 6.0).is_ok());
-        assert!(low_pass(&table(20), &[0.0; 20], 50.0).is_err());
+        assert!(low_pass(&table_with_rows(6), &[0.0; 6], 6.0).is_err());
+        assert!(low_pass(&table_with_rows(7), &[0.0; 7], 6.0).is_ok());
+        assert!(low_pass(&table_with_rows(20), &[0.0; 20], 50.0).is_err());
         let uneven = Table::from_times(vec![0.0, 0.1, 0.3]).unwrap();
         assert!(low_pass(&uneven, &[0.0; 3], 1.0).is_err());
     }

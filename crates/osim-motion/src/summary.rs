@@ -363,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn means_need_whole_spans() {
+    fn means_over_time_need_values_in_the_whole_span() {
         let times = [0.0, 1.0, 2.0, 3.0];
         assert_eq!(mean_over(&times, &[Some(1.0), Some(3.0), Some(9.0), None], &[(0.0, 2.0)]), Some(2.0));
         assert_eq!(mean_over(&times, &[Some(1.0), None, Some(9.0), None], &[(0.0, 2.0)]), None);

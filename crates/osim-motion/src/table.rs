@@ -335,7 +335,7 @@ impl MotionFault {
 mod tests {
     use super::{AngleUnit, Table};
 
-    fn refused(text: &str) -> (Option<usize>, String) {
+    fn error_of_table(text: &str) -> (Option<usize>, String) {
         let fault = Table::read(text.as_bytes()).unwrap_err();
         (fault.line, fault.message)
     }
@@ -355,34 +355,34 @@ mod tests {
     }
 
     #[test]
-    fn errors_have_their_line() {
+    fn errors_in_a_table_have_their_line() {
         let head = "endheader\ntime x\n";
-        assert_eq!(refused("time x\n0 1\n").0, None);
-        assert_eq!(refused("endheader\nt x\n0 1\n").0, Some(2));
+        assert_eq!(error_of_table("time x\n0 1\n").0, None);
+        assert_eq!(error_of_table("endheader\nt x\n0 1\n").0, Some(2));
         assert_eq!(
-            refused(&format!("{head}0 1\n1 2 3\n")),
+            error_of_table(&format!("{head}0 1\n1 2 3\n")),
             (Some(4), "it has 3 cells, but there are 2 names of columns in line 2".to_owned())
         );
-        assert_eq!(refused(&format!("{head}0 1\n1\n")).0, Some(4));
+        assert_eq!(error_of_table(&format!("{head}0 1\n1\n")).0, Some(4));
         assert_eq!(
-            refused(&format!("{head}0 1\n1 two\n")),
+            error_of_table(&format!("{head}0 1\n1 two\n")),
             (Some(4), "column 'x': 'two' is not a number".to_owned())
         );
         assert_eq!(
-            refused(&format!("{head}0 1\n0 2\n")),
+            error_of_table(&format!("{head}0 1\n0 2\n")),
             (Some(4), "its time is 0 s, after 0 s: times must rise".to_owned())
         );
-        assert_eq!(refused(&format!("{head}0 1\nnan 2\n")).0, Some(4));
-        assert_eq!(refused(&format!("{head}0 1\ninf 2\n")).0, Some(4));
-        assert_eq!(refused(&format!("{head}nan 2\n")).0, Some(3));
-        assert_eq!(refused(head).0, None);
-        assert_eq!(refused("").0, None);
+        assert_eq!(error_of_table(&format!("{head}0 1\nnan 2\n")).0, Some(4));
+        assert_eq!(error_of_table(&format!("{head}0 1\ninf 2\n")).0, Some(4));
+        assert_eq!(error_of_table(&format!("{head}nan 2\n")).0, Some(3));
+        assert_eq!(error_of_table(head).0, None);
+        assert_eq!(error_of_table("").0, None);
         let table = Table::read(format!("{head}0 nan\n").as_bytes()).unwrap();
         assert_eq!(table.check_finite(&table.columns[0]).unwrap_err().line, Some(3));
     }
 
     #[test]
-    fn even_steps_are_recognised() {
+    fn even_time_steps_are_recognised() {
         let table = |times: &[f64]| Table::from_times(times.to_vec()).unwrap();
         assert_eq!(table(&[0.0, 0.1, 0.3]).even_step_s(), None);
         assert!((table(&[1.0, 1.1, 1.2]).even_step_s().unwrap() - 0.1).abs() < 1e-12);

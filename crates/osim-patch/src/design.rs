@@ -24,11 +24,7 @@ pub enum DesignModulus {
     /// it at rest, carries the load.
     Indentation(f64),
     /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
-    Young {
-        /// Young's modulus E, N/m².
-        young_n_m2: f64,
-        poisson: f64,
-    },
+    Young { young_n_m2: f64, poisson: f64 },
 }
 
 /// The wanted behaviour of contacts. What is `None` stays, or follows a changed radius.

@@ -291,27 +291,27 @@ mod tests {
     use super::*;
     use crate::edit::splice;
 
-    fn foot() -> Node {
+    fn foot_node() -> Node {
         Node::object("ContactSphere", "heel & \"toe\"", vec![Node::leaf("radius", "0.03")])
     }
 
     #[test]
     fn children_stand_one_step_further_in() {
         assert_eq!(
-            foot().text("\r\n\t", "\t"),
+            foot_node().text("\r\n\t", "\t"),
             "\r\n\t<ContactSphere name=\"heel &amp; &quot;toe&quot;\">\r\n\t\t<radius>0.03</radius>\r\n\t</ContactSphere>"
         );
     }
 
     #[test]
     fn without_line_ends_all_is_one_line() {
-        assert!(!foot().text("", "\t").contains('\n'));
+        assert!(!foot_node().text("", "\t").contains('\n'));
     }
 
     const ORDER: [&str; 4] = ["a", "b", "c", "d"];
 
     #[track_caller]
-    fn inserting(tags: &[&str], into: &str, gives: &str) {
+    fn assert_inserted(tags: &[&str], into: &str, gives: &str) {
         let tree = Tree::scan(into).unwrap();
         let elements: Vec<_> = tags.iter().map(|tag| Node::leaf(*tag, "1")).collect();
         let parent = tree.children(ElementId::ROOT).next().unwrap_or(ElementId::ROOT);
@@ -321,7 +321,7 @@ mod tests {
 
     #[test]
     fn after_the_last_sibling_that_comes_before() {
-        inserting(
+        assert_inserted(
             &["c", "b"],
             "<r>\n\t<x>\n\t\t<a>0</a>\n\t\t<!--about d-->\n\t\t<d>0</d>\n\t</x>\n</r>",
             "<r>\n\t<x>\n\t\t<a>0</a>\n\t\t<b>1</b>\n\t\t<c>1</c>\n\t\t<!--about d-->\n\t\t<d>0</d>\n\t</x>\n</r>",
@@ -330,7 +330,7 @@ mod tests {
 
     #[test]
     fn with_the_line_ends_of_the_file() {
-        inserting(
+        assert_inserted(
             &["b"],
             "<r>\r\n <x>\r\n  <a>0</a>\r\n </x>\r\n</r>",
             "<r>\r\n <x>\r\n  <a>0</a>\r\n  <b>1</b>\r\n </x>\r\n</r>",
@@ -338,29 +338,29 @@ mod tests {
     }
 
     #[test]
-    fn first_where_nothing_comes_before() {
-        inserting(
+    fn an_element_is_inserted_first_where_none_comes_before() {
+        assert_inserted(
             &["a"],
             "<r>\n <x>\n  <d>0</d>\n </x>\n</r>",
             "<r>\n <x>\n  <a>1</a>\n  <d>0</d>\n </x>\n</r>",
         );
-        inserting(&["a"], "<r><x><d>0</d></x></r>", "<r><x><a>1</a><d>0</d></x></r>");
+        assert_inserted(&["a"], "<r><x><d>0</d></x></r>", "<r><x><a>1</a><d>0</d></x></r>");
     }
 
     #[test]
-    fn into_elements_without_content() {
-        inserting(
+    fn an_element_is_inserted_into_elements_without_content() {
+        assert_inserted(
             &["b", "a"],
             "<r>\n  <x n='1' />\n</r>",
             "<r>\n  <x n='1'>\n    <a>1</a>\n    <b>1</b>\n  </x>\n</r>",
         );
-        inserting(&["a"], "<r>\n  <x>\n  </x>\n</r>", "<r>\n  <x>\n    <a>1</a>\n  </x>\n</r>");
-        inserting(&["a"], "<r><x/></r>", "<r><x><a>1</a></x></r>");
+        assert_inserted(&["a"], "<r>\n  <x>\n  </x>\n</r>", "<r>\n  <x>\n    <a>1</a>\n  </x>\n</r>");
+        assert_inserted(&["a"], "<r><x/></r>", "<r><x><a>1</a></x></r>");
     }
 
     #[test]
-    fn after_a_lonely_comment() {
-        inserting(
+    fn an_element_is_inserted_after_a_lonely_comment() {
+        assert_inserted(
             &["a"],
             "<r>\n <x>\n  <!--all default-->\n </x>\n</r>",
             "<r>\n <x>\n  <!--all default-->\n  <a>1</a>\n </x>\n</r>",

@@ -353,7 +353,7 @@ fn column(sheet: &Sheet, name: &str) -> Result<TableColumn, String> {
 mod tests {
     use super::*;
 
-    fn read(table: &str, x: Option<&str>, y: Option<&str>) -> Result<HeatTable, String> {
+    fn read_heat_table(table: &str, x: Option<&str>, y: Option<&str>) -> Result<HeatTable, String> {
         let options = HeatOptions {
             value_column: Some("speed".to_owned()),
             x_column: x.map(str::to_owned),
@@ -366,20 +366,21 @@ mod tests {
     #[test]
     fn columns_of_the_grid_become_axes() {
         let table =
-            read("file,grid_stiffness,grid_dissipation,speed\na,1,2,3\nb,1,4,\n", None, None).unwrap();
+            read_heat_table("file,grid_stiffness,grid_dissipation,speed\na,1,2,3\nb,1,4,\n", None, None)
+                .unwrap();
         assert_eq!(
             (table.x.name.as_str(), table.x.values.as_slice()),
             ("grid_stiffness", &[Some(1.0), Some(1.0)][..])
         );
         assert_eq!(table.y.unwrap().values, [Some(2.0), Some(4.0)]);
         assert_eq!(table.value.values, [Some(3.0), None]);
-        assert!(read("grid_stiffness,speed\n1,2\n", None, None).unwrap().y.is_none());
+        assert!(read_heat_table("grid_stiffness,speed\n1,2\n", None, None).unwrap().y.is_none());
     }
 
     #[test]
     fn unclear_columns_are_refused() {
         let refused = |table: &str, x, words: &str| {
-            let message = read(table, x, None).unwrap_err();
+            let message = read_heat_table(table, x, None).unwrap_err();
             assert!(message.contains(words), "{message}");
         };
         refused("a,speed\n1,2\n", None, "0 columns that begin with 'grid_'");

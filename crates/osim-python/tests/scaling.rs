@@ -60,7 +60,7 @@ fn columns(function: &Function) -> Vec<&'static str> {
 }
 
 /// Rows of the reference for a function of `contact-scaling`: inputs and value.
-fn reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
+fn rows_of_reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
     let rows = REFERENCE.lines().filter_map(|line| {
         let [name, inputs, value] = line.split(',').collect::<Vec<_>>()[..] else { return None };
         let inputs = inputs.split(' ').map(|input| input.parse().unwrap_or(f64::NAN)).collect();
@@ -69,8 +69,8 @@ fn reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
     rows.collect()
 }
 
-/// Arguments of a function in its own order, from a row of the reference; what is not in it has its default.
-fn arguments(function: &Function, inputs: &[f64]) -> Vec<f64> {
+/// Arguments for a call of `function`: `inputs` are those of a row of the reference, in its order; the others have their defaults.
+fn arguments_from_row(function: &Function, inputs: &[f64]) -> Vec<f64> {
     let names = columns(function);
     assert_eq!(names.len(), inputs.len(), "{}", function.name);
     let named: BTreeMap<&str, f64> = names.into_iter().zip(inputs.iter().copied()).collect();
@@ -79,7 +79,7 @@ fn arguments(function: &Function, inputs: &[f64]) -> Vec<f64> {
 }
 
 #[track_caller]
-fn close(value: f64, expected: f64, what: &str) {
+fn assert_close(value: f64, expected: f64, what: &str) {
     assert!(
         (value - expected).abs() <= TOLERANCE * expected.abs(),
         "{what}: {value:e}, expected {expected:e}"
@@ -105,11 +105,11 @@ fn every_function_of_the_page_can_be_called() {
 #[test]
 fn every_function_agrees_with_high_precision() {
     for function in scaling::all() {
-        let rows = reference(function.computes);
+        let rows = rows_of_reference(function.computes);
         assert!(!rows.is_empty(), "{} has no reference value", function.name);
         for (inputs, expected) in rows {
-            let value = function.value(MixingRule::Sherman, &arguments(function, &inputs)).unwrap();
-            close(value, expected, function.name);
+            let value = function.value(MixingRule::Sherman, &arguments_from_row(function, &inputs)).unwrap();
+            assert_close(value, expected, function.name);
         }
     }
 }
@@ -117,14 +117,15 @@ fn every_function_agrees_with_high_precision() {
 #[test]
 fn arrays_have_the_values_of_their_elements() {
     for function in scaling::all() {
-        let rows = reference(function.computes);
-        let rows: Vec<Vec<f64>> = rows.iter().map(|(inputs, _)| arguments(function, inputs)).collect();
+        let rows = rows_of_reference(function.computes);
+        let rows: Vec<Vec<f64>> =
+            rows.iter().map(|(inputs, _)| arguments_from_row(function, inputs)).collect();
         let columns: Vec<Vec<f64>> =
             (0..function.parameters.len()).map(|i| rows.iter().map(|row| row[i]).collect()).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         let values = function.values(MixingRule::Sherman, &columns).unwrap();
-        for (value, (_, expected)) in values.iter().zip(reference(function.computes)) {
-            close(*value, expected, function.name);
+        for (value, (_, expected)) in values.iter().zip(rows_of_reference(function.computes)) {
+            assert_close(*value, expected, function.name);
         }
     }
 }
@@ -184,8 +185,8 @@ fn a_fault_of_several_arguments_together_says_where_it_is() {
 #[test]
 fn the_argument_that_is_refused_is_named() {
     for function in scaling::all() {
-        let (inputs, _) = reference(function.computes).remove(0);
-        let good = arguments(function, &inputs);
+        let (inputs, _) = rows_of_reference(function.computes).remove(0);
+        let good = arguments_from_row(function, &inputs);
         for (index, parameter) in function.parameters.iter().enumerate() {
             for bad in [f64::NAN, f64::INFINITY, -1.5, 0.0, 1.5] {
                 let mut arguments = good.clone();
@@ -215,12 +216,12 @@ fn the_rule_of_two_surfaces_is_a_word() {
     // (A.4): 2^p E*, p = 1 with Johnson's rule, 3/2 with Sherman's.
     for (name, factor) in [("johnson", 2.0), ("sherman", 2.0_f64 * 2.0_f64.sqrt())] {
         let rule = rule_by_name(name).unwrap();
-        close(
+        assert_close(
             function_called("plane_strain_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
             factor * 1e6,
             name,
         );
-        close(
+        assert_close(
             function_called("composite_modulus_of_equal_surfaces").value(rule, &[1e6]).unwrap(),
             1e6 / factor,
             name,
@@ -306,7 +307,7 @@ fn bodies_rest_where_high_precision_says() {
     for (name, raised) in [("indentation", false), ("indentation_of_lowest", true)] {
         for (prefix, function) in [("hertz_", hertz), ("", smooth)] {
             let computes = format!("equilibrium::{prefix}{name}");
-            let rows = reference(&computes);
+            let rows = rows_of_reference(&computes);
             assert!(!rows.is_empty(), "{computes}");
             for (inputs, expected) in rows {
                 // E*, R, α, cf, bd, bv, n, F, and the height of as many spheres again.
@@ -317,7 +318,7 @@ fn bodies_rest_where_high_precision_says() {
                 };
                 let heights: Option<Vec<f64>> = raised.then(|| vec![0.0, inputs[8]]);
                 let value = function.value(&columns, heights.as_deref(), inputs[7]).unwrap();
-                close(value, expected, &computes);
+                assert_close(value, expected, &computes);
             }
         }
     }
@@ -379,9 +380,9 @@ fn steps_lead_to_the_contact_that_is_wanted() {
     let ladder = continuation_steps(1.2, 9.375, 8.0, 3).unwrap();
     // Equally far apart in the logarithm: √(1.2 · 9.375); (1.2 / 9.375)^(3/2) = 0.128^1.5; √8.
     assert_eq!(ladder.dimensionless_stiffness.len(), 3);
-    close(ladder.dimensionless_stiffness[1], 11.25_f64.sqrt(), "stiffness");
+    assert_close(ladder.dimensionless_stiffness[1], 11.25_f64.sqrt(), "stiffness");
     assert!((ladder.modulus_factor[0] - 0.045_794_65).abs() < 5e-8);
-    close(ladder.dissipation_factor[1], 8.0_f64.sqrt(), "dissipation");
+    assert_close(ladder.dissipation_factor[1], 8.0_f64.sqrt(), "dissipation");
     assert_eq!((ladder.modulus_factor[2], ladder.dissipation_factor[2]), (1.0, 1.0));
     let failure = continuation_steps(2.0, 1.0, 8.0, 3).unwrap_err();
     assert!(failure.to_string().contains("dimensionless stiffness of the first step is 2.0"), "{failure}");

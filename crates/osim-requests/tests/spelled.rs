@@ -9,11 +9,11 @@ use osim_requests::spell::{CommandLine, Python, Speller};
 use osim_requests::{Request, schema_of};
 use serde_json::{Map, Value, json};
 
-fn request(json: &Value) -> Request {
+fn request_of_json(json: &Value) -> Request {
     Request::from_json(json.to_string().as_bytes()).unwrap_or_else(|fault| panic!("{json}: {fault:?}"))
 }
 
-fn command(request: &Request) -> String {
+fn command_line_of(request: &Request) -> String {
     CommandLine.request(request)
 }
 
@@ -75,15 +75,15 @@ fn example_of(verb: Verb, field: &str) -> Option<Value> {
 }
 
 /// Fields without which `field` has no meaning, as the schema has it.
-fn needed<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
+fn fields_needed_by<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
     let rules = schema["allOf"].as_array().into_iter().flatten();
     let given = |rule: &'s Value| rule["$ref"].as_str()?.strip_prefix("#/$defs/")?.strip_suffix("_given");
     let needs = rules.filter(|rule| given(&rule["anyOf"][0]["not"]) == Some(field));
     needs.filter_map(|rule| given(&rule["anyOf"][1])).collect()
 }
 
-/// A request with this field, and with what it needs.
-fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
+/// An example of a request of `verb` that has `field`, and every field without which that one has no meaning.
+fn example_request_with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     let examples: Map<String, Value> = serde_json::from_str(EXAMPLES).unwrap();
     let mut said = json!({"verb": verb.name()});
     if schema["properties"].get("models").is_some() {
@@ -102,7 +102,7 @@ fn with_field(verb: Verb, schema: &Value, field: &str) -> Value {
         if said.get(name).is_none() || name == "models" {
             let example = || examples.get(name).unwrap_or_else(|| panic!("no example of {name}")).clone();
             said[name] = example_of(verb, name).unwrap_or_else(example);
-            wanted.extend(needed(schema, name));
+            wanted.extend(fields_needed_by(schema, name));
         }
     }
     // A fit is of a curve, or of a motion.
@@ -117,9 +117,9 @@ fn every_field_of_every_verb_comes_back() {
     for &verb in Verb::ALL {
         let schema = schema_of(verb).to_value();
         for field in schema["properties"].as_object().unwrap().keys().filter(|field| *field != "verb") {
-            let request = request(&with_field(verb, &schema, field));
+            let request = request_of_json(&example_request_with_field(verb, &schema, field));
             assert!(request.to_map().contains_key(field), "{verb:?}: {field} says nothing");
-            let line = command(&request);
+            let line = command_line_of(&request);
             assert_eq!(read_back(&line), request, "{line}");
         }
     }
@@ -143,11 +143,12 @@ fn lists_are_one_word_with_commas_where_an_option_takes_one() {
     for &verb in Verb::ALL {
         let schema = schema_of(verb).to_value();
         for argument in parser(verb).get_arguments().filter(|argument| !argument.is_positional()) {
-            let request = request(&with_field(verb, &schema, argument.get_id().as_str()));
+            let request =
+                request_of_json(&example_request_with_field(verb, &schema, argument.get_id().as_str()));
             let Some(Value::Array(items)) = request.to_map().remove(argument.get_id().as_str()) else {
                 continue;
             };
-            let line = command(&request);
+            let line = command_line_of(&request);
             let option = format!("--{}", argument.get_long().unwrap());
             let times = shlex::split(&line)
                 .unwrap()
@@ -163,7 +164,7 @@ fn lists_are_one_word_with_commas_where_an_option_takes_one() {
 }
 
 #[test]
-fn hard_texts_come_back() {
+fn texts_with_quotes_and_blanks_come_back() {
     for text in [
         "a b",
         "it's",
@@ -197,11 +198,11 @@ fn hard_texts_come_back() {
         "--a",
         "-a b",
     ] {
-        let request = request(&json!({
+        let request = request_of_json(&json!({
             "verb": "transfer", "models": [format!("{text}.osim")], "from": text, "output": text, "follow_bodies": true,
             "reference_sphere": text,
         }));
-        let line = command(&request);
+        let line = command_line_of(&request);
         let Request::Transfer(back) = read_back(&line) else { panic!("{line}") };
         let mut back = *back;
         let model = back.models[0].to_str().unwrap().to_owned();
@@ -215,10 +216,10 @@ fn hard_texts_come_back() {
 #[test]
 fn hard_names_of_bodies_come_back() {
     for body in ["foot l", "it's", r#"12""#, "$a", "-a", "Fuß", "a,b"] {
-        let request = request(&json!({
+        let request = request_of_json(&json!({
             "verb": "add", "models": "a.osim", "from": "b.osim", "body_scale": {body: [1.1, 1e-6, 3]}, "body_map": [format!("{body}={body}")],
         }));
-        let line = command(&request);
+        let line = command_line_of(&request);
         assert_eq!(read_back(&line), request, "{line}");
     }
 }
@@ -226,8 +227,8 @@ fn hard_names_of_bodies_come_back() {
 #[test]
 fn a_calculation_has_no_model() {
     let design = json!({"verb": "design", "radius": 0.032, "indentation": 0.16, "mass": 62, "spheres": 6, "quiet": true});
-    let design = request(&design);
-    assert_eq!(read_back(&command(&design)), design);
+    let design = request_of_json(&design);
+    assert_eq!(read_back(&command_line_of(&design)), design);
     assert_eq!(
         Python.script(&design),
         "import osim_contact_scale as ocs\n\n\
@@ -238,7 +239,7 @@ fn a_calculation_has_no_model() {
 
 #[track_caller]
 fn is_in_python(json: &Value, expected: &[&str]) {
-    let lines = Python.script(&request(json));
+    let lines = Python.script(&request_of_json(json));
     assert_eq!(lines.lines().skip(2).collect::<Vec<_>>(), expected);
 }
 

@@ -74,7 +74,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn finds(files: &GivenFiles, path: &str, found: Option<&str>) {
+    fn assert_finds(files: &GivenFiles, path: &str, found: Option<&str>) {
         let read = files.read(Path::new(path)).ok();
         assert_eq!(read.as_deref(), found.map(str::as_bytes), "{path}");
         assert_eq!(files.exists(Path::new(path)), found.is_some(), "{path}");
@@ -83,21 +83,21 @@ mod tests {
     #[test]
     fn a_file_without_its_folder_is_found_by_its_name() {
         let files = files_named(&["human.osim", "bodies.xml"]);
-        finds(&files, "../parts/bodies.xml", Some("bodies.xml"));
-        finds(&files, "parts/forces.xml", None);
+        assert_finds(&files, "../parts/bodies.xml", Some("bodies.xml"));
+        assert_finds(&files, "parts/forces.xml", None);
     }
 
     #[test]
     fn the_file_in_its_folder_comes_first_and_nothing_is_guessed() {
         let files = files_named(&["a/bodies.xml", "b/bodies.xml", "a/human.osim"]);
-        finds(&files, "a/bodies.xml", Some("a/bodies.xml"));
-        finds(&files, "c/bodies.xml", None);
+        assert_finds(&files, "a/bodies.xml", Some("a/bodies.xml"));
+        assert_finds(&files, "c/bodies.xml", None);
     }
 
     #[test]
     fn a_file_that_was_taken_away_is_gone() {
         let mut files = files_named(&["human.osim"]);
         files.remove("human.osim");
-        finds(&files, "human.osim", None);
+        assert_finds(&files, "human.osim", None);
     }
 }

@@ -9,18 +9,19 @@ use contact_plots::{
     Point, Width,
 };
 
-fn line(slope: f64) -> Vec<Point> {
+fn points_on_line(slope: f64) -> Vec<Point> {
     (-10..=10).map(|i| f64::from(i) / 20.0).map(|x| (x, slope * (x + 0.5))).collect()
 }
 
 /// A figure of lines, each with its name and slope, with a limit, a shade and a mark.
-fn force(lines: &[(&str, f64)]) -> Figure {
+fn force_figure(lines: &[(&str, f64)]) -> Figure {
     let mut panel = Panel::new("", Axis::new("x̂ = x/R (–)"), Axis::new("force (N)"));
-    let curve =
-        |(index, (name, slope)): (usize, &(&str, f64))| Curve::new(*name, line(*slope), Look::series(index));
+    let curve = |(index, (name, slope)): (usize, &(&str, f64))| {
+        Curve::new(*name, points_on_line(*slope), Look::series(index))
+    };
     panel.curves = lines.iter().enumerate().map(curve).collect();
     panel.limits.push(Limit::vertical("x̂ = 0.16", 0.16));
-    panel.areas.push(Area { label: "shade".to_owned(), points: line(1.0) });
+    panel.areas.push(Area { label: "shade".to_owned(), points: points_on_line(1.0) });
     panel.marks.push(Mark { label: "at rest".to_owned(), at: (0.35, 1.0), look: Look::OWN });
     Figure::in_column("Contact force", "Force against indentation.".to_owned(), vec![panel])
 }
@@ -47,7 +48,7 @@ fn svg_of(figure: Figure) -> Result<String, PlotError> {
 }
 
 fn force_svg(lines: &[(&str, f64)]) -> String {
-    svg_of(force(lines)).unwrap()
+    svg_of(force_figure(lines)).unwrap()
 }
 
 #[test]
@@ -64,7 +65,7 @@ fn a_panel_says_what_its_axes_and_all_that_is_in_it_are() {
         "at rest",
     ]);
     assert_eq!(svg.description, "Force against indentation.");
-    let panel = force(&[("mouse", 1.0)]).panels.remove(0);
+    let panel = force_figure(&[("mouse", 1.0)]).panels.remove(0);
     let two = Figure::in_column("Two", "Twice the force.".into(), vec![panel.clone(), panel]);
     Svg::read(&svg_of(two).unwrap()).says(&["A", "B"]);
 }
@@ -128,13 +129,13 @@ fn names_are_text_whatever_they_hold() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused() {
-    let mut broken = force(&[("Hertz (1)", 1.0)]);
+    let mut broken = force_figure(&[("Hertz (1)", 1.0)]);
     broken.panels[0].curves[0].points[3].1 = f64::NAN;
     assert_eq!(svg_of(broken), Err(PlotError::NotFinite { curve: "Hertz (1)".to_owned() }));
-    assert!(matches!(svg_of(force(&[])), Err(PlotError::Empty { .. })));
+    assert!(matches!(svg_of(force_figure(&[])), Err(PlotError::Empty { .. })));
     let many = [("", 1.0); Look::MOST_SERIES + 1];
-    assert_eq!(force(&many).distinct(), Err(PlotError::TooMany { count: 9, most: 8 }));
-    assert!(force(&many[1..]).distinct().is_ok());
+    assert_eq!(force_figure(&many).distinct(), Err(PlotError::TooMany { count: 9, most: 8 }));
+    assert!(force_figure(&many[1..]).distinct().is_ok());
     let empty = Figure::in_column("", String::new(), vec![]);
     assert!(matches!(contact_plots::figure(&empty, Paper::default()), Err(PlotError::Empty { .. })));
     let mut map = heat();

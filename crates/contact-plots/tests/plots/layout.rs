@@ -10,7 +10,7 @@ use contact_plots::{
 };
 
 /// A straight line from (0, 0) to (10, 100), with a shade below and a mark at its end.
-fn straight(label: &str) -> Panel {
+fn panel_with_line(label: &str) -> Panel {
     let points: Vec<(f64, f64)> = (0..=10).map(|i| (f64::from(i), f64::from(10 * i))).collect();
     let mut panel = Panel::new("", Axis::new("x (mm)"), Axis::new("y (N)"));
     panel.curves.push(Curve { label: label.to_owned(), points: points.clone(), look: Look::HERTZ });
@@ -19,7 +19,7 @@ fn straight(label: &str) -> Panel {
     panel
 }
 
-fn of(title: &str, panels: Vec<Panel>) -> Figure {
+fn figure_of_panels(title: &str, panels: Vec<Panel>) -> Figure {
     let description = "A line. It is straight.".to_owned();
     Figure { title: title.to_owned(), description, width: Width::Column, columns: panels.len(), panels }
 }
@@ -28,7 +28,7 @@ fn drawn(figure: Figure, paper: Paper) -> String {
     Drawing::Panels(figure).svg(paper).unwrap()
 }
 
-fn on(width_mm: f64, text_pt: f64) -> Paper {
+fn paper_of_width(width_mm: f64, text_pt: f64) -> Paper {
     Paper { width_mm: Some(width_mm), text_pt }
 }
 
@@ -45,7 +45,7 @@ fn letters_pt(text: &str, content: &str) -> f64 {
 #[test]
 fn a_figure_is_as_wide_and_its_letters_as_large_as_asked_for() {
     for (mm, pt) in [(85.0, 7.0), (85.0, 9.5), (120.5, 6.0), (190.0, 12.0)] {
-        let text = drawn(of("Title", vec![straight("line")]), on(mm, pt));
+        let text = drawn(figure_of_panels("Title", vec![panel_with_line("line")]), paper_of_width(mm, pt));
         let svg = Svg::read(&text);
         assert_eq!(svg.attribute("width"), format!("{mm}mm"));
         assert!((letters_pt(&text, "x (mm)") - pt).abs() < 0.05, "{pt}: {}", letters_pt(&text, "x (mm)"));
@@ -54,12 +54,20 @@ fn a_figure_is_as_wide_and_its_letters_as_large_as_asked_for() {
 
 #[test]
 fn paper_that_is_too_narrow_is_refused_with_the_least_width() {
-    let figure = Drawing::Panels(of("Title", vec![straight("line")]));
-    let Err(PlotError::TooNarrow { least_mm, .. }) = figure.svg(on(20.0, 7.0)) else { panic!() };
-    assert!(figure.svg(on(least_mm, 7.0)).is_ok());
-    assert!(figure.svg(on(f64::NAN, 7.0)).is_err() && figure.svg(on(90.0, 0.0)).is_err());
-    let wide = Svg::read(&drawn(of("", vec![straight("line"), straight("line")]), on(190.0, 7.0)));
-    let narrow = Svg::read(&drawn(of("", vec![straight("line"), straight("line")]), on(60.0, 7.0)));
+    let figure = Drawing::Panels(figure_of_panels("Title", vec![panel_with_line("line")]));
+    let Err(PlotError::TooNarrow { least_mm, .. }) = figure.svg(paper_of_width(20.0, 7.0)) else { panic!() };
+    assert!(figure.svg(paper_of_width(least_mm, 7.0)).is_ok());
+    assert!(
+        figure.svg(paper_of_width(f64::NAN, 7.0)).is_err() && figure.svg(paper_of_width(90.0, 0.0)).is_err()
+    );
+    let wide = Svg::read(&drawn(
+        figure_of_panels("", vec![panel_with_line("line"), panel_with_line("line")]),
+        paper_of_width(190.0, 7.0),
+    ));
+    let narrow = Svg::read(&drawn(
+        figure_of_panels("", vec![panel_with_line("line"), panel_with_line("line")]),
+        paper_of_width(60.0, 7.0),
+    ));
     let beside = |svg: &Svg| svg.place_of("A").1 == svg.place_of("B").1;
     assert!(beside(&wide) && !beside(&narrow), "on narrow paper panels stand below each other");
 }
@@ -67,8 +75,8 @@ fn paper_that_is_too_narrow_is_refused_with_the_least_width() {
 #[test]
 fn a_figure_without_a_title_has_no_empty_band_and_still_a_name() {
     let height = |svg: &Svg| svg.attribute("viewBox").split(' ').nth(3).unwrap().parse::<f64>().unwrap();
-    let with = Svg::read(&drawn(of("Title", vec![straight("line")]), Paper::default()));
-    let without = Svg::read(&drawn(of("", vec![straight("line")]), Paper::default()));
+    let with = Svg::read(&drawn(figure_of_panels("Title", vec![panel_with_line("line")]), Paper::default()));
+    let without = Svg::read(&drawn(figure_of_panels("", vec![panel_with_line("line")]), Paper::default()));
     // One row of 8 pt and what is around it, in units of 1/20 pt.
     assert!((height(&with) - height(&without) - 20.0 * 13.0).abs() <= 1.0);
     assert_eq!(without.title, "A line.");
@@ -80,7 +88,7 @@ fn no_name_of_a_legend_is_cut_and_no_title() {
         "a_model_with_a_long_name_that_was_scaled_by_the_tool_and_then_rescaled, 0.396 m/s, restitution 0.55";
     let title =
         "What the contacts of a model with a very long name do while they are pressed and let go again";
-    let text = drawn(of(title, vec![straight(name)]), Paper::default());
+    let text = drawn(figure_of_panels(title, vec![panel_with_line(name)]), Paper::default());
     let svg = Svg::read(&text);
     assert!(!text.contains('…'));
     let written: String = svg.texts.concat();
@@ -90,7 +98,7 @@ fn no_name_of_a_legend_is_cut_and_no_title() {
 
 #[test]
 fn limits_of_axes_cut_curves_shades_and_marks() {
-    let mut drawing = Drawing::Panels(of("t", vec![straight("")]));
+    let mut drawing = Drawing::Panels(figure_of_panels("t", vec![panel_with_line("")]));
     drawing.limit_x((2.0, 8.0)).unwrap();
     drawing.limit_y((0.0, 50.0)).unwrap();
     let svg = Svg::read(&drawing.svg(Paper::default()).unwrap());
@@ -110,7 +118,7 @@ fn limits_of_axes_cut_curves_shades_and_marks() {
 
 #[test]
 fn a_vertical_axis_covers_what_the_horizontal_limits_leave() {
-    let mut drawing = Drawing::Panels(of("t", vec![straight("line")]));
+    let mut drawing = Drawing::Panels(figure_of_panels("t", vec![panel_with_line("line")]));
     drawing.limit_x((0.0, 2.0)).unwrap();
     let svg = Svg::read(&drawing.svg(Paper::default()).unwrap());
     assert!(svg.texts.iter().all(|text| text != "100"), "{:?}", svg.texts);
@@ -118,22 +126,22 @@ fn a_vertical_axis_covers_what_the_horizontal_limits_leave() {
 
 #[test]
 fn panels_with_several_horizontal_axes_are_not_limited() {
-    let mut other = straight("line");
+    let mut other = panel_with_line("line");
     other.x.label = "t (s)".to_owned();
-    let mut drawing = Drawing::Panels(of("t", vec![straight("line"), other]));
+    let mut drawing = Drawing::Panels(figure_of_panels("t", vec![panel_with_line("line"), other]));
     assert!(matches!(drawing.limit_x((0.0, 1.0)), Err(PlotError::NoAxis { which: "horizontal", .. })));
     drawing.limit_y((0.0, 1.0)).unwrap();
 }
 
 #[test]
 fn curves_get_other_names_in_the_order_of_the_legend() {
-    let mut two = straight("line");
+    let mut two = panel_with_line("line");
     two.curves.push(Curve {
         label: "second".to_owned(),
         points: vec![(0.0, 0.0), (1.0, 1.0)],
         look: Look::OWN,
     });
-    let mut drawing = Drawing::Panels(of("t", vec![two.clone(), two]));
+    let mut drawing = Drawing::Panels(figure_of_panels("t", vec![two.clone(), two]));
     assert_eq!(drawing.curves(), ["line", "second"]);
     drawing.rename(&["mouse".to_owned()]).unwrap();
     assert_eq!(drawing.curves(), ["mouse", "second"]);
@@ -149,12 +157,12 @@ fn a_logarithmic_axis_puts_equal_ratios_equally_far_apart() {
     let mut panel = Panel::new("", Axis::logarithmic("E (N/m²)"), Axis::new("y"));
     let points = vec![(1e5, 0.0), (1e6, 1.0), (1e7, 2.0)];
     panel.curves.push(Curve { label: String::new(), points, look: Look::HERTZ });
-    let svg = Svg::read(&drawn(of("t", vec![panel.clone()]), Paper::default()));
+    let svg = Svg::read(&drawn(figure_of_panels("t", vec![panel.clone()]), Paper::default()));
     svg.says(&["10⁵", "10⁶", "10⁷"]);
     let line = svg.longest_line("#0072B2");
     assert!(((line[1].0 - line[0].0) - (line[2].0 - line[1].0)).abs() <= 1.0, "{line:?}");
     panel.curves[0].points[0].0 = 0.0;
-    let wrong = Drawing::Panels(of("t", vec![panel])).svg(Paper::default());
+    let wrong = Drawing::Panels(figure_of_panels("t", vec![panel])).svg(Paper::default());
     assert_eq!(wrong, Err(PlotError::NotPositive { axis: "E (N/m²)".to_owned() }));
 }
 
@@ -179,10 +187,10 @@ fn colours_beyond_their_limits_are_explained() {
 
 #[test]
 fn the_data_are_the_numbers_that_are_drawn() {
-    let mut panel = straight("line");
+    let mut panel = panel_with_line("line");
     let label = "end".to_owned();
     panel.limits.push(Limit { label, at: 0.16, direction: Direction::Vertical });
-    let drawing = Drawing::Panels(of("t", vec![panel]));
+    let drawing = Drawing::Panels(figure_of_panels("t", vec![panel]));
     let data = drawing.data();
     let curve: Vec<&Datum> = data.iter().filter(|datum| datum.kind == "curve").collect();
     assert_eq!(curve.len(), 11);

@@ -40,11 +40,11 @@ fn names() -> SceneNames {
 }
 
 /// The scene on the paper it wants.
-fn drawn(data: &Scene) -> Result<String, PlotError> {
+fn drawn_scene(data: &Scene) -> Result<String, PlotError> {
     scene(data, Paper::default())
 }
 
-fn figure(blocks: Vec<Block>) -> Scene {
+fn scene_of_blocks(blocks: Vec<Block>) -> Scene {
     Scene { title: "Feet".to_owned(), description: "Feet from two sides.".to_owned(), blocks, names: names() }
 }
 
@@ -120,15 +120,16 @@ fn assert_texts_apart(svg: &str, least: usize) {
 
 #[test]
 fn hundreds_of_names_are_left_out_in_words() {
-    let block = Block { title: "Platform".to_owned(), remarks: vec![], views: vec![view(scattered(300))] };
-    let svg = Svg::read(&drawn(&figure(vec![block])).unwrap());
+    let block =
+        Block { title: "Platform".to_owned(), remarks: vec![], views: vec![view(scattered_balls(300))] };
+    let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![block])).unwrap());
     assert_eq!(svg.circles("#0072B2").len(), 300 + 1);
     svg.says(&["Without names, as there are more than 80."]);
     assert!(!svg.texts.iter().any(|text| text.starts_with("Obstacle")));
 }
 
 /// Places that look random and are the same in every run.
-fn scattered(count: u32) -> Vec<Ball> {
+fn scattered_balls(count: u32) -> Vec<Ball> {
     let fraction = |value: f64| value - value.floor();
     let at = |index: u32| {
         let along = 6000.0 * fraction(f64::from(index) * 0.618_033_988_75);
@@ -141,7 +142,9 @@ fn scattered(count: u32) -> Vec<Ball> {
 
 #[test]
 fn circles_are_circles_in_their_places() {
-    let svg = Svg::read(&drawn(&figure(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap());
+    let svg = Svg::read(
+        &drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap(),
+    );
     // Twice six spheres in each of two feet; the legend's is smaller.
     let circles = svg.circles("#0072B2");
     let legend = circles.iter().filter(|circle| circle.radius < 100.0).count();
@@ -162,7 +165,7 @@ fn circles_are_circles_in_their_places() {
         }
     }
     // The numbers along the axis of one foot go up, too.
-    let svg = Svg::read(&drawn(&figure(vec![foot("calcn_r (right)")])).unwrap());
+    let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap());
     let (x, circles) = (svg.scale_of_x(), svg.circles("#0072B2"));
     for (circle, ball) in circles[..6].iter().zip(side) {
         assert!((x.value(circle.centre.0) - ball.centre.0).abs() < 0.15, "{circle:?} is not {ball:?}");
@@ -170,8 +173,8 @@ fn circles_are_circles_in_their_places() {
 }
 
 #[test]
-fn lines_are_at_their_heights() {
-    let document = drawn(&figure(vec![foot("calcn_r (right)")])).unwrap();
+fn height_lines_are_drawn_at_their_heights() {
+    let document = drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap();
     let svg = Svg::read(&document);
     let circle = svg.circles("#0072B2")[0];
     let dashed = svg.longest_line("#666666");
@@ -199,7 +202,7 @@ fn what_lines_say_is_written_whole() {
     }
     for apart in [18.0, 4.0, -4.0] {
         block.views[0].levels[1].at = -42.0 - apart;
-        let document = drawn(&figure(vec![block.clone()])).unwrap();
+        let document = drawn_scene(&scene_of_blocks(vec![block.clone()])).unwrap();
         let boxes = text_boxes(&document);
         assert!([lowest, ground].iter().all(|name| boxes.iter().any(|(text, _)| text == name)), "{boxes:?}");
         assert_texts_apart(&document, 24);
@@ -207,7 +210,9 @@ fn what_lines_say_is_written_whole() {
     // A long one is cut: nothing leaves the figure.
     block.views[0].levels[0].name = "W".repeat(300);
     assert!(
-        text_boxes(&drawn(&figure(vec![block])).unwrap()).iter().any(|(text, _)| text.ends_with('\u{2026}'))
+        text_boxes(&drawn_scene(&scene_of_blocks(vec![block])).unwrap())
+            .iter()
+            .any(|(text, _)| text.ends_with('\u{2026}'))
     );
 }
 
@@ -217,26 +222,37 @@ fn the_legend_explains_what_is_seen() {
     let legend = |far: f64| {
         let mut block = foot("calcn_r (right)");
         block.views[0].balls.push(ball("far", (0.0, -far), 32.0));
-        text_boxes(&drawn(&figure(vec![block])).unwrap()).iter().any(|(text, _)| text == "bone")
+        text_boxes(&drawn_scene(&scene_of_blocks(vec![block])).unwrap())
+            .iter()
+            .any(|(text, _)| text == "bone")
     };
     assert!(legend(100.0));
     assert!(!legend(20_000.0));
 }
 
 #[test]
-fn names_never_touch() {
-    assert_texts_apart(&drawn(&figure(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap(), 40);
-    assert_texts_apart(&drawn(&figure(vec![foot("calcn_r (right)")])).unwrap(), 24);
+fn names_of_spheres_never_touch_in_a_drawing() {
+    assert_texts_apart(
+        &drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap(),
+        40,
+    );
+    assert_texts_apart(&drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap(), 24);
     for count in [1, 12, 13, 46, 80] {
-        let block =
-            Block { title: "Platform".to_owned(), remarks: vec![], views: vec![view(scattered(count))] };
-        assert_texts_apart(&drawn(&figure(vec![block])).unwrap(), 5 + usize::try_from(count).unwrap());
+        let block = Block {
+            title: "Platform".to_owned(),
+            remarks: vec![],
+            views: vec![view(scattered_balls(count))],
+        };
+        assert_texts_apart(
+            &drawn_scene(&scene_of_blocks(vec![block])).unwrap(),
+            5 + usize::try_from(count).unwrap(),
+        );
     }
     // Long names, all in one place.
     let long = |index: usize| ball(&format!("{index} {}", "WiM".repeat(40)), (0.0, 0.0), 10.0);
     let block =
         Block { title: "W".repeat(300), remarks: vec![], views: vec![view((0..20).map(long).collect())] };
-    assert_texts_apart(&drawn(&figure(vec![block.clone(), block])).unwrap(), 45);
+    assert_texts_apart(&drawn_scene(&scene_of_blocks(vec![block.clone(), block])).unwrap(), 45);
 }
 
 #[test]
@@ -245,7 +261,7 @@ fn before_and_what_is_astray_look_different_without_colour() {
     block.views[0].balls[0].misplaced = true;
     let before = Ball { name: String::new(), state: State::Before, ..block.views[0].balls[1].clone() };
     block.views[0].balls.push(before);
-    let svg = Svg::read(&drawn(&figure(vec![block])).unwrap());
+    let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![block])).unwrap());
     svg.says(&["before", "misplaced", "sphere"]);
     // The one that is astray, and its sample in the legend: a line twice as wide, in its own colour.
     assert_eq!(svg.circles("#D55E00").len(), 2);
@@ -261,7 +277,7 @@ fn hostile_names_are_text_and_nothing_has_an_id() {
     block.views[0].balls[0].name = odd.to_owned();
     block.views[0].spots[0].name = odd.to_owned();
     block.views[0].levels[0].name = odd.to_owned();
-    let document = drawn(&Scene { title: odd.to_owned(), ..figure(vec![block]) }).unwrap();
+    let document = drawn_scene(&Scene { title: odd.to_owned(), ..scene_of_blocks(vec![block]) }).unwrap();
     let svg = Svg::read(&document);
     svg.says(&["<script>&\"'[31m]]>"]);
     assert!(!document.contains(" id=") && !document.contains("<script") && !document.contains('\u{1b}'));
@@ -271,7 +287,9 @@ fn hostile_names_are_text_and_nothing_has_an_id() {
 fn things_of_another_size_have_a_scale_of_their_own() {
     let ball_of =
         |radius: f64| Block { views: vec![view(vec![ball("ball", (0.0, 0.0), radius)])], ..Block::default() };
-    let svg = Svg::read(&drawn(&figure(vec![ball_of(10.0), ball_of(20.0), ball_of(1000.0)])).unwrap());
+    let svg = Svg::read(
+        &drawn_scene(&scene_of_blocks(vec![ball_of(10.0), ball_of(20.0), ball_of(1000.0)])).unwrap(),
+    );
     let radii: Vec<f64> = svg.circles("#0072B2").iter().map(|circle| circle.radius).collect();
     assert!((radii[1] - 2.0 * radii[0]).abs() <= 1.0, "{radii:?}");
     assert!((radii[2] - radii[1]).abs() <= 1.0, "{radii:?}");
@@ -280,7 +298,7 @@ fn things_of_another_size_have_a_scale_of_their_own() {
 
 #[test]
 fn what_cannot_be_drawn_is_refused() {
-    let refused = |blocks| drawn(&figure(blocks)).unwrap_err();
+    let refused = |blocks| drawn_scene(&scene_of_blocks(blocks)).unwrap_err();
     assert!(matches!(refused(vec![]), PlotError::Empty { .. }));
     assert!(matches!(refused(vec![Block::default()]), PlotError::Empty { .. }));
     let with = |ball: Ball| vec![Block { views: vec![view(vec![ball])], ..Block::default() }];
@@ -289,7 +307,9 @@ fn what_cannot_be_drawn_is_refused() {
     }
     // Nothing but a point, and nothing at all, have a picture.
     let mut point = View { spots: vec![spot("mtp_r", (5.0, 5.0))], ..view(vec![]) };
-    assert!(drawn(&figure(vec![Block { views: vec![point.clone()], ..Block::default() }])).is_ok());
+    assert!(
+        drawn_scene(&scene_of_blocks(vec![Block { views: vec![point.clone()], ..Block::default() }])).is_ok()
+    );
     point.spots.clear();
-    assert!(drawn(&figure(vec![Block { views: vec![point], ..Block::default() }])).is_ok());
+    assert!(drawn_scene(&scene_of_blocks(vec![Block { views: vec![point], ..Block::default() }])).is_ok());
 }

@@ -196,7 +196,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn student_quantiles() {
+    fn quantiles_of_the_t_distribution_are_those_of_tables() {
         // mpmath 1.3.0, 30 digits: roots of the regularised incomplete beta function.
         let exact = [
             (1, 12.706_204_736_174_705),

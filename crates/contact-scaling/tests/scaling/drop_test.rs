@@ -11,7 +11,7 @@ use contact_scaling::{
 const SERIES: f64 = 1e-8;
 
 /// A row of Table 1.
-fn scale(animal: usize) -> Scale {
+fn scale_of_animal(animal: usize) -> Scale {
     table1::animals().nth(animal).unwrap().scale()
 }
 
@@ -21,8 +21,8 @@ fn contact(plane_strain_modulus: f64, dissipation: f64, smooth: bool) -> Contact
 }
 
 /// The base contact on an animal: E₁* scaled by (10), α and smoothing scaled or not.
-fn on(animal: usize, smooth: bool, all: bool) -> Contact {
-    let ratios = Ratios::between(&scale(0), &scale(animal)).unwrap();
+fn contact_of_animal(animal: usize, smooth: bool, all: bool) -> Contact {
+    let ratios = Ratios::between(&scale_of_animal(0), &scale_of_animal(animal)).unwrap();
     let base = contact(1e6, 2.0, smooth);
     let scaled = base.scaled(&ratios);
     if all {
@@ -32,11 +32,11 @@ fn on(animal: usize, smooth: bool, all: bool) -> Contact {
     Contact::new(ContactValues { plane_strain_modulus, ..base.values() }).unwrap()
 }
 
-fn drop(animal: usize, contact: &Contact) -> DropTest {
-    DropTest::of(contact, &scale(animal), 0.25, 2.0).unwrap()
+fn drop_of_animal(animal: usize, contact: &Contact) -> DropTest {
+    DropTest::of(contact, &scale_of_animal(animal), 0.25, 2.0).unwrap()
 }
 
-fn reference(name: &str) -> Vec<(f64, f64)> {
+fn reference_curve(name: &str) -> Vec<(f64, f64)> {
     let lines = include_str!("../data/drops.csv").lines().filter(|line| !line.starts_with('#'));
     let rows = lines.filter_map(|line| {
         let cells: Vec<_> = line.split(',').collect();
@@ -47,7 +47,7 @@ fn reference(name: &str) -> Vec<(f64, f64)> {
 
 #[track_caller]
 fn assert_follows(name: &str, report: &DropReport) {
-    let rows = reference(name);
+    let rows = reference_curve(name);
     assert_eq!(rows.len(), 40);
     let heights = || report.series.iter().map(|s| s.height_m);
     let range = heights().fold(f64::MIN, f64::max) - heights().fold(f64::MAX, f64::min);
@@ -62,39 +62,40 @@ fn assert_follows(name: &str, report: &DropReport) {
 
 #[test]
 fn series_agree_with_another_integrator() {
-    assert_follows("human", &drop(0, &on(0, false, true)).run().unwrap());
-    assert_follows("mouse", &drop(2, &on(2, false, false)).run().unwrap());
-    assert_follows("smooth human", &drop(0, &on(0, true, true)).run().unwrap());
+    assert_follows("human", &drop_of_animal(0, &contact_of_animal(0, false, true)).run().unwrap());
+    assert_follows("mouse", &drop_of_animal(2, &contact_of_animal(2, false, false)).run().unwrap());
+    assert_follows("smooth human", &drop_of_animal(0, &contact_of_animal(0, true, true)).run().unwrap());
 }
 
 #[test]
 fn every_animal_of_table_1_comes_to_rest_where_it_should() {
     for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
         for all in [true, false] {
-            let report = drop(animal, &on(animal, false, all)).run().unwrap();
-            let x_hat = report.final_indentation_m / scale(animal).radius_m();
+            let report = drop_of_animal(animal, &contact_of_animal(animal, false, all)).run().unwrap();
+            let x_hat = report.final_indentation_m / scale_of_animal(animal).radius_m();
             assert_eq!(format!("{x_hat:.3}"), "0.353", "{name}"); // Table 1
-            let hertz = report.hertz_indentation_m / scale(animal).radius_m();
+            let hertz = report.hertz_indentation_m / scale_of_animal(animal).radius_m();
             assert!((hertz - 0.3533).abs() < 5e-5, "{name}");
             assert_eq!(report.hertz_stiffness_n_m, report.equilibrium_stiffness_n_m);
             // None of these drops leaves the ground again.
             assert_eq!(report.first_contact.unwrap().end, None, "{name}");
         }
         // Real OpenSim 4.6, SmoothSphereHalfSpaceForce with Falisse's cf and bd, scaled: 0.3396 in all seven.
-        let report = drop(animal, &on(animal, true, true)).run().unwrap();
-        let x_hat = report.final_indentation_m / scale(animal).radius_m();
+        let report = drop_of_animal(animal, &contact_of_animal(animal, true, true)).run().unwrap();
+        let x_hat = report.final_indentation_m / scale_of_animal(animal).radius_m();
         assert!((x_hat - 0.3396).abs() < 5e-5, "{name}: {x_hat}");
-        let own = report.equilibrium_indentation_m / scale(animal).radius_m();
+        let own = report.equilibrium_indentation_m / scale_of_animal(animal).radius_m();
         assert!((x_hat - own).abs() < 1e-7, "{name}: {x_hat} {own}");
     }
 }
 
 #[test]
-fn scaled_animals_fall_alike() {
+fn animals_with_scaled_contacts_fall_alike() {
     for smooth in [false, true] {
-        let human = drop(0, &on(0, smooth, true));
+        let human = drop_of_animal(0, &contact_of_animal(0, smooth, true));
         for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
-            let difference = compare(&human, &drop(animal, &on(animal, smooth, true))).unwrap();
+            let difference =
+                compare(&human, &drop_of_animal(animal, &contact_of_animal(animal, smooth, true))).unwrap();
             assert!(difference.height < 1e-6, "{name}: {difference:?}");
             assert!(difference.force < 1e-6, "{name}: {difference:?}");
         }
@@ -104,7 +105,10 @@ fn scaled_animals_fall_alike() {
 #[test]
 fn without_scaled_dissipation_the_mouse_is_underdamped() {
     // Fig. 4 A: at α = 2 the mouse oscillates about its rest long after the giraffe has settled.
-    let (mouse, giraffe) = (drop(2, &on(2, false, false)), drop(6, &on(6, false, false)));
+    let (mouse, giraffe) = (
+        drop_of_animal(2, &contact_of_animal(2, false, false)),
+        drop_of_animal(6, &contact_of_animal(6, false, false)),
+    );
     assert!(compare(&mouse, &giraffe).unwrap().force > 0.5);
     let (mouse, giraffe) = (mouse.run().unwrap(), giraffe.run().unwrap());
     assert!(mouse.peak_force_bw() > giraffe.peak_force_bw());
@@ -117,11 +121,11 @@ fn without_scaled_dissipation_the_mouse_is_underdamped() {
 
 #[test]
 fn a_bounce_without_dissipation_returns_its_energy() {
-    let test = DropTest::of(&contact(1e8, 0.0, false), &scale(0), 0.25, 2.0).unwrap();
+    let test = DropTest::of(&contact(1e8, 0.0, false), &scale_of_animal(0), 0.25, 2.0).unwrap();
     let report = test.run().unwrap();
     let first = report.first_contact.unwrap();
     let end = first.end.unwrap();
-    let exact = |what: &str| reference(&format!("bounce: {what}"))[0].0;
+    let exact = |what: &str| reference_curve(&format!("bounce: {what}"))[0].0;
     let close = |value: f64, what: &str| {
         let off = (value / exact(what) - 1.0).abs();
         assert!(off < 1e-9, "{what}: {value}, expected {}, off by {off:e}", exact(what));
@@ -164,11 +168,11 @@ fn integrated_impacts_have_the_exact_restitution() {
 #[test]
 fn spheres_of_one_law_are_one_entry() {
     let law = Law::of(&contact(1e6, 2.0, false), 0.032).unwrap();
-    let values = DropTest::of(&contact(1e6, 2.0, false), &scale(0), 0.25, 2.0).unwrap().values();
+    let values = DropTest::of(&contact(1e6, 2.0, false), &scale_of_animal(0), 0.25, 2.0).unwrap().values();
     let one = Spheres::new(law, 1.0).unwrap();
     let six = DropTest::new([one; 6], values).unwrap();
     assert_eq!(six.spheres().len(), 1);
-    assert_eq!(six, drop(0, &contact(1e6, 2.0, false)));
+    assert_eq!(six, drop_of_animal(0, &contact(1e6, 2.0, false)));
 }
 
 #[test]
@@ -211,14 +215,14 @@ fn force_and_motion_belong_together() {
 
 #[test]
 fn an_unscaled_smooth_mouse_never_touches_the_ground() {
-    let report = drop(2, &on(2, true, false)).run().unwrap();
+    let report = drop_of_animal(2, &contact_of_animal(2, true, false)).run().unwrap();
     assert_eq!(report.first_contact, None);
     assert!(report.final_indentation_m < 0.0);
 }
 
 #[test]
-fn nonsense_is_refused() {
-    let good = drop(0, &contact(1e6, 2.0, false)).values();
+fn drops_with_impossible_values_are_refused() {
+    let good = drop_of_animal(0, &contact(1e6, 2.0, false)).values();
     let sphere = Spheres::new(Law::of(&contact(1e6, 2.0, false), 0.032).unwrap(), 6.0).unwrap();
     let refused = |values| DropTest::new([sphere], values).unwrap_err().to_string();
     assert_eq!(refused(DropValues { mass_kg: 0.0, ..good }), "mass is 0.0, expected a finite number above 0");
@@ -231,7 +235,7 @@ fn nonsense_is_refused() {
 
 #[test]
 fn a_start_on_the_ground_is_a_contact_from_the_start() {
-    let test = DropTest::of(&contact(1e6, 2.0, false), &scale(0), 0.0, 2.0).unwrap();
+    let test = DropTest::of(&contact(1e6, 2.0, false), &scale_of_animal(0), 0.0, 2.0).unwrap();
     let first = test.run().unwrap().first_contact.unwrap();
     assert_eq!((first.start_s, first.impact_speed_m_s), (0.0, 0.0));
 }
@@ -241,7 +245,7 @@ fn a_start_on_the_ground_is_a_contact_from_the_start() {
 fn no_sample_is_above_the_peak() {
     for (smooth, tenths) in [false, true].into_iter().flat_map(|smooth| (1..40).map(move |n| (smooth, n))) {
         let contact = contact(1e6, 0.1 * f64::from(tenths), smooth);
-        let coarse = DropTest::of(&contact, &scale(0), 1.0, 0.4).unwrap();
+        let coarse = DropTest::of(&contact, &scale_of_animal(0), 1.0, 0.4).unwrap();
         let values = DropValues { samples: 20_001, ..coarse.values() };
         let report = DropTest::new(coarse.spheres().iter().copied(), values).unwrap().run().unwrap();
         let highest = report.series.iter().map(|sample| sample.force_n).fold(0.0, f64::max);

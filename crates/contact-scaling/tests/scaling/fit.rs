@@ -82,7 +82,7 @@ fn values_and_errors_agree_with_high_precision() {
 }
 
 #[test]
-fn units_do_not_matter() {
+fn a_fit_does_not_depend_on_units() {
     // Metres, kilograms and seconds times arbitrary factors.
     let (l, m, t) = (3.28_f64, 0.453, 60.0);
     let data = reference_data();
@@ -103,7 +103,7 @@ fn units_do_not_matter() {
 }
 
 /// A press in and out, with a law and Gaussian noise.
-fn press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Random) -> Data {
+fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Random) -> Data {
     let mut data = Data::default();
     for i in 0..80 {
         let phase = std::f64::consts::PI * f64::from(i) / 79.0;
@@ -134,13 +134,13 @@ impl Random {
     }
 }
 
-fn law() -> HuntCrossley {
+fn law_of_the_press() -> HuntCrossley {
     HuntCrossley::new(Hertz::sphere(3e5, 0.02).unwrap(), 0.8).unwrap()
 }
 
 #[test]
 fn data_without_noise_give_the_truth() {
-    let data = press(&law(), 0.0013, 0.0, &mut Random(1));
+    let data = simulated_press(&law_of_the_press(), 0.0013, 0.0, &mut Random(1));
     for onset in [Onset::At(0.0013), Onset::Fitted] {
         let result = data.fit(0.02, true, onset).unwrap();
         assert_close(result.composite_modulus.value, 3e5, 1e-9, "E*");
@@ -159,7 +159,9 @@ fn intervals_cover_the_truth_in_95_of_100_runs() {
     for onset in [Onset::At(0.0013), Onset::Fitted] {
         let mut covered = [0_u32; 4];
         for _ in 0..RUNS {
-            let result = press(&law(), 0.0013, 0.3, &mut random).fit(0.02, true, onset).unwrap();
+            let result = simulated_press(&law_of_the_press(), 0.0013, 0.3, &mut random)
+                .fit(0.02, true, onset)
+                .unwrap();
             let holds = |estimate: Option<Estimate>, truth: f64| {
                 u32::from(estimate.is_some_and(|e| e.low <= truth && truth <= e.high))
             };
@@ -178,7 +180,9 @@ fn intervals_cover_the_truth_in_95_of_100_runs() {
 
 #[test]
 fn the_report_tells_its_limits() {
-    let result = press(&law(), 0.0, 0.1, &mut Random(7)).fit(0.02, true, Onset::At(0.0)).unwrap();
+    let result = simulated_press(&law_of_the_press(), 0.0, 0.1, &mut Random(7))
+        .fit(0.02, true, Onset::At(0.0))
+        .unwrap();
     assert_eq!(result.parameters, [Parameter::CompositeModulus, Parameter::Dissipation]);
     assert_close(result.largest_relative_indentation, 0.0036 / 0.02, 1e-3, "x hat");
     assert!(!result.within_hertz_limit);
@@ -191,7 +195,7 @@ fn the_report_tells_its_limits() {
 
 #[test]
 fn speed_from_time_serves_as_well() {
-    let data = press(&law(), 0.0, 0.0, &mut Random(1));
+    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut Random(1));
     let times: Vec<f64> = (0..80).map(|i| std::f64::consts::PI * f64::from(i) / 79.0 / 40.0).collect();
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Time(&times) };
     let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: Branch::Both };
@@ -201,8 +205,8 @@ fn speed_from_time_serves_as_well() {
 }
 
 #[test]
-fn branches_are_fitted_apart() {
-    let data = press(&law(), 0.0, 0.0, &mut Random(1));
+fn loading_and_unloading_are_fitted_apart() {
+    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut Random(1));
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Unknown };
     let modulus = |branch| {
         let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch };

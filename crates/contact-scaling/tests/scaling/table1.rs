@@ -14,16 +14,16 @@ fn assert_prints(value: f64, printed: &str, what: &str) {
     assert_eq!(format!("{value:.decimals$}"), printed, "{what} is {value}");
 }
 
-fn rows() -> Vec<Animal> {
+fn animals_of_table() -> Vec<Animal> {
     table1::animals().collect()
 }
 
-fn what(animal: &Animal) -> String {
+fn label_of_animal(animal: &Animal) -> String {
     format!("{} of {} kg", animal.taxon(), animal.scale().mass_kg())
 }
 
 /// The base of the table: E₁* = 1 MPa exactly, 2 s/m.
-fn base() -> Contact {
+fn base_contact() -> Contact {
     let values = ContactValues { plane_strain_modulus: 1e6, dissipation: 2.0, smoothing: None };
     Contact::new(values).unwrap()
 }
@@ -31,21 +31,25 @@ fn base() -> Contact {
 #[test]
 fn every_line_of_the_file_is_a_row() {
     // The paper has seven, and nine numbers in each.
-    assert_eq!(rows().len(), 7);
-    for animal in rows() {
+    assert_eq!(animals_of_table().len(), 7);
+    for animal in animals_of_table() {
         for column in Column::ALL {
-            assert!(animal.printed(column).parse::<f64>().is_ok(), "{}: {column:?}", what(&animal));
+            assert!(
+                animal.printed(column).parse::<f64>().is_ok(),
+                "{}: {column:?}",
+                label_of_animal(&animal)
+            );
         }
     }
 }
 
 #[test]
 fn table_1_is_reproduced_in_every_column() {
-    let rows = rows();
+    let rows = animals_of_table();
     let human = rows[0].scale();
     for animal in &rows {
-        let (what, scale) = (what(animal), animal.scale());
-        let contact = base().scaled(&Ratios::between(&human, &scale).unwrap());
+        let (what, scale) = (label_of_animal(animal), animal.scale());
+        let contact = base_contact().scaled(&Ratios::between(&human, &scale).unwrap());
         let load = SharedLoad::body_weights(&scale, 1.0).unwrap();
         let law = Hertz::of(&contact, scale.radius_m()).unwrap();
         let x_hat =
@@ -62,7 +66,7 @@ fn table_1_is_reproduced_in_every_column() {
         assert_prints(composite, animal.printed(Column::CompositeModulus), &what);
         let modulus = contact.plane_strain_modulus() / 1e6;
         assert_prints(modulus, animal.printed(Column::PlaneStrainModulus), &what);
-        assert_prints(base().dissipation(), animal.printed(Column::BaseDissipation), &what);
+        assert_prints(base_contact().dissipation(), animal.printed(Column::BaseDissipation), &what);
         assert_prints(contact.dissipation(), animal.printed(Column::ScaledDissipation), &what);
         assert_prints(x_hat, animal.printed(Column::FinalIndentation), &what);
         assert_prints(k / 1e3, animal.printed(Column::ContactStiffness), &what);
@@ -75,7 +79,7 @@ fn table_1_is_reproduced_in_every_column() {
 
 #[test]
 fn the_comparison_agrees_but_for_the_one_number_that_the_paper_rounds_otherwise() {
-    let all: Vec<(Animal, Compared)> = rows()
+    let all: Vec<(Animal, Compared)> = animals_of_table()
         .into_iter()
         .flat_map(|animal| animal.compared().unwrap().into_iter().map(move |compared| (animal, compared)))
         .collect();
@@ -86,43 +90,44 @@ fn the_comparison_agrees_but_for_the_one_number_that_the_paper_rounds_otherwise(
         let units =
             (compared.computed - compared.printed.parse::<f64>().unwrap()) * 10_f64.powi(decimals as i32);
         let is_mouse = animal.taxon() == "mouse" && compared.column == Column::CompositeModulus;
-        assert_eq!(compared.is_within_last_digit(), !is_mouse, "{}: {compared:?}", what(animal));
-        assert_eq!(compared.is_from_rounded(), is_mouse, "{}: {compared:?}", what(animal));
-        assert_eq!(units.abs() <= 0.5 + 1e-9, !is_mouse, "{}: {compared:?}", what(animal));
+        assert_eq!(compared.is_within_last_digit(), !is_mouse, "{}: {compared:?}", label_of_animal(animal));
+        assert_eq!(compared.is_from_rounded(), is_mouse, "{}: {compared:?}", label_of_animal(animal));
+        assert_eq!(units.abs() <= 0.5 + 1e-9, !is_mouse, "{}: {compared:?}", label_of_animal(animal));
     }
 }
 
 #[test]
 fn all_rows_are_one_dimensionless_contact() {
-    let rows = rows();
-    let first = DimensionlessContact::of(&base(), &rows[0].scale());
+    let rows = animals_of_table();
+    let first = DimensionlessContact::of(&base_contact(), &rows[0].scale());
     for animal in &rows {
-        let contact = base().scaled(&Ratios::between(&rows[0].scale(), &animal.scale()).unwrap());
+        let contact = base_contact().scaled(&Ratios::between(&rows[0].scale(), &animal.scale()).unwrap());
         let here = DimensionlessContact::of(&contact, &animal.scale());
-        assert!(here.agrees_with(&first, 1e-14), "{}", what(animal));
-        assert!((here.relative_indentation() - 0.3533).abs() < 5e-5, "{}", what(animal));
+        assert!(here.agrees_with(&first, 1e-14), "{}", label_of_animal(animal));
+        assert!((here.relative_indentation() - 0.3533).abs() < 5e-5, "{}", label_of_animal(animal));
     }
 }
 
 #[test]
-fn real_opensim_agrees() {
+fn table_1_agrees_with_forces_of_opensim() {
     // OpenSim 4.6, HuntCrossleyForce, integrator accuracy 1e-9: k in kN/m at rest, row by row.
     let opensim = [13.450, 54.487, 0.218, 10.496, 26.240, 151.329, 206.515];
-    for (animal, k) in rows().iter().zip(opensim) {
+    for (animal, k) in animals_of_table().iter().zip(opensim) {
         let compared = animal.compared().unwrap();
         let own = compared.iter().find(|one| one.column == Column::ContactStiffness).unwrap().computed;
-        assert!((own - k).abs() <= 1e-3, "{}: {own}, OpenSim {k}", what(animal));
+        assert!((own - k).abs() <= 1e-3, "{}: {own}, OpenSim {k}", label_of_animal(animal));
     }
 }
 
 #[test]
-fn numbers_of_the_text() {
+fn numbers_in_the_text_of_the_paper_are_reproduced() {
     // Section 4.2: about 0.4 m/s before the impact of the 62 kg human, c_r about 0.2.
     let speed = (2.0 * 9.81 * 0.25 * 0.032_f64).sqrt();
     assert_prints(speed, "0.4", "speed");
     assert_prints(contact_scaling::restitution::approximate(2.0, speed).unwrap(), "0.2", "restitution");
     // (B.5) of the 62 kg human is (B.4) with k of one sphere and the mass on it.
-    let x_hat = DimensionlessContact::of(&base(), &rows()[0].scale()).relative_indentation();
+    let x_hat =
+        DimensionlessContact::of(&base_contact(), &animals_of_table()[0].scale()).relative_indentation();
     let by_b5 = stiffness::equilibrium_frequency(x_hat, 0.032, 9.81).unwrap();
     let by_b4 = stiffness::natural_frequency(13_449.5, 62.0 / 6.0).unwrap();
     assert!((by_b5 / by_b4 - 1.0).abs() < 1e-5, "{by_b5} {by_b4}");

@@ -362,7 +362,7 @@ mod tests {
     }
 
     #[test]
-    fn few_spheres_are_named() {
+    fn a_legend_names_few_spheres() {
         assert_listed(&["heel"], "heel");
         assert_listed(&["heel", "toe"], "heel, toe");
         assert_listed(&[], "");
@@ -377,7 +377,7 @@ mod tests {
     }
 
     #[test]
-    fn many_spheres_are_counted() {
+    fn a_legend_counts_many_spheres() {
         let names: Vec<String> =
             ["r", "l"].iter().flat_map(|side| (1..=5).map(move |i| format!("s{i}_{side}"))).collect();
         assert_eq!(list_spheres(&names), "s1 to s5 (5 spheres), both sides");

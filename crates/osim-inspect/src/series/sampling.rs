@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn a_steep_step_is_followed() {
+    fn samples_follow_a_steep_step_of_a_curve() {
         let step = |x: f64| 0.5 + 0.5 * (300.0 * x).tanh();
         let points = sample_curve(|x| (x, step(x)), &equal_breaks(-0.5, 0.5, 24, 0.0));
         let farthest = largest_distance(&points, step, (1.0, 1.0));

@@ -361,7 +361,7 @@ fn a_gravity_that_pulls_nothing_is_none() {
 }
 
 #[test]
-fn one_sphere_may_carry_all() {
+fn one_sphere_may_carry_all_the_weight() {
     let stance = Stance { spheres: Some(1.0), ..Stance::default() };
     let seen = inspect_with(NO_SIDES, stance).figures;
     assert_eq!(seen.limbs[0].sphere_count, Some(1.0));

@@ -6,7 +6,7 @@ use osim_inspect::model_findings;
 use osim_model::{FindingCode, MassRequest, Model};
 
 /// Bodies of 1, 2, 4, ... kg with these names, and joints of class, parent and child.
-fn model(bodies: &[&str], joints: &[(&str, &str, &str)]) -> Model {
+fn model_of_bodies(bodies: &[&str], joints: &[(&str, &str, &str)]) -> Model {
     let bodies = bodies.iter().enumerate();
     let bodies: String = bodies
         .map(|(place, name)| format!("<Body name='{name}'><mass>{}</mass></Body>", 1 << place))
@@ -65,7 +65,7 @@ fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
         // A body of the animal that is welded to another one of it.
         (&["animal", "trunk"], &[free, (weld, "animal", "trunk")], 3.0, &[]),
     ] {
-        let model = model(bodies, joints);
+        let model = model_of_bodies(bodies, joints);
         assert_eq!(MassRequest::default().model_mass(&model).unwrap().kg, kg, "{joints:?}");
         let found: Vec<&str> =
             model.bodies().iter().filter(|body| body.excluded_from_mass).map(|body| &*body.name).collect();
@@ -77,6 +77,6 @@ fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
 
 #[test]
 fn a_model_of_fixed_bodies_alone_has_no_mass() {
-    let model = model(&["goal"], &[("WeldJoint", "ground", "goal")]);
+    let model = model_of_bodies(&["goal"], &[("WeldJoint", "ground", "goal")]);
     assert_eq!(MassRequest::default().model_mass(&model).unwrap_err().code(), "no-mass");
 }

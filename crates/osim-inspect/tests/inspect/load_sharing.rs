@@ -14,12 +14,12 @@ const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_a
 /// Limbs with different numbers of spheres.
 const UNEQUAL: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
 
-fn selecting(pattern: &str) -> InspectOptions {
+fn options_selecting(pattern: &str) -> InspectOptions {
     let select: Vec<Pattern> = vec![pattern.parse().unwrap()];
     InspectOptions { selection: Selection { select, ..Selection::default() }, ..InspectOptions::default() }
 }
 
-fn ids(model: &Model, ends_with: &str) -> Vec<ForceId> {
+fn ids_of_forces(model: &Model, ends_with: &str) -> Vec<ForceId> {
     let chosen = model.forces().iter().filter(|force| force.name.ends_with(ends_with));
     chosen.map(|force| force.id).collect()
 }
@@ -28,7 +28,7 @@ fn ids(model: &Model, ends_with: &str) -> Vec<ForceId> {
 fn chosen_spheres_carry_their_share_of_all_that_stand() {
     let model = Model::parse(HUMAN).unwrap();
     for pattern in ["*", "contact_s1_*", "contact_s3_r", "*_l"] {
-        let seen = selecting(pattern).inspect("human.osim", &model, None);
+        let seen = options_selecting(pattern).inspect("human.osim", &model, None);
         assert_eq!(seen.spheres_per_limb, Some(6), "{pattern}");
         for limb in &seen.figures.limbs {
             assert_eq!(limb.sphere_count, Some(6.0), "{pattern}");
@@ -38,7 +38,7 @@ fn chosen_spheres_carry_their_share_of_all_that_stand() {
             }
         }
     }
-    let some = selecting("contact_s1_*").inspect("human.osim", &model, None);
+    let some = options_selecting("contact_s1_*").inspect("human.osim", &model, None);
     assert_eq!(some.figures.spheres().count(), 2, "figures are those of chosen spheres alone");
 }
 
@@ -47,9 +47,13 @@ fn what_falls_weighs_the_same_on_chosen_spheres() {
     let model = Model::parse(HUMAN).unwrap();
     let failed = |fault: Fault| Failure::outside("human.osim", "plot", fault.to_string());
     for pattern in ["*", "contact_s1_*", "contact_s3_r"] {
-        let body =
-            ContactBody::from_inspected_model("human".to_owned(), &model, &selecting(pattern), &failed)
-                .unwrap();
+        let body = ContactBody::from_inspected_model(
+            "human".to_owned(),
+            &model,
+            &options_selecting(pattern),
+            &failed,
+        )
+        .unwrap();
         let weight = body.weight().unwrap();
         let carried: f64 = weight.spheres.iter().map(contact_scaling::Spheres::count).sum();
         assert_eq!((weight.sphere_count, carried), (6.0, 6.0), "{pattern}");
@@ -75,7 +79,7 @@ fn what_is_joined_to_the_body_only_through_ground_does_not_count() {
 #[test]
 fn a_count_is_given_or_found_or_asked_for() {
     let human = Model::parse(HUMAN).unwrap();
-    let sharing = LoadSharing::of(&human, &ids(&human, "_r"));
+    let sharing = LoadSharing::of(&human, &ids_of_forces(&human, "_r"));
     assert_eq!(sharing.limbs().if_known().map(<[_]>::len), Some(2));
     assert_eq!(sharing.count(None, 1.0, CountedSpheres::Model), Ok(6.0));
     assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model), Ok(12.0));
@@ -112,7 +116,7 @@ fn a_limb_stands_level_on_all_its_spheres() {
     assert_ne!(text, HUMAN);
     let model = Model::parse(text).unwrap();
     let level = |pattern: &str| {
-        let seen = selecting(pattern).inspect("human.osim", &model, None);
+        let seen = options_selecting(pattern).inspect("human.osim", &model, None);
         let figures = seen.figures;
         let speed = figures.impact_speed_m_s;
         let sphere = figures.spheres().find(|sphere| sphere.sphere == "s2_r").unwrap();

@@ -6,7 +6,7 @@ use osim_model::{FindingCode, Model};
 use crate::random::{Random, seeds};
 
 /// A foot called `foot` with a sphere of 0.0325 m and a floor, and the text of what is behind its sets.
-fn model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
+fn foot_model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
     let (ground, frame) = match version {
         30000 => ("<body_name>ground</body_name>".to_owned(), format!("<body_name>{foot}</body_name>")),
         _ => {
@@ -47,7 +47,7 @@ fn a_name_is_a_name_also_where_a_set_has_it() {
             format!("floor ./contactgeometryset/../contactgeometryset/./{name}"),
             format!("floor nothing/../contactgeometryset//{name}"),
         ] {
-            let read = pressed(&model(40000, "foot", name, &list, ""));
+            let read = pressed(&foot_model(40000, "foot", name, &list, ""));
             assert_eq!(
                 read,
                 (format!("/contactgeometryset/{name}"), Some("foot".to_owned()), 0.0325, vec![]),
@@ -56,7 +56,7 @@ fn a_name_is_a_name_also_where_a_set_has_it() {
         }
     }
     for (version, foot) in [(40000, "bodyset"), (40000, "forceset"), (40000, "ground"), (30000, "bodyset")] {
-        let read = pressed(&model(version, foot, "heel", "floor heel", ""));
+        let read = pressed(&foot_model(version, foot, "heel", "floor heel", ""));
         assert_eq!(read.1.as_deref(), Some(foot), "{version}");
         assert!(read.3.is_empty(), "{version} {foot}: {:?}", read.3);
     }
@@ -67,14 +67,15 @@ fn what_is_in_components_comes_before_the_sets() {
     let other = "<components><ContactSphere name=\"contactgeometryset\"><socket_frame>/bodyset/foot</socket_frame><radius>0.5</radius>\
                  </ContactSphere></components>";
     // In a list, OpenSim looks in the model first.
-    let (path, _, radius, found) = pressed(&model(40000, "foot", "heel", "floor contactgeometryset", other));
+    let (path, _, radius, found) =
+        pressed(&foot_model(40000, "foot", "heel", "floor contactgeometryset", other));
     assert_eq!((path.as_str(), radius), ("/contactgeometryset", 0.5));
     // Its set has another path now, so that OpenSim finds no floor either.
     assert!(
         found.contains(&FindingCode::DuplicateNames) && found.contains(&FindingCode::ConnecteeByName),
         "{found:?}"
     );
-    let text = model(40000, "foot", "heel", "floor heel", other);
+    let text = foot_model(40000, "foot", "heel", "floor heel", other);
     let paths: Vec<String> =
         Model::parse(text).unwrap().spheres().iter().map(|sphere| sphere.path.clone()).collect();
     assert_eq!(paths, ["/contactgeometryset_0/heel", "/contactgeometryset"]);
@@ -82,10 +83,10 @@ fn what_is_in_components_comes_before_the_sets() {
 
 #[test]
 fn old_documents_have_no_blanks_in_names() {
-    let (path, _, _, found) = pressed(&model(30000, "foot", " heel", "floor heel", ""));
+    let (path, _, _, found) = pressed(&foot_model(30000, "foot", " heel", "floor heel", ""));
     assert_eq!((path.as_str(), found), ("/contactgeometryset/heel", vec![]));
     // Their joints call bodies by their names, blanks and all, and OpenSim refuses that.
-    let model = Model::parse(model(30000, " foot", "heel", "floor heel", "")).unwrap();
+    let model = Model::parse(foot_model(30000, " foot", "heel", "floor heel", "")).unwrap();
     let found = model_findings(&model);
     assert!(found.iter().any(|finding| finding.code() == FindingCode::RefusedName), "{found:?}");
 }
@@ -93,7 +94,7 @@ fn old_documents_have_no_blanks_in_names() {
 #[test]
 fn a_name_that_opensim_refuses_is_said() {
     for name in [" heel", "heel/r", "heel*", "heel+", "heel\\r", ".", ".."] {
-        let text = model(40000, "foot", "heel", "floor heel", "")
+        let text = foot_model(40000, "foot", "heel", "floor heel", "")
             .replace("name=\"press\"", &format!("name=\"{name}\""));
         assert_eq!(pressed(&text).3, [FindingCode::RefusedName], "{name}");
     }

@@ -8,7 +8,7 @@ use osim_inspect::model_findings;
 use osim_model::{Finding, FindingCode, Model, Side};
 
 /// Published models with spheres on bodies of both sides, by name; none where the corpus is not there.
-fn published() -> Vec<(String, String)> {
+fn published_models() -> Vec<(String, String)> {
     let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
     else {
         // Straight to the terminal: the test harness keeps what a passing test prints to itself.
@@ -36,7 +36,7 @@ fn published() -> Vec<(String, String)> {
 }
 
 /// `text` with the place of each sphere changed; `change` has the sphere's name, too.
-fn moved(text: &str, change: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> String {
+fn with_moved_spheres(text: &str, change: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> String {
     let mut new = String::new();
     for (number, part) in text.split("<ContactSphere ").enumerate() {
         if number > 0 {
@@ -64,8 +64,9 @@ fn finding_codes(text: &str) -> BTreeSet<FindingCode> {
 /// Models that lack `code` after a change of all places; each model has it, or is in `spared`.
 #[track_caller]
 fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 3]) -> [f64; 3]) {
-    let models = published();
-    let not_named = models.iter().filter(|(_, text)| !finding_codes(&moved(text, &change)).contains(&code));
+    let models = published_models();
+    let not_named =
+        models.iter().filter(|(_, text)| !finding_codes(&with_moved_spheres(text, &change)).contains(&code));
     let not_named: Vec<&str> = not_named.map(|(name, _)| name.as_str()).collect();
     let expected: Vec<&str> = if models.is_empty() { Vec::new() } else { spared.to_vec() };
     assert_eq!(not_named, expected, "of {} models", models.len());
@@ -74,9 +75,13 @@ fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 
 #[test]
 fn places_that_are_as_published_are_not_named() {
     let judged = [FindingCode::OddPlace, FindingCode::CrowdedSpheres, FindingCode::LeftRightSwapped];
-    for (name, text) in published() {
+    for (name, text) in published_models() {
         assert!(finding_codes(&text).is_disjoint(&judged.into()), "{name}");
-        assert_eq!(finding_codes(&moved(&text, |_, place| place)), finding_codes(&text), "{name}");
+        assert_eq!(
+            finding_codes(&with_moved_spheres(&text, |_, place| place)),
+            finding_codes(&text),
+            "{name}"
+        );
     }
 }
 

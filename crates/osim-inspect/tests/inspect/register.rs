@@ -25,7 +25,7 @@ fn first_sphere(figures: &Figures) -> &SphereFigures {
     figures.spheres().next().unwrap()
 }
 
-fn check(checks: &[LimitCheck], figure: Figure) -> &LimitCheck {
+fn check_of_figure(checks: &[LimitCheck], figure: Figure) -> &LimitCheck {
     checks.iter().find(|check| check.figure == figure.info().name).unwrap()
 }
 
@@ -47,7 +47,7 @@ fn each_limit_is_compared_with_its_figure() {
         (Figure::TransitionWidth, 0.31, true),
         (Figure::TouchingShare, 0.1, false),
     ] {
-        let check = check(&checks, figure);
+        let check = check_of_figure(&checks, figure);
         assert_eq!((check.limit, check.within_limit), (limit, within), "{figure:?}");
         assert_eq!(check.value, first_sphere(&figures).value(figure));
     }
@@ -59,7 +59,7 @@ fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
     // 1 − 2.25 · 0.454 is −0.02 by (13).
     let figures = figures(&foot(&[Smooth { dissipation: 2.25, ..HEEL }, TOE]));
     let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
-    let check = check(&checks, Figure::RestitutionApproximate);
+    let check = check_of_figure(&checks, Figure::RestitutionApproximate);
     assert_eq!((check.value, check.within_limit), (None, false));
     assert!(first_sphere(&figures).value(Figure::RestitutionExact).unwrap() > 0.0);
 }

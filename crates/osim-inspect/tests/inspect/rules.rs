@@ -18,7 +18,7 @@ fn codes_of(model: &Model) -> Vec<&'static str> {
 }
 
 #[track_caller]
-fn codes(file: &str) -> Vec<&'static str> {
+fn codes_of_fixture(file: &str) -> Vec<&'static str> {
     codes_of(&Model::parse(fixture(file)).unwrap())
 }
 
@@ -39,10 +39,10 @@ fn traps_are_named_with_their_codes() {
         ("terrain_on_ground", "terrain"),
         ("terrain_welded", "terrain"),
     ] {
-        let codes = codes(file);
+        let codes = codes_of_fixture(file);
         assert!(codes.contains(&code), "{file}: {codes:?}");
     }
-    assert_eq!(codes("left_out_smoothing"), [""; 0]);
+    assert_eq!(codes_of_fixture("left_out_smoothing"), [""; 0]);
 }
 
 #[test]
@@ -62,7 +62,7 @@ fn derivative_smoothing_is_alive_where_the_force_keeps_its_sphere() {
 #[test]
 fn defaults_that_hold_contacts_are_named() {
     for file in ["defaults_smooth", "defaults_contact_parameters", "defaults_sphere_radius"] {
-        assert!(codes(file).contains(&"contact-defaults"), "{file}");
+        assert!(codes_of_fixture(file).contains(&"contact-defaults"), "{file}");
     }
 }
 

@@ -38,7 +38,7 @@ const JUDGED: &[FindingCode] = &[
 
 /// The element of `tag` called `name`, with its tags.
 #[track_caller]
-fn element<'t>(text: &'t str, tag: &str, name: &str) -> &'t str {
+fn text_of_element<'t>(text: &'t str, tag: &str, name: &str) -> &'t str {
     let start = text.find(&format!("<{tag} name=\"{name}\">")).unwrap_or_else(|| panic!("no {tag} {name}"));
     let end = format!("</{tag}>");
     &text[start..start + text[start..].find(&end).unwrap() + end.len()]
@@ -46,17 +46,17 @@ fn element<'t>(text: &'t str, tag: &str, name: &str) -> &'t str {
 
 /// `text` in which `old` is `new` in the element of `tag` called `name`.
 #[track_caller]
-fn edited(text: &str, (tag, name): (&str, &str), old: &str, new: &str) -> String {
-    let element = element(text, tag, name);
+fn with_edited_element(text: &str, (tag, name): (&str, &str), old: &str, new: &str) -> String {
+    let element = text_of_element(text, tag, name);
     assert!(element.contains(old), "{element} has no {old}");
     text.replacen(element, &element.replace(old, new), 1)
 }
 
 /// `text` without the sphere `name` and its force, or with a copy of both that is called `name`_0.
-fn copies(text: &str, name: &str, count: usize) -> String {
+fn with_sphere_removed_or_copied(text: &str, name: &str, count: usize) -> String {
     let objects = [(SPHERE, name.to_owned()), (SMOOTH, format!("contact_{name}"))];
     objects.iter().fold(text.to_owned(), |text, (tag, name_of)| {
-        let own = element(&text, tag, name_of).to_owned();
+        let own = text_of_element(&text, tag, name_of).to_owned();
         let copy = own
             .replace(&format!("{name}\""), &format!("{name}_0\""))
             .replace(&format!("{name}<"), &format!("{name}_0<"));
@@ -65,19 +65,19 @@ fn copies(text: &str, name: &str, count: usize) -> String {
     })
 }
 
-fn judged(model: &Model) -> BTreeSet<FindingCode> {
+fn codes_of_findings(model: &Model) -> BTreeSet<FindingCode> {
     model_findings(model).iter().map(Finding::code).filter(|code| JUDGED.contains(code)).collect()
 }
 
 #[track_caller]
 fn assert_found(text: &str, expected: &[FindingCode]) {
     let model = Model::parse(text).unwrap();
-    let found = judged(&model);
+    let found = codes_of_findings(&model);
     assert_eq!(found, expected.iter().copied().collect(), "{:?}", model_findings(&model));
 }
 
 #[track_caller]
-fn message(text: &str, code: FindingCode) -> String {
+fn message_of_finding(text: &str, code: FindingCode) -> String {
     let model = Model::parse(text).unwrap();
     let found = model_findings(&model)
         .iter()
@@ -96,13 +96,13 @@ fn models_whose_sides_are_mirror_images_are_not_accused() {
 #[test]
 fn a_number_of_one_side_is_named_with_the_side_that_is_unlike_the_rest() {
     for (name, expected) in [("contact_ball_r", Side::Right), ("contact_ball_l", Side::Left)] {
-        let text = edited(HUMAN, (SMOOTH, name), ">2000000<", ">20000000<");
+        let text = with_edited_element(HUMAN, (SMOOTH, name), ">2000000<", ">20000000<");
         assert_found(&text, &[FindingCode::LeftRightDiffer]);
         let model = Model::parse(text.as_str()).unwrap();
         let left = model.forces().iter().find(|force| force.name == "contact_ball_l").unwrap();
         assert_eq!(BothSides::of(&model).odd_side(left), Some(expected));
         // Of six forces the two compared are one that is odd and one of five.
-        assert!(message(&text, FindingCode::LeftRightDiffer).contains("(4 others have 2000000)"));
+        assert!(message_of_finding(&text, FindingCode::LeftRightDiffer).contains("(4 others have 2000000)"));
     }
 }
 
@@ -120,11 +120,12 @@ fn no_majority_names_a_side_where_all_contacts_of_one_side_differ() {
 fn a_number_that_some_others_have_is_not_a_majority() {
     // Toes of another radius on both sides; the ball on the left has theirs by a slip.
     let toes = ["toe_r", "toe_l"].iter();
-    let text = toes.fold(HUMAN.to_owned(), |text, name| edited(&text, (SPHERE, name), RADIUS, "0.02"));
-    let text = edited(&text, (SPHERE, "heel_l"), RADIUS, "0.04");
-    let text = edited(&text, (SPHERE, "heel_r"), RADIUS, "0.04");
-    let text = edited(&text, (SPHERE, "ball_l"), RADIUS, "0.02");
-    let found = message(&text, FindingCode::LeftRightDiffer);
+    let text =
+        toes.fold(HUMAN.to_owned(), |text, name| with_edited_element(&text, (SPHERE, name), RADIUS, "0.02"));
+    let text = with_edited_element(&text, (SPHERE, "heel_l"), RADIUS, "0.04");
+    let text = with_edited_element(&text, (SPHERE, "heel_r"), RADIUS, "0.04");
+    let text = with_edited_element(&text, (SPHERE, "ball_l"), RADIUS, "0.02");
+    let found = message_of_finding(&text, FindingCode::LeftRightDiffer);
     assert!(found.ends_with("radius is 0.02 m for ball_l and 0.032 m for ball_r"), "{found}");
 }
 
@@ -138,8 +139,8 @@ fn contacts_are_paired_by_place_whatever_their_names_are() {
         }
     }
     assert_found(&text, &[]);
-    let text = edited(&text, (SMOOTH, "contact_l1"), ">2000000<", ">20000000<");
-    let found = message(&text, FindingCode::LeftRightDiffer);
+    let text = with_edited_element(&text, (SMOOTH, "contact_l1"), ">2000000<", ">20000000<");
+    let found = message_of_finding(&text, FindingCode::LeftRightDiffer);
     let expected = "/forceset/contact_l1 and /forceset/contact_r2 differ: stiffness is 20000000 and 2000000";
     assert!(found.starts_with(expected), "{found}");
 }
@@ -153,7 +154,7 @@ fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
         ("0.03521", LeftRightDiffer),
         ("0.048", LeftRightDiffer),
     ] {
-        assert_found(&edited(HUMAN, (SPHERE, "ball_l"), RADIUS, new), &[expected]);
+        assert_found(&with_edited_element(HUMAN, (SPHERE, "ball_l"), RADIUS, new), &[expected]);
     }
     for (new, expected) in [
         ("0.21", LeftRightClose),
@@ -161,46 +162,48 @@ fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
         ("0.25", LeftRightDiffer),
         ("40", LeftRightDiffer),
     ] {
-        assert_found(&edited(HUMAN, (SMOOTH, "contact_ball_l"), SPEED, new), &[expected]);
+        assert_found(&with_edited_element(HUMAN, (SMOOTH, "contact_ball_l"), SPEED, new), &[expected]);
     }
     // The older class has its velocity beside its parameter sets.
-    let text = edited(HUNT_CROSSLEY, ("HuntCrossleyForce", "contact_foot_l"), SPEED, "40");
+    let text = with_edited_element(HUNT_CROSSLEY, ("HuntCrossleyForce", "contact_foot_l"), SPEED, "40");
     assert_found(&text, &[LeftRightDiffer]);
 }
 
 #[test]
 fn places_that_are_not_mirror_images_are_named() {
-    let wrong_sign = edited(HUMAN, (SPHERE, "ball_l"), " -0.02<", " 0.02<");
+    let wrong_sign = with_edited_element(HUMAN, (SPHERE, "ball_l"), " -0.02<", " 0.02<");
     assert_found(&wrong_sign, &[FindingCode::LeftRightPlaces]);
-    let found = message(&wrong_sign, FindingCode::LeftRightPlaces);
+    let found = message_of_finding(&wrong_sign, FindingCode::LeftRightPlaces);
     // In a frame that is turned: no sign of the body's axes puts it right.
     let expected = "ball_l on calcn_l is 40 mm from the mirror image of ball_r on calcn_r, ";
     assert!(found.starts_with(expected) && found.ends_with(", expected at most 3 %"), "{found}");
-    let published = edited(PUBLISHED, (SPHERE, "s3_l"), " -0.05163625<", " 0.05163625<");
-    let found = message(&published, FindingCode::LeftRightPlaces);
+    let published = with_edited_element(PUBLISHED, (SPHERE, "s3_l"), " -0.05163625<", " 0.05163625<");
+    let found = message_of_finding(&published, FindingCode::LeftRightPlaces);
     assert!(found.ends_with(": the sign of z is wrong on one of them"), "{found}");
 
-    let on_shank = edited(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/tibia_l");
+    let on_shank = with_edited_element(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/tibia_l");
     assert_found(&on_shank, &[FindingCode::LeftRightPlaces]);
-    let found = message(&on_shank, FindingCode::LeftRightPlaces);
+    let found = message_of_finding(&on_shank, FindingCode::LeftRightPlaces);
     assert_eq!(found, "heel_l is on tibia_l, its counterpart heel_r on calcn_r");
 
-    let other_side = edited(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/calcn_r");
-    let found = message(&other_side, FindingCode::LeftRightPlaces);
+    let other_side = with_edited_element(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/calcn_r");
+    let found = message_of_finding(&other_side, FindingCode::LeftRightPlaces);
     assert_eq!(found, "heel_l is on calcn_r, its counterpart heel_r on calcn_r");
 
-    let in_mm = edited(HUMAN, (SPHERE, "toe_l"), "0.029999999999999999 ", "30 ");
+    let in_mm = with_edited_element(HUMAN, (SPHERE, "toe_l"), "0.029999999999999999 ", "30 ");
     assert_found(&in_mm, &[FindingCode::LeftRightPlaces, FindingCode::OddPlace]);
 }
 
 #[test]
 fn spheres_without_a_counterpart_are_named() {
-    assert_found(&copies(HUMAN, "ball_l", 0), &[FindingCode::LeftRightMissing]);
-    let found = message(&copies(HUMAN, "ball_l", 0), FindingCode::LeftRightMissing);
+    assert_found(&with_sphere_removed_or_copied(HUMAN, "ball_l", 0), &[FindingCode::LeftRightMissing]);
+    let found =
+        message_of_finding(&with_sphere_removed_or_copied(HUMAN, "ball_l", 0), FindingCode::LeftRightMissing);
     assert_eq!(found, "ball_r on calcn_r has no counterpart on calcn_l");
     // One side without contacts: a kicker.
-    let one_side =
-        ["heel_l", "ball_l", "toe_l"].iter().fold(HUMAN.to_owned(), |text, name| copies(&text, name, 0));
+    let one_side = ["heel_l", "ball_l", "toe_l"]
+        .iter()
+        .fold(HUMAN.to_owned(), |text, name| with_sphere_removed_or_copied(&text, name, 0));
     assert_found(&one_side, &[FindingCode::OneSideOnly]);
     // A prosthesis, which the other side does not have.
     let prosthesis = HUMAN.replace("\"toes_l\"", "\"blade_l\"").replace("/toes_l<", "/blade_l<");
@@ -211,14 +214,14 @@ fn spheres_without_a_counterpart_are_named() {
 fn a_contact_that_is_switched_off_on_one_side_is_named() {
     let start = "<socket_sphere>";
     let off = format!("<appliesForce>false</appliesForce>{start}");
-    let text = edited(HUMAN, (SMOOTH, "contact_ball_l"), start, &off);
+    let text = with_edited_element(HUMAN, (SMOOTH, "contact_ball_l"), start, &off);
     assert_found(&text, &[FindingCode::LeftRightOff]);
-    assert_found(&edited(&text, (SMOOTH, "contact_ball_r"), start, &off), &[]);
+    assert_found(&with_edited_element(&text, (SMOOTH, "contact_ball_r"), start, &off), &[]);
 }
 
 #[test]
 fn spheres_at_one_place_are_an_error() {
-    let text = copies(HUMAN, "ball_l", 2);
+    let text = with_sphere_removed_or_copied(HUMAN, "ball_l", 2);
     assert_found(&text, &[FindingCode::DoubledSpheres]);
     let model = Model::parse(text.as_str()).unwrap();
     let found =
@@ -229,12 +232,12 @@ fn spheres_at_one_place_are_an_error() {
 
 /// `text` in which the numbers of `property` of the object are `factor` times as large.
 fn with_property_multiplied(text: &str, object: (&str, &str), property: &str, factor: f64) -> String {
-    let own = element(text, object.0, object.1);
+    let own = text_of_element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
     let old = &own[start..start + own[start..].find('<').unwrap()];
     let new: Vec<String> =
         old.split(' ').map(|number| (number.parse::<f64>().unwrap() * factor).to_string()).collect();
-    edited(text, object, &format!(">{old}<"), &format!(">{}<", new.join(" ")))
+    with_edited_element(text, object, &format!(">{old}<"), &format!(">{}<", new.join(" ")))
 }
 
 /// A left foot that is `factor` times as large as the right one, its bones, too, or its spheres alone.
@@ -258,11 +261,11 @@ fn a_foot_that_is_larger_with_its_bones_is_not_accused() {
     }
     // An axis without a number does not end the comparison.
     let text = larger_left_foot(1.5, true);
-    let factors = element(element(&text, "Body", "calcn_l"), "Mesh", "calcn_l_geom_1");
+    let factors = text_of_element(text_of_element(&text, "Body", "calcn_l"), "Mesh", "calcn_l_geom_1");
     let start = factors.find("<scale_factors>").unwrap() + "<scale_factors>".len();
     let whole = &factors[start..start + factors[start..].find('<').unwrap()];
     let (first, _) = whole.split_once(' ').unwrap();
-    let zero = edited(&text, ("Body", "calcn_l"), whole, &whole.replacen(first, "0", 1));
+    let zero = with_edited_element(&text, ("Body", "calcn_l"), whole, &whole.replacen(first, "0", 1));
     assert_found(&zero, &[]);
     assert_found(
         &larger_left_foot(1.5, false),
@@ -285,7 +288,8 @@ fn parameters_that_follow_other_radii_are_right() {
 #[test]
 fn a_left_frame_with_another_mirrored_axis_is_understood() {
     // The frames of the left foot are turned by half a turn about y, as models of other programs have them.
-    let mut text = copies(&copies(HUMAN, "ball_r", 0), "ball_l", 0);
+    let mut text =
+        with_sphere_removed_or_copied(&with_sphere_removed_or_copied(HUMAN, "ball_r", 0), "ball_l", 0);
     for (object, property) in [
         ((SPHERE, "heel_l"), "location"),
         ((SPHERE, "toe_l"), "location"),
@@ -301,27 +305,27 @@ fn a_centre_of_mass_that_is_not_mirrored_turns_no_frame() {
     // As the toes of some published models have it: on the same side of both feet, and higher than it is aside.
     let centre = "<mass_center>0 -0 0<";
     let text = ["toes_r", "toes_l"].iter().fold(HUMAN.to_owned(), |text, name| {
-        edited(&text, ("Body", name), centre, "<mass_center>0.035 0.006 -0.0175<")
+        with_edited_element(&text, ("Body", name), centre, "<mass_center>0.035 0.006 -0.0175<")
     });
     assert_found(&text, &[]);
 }
 
 /// `text` with the signs of x and z of a triple changed: mirrored in x, where it was mirrored in z.
 fn with_x_reversed_not_z(text: &str, object: (&str, &str), property: &str) -> String {
-    let own = element(text, object.0, object.1);
+    let own = text_of_element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
     let old = &own[start..start + own[start..].find('<').unwrap()];
     let [x, y, z] = *old.split(' ').map(|number| number.parse::<f64>().unwrap()).collect::<Vec<_>>() else {
         panic!("{old}")
     };
-    edited(text, object, &format!(">{old}<"), &format!(">{} {y} {}<", -x, -z))
+    with_edited_element(text, object, &format!(">{old}<"), &format!(">{} {y} {}<", -x, -z))
 }
 
 #[test]
 fn radii_places_and_friction_in_other_units_are_named() {
     let in_mm = HUMAN.replace(&format!("<radius>{RADIUS}<"), "<radius>32<");
     assert_found(&in_mm, &[FindingCode::OddRadius]);
-    let found = message(&in_mm, FindingCode::OddRadius);
+    let found = message_of_finding(&in_mm, FindingCode::OddRadius);
     // The longest bone of the fixture is 0.4 m or more: 32 m is at most 80 of it.
     assert!(
         found.starts_with("radius of heel_r is 32 m, ") && found.ends_with("; 5 other radii, too"),
@@ -335,7 +339,9 @@ fn radii_places_and_friction_in_other_units_are_named() {
     let per_cent = HUMAN.replace("<static_friction>0.80000000000000004<", "<static_friction>80<");
     assert_found(&per_cent, &[FindingCode::LargeFriction]);
     // 0.3 of the longest bone is the limit; one sphere on each side, so that the sides are equal.
-    let found = judged(&Model::parse(edited(HUMAN, (SPHERE, "ball_r"), RADIUS, "0.001")).unwrap());
+    let found = codes_of_findings(
+        &Model::parse(with_edited_element(HUMAN, (SPHERE, "ball_r"), RADIUS, "0.001")).unwrap(),
+    );
     assert!(found.contains(&FindingCode::OddRadius), "{found:?}");
 }
 
@@ -344,13 +350,13 @@ const SPHERES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "to
 
 /// `text` with the place of a sphere moved along z, m.
 fn with_sphere_moved(text: &str, name: &str, by_m: f64) -> String {
-    let own = element(text, SPHERE, name);
+    let own = text_of_element(text, SPHERE, name);
     let start = own.find("<location>").unwrap() + "<location>".len();
     let old = &own[start..start + own[start..].find('<').unwrap()];
     let [x, y, z] = *old.split(' ').map(|number| number.parse::<f64>().unwrap()).collect::<Vec<_>>() else {
         panic!("{old}")
     };
-    edited(text, (SPHERE, name), &format!(">{old}<"), &format!(">{x} {y} {}<", z + by_m))
+    with_edited_element(text, (SPHERE, name), &format!(">{old}<"), &format!(">{x} {y} {}<", z + by_m))
 }
 
 #[test]
@@ -361,7 +367,7 @@ fn places_aside_and_in_thousandths_are_named() {
     };
     let text = ["heel_r", "toe_r", "heel_l", "toe_l"].iter().fold(HUMAN.to_owned(), outwards);
     assert_found(&text, &[FindingCode::OddPlace]);
-    let found = message(&text, FindingCode::OddPlace);
+    let found = message_of_finding(&text, FindingCode::OddPlace);
     assert!(
         found.contains(" m sideways from the nearest joint of ") && found.ends_with("; 3 other spheres, too"),
         "{found}"
@@ -377,7 +383,7 @@ fn places_aside_and_in_thousandths_are_named() {
         with_property_multiplied(&text, (SPHERE, &name), "location", 0.001)
     });
     assert_found(&text, &[FindingCode::CrowdedSpheres]);
-    let found = message(&text, FindingCode::CrowdedSpheres);
+    let found = message_of_finding(&text, FindingCode::CrowdedSpheres);
     // The toes' spheres are 15 mm apart in x and 80.617 mm in z, and the calcaneus is 163.42 mm long.
     let expected = "the 2 spheres of toes_l are within 0.000082 m, 0.000502 of the limb's longest bone (0.163 m), expected at least 0.02";
     assert_eq!(found, format!("{expected}; those of 3 other bodies, too"));
@@ -396,12 +402,12 @@ fn names_of_the_other_side_are_named() {
     });
     let text = swapped.replace('@', "");
     assert_found(&text, &[FindingCode::LeftRightSwapped]);
-    let found = message(&text, FindingCode::LeftRightSwapped);
+    let found = message_of_finding(&text, FindingCode::LeftRightSwapped);
     assert_eq!(found, "heel_l is on calcn_r, and heel_r on calcn_l; 2 other pairs, too");
 }
 
 /// Codes of findings about sides in the models of a folder that have contacts, by name.
-fn judged_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
+fn codes_of_models_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
     let mut paths: Vec<PathBuf> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     paths.retain(|path| path.extension().is_some_and(|end| end == "osim"));
@@ -409,13 +415,13 @@ fn judged_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
     let read = |path: &PathBuf| {
         let model = Model::parse(std::fs::read(path).unwrap()).ok()?;
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
-        (!model.loaded_spheres(&model.force_ids()).is_empty()).then(|| (name, judged(&model)))
+        (!model.loaded_spheres(&model.force_ids()).is_empty()).then(|| (name, codes_of_findings(&model)))
     };
     paths.iter().filter_map(read).collect()
 }
 
 #[test]
-fn no_published_model_is_accused() {
+fn no_published_model_gets_a_finding_about_its_sides() {
     let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
     else {
         // Straight to the terminal: the test harness keeps what a passing test prints to itself.
@@ -424,7 +430,7 @@ fn no_published_model_is_accused() {
         std::io::stderr().write_all(line).unwrap();
         return;
     };
-    let mut found = judged_in(&folder);
+    let mut found = codes_of_models_in(&folder);
     // Two sets, with the model that they are for.
     let moco = |end: &str| folder.join(format!("v40600_moco_3d_walking_{end}"));
     let (forces, geometry, body) =
@@ -434,7 +440,7 @@ fn no_published_model_is_accused() {
     let beside = CompanionPaths { geometry: Some(&geometry), model: Some(&body) };
     let opened =
         ModelFiles::read(&forces, files.read(&forces).unwrap(), beside, &files).unwrap().open().unwrap();
-    found.push(("moco_3d_walking".to_owned(), judged(&opened.model)));
+    found.push(("moco_3d_walking".to_owned(), codes_of_findings(&opened.model)));
     assert!(found.len() >= 16, "{} models with contacts", found.len());
     let accused: Vec<_> = found.iter().filter(|(_, codes)| !codes.is_empty()).collect();
     // A kicker, whose right foot alone has spheres.
@@ -447,7 +453,8 @@ fn no_published_model_is_accused() {
 fn no_fixture_is_accused_that_is_not_about_it() {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let folders = ["check", "drawn_feet", "format", "scale_tool", "table1", "walks"];
-    let found: Vec<_> = folders.iter().flat_map(|folder| judged_in(&fixtures.join(folder))).collect();
+    let found: Vec<_> =
+        folders.iter().flat_map(|folder| codes_of_models_in(&fixtures.join(folder))).collect();
     assert!(found.len() >= 150, "{} models with contacts", found.len());
     let accused: Vec<&str> =
         found.iter().filter(|(_, codes)| !codes.is_empty()).map(|(name, _)| name.as_str()).collect();

@@ -35,7 +35,7 @@ mod tests {
     use crate::write::{PendingFile, WriteMode};
 
     /// A list as Linux has it: version 2, then tag, rights and id of each entry. Owner, user 12345, group, mask, others.
-    fn list(rights_of_user: u16) -> Vec<u8> {
+    fn access_list_bytes(rights_of_user: u16) -> Vec<u8> {
         let nobody = u32::MAX;
         let entries = [
             (0x01, 6, nobody),
@@ -63,7 +63,9 @@ mod tests {
         let path = folder.path().join("model.osim");
         let replace = || PendingFile::new(&path, b"new", None, WriteMode::InPlace).unwrap().commit().unwrap();
         std::fs::write(&path, "old").unwrap();
-        if setxattr(folder.path(), "system.posix_acl_default", &list(6), XattrFlags::empty()).is_err() {
+        if setxattr(folder.path(), "system.posix_acl_default", &access_list_bytes(6), XattrFlags::empty())
+            .is_err()
+        {
             println!(
                 "skipped: the_list_of_a_folder_is_not_given_to_a_file_that_has_none: no access lists here"
             );
@@ -72,8 +74,8 @@ mod tests {
         replace();
         assert_eq!(read(&path), None);
         // One of its own stays.
-        setxattr(&path, ATTRIBUTE_NAME, &list(4), XattrFlags::empty()).unwrap();
+        setxattr(&path, ATTRIBUTE_NAME, &access_list_bytes(4), XattrFlags::empty()).unwrap();
         replace();
-        assert_eq!(read(&path), Some(list(4)));
+        assert_eq!(read(&path), Some(access_list_bytes(4)));
     }
 }

@@ -388,7 +388,7 @@ mod tests {
     }
 
     #[test]
-    fn other_bones_are_not_taken() {
+    fn meshes_of_other_bones_are_not_taken() {
         assert_eq!(file_found(&["bones/bofoot.vtp", "bones/foot.stl"], "foot.vtp"), None);
     }
 }

@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn paths_are_shown_whole() {
+    fn messages_show_paths_whole() {
         let path = format!("{}\u{1b}.osim", "folder/".repeat(100));
         assert_eq!(shown_path(Path::new(&path)), path.replace('\u{1b}', r"\u{1b}"));
     }
@@ -284,7 +284,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_for_people_are_short() {
+    fn numbers_in_messages_are_short() {
         for (value, text) in [
             (0.032, "0.032"),
             (2_005_361.956_123, "2005362"),
@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn four_digits_are_kept() {
+    fn numbers_with_four_digits_keep_them() {
         assert_eq!(four_significant(0.353_300_157), "0.3533");
         assert_eq!(four_significant(13_449.52), "13450");
     }

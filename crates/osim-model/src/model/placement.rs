@@ -302,7 +302,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn scaling_turns_with_the_frame() {
+    fn scale_factors_turn_with_the_frame() {
         // A quarter turn about z: the frame's x is the body's y.
         let quarter = Rotation::body_fixed_xyz([0.0, 0.0, std::f64::consts::FRAC_PI_2]);
         let [x, y, z] = quarter.scaled_in_frame([2.0, 3.0, 5.0], [1.0, 1.0, 1.0]);

@@ -373,7 +373,7 @@ mod tests {
     use super::probable_names;
 
     #[test]
-    fn probable_names_are_found() {
+    fn a_misspelled_property_suggests_the_right_one() {
         let smoothing = ["hertz_smoothing", "hunt_crossley_smoothing"];
         assert_eq!(probable_names("hertz_smothing"), ["hertz_smoothing"]);
         assert_eq!(probable_names("hertz-smoothing"), ["hertz_smoothing"]);

@@ -322,7 +322,7 @@ mod tests {
 
     /// Numbers of few digits are not read as others are: each as the standard library reads it, to the last bit.
     #[test]
-    fn short_numbers_are_exact() {
+    fn short_numbers_are_read_exactly() {
         let mut seed = 1_u64;
         for _ in 0..50_000 {
             // Marsaglia's xorshift.
@@ -345,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn three_numbers_are_words() {
+    fn a_location_has_three_numbers() {
         let read = "0.1 0.2 0.3|0.1\u{b}0.2\u{c}0.3|0.1x 0.2 0.3)(|0.1, 0.2, 0.3|0.1 0.2 0.3 4 5 6";
         for text in read.split('|') {
             assert_eq!(triple(text), Some([0.1, 0.2, 0.3]), "{text}");

@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn plain_models_are_scanned() {
+    fn the_fast_scan_reads_models_without_special_xml() {
         for text in [
             "<a/>",
             "<a></a>",

@@ -318,7 +318,7 @@ mod tests {
     use crate::xml::tree::ElementId;
 
     #[track_caller]
-    fn refused(bytes: &[u8]) -> (SyntaxFault, usize) {
+    fn fault_of_xml(bytes: &[u8]) -> (SyntaxFault, usize) {
         let error = scan(bytes.to_vec()).unwrap_err();
         (error.fault, error.offset)
     }
@@ -352,18 +352,18 @@ mod tests {
 
     #[test]
     fn what_is_not_one_document_is_refused_where_it_goes_wrong() {
-        assert_eq!(refused(b""), (SyntaxFault::Empty, 0));
-        assert_eq!(refused(b" \r\n"), (SyntaxFault::Empty, 0));
-        assert_eq!(refused(b"mass 62"), (SyntaxFault::NotXml, 0));
-        assert_eq!(refused(b"<a/><b/>"), (SyntaxFault::SecondRoot, 4));
-        assert_eq!(refused(b"<a/>x"), (SyntaxFault::TextOutsideRoot, 4));
-        assert_eq!(refused(b"<a><b></b>"), (SyntaxFault::Unclosed { tag: "a".into() }, 0));
-        assert_eq!(refused(b"\xFF\xFE<\0a\0"), (SyntaxFault::Utf16, 0));
-        assert_eq!(refused(b"\xEF\xBB\xBF\xEF\xBB\xBF<a/>"), (SyntaxFault::SecondByteOrderMark, 3));
-        assert_eq!(refused(b"<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"), (SyntaxFault::DoctypeSubset, 0));
-        assert!(matches!(refused(b"<a></b>"), (SyntaxFault::MismatchedEnd { .. }, 3)));
-        assert!(matches!(refused(b"<a x='1' x='2'/>"), (SyntaxFault::Attribute { .. }, 0)));
-        assert!(matches!(refused(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
+        assert_eq!(fault_of_xml(b""), (SyntaxFault::Empty, 0));
+        assert_eq!(fault_of_xml(b" \r\n"), (SyntaxFault::Empty, 0));
+        assert_eq!(fault_of_xml(b"mass 62"), (SyntaxFault::NotXml, 0));
+        assert_eq!(fault_of_xml(b"<a/><b/>"), (SyntaxFault::SecondRoot, 4));
+        assert_eq!(fault_of_xml(b"<a/>x"), (SyntaxFault::TextOutsideRoot, 4));
+        assert_eq!(fault_of_xml(b"<a><b></b>"), (SyntaxFault::Unclosed { tag: "a".into() }, 0));
+        assert_eq!(fault_of_xml(b"\xFF\xFE<\0a\0"), (SyntaxFault::Utf16, 0));
+        assert_eq!(fault_of_xml(b"\xEF\xBB\xBF\xEF\xBB\xBF<a/>"), (SyntaxFault::SecondByteOrderMark, 3));
+        assert_eq!(fault_of_xml(b"<!DOCTYPE a [<!ENTITY b 'c'>]><a/>"), (SyntaxFault::DoctypeSubset, 0));
+        assert!(matches!(fault_of_xml(b"<a></b>"), (SyntaxFault::MismatchedEnd { .. }, 3)));
+        assert!(matches!(fault_of_xml(b"<a x='1' x='2'/>"), (SyntaxFault::Attribute { .. }, 0)));
+        assert!(matches!(fault_of_xml(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
     }
 
     /// Models with one byte changed: both scans agree on all of them, or the plain one leaves the file to the other.

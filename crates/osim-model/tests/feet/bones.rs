@@ -10,12 +10,12 @@ use osim_model::files::{Files, InMemory};
 
 use crate::fixture_folder::Folder;
 
-fn model(name: &str) -> Model {
+fn fixture_model(name: &str) -> Model {
     Model::parse(Folder.read(Path::new(name)).unwrap()).unwrap()
 }
 
 fn read_bones(name: &str, bodies: &[&str]) -> Vec<Bone> {
-    bones(&model(name), bodies, &MeshFolders::of_model(Path::new(name)), &Folder).unwrap()
+    bones(&fixture_model(name), bodies, &MeshFolders::of_model(Path::new(name)), &Folder).unwrap()
 }
 
 fn points_of_mesh(name: &str) -> Vec<[f64; 3]> {
@@ -61,7 +61,7 @@ fn factors_come_first_and_then_the_frame() {
 
 #[test]
 fn a_missing_mesh_says_where_it_was_looked_for() {
-    let model = model("human_40000.osim");
+    let model = fixture_model("human_40000.osim");
     let folders = MeshFolders::of_model(Path::new("models/human.osim")).with_folder("bones");
     let fault = |bodies: &[&str], files: &InMemory| bones(&model, bodies, &folders, files).unwrap_err();
     let missing = fault(&["calcn_r"], &InMemory::default());
@@ -87,15 +87,19 @@ fn a_missing_mesh_says_where_it_was_looked_for() {
 fn a_bone_of_the_other_side_is_mirrored() {
     let right = Folder.read(Path::new("Geometry/r_human_foot.vtp")).unwrap();
     let files = InMemory::from_iter([("Geometry/human_foot.vtp", right)]);
-    let found =
-        bones(&model("human_40000.osim"), &["calcn_l"], &MeshFolders::of_model(Path::new("m.osim")), &files);
+    let found = bones(
+        &fixture_model("human_40000.osim"),
+        &["calcn_l"],
+        &MeshFolders::of_model(Path::new("m.osim")),
+        &files,
+    );
     let bone = &found.unwrap()[0];
     assert!(bone.mirrored);
     assert_eq!(bone.points_m, points_of_mesh("l_human_foot.vtp"));
 }
 
 #[test]
-fn factors_must_be_numbers() {
+fn scale_factors_of_meshes_must_be_numbers() {
     let text = String::from_utf8(Folder.read(Path::new("bird_40000.osim")).unwrap()).unwrap();
     let broken = text.replace("<scale_factors>1.1000000000000001 1 1.2", "<scale_factors>1.1 0 nan");
     let model = Model::parse(broken).unwrap();

@@ -7,7 +7,7 @@ use osim_model::{Anatomy, DVec3, Model, Side, SphereId};
 
 /// A model of a pelvis with two legs of one body each (calcn_r, calcn_l) and toes on each; `joint` holds the pelvis to ground.
 /// Each foot is 0.1 m to its side and 0.9 m below the pelvis, its toes 0.2 m before it.
-fn walker(joint: &str, gravity: &str, spheres: &str) -> Model {
+fn model_of_walker(joint: &str, gravity: &str, spheres: &str) -> Model {
     let body = |name: &str| format!("<Body name=\"{name}\"><mass>1</mass></Body>");
     let frame = |name: &str, at: &str, body: &str| {
         format!(
@@ -39,7 +39,7 @@ fn walker(joint: &str, gravity: &str, spheres: &str) -> Model {
 }
 
 /// A joint that slides along x, 1 m above ground, at `value`.
-fn slider(value: &str) -> String {
+fn slider_joint(value: &str) -> String {
     format!(
         "<SliderJoint name=\"root\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/pelvis\
          </socket_child_frame><coordinates><Coordinate name=\"x\"><default_value>{value}</default_value></Coordinate>\
@@ -48,7 +48,7 @@ fn slider(value: &str) -> String {
     )
 }
 
-fn sphere(name: &str, body: &str, at: &str) -> String {
+fn sphere_xml(name: &str, body: &str, at: &str) -> String {
     format!(
         "<ContactSphere name=\"{name}\"><socket_frame>/bodyset/{body}</socket_frame><location>{at}</location><radius>0.03</radius>\
          </ContactSphere>"
@@ -79,8 +79,9 @@ fn assert_close(seen: DVec3, expected: [f64; 3]) {
 #[test]
 fn a_foot_is_in_ground_at_the_default_pose() {
     let spheres =
-        [sphere("heel_r", "calcn_r", "0 -0.02 0"), sphere("toe_r", "toes_r", "0.05 -0.01 0.01")].concat();
-    let model = walker(&slider("0.5"), "0 -9.81 0", &spheres);
+        [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 -0.01 0.01")]
+            .concat();
+    let model = model_of_walker(&slider_joint("0.5"), "0 -9.81 0", &spheres);
     let Feet { feet, .. } = feet(&model);
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!(
@@ -99,7 +100,7 @@ fn a_foot_is_in_ground_at_the_default_pose() {
 
 #[test]
 fn a_model_without_spheres_has_its_feet_near_the_ground() {
-    let Feet { feet, .. } = feet(&walker(&slider("0"), "0 -9.81 0", ""));
+    let Feet { feet, .. } = feet(&model_of_walker(&slider_joint("0"), "0 -9.81 0", ""));
     let names: Vec<(&str, Option<Side>, usize)> =
         feet.iter().map(|foot| (foot.name.as_str(), foot.side, foot.joints.len())).collect();
     assert_eq!(names, [("calcn_r", Some(Side::Right), 2), ("calcn_l", Some(Side::Left), 2)]);
@@ -107,8 +108,8 @@ fn a_model_without_spheres_has_its_feet_near_the_ground() {
 
 #[test]
 fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
-    let spheres = [sphere("hip", "pelvis", "0 0 0"), sphere("heel_l", "calcn_l", "0 0 0")].concat();
-    let Feet { feet, found, .. } = feet(&walker(&slider("0"), "0 -9.81 0", &spheres));
+    let spheres = [sphere_xml("hip", "pelvis", "0 0 0"), sphere_xml("heel_l", "calcn_l", "0 0 0")].concat();
+    let Feet { feet, found, .. } = feet(&model_of_walker(&slider_joint("0"), "0 -9.81 0", &spheres));
     let names: Vec<(&str, usize)> =
         feet.iter().map(|foot| (foot.name.as_str(), foot.spheres.len())).collect();
     assert_eq!(names, [("pelvis", 1), ("calcn_l", 1)]);
@@ -144,7 +145,7 @@ fn chain_of_bodies(count: usize, root: &str, spheres: &str) -> Model {
 #[test]
 fn bodies_of_a_long_chain_are_one_foot() {
     let spheres: String =
-        (9..=190).map(|i| sphere(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
+        (9..=190).map(|i| sphere_xml(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
     let Feet { feet, found, .. } = feet(&chain_of_bodies(200, "WeldJoint", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!((foot.name.as_str(), foot.spheres.len()), ("tail9_r", 182));
@@ -166,9 +167,10 @@ fn bodies_of_a_long_chain_are_one_foot() {
 
 #[test]
 fn a_pose_that_is_not_understood_leaves_the_frame_of_the_body() {
-    let joint = slider("0").replace("SliderJoint", "ScapulothoracicJoint");
-    let spheres = [sphere("heel_r", "calcn_r", "0 -0.02 0"), sphere("toe_r", "toes_r", "0.05 0 0")].concat();
-    let Feet { feet, .. } = feet(&walker(&joint, "0 -9.81 0", &spheres));
+    let joint = slider_joint("0").replace("SliderJoint", "ScapulothoracicJoint");
+    let spheres =
+        [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 0 0")].concat();
+    let Feet { feet, .. } = feet(&model_of_walker(&joint, "0 -9.81 0", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     let FootFrame::Body { name, fault } = &foot.frame else { panic!("{foot:?}") };
     assert_eq!(name, "calcn_r");
@@ -177,14 +179,14 @@ fn a_pose_that_is_not_understood_leaves_the_frame_of_the_body() {
     assert_close(foot.spheres[1].centre_m, [0.25, 0.0, 0.0]);
     assert_eq!(foot.floor, FloorPlace::NotInGround);
     // Feet without spheres are known by their names then.
-    let without = walker(&joint, "0 -9.81 0", "");
+    let without = model_of_walker(&joint, "0 -9.81 0", "");
     assert_eq!(self::feet(&without).feet.len(), 2);
 }
 
 #[test]
 fn where_gravity_points_along_z_up_is_z() {
     let Feet { feet, .. } =
-        feet(&walker(&slider("0"), "0 0 -9.81", &sphere("heel_r", "calcn_r", "0 0 0.02")));
+        feet(&model_of_walker(&slider_joint("0"), "0 0 -9.81", &sphere_xml("heel_r", "calcn_r", "0 0 0.02")));
     assert_eq!(feet[0].axes.names(), ["x", "z", "−y"]);
     // The foot is at 0.1 m along z, its sphere's bottom at 0.1 + 0.02 - 0.03; the half-space is a wall.
     assert!((feet[0].lowest_m().unwrap() - 0.09).abs() < 1e-12);
@@ -193,8 +195,8 @@ fn where_gravity_points_along_z_up_is_z() {
 
 #[test]
 fn bones_stand_where_their_bodies_do() {
-    let spheres = sphere("heel_r", "calcn_r", "0.05 0 0");
-    let model = walker(&slider("0.5"), "0 -9.81 0", &spheres);
+    let spheres = sphere_xml("heel_r", "calcn_r", "0.05 0 0");
+    let model = model_of_walker(&slider_joint("0.5"), "0 -9.81 0", &spheres);
     let Feet { anatomy, pose, found, mut feet } = feet(&model);
     let bone = Bone::new("calcn_r", "foot.vtp", vec![[-0.05, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 5.0, 0.0]]);
     let toes = Bone::new("toes_r", "toes.vtp", vec![[0.0, 0.0, 0.0], [0.0, 5.0, 0.0]]);

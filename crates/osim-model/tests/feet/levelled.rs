@@ -5,7 +5,7 @@ use osim_model::feet::{LevelledSphere, NotLevelled, levelled_spheres};
 
 /// A foot 0.5 m up with a heel of 0.04 m whose bottom is at 0.44 m, and a toe of 0.03 m in a frame that is turned by a right angle about z
 /// (its x is the foot's y) whose bottom is at 0.5 m; the floor is turned by `slope` about z.
-fn foot(body: &str, slope: f64) -> Model {
+fn foot_model(body: &str, slope: f64) -> Model {
     let turned = slope - std::f64::consts::FRAC_PI_2;
     let force = |sphere: &str| {
         format!(
@@ -50,7 +50,7 @@ fn assert_toe(model: &Model, expected: [f64; 3]) {
 #[test]
 fn the_higher_sphere_comes_down_in_its_own_frame() {
     // The foot's y is the frame's x: 0.03 - 0.06.
-    assert_toe(&foot("foot_r", 0.0), [-0.03, 0.0, 0.0]);
+    assert_toe(&foot_model("foot_r", 0.0), [-0.03, 0.0, 0.0]);
 }
 
 #[test]
@@ -59,13 +59,13 @@ fn on_a_slope_it_comes_down_along_the_normal() {
     // Along n = (-sin, cos, 0) the heel is at 0.48 cos - 0.04 and the toe, which is at (0.2, 0.53), at 0.53 cos - 0.2 sin - 0.03; n is
     // (cos, sin, 0) in the frame.
     let down = 0.05 * cos - 0.2 * sin + 0.01;
-    assert_toe(&foot("foot_r", 0.03), [0.03 - down * cos, -down * sin, 0.0]);
+    assert_toe(&foot_model("foot_r", 0.03), [0.03 - down * cos, -down * sin, 0.0]);
 }
 
 #[test]
 fn the_pose_decides_on_a_foot_that_leans() {
     // 0.06 rad are 3.4 degrees.
-    let Err(fault) = levelled(&foot("foot_r", 0.06)) else { panic!("it is made level") };
+    let Err(fault) = levelled(&foot_model("foot_r", 0.06)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::Leans { .. }));
     let said = fault.to_string();
     assert!(
@@ -76,6 +76,6 @@ fn the_pose_decides_on_a_foot_that_leans() {
 
 #[test]
 fn without_limbs_nobody_knows_which_spheres_are_one_foot() {
-    let Err(fault) = levelled(&foot("block", 0.0)) else { panic!("it is made level") };
+    let Err(fault) = levelled(&foot_model("block", 0.0)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::NoLimbs { .. }), "{fault}");
 }

@@ -13,12 +13,12 @@ fn fixtures(folder: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/feet").join(folder)
 }
 
-fn read(folder: &str, name: &str) -> Result<Vec<[f64; 3]>, String> {
+fn points_of_mesh(folder: &str, name: &str) -> Result<Vec<[f64; 3]>, String> {
     let bytes = std::fs::read(fixtures(folder).join(name)).unwrap();
     mesh_points(name, &bytes).map_err(|fault| fault.to_string())
 }
 
-fn names(folder: &str) -> BTreeSet<String> {
+fn names_of_files(folder: &str) -> BTreeSet<String> {
     let files = std::fs::read_dir(fixtures(folder)).unwrap().map(Result::unwrap);
     let files = files.filter(|entry| entry.file_type().unwrap().is_file());
     files.map(|entry| entry.file_name().into_string().unwrap()).collect()
@@ -34,10 +34,10 @@ fn expected_points() -> Vec<[f64; 3]> {
 /// VTK 9.5 reads the same points from each of these files.
 #[test]
 fn every_coding_gives_the_same_points() {
-    let names = names("encodings");
+    let names = names_of_files("encodings");
     assert_eq!(names.len(), 14);
     for name in names {
-        assert_eq!(read("encodings", &name).unwrap(), expected_points(), "{name}");
+        assert_eq!(points_of_mesh("encodings", &name).unwrap(), expected_points(), "{name}");
     }
 }
 
@@ -72,9 +72,12 @@ fn broken_meshes_are_refused() {
         ("two_components.vtp", "its points have \"2\" numbers each, expected NumberOfComponents=\"3\""),
         ("word.vtp", "\"zero\" among the points is not a number"),
     ];
-    assert_eq!(names("encodings/broken"), expected.iter().map(|(name, _)| (*name).to_owned()).collect());
+    assert_eq!(
+        names_of_files("encodings/broken"),
+        expected.iter().map(|(name, _)| (*name).to_owned()).collect()
+    );
     for (name, message) in expected {
-        assert_eq!(read("encodings/broken", name), Err(message.to_owned()), "{name}");
+        assert_eq!(points_of_mesh("encodings/broken", name), Err(message.to_owned()), "{name}");
     }
     assert_eq!(
         mesh_points("bone.ply", b"ply").unwrap_err().to_string(),
@@ -85,7 +88,7 @@ fn broken_meshes_are_refused() {
 /// Each file cut off everywhere, and with each byte changed: an answer or a refusal, never a panic.
 #[test]
 fn damaged_meshes_do_no_harm() {
-    for name in names("encodings") {
+    for name in names_of_files("encodings") {
         let bytes = std::fs::read(fixtures("encodings").join(&name)).unwrap();
         for end in (0..bytes.len()).step_by(7) {
             let _ = mesh_points(&name, &bytes[..end]);
@@ -101,7 +104,7 @@ fn damaged_meshes_do_no_harm() {
 }
 
 /// The corners of each triangle, whatever the order of the points.
-fn corners(name: &str, bytes: &[u8]) -> Vec<[[f64; 3]; 3]> {
+fn corners_of_triangles(name: &str, bytes: &[u8]) -> Vec<[[f64; 3]; 3]> {
     let surface = mesh_surface(name, bytes).unwrap();
     surface.triangles.iter().map(|triangle| triangle.map(|at| surface.points[at as usize])).collect()
 }
@@ -126,7 +129,8 @@ fn the_triangles_of_a_bone_are_those_of_its_file() {
 
 #[test]
 fn text_obj_and_stl_have_the_same_triangles() {
-    let of = |name: &str| corners(name, &std::fs::read(fixtures("encodings").join(name)).unwrap());
+    let of =
+        |name: &str| corners_of_triangles(name, &std::fs::read(fixtures("encodings").join(name)).unwrap());
     let expected = of("ascii.vtp");
     assert_eq!(expected.len(), 21);
     for name in ["bone.obj", "ascii.stl", "binary.stl"] {
@@ -159,7 +163,7 @@ fn polygons_are_read_in_every_type_of_number() {
             array("connectivity", &[0, 1, 2, 3]),
             array("offsets", &[4])
         );
-        assert_eq!(corners("a.vtp", text.as_bytes()), expected, "{order} {kind}");
+        assert_eq!(corners_of_triangles("a.vtp", text.as_bytes()), expected, "{order} {kind}");
     }
 }
 

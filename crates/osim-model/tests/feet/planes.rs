@@ -8,7 +8,7 @@ use osim_model::feet::{ContactPlane, DefaultPose, Movements, PlaneSurface};
 use osim_model::{DVec3, Model, Rotation};
 
 /// A ball over a platform, each on a joint of its own: `platform` is that of the platform, `plane` and `forces` are the geometry.
-fn model(platform: &str, plane: &str, forces: &str) -> Model {
+fn model_with_platform(platform: &str, plane: &str, forces: &str) -> Model {
     let text = format!(
         "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><gravity>0 -10 0</gravity><BodySet><objects><Body name=\"platform\">\
          <mass>1</mass></Body><Body name=\"ball\"><mass>1</mass></Body><Body name=\"handle\"><mass>1</mass></Body></objects>\
@@ -17,21 +17,21 @@ fn model(platform: &str, plane: &str, forces: &str) -> Model {
          /bodyset/platform</socket_parent_frame><socket_child_frame>/bodyset/handle</socket_child_frame></WeldJoint></objects>\
          </JointSet><ForceSet><objects>{forces}</objects></ForceSet><ContactGeometrySet><objects>{plane}{}{}{}</objects>\
          </ContactGeometrySet></Model></OpenSimDocument>",
-        sphere("ball"),
-        sphere("platform"),
-        sphere("handle"),
+        sphere_xml("ball"),
+        sphere_xml("platform"),
+        sphere_xml("handle"),
     );
     Model::parse(text).unwrap()
 }
 
-fn sphere(body: &str) -> String {
+fn sphere_xml(body: &str) -> String {
     format!(
         "<ContactSphere name=\"{body}_s\"><socket_frame>/bodyset/{body}</socket_frame><location>0 0 0</location><radius>0.1</radius>\
          </ContactSphere>"
     )
 }
 
-fn plane(frame: &str, place: &str, orientation: &str) -> String {
+fn half_space_xml(frame: &str, place: &str, orientation: &str) -> String {
     format!(
         "<ContactHalfSpace name=\"floor\"><socket_frame>{frame}</socket_frame><location>{place}</location><orientation>{orientation}\
          </orientation></ContactHalfSpace>"
@@ -39,7 +39,7 @@ fn plane(frame: &str, place: &str, orientation: &str) -> String {
 }
 
 /// A pin about z, 2 m along x, at this angle, rad.
-fn pin(angle: &str) -> String {
+fn pin_joint(angle: &str) -> String {
     format!(
         "<PinJoint name=\"p\"><socket_parent_frame>f</socket_parent_frame><socket_child_frame>/bodyset/platform</socket_child_frame>\
          <coordinates><Coordinate name=\"tilt\"><default_value>{angle}</default_value></Coordinate></coordinates><frames>\
@@ -54,13 +54,13 @@ const ALL: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactPa
                    <stiffness>1e6</stiffness></HuntCrossleyForce::ContactParameters></objects>\
                    </HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>";
 
-fn planes(model: &Model) -> Vec<ContactPlane> {
+fn planes_of_model(model: &Model) -> Vec<ContactPlane> {
     ContactPlane::all(model, &model.force_ids(), &DefaultPose::of(model))
 }
 
 #[track_caller]
 fn the_surface(model: &Model) -> PlaneSurface {
-    let found = planes(model);
+    let found = planes_of_model(model);
     let [one] = found.as_slice() else { panic!("{found:?}") };
     one.surface.unwrap()
 }
@@ -74,7 +74,11 @@ fn assert_near(value: impl Into<DVec3>, expected: [f64; 3]) {
 #[test]
 fn a_floor_on_a_platform_turns_with_it() {
     // −x of the half-space is y of the platform, which is turned by 0.3 about z, 2 m along x; its surface is 0.5 above its origin.
-    let model = model(&pin("0.3"), &plane("/bodyset/platform", "0 0.5 0", "0 0 -1.5707963267948966"), ALL);
+    let model = model_with_platform(
+        &pin_joint("0.3"),
+        &half_space_xml("/bodyset/platform", "0 0.5 0", "0 0 -1.5707963267948966"),
+        ALL,
+    );
     let surface = the_surface(&model);
     let (sine, cosine) = (0.3_f64.sin(), 0.3_f64.cos());
     assert_near(surface.normal, [-sine, cosine, 0.0]);
@@ -83,31 +87,42 @@ fn a_floor_on_a_platform_turns_with_it() {
     // Up in the platform, turned back by 0.3.
     let level = Rotation::body_fixed_xyz(surface.level_orientation).to_body([-1.0, 0.0, 0.0]);
     assert_near(level, [sine, cosine, 0.0]);
-    assert_eq!(planes(&model)[0].body.as_deref(), Some("platform"));
+    assert_eq!(planes_of_model(&model)[0].body.as_deref(), Some("platform"));
 }
 
 #[test]
 fn only_what_moves_against_a_plane_presses_on_it() {
     let names = |model: &Model| -> Vec<String> {
-        let found = planes(model);
+        let found = planes_of_model(model);
         let spheres = found.iter().flat_map(|plane| &plane.spheres);
         spheres.map(|&id| model.sphere(id).unwrap().name.clone()).collect()
     };
     let level = "0 0 -1.5707963267948966";
     // Neither the platform's own sphere nor that of the handle, which is welded to it.
-    let carried = model(&pin("0"), &plane("/bodyset/platform", "0 0 0", level), ALL);
+    let carried =
+        model_with_platform(&pin_joint("0"), &half_space_xml("/bodyset/platform", "0 0 0", level), ALL);
     assert_eq!(names(&carried), ["ball_s"]);
-    let on_ground = model(&pin("0"), &plane("/ground", "0 0 0", level), ALL);
+    let on_ground = model_with_platform(&pin_joint("0"), &half_space_xml("/ground", "0 0 0", level), ALL);
     assert_eq!(names(&on_ground), ["ball_s", "platform_s", "handle_s"]);
     // A platform that is welded to ground, and what is welded to it, are terrain.
     let welded = "<WeldJoint name=\"p\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/platform\
                   </socket_child_frame></WeldJoint>";
-    assert_eq!(names(&model(welded, &plane("/ground", "0 0 0", level), ALL)), ["ball_s"]);
+    assert_eq!(
+        names(&model_with_platform(welded, &half_space_xml("/ground", "0 0 0", level), ALL)),
+        ["ball_s"]
+    );
     let off = ALL.replace(
         "<HuntCrossleyForce::ContactParametersSet",
         "<appliesForce>false</appliesForce><HuntCrossleyForce::ContactParametersSet",
     );
-    assert!(planes(&model(&pin("0"), &plane("/ground", "0 0 0", level), &off)).is_empty());
+    assert!(
+        planes_of_model(&model_with_platform(
+            &pin_joint("0"),
+            &half_space_xml("/ground", "0 0 0", level),
+            &off
+        ))
+        .is_empty()
+    );
 }
 
 #[test]
@@ -116,13 +131,13 @@ fn a_plane_inside_a_force_of_early_moco_is_a_plane() {
                  <socket_half_space_frame>/ground</socket_half_space_frame><contact_sphere_radius>0.1</contact_sphere_radius>\
                  <contact_half_space_location>0 0.25 0</contact_half_space_location><contact_half_space_orientation>0 0 \
                  1.5707963267948966</contact_half_space_orientation><stiffness>1e6</stiffness></SmoothSphereHalfSpaceForce>";
-    let model = model(&pin("0"), "", force);
+    let model = model_with_platform(&pin_joint("0"), "", force);
     let surface = the_surface(&model);
     // Upside down: the turn has the other sign.
     assert_near(surface.normal, [0.0, -1.0, 0.0]);
     assert_eq!((surface.point_m, surface.tilt_rad), (DVec3::new(0.0, 0.25, 0.0), PI));
     assert_near(surface.level_orientation, [0.0, 0.0, -FRAC_PI_2]);
-    let planes = planes(&model);
+    let planes = planes_of_model(&model);
     assert_eq!((planes[0].name.as_str(), planes[0].spheres.len()), ("heel", 1));
     assert_eq!(planes[0].orientations[0].tag, "contact_half_space_orientation");
 }

@@ -6,7 +6,7 @@ use osim_model::Model;
 use osim_model::feet::{DefaultPose, PoseFault};
 
 /// A document of the bodies a, b, c with `joints` and `constraints`.
-fn pose(joints: &str, constraints: &str) -> DefaultPose {
+fn default_pose(joints: &str, constraints: &str) -> DefaultPose {
     let bodies: String =
         ["a", "b", "c"].map(|name| format!("<Body name=\"{name}\"><mass>1</mass></Body>")).concat();
     let text = format!(
@@ -17,11 +17,11 @@ fn pose(joints: &str, constraints: &str) -> DefaultPose {
 }
 
 /// A joint that slides along x.
-fn slider(name: &str, parent: &str, child: &str, value: &str) -> String {
-    joint("SliderJoint", name, parent, child, value)
+fn slider_joint(name: &str, parent: &str, child: &str, value: &str) -> String {
+    joint_xml("SliderJoint", name, parent, child, value)
 }
 
-fn joint(class: &str, name: &str, parent: &str, child: &str, value: &str) -> String {
+fn joint_xml(class: &str, name: &str, parent: &str, child: &str, value: &str) -> String {
     let path = |body: &str| if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") };
     format!(
         "<{class} name=\"{name}\"><socket_parent_frame>{}</socket_parent_frame><socket_child_frame>{}</socket_child_frame>\
@@ -37,10 +37,13 @@ fn x_in_ground(pose: &DefaultPose, body: &str) -> Result<f64, String> {
 
 #[test]
 fn bodies_are_found_through_joints_in_either_direction() {
-    let joints =
-        [slider("j", "ground", "b", "0.5"), slider("k", "a", "b", "0.2"), slider("l", "a", "c", "1")]
-            .concat();
-    let pose = pose(&joints, "");
+    let joints = [
+        slider_joint("j", "ground", "b", "0.5"),
+        slider_joint("k", "a", "b", "0.2"),
+        slider_joint("l", "a", "c", "1"),
+    ]
+    .concat();
+    let pose = default_pose(&joints, "");
     assert_eq!(
         (x_in_ground(&pose, "b"), x_in_ground(&pose, "a"), x_in_ground(&pose, "c")),
         (Ok(0.5), Ok(0.3), Ok(1.3))
@@ -50,11 +53,11 @@ fn bodies_are_found_through_joints_in_either_direction() {
 #[test]
 fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
     let joints = [
-        slider("j", "ground", "a", "0.5"),
-        joint("PluginJoint", "k", "a", "b", "0"),
-        slider("l", "b", "c", "1"),
+        slider_joint("j", "ground", "a", "0.5"),
+        joint_xml("PluginJoint", "k", "a", "b", "0"),
+        slider_joint("l", "b", "c", "1"),
     ];
-    let found = pose(&joints.concat(), "");
+    let found = default_pose(&joints.concat(), "");
     assert_eq!(x_in_ground(&found, "a"), Ok(0.5));
     let unknown = "it is not known how joint k, a PluginJoint, stands at the default pose: one of its functions, or the joint itself, \
                    is not understood";
@@ -62,7 +65,7 @@ fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
         (x_in_ground(&found, "b"), x_in_ground(&found, "c")),
         (Err(unknown.into()), Err(unknown.into()))
     );
-    let word = pose(&slider("j", "ground", "a", "far"), "");
+    let word = default_pose(&slider_joint("j", "ground", "a", "far"), "");
     assert_eq!(
         x_in_ground(&word, "a"),
         Err("coordinate j_x of joint j has no default value that can be read".into())
@@ -75,14 +78,14 @@ fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
 
 /// Loops that close at the default pose say nothing new; of those that are open, OpenSim would choose a place.
 #[test]
-fn loops_must_be_closed() {
+fn loops_of_joints_must_be_closed_in_the_default_pose() {
     let ring = |last: &str| {
         let joints = [
-            slider("j", "ground", "a", "0.5"),
-            slider("k", "a", "b", "0.2"),
-            slider("l", "ground", "b", last),
+            slider_joint("j", "ground", "a", "0.5"),
+            slider_joint("k", "a", "b", "0.2"),
+            slider_joint("l", "ground", "b", last),
         ];
-        pose(&joints.concat(), "")
+        default_pose(&joints.concat(), "")
     };
     assert_eq!(x_in_ground(&ring("0.7"), "b"), Ok(0.7));
     let Err(PoseFault::Loop { joint }) = ring("0.8").placement("a").cloned() else { panic!("it is open") };
@@ -91,26 +94,26 @@ fn loops_must_be_closed() {
 
 #[test]
 fn constraints_other_than_couplers_are_not_computed() {
-    let joints = slider("j", "ground", "a", "0.5");
+    let joints = slider_joint("j", "ground", "a", "0.5");
     let weld = |flag: &str| format!("<WeldConstraint name=\"w\">{flag}</WeldConstraint>");
     assert_eq!(
-        x_in_ground(&pose(&joints, &weld("")), "a"),
+        x_in_ground(&default_pose(&joints, &weld("")), "a"),
         Err("constraint w, a WeldConstraint, may move bodies at the default pose, which is not computed: switch it off in a copy of \
              the model"
             .into())
     );
-    assert_eq!(x_in_ground(&pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
+    assert_eq!(x_in_ground(&default_pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
 }
 
 /// Far more bodies than any animal has, each on the one before.
 #[test]
-fn long_chains_are_walked_once() {
+fn long_chains_of_joints_are_walked_once() {
     const LENGTH: usize = 20_000;
     let bodies: String = (0..LENGTH).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
     let joints: String = (0..LENGTH)
         .map(|n| {
             let parent = if n == 0 { "ground".into() } else { format!("b{}", n - 1) };
-            slider(&format!("j{n}"), &parent, &format!("b{n}"), "0.001")
+            slider_joint(&format!("j{n}"), &parent, &format!("b{n}"), "0.001")
         })
         .collect();
     let text = format!(

@@ -14,7 +14,7 @@ const HUMAN: &[&str] = &["calcn_r", "toes_r", "calcn_l", "toes_l"];
 const ANIMALS: &[(&str, &[&str])] =
     &[("human", HUMAN), ("bird", &["toes_r", "toes_l"]), ("hoof", &["hoof_r", "hoof_l"])];
 
-fn text(name: &str) -> String {
+fn text_of_model(name: &str) -> String {
     String::from_utf8(Folder.read(Path::new(name)).unwrap()).unwrap()
 }
 
@@ -25,7 +25,7 @@ fn soles_in_text(text: &str, bodies: &[&str], count: usize) -> Result<Vec<Sole>,
 }
 
 fn soles_of_fixture(name: &str, bodies: &[&str], count: usize) -> Vec<Sole> {
-    soles_in_text(&text(name), bodies, count).unwrap()
+    soles_in_text(&text_of_model(name), bodies, count).unwrap()
 }
 
 /// Along the ground, where up is y: forward and to the right.
@@ -109,7 +109,7 @@ fn bodies_are_grouped_into_feet() {
 /// The animal lies on its back: up is down.
 #[test]
 fn up_is_opposite_to_gravity() {
-    let turned = text("human_40000.osim")
+    let turned = text_of_model("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 9.81 0</gravity>");
     for sole in soles_in_text(&turned, HUMAN, 4).unwrap() {
         assert_eq!(sole.up, DVec3::NEG_Y);
@@ -117,19 +117,19 @@ fn up_is_opposite_to_gravity() {
         assert!(sole.spheres.iter().all(|sphere| (sphere.bottom_m[1] + sole.height_m).abs() < 1e-12));
         assert!(sole.spheres[0].bottom_m[1] > 0.05);
     }
-    let sideways = text("human_40000.osim")
+    let sideways = text_of_model("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 0 -9.81</gravity>");
     for sole in soles_in_text(&sideways, HUMAN, 2).unwrap() {
         assert!(sole.spheres.iter().all(|sphere| (sphere.bottom_m[2] - sole.height_m).abs() < 1e-12));
     }
-    let none = text("human_40000.osim")
+    let none = text_of_model("human_40000.osim")
         .replace("<gravity>0 -9.8100000000000005 0</gravity>", "<gravity>0 0 0</gravity>");
     assert_eq!(soles_in_text(&none, HUMAN, 4).unwrap_err(), FeetFault::NoGravity);
 }
 
 #[test]
 fn requests_that_make_no_sense_are_refused() {
-    let model = Model::parse(text("human_40000.osim")).unwrap();
+    let model = Model::parse(text_of_model("human_40000.osim")).unwrap();
     let bones = bones(&model, HUMAN, &MeshFolders::of_model(Path::new("m.osim")), &Folder).unwrap();
     let refused = |count, radius_m, pad_m| {
         soles(&model, &bones, &SoleRequest { count, radius_m, pad_m }).unwrap_err().to_string()
@@ -147,7 +147,8 @@ fn bottoms_are_at_least_a_millimetre_apart() {
         "v 0 0 0\nv 0.003 0 0\nv 0.0015 0 0.001\nv 0.0015 0 -0.001\nv 0.0015 0 0.0005\nv 0.0015 0.01 0\n";
     let files = InMemory::from_iter([("r_human_foot.vtp", ""), ("r_human_foot.obj", bone)]);
     let model =
-        Model::parse(text("human_40000.osim").replace("r_human_foot.vtp", "r_human_foot.obj")).unwrap();
+        Model::parse(text_of_model("human_40000.osim").replace("r_human_foot.vtp", "r_human_foot.obj"))
+            .unwrap();
     let bones = bones(&model, &["calcn_r"], &MeshFolders::of_model(Path::new("m.osim")), &files).unwrap();
     let lay_spheres = |count| soles(&model, &bones, &SoleRequest { count, radius_m: 0.001, pad_m: 0.0 });
     assert_eq!(lay_spheres(4).unwrap()[0].spheres.len(), 4);

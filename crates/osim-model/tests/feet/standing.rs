@@ -18,7 +18,7 @@ struct Moves<'c> {
 const UP: Moves<'_> =
     Moves { coordinate: "height", axis: "0 1 0", more: "<default_value>0.5</default_value>" };
 
-fn body(name: &str, mass: f64) -> String {
+fn body_xml(name: &str, mass: f64) -> String {
     format!("<Body name=\"{name}\"><mass>{mass}</mass></Body>")
 }
 
@@ -26,7 +26,7 @@ fn frame(body: &str) -> String {
     if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") }
 }
 
-fn joint(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
+fn joint_xml(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
     let coordinates =
         moves.iter().map(|one| format!("<Coordinate name=\"{}\">{}</Coordinate>", one.coordinate, one.more));
     let axes = moves.iter().enumerate().map(|(number, one)| {
@@ -47,7 +47,7 @@ fn joint(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
 }
 
 /// A sphere of 0.04 m at a height of its body.
-fn sphere(name: &str, body: &str, height: f64) -> String {
+fn sphere_xml(name: &str, body: &str, height: f64) -> String {
     format!(
         "<ContactSphere name=\"{name}\"><socket_frame>{}</socket_frame><location>0 {height} 0</location><radius>0.04</radius>\
          </ContactSphere>",
@@ -56,7 +56,7 @@ fn sphere(name: &str, body: &str, height: f64) -> String {
 }
 
 /// A floor through the origin of a body, its normal turned about z from up.
-fn floor(name: &str, body: &str, slope: f64) -> String {
+fn floor_xml(name: &str, body: &str, slope: f64) -> String {
     let turned = slope - std::f64::consts::FRAC_PI_2;
     format!(
         "<ContactHalfSpace name=\"{name}\"><socket_frame>{}</socket_frame><orientation>0 0 {turned}</orientation></ContactHalfSpace>",
@@ -64,7 +64,7 @@ fn floor(name: &str, body: &str, slope: f64) -> String {
     )
 }
 
-fn force(name: &str, surfaces: &str) -> String {
+fn force_xml(name: &str, surfaces: &str) -> String {
     format!(
         "<HuntCrossleyForce name=\"{name}\"><HuntCrossleyForce::ContactParametersSet><objects>\
          <HuntCrossleyForce::ContactParameters><geometry>{surfaces}</geometry><stiffness>{STIFFNESS}</stiffness>\
@@ -106,21 +106,21 @@ impl Parts {
 }
 
 /// A foot of some mass on spheres at these heights of it, joined to ground by `joint`.
-fn foot(mass: f64, heights: &[f64], joints: String) -> Parts {
+fn foot_on_spheres(mass: f64, heights: &[f64], joints: String) -> Parts {
     let names: Vec<String> = (0..heights.len()).map(|number| format!("s{number}")).collect();
     let spheres: String =
-        names.iter().zip(heights).map(|(name, height)| sphere(name, "foot", *height)).collect();
+        names.iter().zip(heights).map(|(name, height)| sphere_xml(name, "foot", *height)).collect();
     Parts {
-        bodies: body("foot", mass),
+        bodies: body_xml("foot", mass),
         joints,
-        surfaces: spheres + &floor("floor", "ground", 0.0),
-        forces: force("contact", &format!("{} floor", names.join(" "))),
+        surfaces: spheres + &floor_xml("floor", "ground", 0.0),
+        forces: force_xml("contact", &format!("{} floor", names.join(" "))),
         constraints: String::new(),
     }
 }
 
 fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> Parts {
-    foot(mass, heights, joint("ground", "foot", &[UP]))
+    foot_on_spheres(mass, heights, joint_xml("ground", "foot", &[UP]))
 }
 
 fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
@@ -128,11 +128,11 @@ fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
     standing.rest_on_floor(&all, 1.0).unwrap().unwrap()
 }
 
-fn lift(standing: &Standing) -> &Lift {
+fn lift_of(standing: &Standing) -> &Lift {
     standing.lift.as_ref().unwrap()
 }
 
-fn close(a: f64, b: f64) -> bool {
+fn is_close(a: f64, b: f64) -> bool {
     (a - b).abs() < 1e-13
 }
 
@@ -140,23 +140,23 @@ fn close(a: f64, b: f64) -> bool {
 fn one_sphere_carries_100_n_at_0_01_m() {
     let standing = foot_on_vertical_slider(10.0, &[-0.1]).only_standing();
     assert_eq!((standing.top.as_str(), standing.mass_kg, standing.load_n), ("foot", Some(10.0), Some(100.0)));
-    assert!(close(standing.spheres[0].gap_m, 0.5 - 0.1 - 0.04) && standing.spheres[0].tilt_rad < 1e-12);
-    assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("height", 0.5));
+    assert!(is_close(standing.spheres[0].gap_m, 0.5 - 0.1 - 0.04) && standing.spheres[0].tilt_rad < 1e-12);
+    assert_eq!((lift_of(&standing).coordinate.as_str(), lift_of(&standing).default_m), ("height", 0.5));
     let rest = rest_on_all_spheres(&standing);
-    assert!(close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
+    assert!(is_close(rest.spheres[0].relative_indentation, 0.25), "{rest:?}");
     assert!((rest.spheres[0].force_n - 100.0).abs() < 1e-10 && rest.is_carried());
-    assert!(close(standing.coordinate_at(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
-    assert!(close(standing.coordinate_at(standing.spheres[0].gap_m).unwrap(), 0.14));
+    assert!(is_close(standing.coordinate_at(rest.down_m).unwrap(), 0.14 - 0.01), "{rest:?}");
+    assert!(is_close(standing.coordinate_at(standing.spheres[0].gap_m).unwrap(), 0.14));
 }
 
 /// x = 0.01 m and 0.0025 m: x^(3/2) is 1 and 0.125 thousandths, which carry 100 and 12.5 N.
 #[test]
-fn the_lower_sphere_carries_more() {
+fn the_lower_of_two_spheres_carries_more_weight() {
     let standing = foot_on_vertical_slider(11.25, &[-0.1, -0.1 + 0.0075]).only_standing();
     let rest = rest_on_all_spheres(&standing);
     let [low, high] = rest.spheres[..] else { panic!("two") };
     assert!((low.force_n - 100.0).abs() < 1e-9 && (high.force_n - 12.5).abs() < 1e-9, "{rest:?}");
-    assert!(close(low.relative_indentation, 0.25) && close(high.relative_indentation, 0.0625));
+    assert!(is_close(low.relative_indentation, 0.25) && is_close(high.relative_indentation, 0.0625));
     assert!(low.touches() && high.touches());
 }
 
@@ -165,18 +165,18 @@ fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
     let standing = foot_on_vertical_slider(10.0, &[-0.1, -0.08]).only_standing();
     let both = rest_on_all_spheres(&standing);
     assert!(
-        close(both.spheres[0].relative_indentation, 0.25)
-            && close(both.spheres[1].relative_indentation, -0.25)
+        is_close(both.spheres[0].relative_indentation, 0.25)
+            && is_close(both.spheres[1].relative_indentation, -0.25)
     );
     assert!(both.spheres[1].force_n == 0.0 && !both.spheres[1].touches());
     let high = standing.spheres[1].sphere;
     let alone = standing.rest_on_floor(&[high], 1.0).unwrap().unwrap();
-    assert!(close(alone.down_m, both.down_m + 0.02) && alone.spheres.len() == 1);
+    assert!(is_close(alone.down_m, both.down_m + 0.02) && alone.spheres.len() == 1);
     // Half of the weight on one of two limbs: x goes with F^(2/3).
     let half = standing.rest_on_floor(&[high], 0.5).unwrap().unwrap();
-    assert!(close(half.spheres[0].relative_indentation, 0.25 * 0.5_f64.powf(2.0 / 3.0)));
+    assert!(is_close(half.spheres[0].relative_indentation, 0.25 * 0.5_f64.powf(2.0 / 3.0)));
     let hertz = standing.rest_under(&[high], 100.0, RestLaw::Hertz).unwrap().unwrap();
-    assert!(close(hertz.down_m, alone.down_m));
+    assert!(is_close(hertz.down_m, alone.down_m));
 }
 
 /// Eight times the weight at x = 0.04 m, the radius: nothing carries it as a sphere.
@@ -190,33 +190,40 @@ fn a_sphere_that_is_in_up_to_its_centre_cannot_carry() {
 #[test]
 fn on_a_slope_the_part_along_the_normal_counts() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
-    parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "ground", 0.6_f64.asin());
+    parts.surfaces = sphere_xml("s0", "foot", -0.1) + &floor_xml("floor", "ground", 0.6_f64.asin());
     let standing = parts.only_standing();
-    assert!(close(standing.load_n.unwrap(), 80.0) && close(lift(&standing).rise, 0.8), "{standing:?}");
+    assert!(
+        is_close(standing.load_n.unwrap(), 80.0) && is_close(lift_of(&standing).rise, 0.8),
+        "{standing:?}"
+    );
     // The foot is upright, the floor is not.
-    assert!(close(standing.spheres[0].tilt_rad, 0.6_f64.asin()));
+    assert!(is_close(standing.spheres[0].tilt_rad, 0.6_f64.asin()));
     // Its centre is 0.4 m over the origin: 0.32 m from the plane.
-    assert!(close(standing.spheres[0].gap_m, 0.32 - 0.04));
+    assert!(is_close(standing.spheres[0].gap_m, 0.32 - 0.04));
     let rest = rest_on_all_spheres(&standing);
-    assert!(close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
+    assert!(is_close(rest.spheres[0].relative_indentation * 0.04, 0.01 * 0.8_f64.powf(2.0 / 3.0)));
     let down = standing.coordinate_at(rest.down_m).unwrap() - 0.5;
-    assert!(close(down * 0.8, -rest.down_m));
+    assert!(is_close(down * 0.8, -rest.down_m));
 }
 
 #[test]
 fn a_coordinate_that_points_down_is_raised_to_go_down() {
     let down = Moves { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
-    let standing = foot(10.0, &[-0.1], joint("ground", "foot", &[down])).only_standing();
-    assert_eq!(lift(&standing).rise, -1.0);
-    assert!(close(standing.coordinate_at(rest_on_all_spheres(&standing).down_m).unwrap(), -0.13));
+    let standing = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[down])).only_standing();
+    assert_eq!(lift_of(&standing).rise, -1.0);
+    assert!(is_close(standing.coordinate_at(rest_on_all_spheres(&standing).down_m).unwrap(), -0.13));
 }
 
 /// The cart stays above: the coordinate below it moves the foot alone.
 #[test]
 fn only_what_the_coordinate_moves_is_carried() {
     let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
-    let mut parts = foot(10.0, &[-0.1], joint("ground", "cart", &[along]) + &joint("cart", "foot", &[UP]));
-    parts.bodies.push_str(&body("cart", 7.0));
+    let mut parts = foot_on_spheres(
+        10.0,
+        &[-0.1],
+        joint_xml("ground", "cart", &[along]) + &joint_xml("cart", "foot", &[UP]),
+    );
+    parts.bodies.push_str(&body_xml("cart", 7.0));
     let standing = parts.only_standing();
     assert_eq!((standing.top.as_str(), standing.mass_kg), ("cart", Some(10.0)));
 }
@@ -224,13 +231,13 @@ fn only_what_the_coordinate_moves_is_carried() {
 /// All bodies below the trunk count, also those below one of its branches: 1 + 2 + 4 + 8 + 16 kg.
 #[test]
 fn everything_below_the_joint_is_carried() {
-    let mut parts = foot(1.0, &[-0.1], String::new());
+    let mut parts = foot_on_spheres(1.0, &[-0.1], String::new());
     parts.bodies = ["trunk 2", "arm 4", "leg 8", "head 16", "foot 1"]
-        .map(|one| one.split_once(' ').map(|(name, mass)| body(name, mass.parse().unwrap())).unwrap())
+        .map(|one| one.split_once(' ').map(|(name, mass)| body_xml(name, mass.parse().unwrap())).unwrap())
         .concat();
-    parts.joints = joint("ground", "trunk", &[UP]);
+    parts.joints = joint_xml("ground", "trunk", &[UP]);
     for (above, below) in [("trunk", "arm"), ("trunk", "leg"), ("trunk", "head"), ("leg", "foot")] {
-        parts.joints.push_str(&joint(above, below, &[]));
+        parts.joints.push_str(&joint_xml(above, below, &[]));
     }
     assert_eq!(parts.only_standing().mass_kg, Some(31.0));
 }
@@ -241,52 +248,52 @@ fn a_platform_is_not_what_stands() {
     for more in ["<locked>true</locked>", ""] {
         let plate = Moves { coordinate: "plate_ty", axis: "0 1 0", more };
         let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
-        parts.bodies.push_str(&body("plate", 300.0));
-        parts.joints.push_str(&joint("ground", "plate", &[plate]));
-        parts.surfaces = sphere("s0", "foot", -0.1) + &floor("floor", "plate", 0.0);
+        parts.bodies.push_str(&body_xml("plate", 300.0));
+        parts.joints.push_str(&joint_xml("ground", "plate", &[plate]));
+        parts.surfaces = sphere_xml("s0", "foot", -0.1) + &floor_xml("floor", "plate", 0.0);
         let standing = parts.only_standing();
-        assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
+        assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
         // A foot that is joined to the platform, too.
-        parts.joints = joint("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
-            + &joint("plate", "foot", &[UP]);
+        parts.joints = joint_xml("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
+            + &joint_xml("plate", "foot", &[UP]);
         let standing = parts.only_standing();
-        assert_eq!((lift(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
+        assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
     }
 }
 
 #[test]
 fn a_ball_stands_by_itself() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
-    parts.bodies.push_str(&body("ball", 0.5));
-    parts.joints.push_str(&joint(
+    parts.bodies.push_str(&body_xml("ball", 0.5));
+    parts.joints.push_str(&joint_xml(
         "ground",
         "ball",
         &[Moves { coordinate: "ball_ty", axis: "0 1 0", more: "" }],
     ));
-    parts.surfaces.push_str(&sphere("ball_surface", "ball", 0.0));
-    parts.forces.push_str(&force("ball_contact", "ball_surface floor"));
+    parts.surfaces.push_str(&sphere_xml("ball_surface", "ball", 0.0));
+    parts.forces.push_str(&force_xml("ball_contact", "ball_surface floor"));
     let all = parts.standing();
     let found: Vec<_> =
-        all.iter().map(|one| (one.top.as_str(), one.mass_kg, lift(one).coordinate.as_str())).collect();
+        all.iter().map(|one| (one.top.as_str(), one.mass_kg, lift_of(one).coordinate.as_str())).collect();
     assert_eq!(found, [("foot", Some(10.0), "height"), ("ball", Some(0.5), "ball_ty")]);
 }
 
 #[test]
-fn why_nothing_lifts_it() {
-    let why = |joints: String| foot(10.0, &[-0.1], joints).only_standing().lift.unwrap_err();
+fn a_body_that_no_coordinate_lifts_has_a_reason() {
+    let why = |joints: String| foot_on_spheres(10.0, &[-0.1], joints).only_standing().lift.unwrap_err();
     let weld = "<WeldJoint name=\"w\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
                 </socket_child_frame></WeldJoint>";
     // What a WeldJoint holds on ground is terrain.
-    assert_eq!(why(joint("ground", "foot", &[])), NotLifted::Welded);
+    assert_eq!(why(joint_xml("ground", "foot", &[])), NotLifted::Welded);
     assert_eq!(why(weld.replace("Weld", "Pin")), NotLifted::Pinned);
     // Its axis is x.
     assert_eq!(why(weld.replace("Weld", "Slider")), NotLifted::Slides);
-    let held = |more| why(joint("ground", "foot", &[Moves { more, ..UP }]));
+    let held = |more| why(joint_xml("ground", "foot", &[Moves { more, ..UP }]));
     assert_eq!(held("<locked>true</locked>"), NotLifted::Locked { coordinate: "height".into() });
     let prescribed = "<prescribed>true</prescribed><prescribed_function><Constant><value>0.5</value></Constant></prescribed_function>";
     assert_eq!(held(prescribed), NotLifted::Driven { coordinate: "height".into() });
     let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
-    let mut coupled = foot(10.0, &[-0.1], joint("ground", "foot", &[UP, along]));
+    let mut coupled = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[UP, along]));
     coupled.constraints = "<CoordinateCouplerConstraint name=\"c\"><coupled_coordinates_function><LinearFunction><coefficients>1 0\
                            </coefficients></LinearFunction></coupled_coordinates_function><independent_coordinate_names>along\
                            </independent_coordinate_names><dependent_coordinate_name>height</dependent_coordinate_name>\
@@ -300,42 +307,43 @@ fn why_nothing_lifts_it() {
 fn coordinates_need_not_be_written() {
     let free = "<FreeJoint name=\"free\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
                 </socket_child_frame></FreeJoint>";
-    let standing = foot(10.0, &[-0.1], free.to_owned()).only_standing();
-    assert_eq!(lift(&standing).joint, "free");
-    assert_eq!((lift(&standing).coordinate.as_str(), lift(&standing).default_m), ("_coord_4", 0.0));
+    let standing = foot_on_spheres(10.0, &[-0.1], free.to_owned()).only_standing();
+    assert_eq!(lift_of(&standing).joint, "free");
+    assert_eq!((lift_of(&standing).coordinate.as_str(), lift_of(&standing).default_m), ("_coord_4", 0.0));
 }
 
 #[test]
 fn floors_of_two_directions_are_no_floor_to_stand_on_and_a_wall_is_none() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
-    parts.surfaces.push_str(&floor("slope", "ground", 0.1));
-    parts.forces.push_str(&force("other", "s0 slope"));
+    parts.surfaces.push_str(&floor_xml("slope", "ground", 0.1));
+    parts.forces.push_str(&force_xml("other", "s0 slope"));
     assert_eq!(parts.only_standing().lift, Err(NotLifted::SeveralFloors));
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
-    parts.surfaces.push_str(&floor("wall", "ground", 1.5));
-    parts.forces.push_str(&force("other", "s0 wall"));
+    parts.surfaces.push_str(&floor_xml("wall", "ground", 1.5));
+    parts.forces.push_str(&force_xml("other", "s0 wall"));
     let standing = parts.only_standing();
-    assert_eq!(lift(&standing).coordinate, "height");
+    assert_eq!(lift_of(&standing).coordinate, "height");
     // What would press it on the wall carries nothing.
-    assert!(close(rest_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
+    assert!(is_close(rest_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
 }
 
 /// A sphere on two planes of one force, and on one of another: 100 N of each that it is 0.01 m in.
 #[test]
 fn a_sphere_on_two_floors_is_carried_by_both() {
     let mut parts = foot_on_vertical_slider(20.0, &[-0.1]);
-    parts.surfaces.push_str(&floor("second", "ground", 0.0));
-    parts.forces.push_str(&force("other", "s0 second"));
+    parts.surfaces.push_str(&floor_xml("second", "ground", 0.0));
+    parts.forces.push_str(&force_xml("other", "s0 second"));
     let rest = rest_on_all_spheres(&parts.only_standing());
     assert_eq!(rest.spheres.len(), 1);
     assert!(
-        close(rest.spheres[0].relative_indentation, 0.25) && (rest.spheres[0].force_n - 200.0).abs() < 1e-9
+        is_close(rest.spheres[0].relative_indentation, 0.25)
+            && (rest.spheres[0].force_n - 200.0).abs() < 1e-9
     );
 }
 
 #[test]
 fn bodies_whose_place_is_not_known_are_no_standing() {
-    let model = foot(10.0, &[-0.1], String::new()).model();
+    let model = foot_on_spheres(10.0, &[-0.1], String::new()).model();
     assert!(Standing::all(&model, &model.force_ids()).unwrap_err().to_string().contains("foot"));
 }
 
@@ -347,5 +355,5 @@ fn without_a_mass_there_is_no_weight() {
     let standing = parts.only_standing();
     assert_eq!((standing.mass_kg, standing.load_n), (None, None));
     assert!(standing.rest_on_floor(&[standing.spheres[0].sphere], 1.0).is_none());
-    assert!(close(standing.spheres[0].gap_m, 0.36));
+    assert!(is_close(standing.spheres[0].gap_m, 0.36));
 }

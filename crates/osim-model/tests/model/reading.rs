@@ -19,17 +19,17 @@ fn fixture(name: &str) -> Vec<u8> {
 }
 
 #[track_caller]
-fn model(name: &str) -> Model {
+fn fixture_model(name: &str) -> Model {
     Model::parse(fixture(name)).unwrap_or_else(|fault| panic!("{name}: {fault}"))
 }
 
 #[track_caller]
 fn read<T>(file: &str, then: impl FnOnce(&Model) -> T) -> T {
-    then(&model(&format!("format/{file}.osim")))
+    then(&fixture_model(&format!("format/{file}.osim")))
 }
 
 /// The effective value of the first force, or of its first sphere for a radius.
-fn value(model: &Model, property: Property) -> (f64, Origin) {
+fn first_value(model: &Model, property: Property) -> (f64, Origin) {
     let force = &model.forces()[0];
     let value = match property {
         Property::Radius => &model.sphere(force.spheres()[0]).unwrap().radius,
@@ -40,7 +40,7 @@ fn value(model: &Model, property: Property) -> (f64, Origin) {
 
 #[track_caller]
 fn assert_property(file: &str, property: Property, expected: f64, origin: Origin) {
-    let seen = read(file, |model| value(model, property));
+    let seen = read(file, |model| first_value(model, property));
     assert_eq!(seen, (expected, origin), "{property} of {file}");
 }
 
@@ -74,9 +74,9 @@ fn numbers_are_read_as_opensim_reads_them() {
 }
 
 #[test]
-fn the_first_of_duplicates_counts() {
+fn the_first_of_duplicate_elements_counts() {
     read("duplicate_radius_and_mass", |model| {
-        assert_eq!(value(model, Property::Radius).0, 0.041);
+        assert_eq!(first_value(model, Property::Radius).0, 0.041);
         assert_eq!(model.bodies()[0].mass.number, 62.25);
         assert_eq!(model.gravity(), Some(9.5));
     });
@@ -136,8 +136,8 @@ fn defaults_give_surfaces_and_sockets_too() {
     ] {
         read(file, |model| {
             assert_eq!(model.forces().len(), 1, "{file}");
-            assert_eq!(value(model, Property::Stiffness).0, STIFFNESS, "{file}");
-            assert_eq!(value(model, Property::Radius).0, RADIUS, "{file}");
+            assert_eq!(first_value(model, Property::Stiffness).0, STIFFNESS, "{file}");
+            assert_eq!(first_value(model, Property::Radius).0, RADIUS, "{file}");
         });
     }
 }
@@ -288,7 +288,7 @@ fn a_location_is_three_numbers_or_the_origin() {
 /// A limb as `(name, side, sphere names)`.
 type Found = (String, &'static str, Vec<String>);
 
-fn limbs(model: &Model) -> Result<Vec<Found>, String> {
+fn limbs_of_model(model: &Model) -> Result<Vec<Found>, String> {
     let selected = Selection::default().apply(model).map_err(|fault| fault.to_string())?;
     match model.limbs(&selected.forces) {
         Limbs::Unknown(why) => Err(why.to_string()),
@@ -306,7 +306,7 @@ fn limbs(model: &Model) -> Result<Vec<Found>, String> {
 #[test]
 fn limbs_are_split_where_left_and_right_both_hang_below() {
     for file in ["v30000_two_feet", "one_force_for_all", "both_classes", "mixed_radii"] {
-        let found = read(file, limbs).unwrap();
+        let found = read(file, limbs_of_model).unwrap();
         let names = |side: &str| vec![format!("heel_{side}"), format!("toe_{side}")];
         assert_eq!(
             found,
@@ -315,9 +315,9 @@ fn limbs_are_split_where_left_and_right_both_hang_below() {
         );
     }
     // The limb is named by the first body below the split, though that may carry no sphere.
-    let found = read("massless_inner_body", limbs).unwrap();
+    let found = read("massless_inner_body", limbs_of_model).unwrap();
     assert_eq!((found[0].0.as_str(), found[1].0.as_str()), ("hip", "calcn_l"));
-    let found = limbs(&model("table1/human_62kg_smooth_sphere.osim"));
+    let found = limbs_of_model(&fixture_model("table1/human_62kg_smooth_sphere.osim"));
     let found: Vec<_> =
         found.unwrap().into_iter().map(|(name, side, spheres)| (name, side, spheres.len())).collect();
     assert_eq!(found, [("femur_r".to_owned(), "right", 6), ("femur_l".to_owned(), "left", 6)]);
@@ -330,7 +330,7 @@ fn limbs_are_split_where_left_and_right_both_hang_below() {
     ] {
         for class in ["hunt_crossley", "smooth_sphere"] {
             let file = format!("table1/{animal}_{class}.osim");
-            let found = limbs(&model(&file)).unwrap();
+            let found = limbs_of_model(&fixture_model(&file)).unwrap();
             let counts: Vec<usize> = found.iter().map(|(_, _, spheres)| spheres.len()).collect();
             assert_eq!(counts, vec![spheres; limbs_expected], "{file}");
         }
@@ -339,9 +339,9 @@ fn limbs_are_split_where_left_and_right_both_hang_below() {
 
 #[test]
 fn where_limbs_are_not_known_it_says_why_and_guesses_nothing() {
-    assert!(read("no_sides", limbs).unwrap_err().contains("calcn_a"));
-    assert!(read("player_and_ball", limbs).unwrap_err().contains("joined only through ground"));
-    assert!(read("all_disabled", limbs).is_err());
+    assert!(read("no_sides", limbs_of_model).unwrap_err().contains("calcn_a"));
+    assert!(read("player_and_ball", limbs_of_model).unwrap_err().contains("joined only through ground"));
+    assert!(read("all_disabled", limbs_of_model).is_err());
     let per_limb = read("unequal_counts", |model| {
         let selected = Selection::default().apply(model).unwrap();
         model.limbs(&selected.forces).spheres_per_limb()

@@ -7,14 +7,14 @@ fn values_of_kind(found: &SizedValues, kind: SizedKind) -> Vec<f64> {
     found.values.iter().filter(|one| one.kind == kind).map(|one| one.value).collect()
 }
 
-fn read(version: u32, inside: &str) -> SizedValues {
+fn sizes_of_model(version: u32, inside: &str) -> SizedValues {
     let text = format!(r#"<OpenSimDocument Version="{version}"><Model>{inside}</Model></OpenSimDocument>"#);
     SizedValues::of(&Model::parse(text).unwrap())
 }
 
 #[test]
 fn an_object_counts_then_defaults_then_what_opensim_has() {
-    let found = read(
+    let found = sizes_of_model(
         40000,
         "<defaults><Thelen2003Muscle name='default'><activation_time_constant>0.02</activation_time_constant>
             <max_isometric_force>7</max_isometric_force></Thelen2003Muscle></defaults>
@@ -31,7 +31,7 @@ fn an_object_counts_then_defaults_then_what_opensim_has() {
 
 #[test]
 fn what_a_force_on_a_coordinate_is_follows_from_the_coordinate() {
-    let found = read(
+    let found = sizes_of_model(
         40000,
         "<BodySet><objects><Body name='b'><mass>1</mass></Body></objects></BodySet>
         <JointSet><objects><PlanarJoint name='j'><socket_parent_frame>/ground</socket_parent_frame>
@@ -57,7 +57,7 @@ fn what_a_force_on_a_coordinate_is_follows_from_the_coordinate() {
 
 #[test]
 fn bushings_have_three_numbers_and_expressions_are_not_read() {
-    let found = read(
+    let found = sizes_of_model(
         40000,
         "<ForceSet><objects>
             <BushingForce name='b'><rotational_stiffness>1 2 3</rotational_stiffness></BushingForce>
@@ -77,7 +77,7 @@ fn bushings_have_three_numbers_and_expressions_are_not_read() {
 
 #[test]
 fn old_documents_have_moments_of_inertia_one_by_one() {
-    let found = read(
+    let found = sizes_of_model(
         30000,
         "<BodySet><objects><Body name='b'><mass>1</mass><inertia_xx>1</inertia_xx><inertia_yy>2</inertia_yy>
             <inertia_zz>4</inertia_zz></Body></objects></BodySet>",

@@ -327,22 +327,25 @@ mod tests {
 
     use super::*;
 
-    fn contact(force: &str, sphere: &str, body: &str) -> NewContact {
+    fn new_contact(force: &str, sphere: &str, body: &str) -> NewContact {
         let mut contact = NewContact::new(ForceKind::HuntCrossley, force, sphere);
         contact.body = body.to_owned();
         contact.location_m = [0.1, -0.2, 0.03];
         contact
     }
 
-    fn layout(contacts: Vec<NewContact>) -> ContactLayout {
+    fn layout_of_contacts(contacts: Vec<NewContact>) -> ContactLayout {
         ContactLayout { contacts, ..ContactLayout::default() }
     }
 
     #[test]
     fn the_image_is_on_the_other_side() {
-        let both = layout(vec![contact("f_heel_r", "heel", "calcn_r"), contact("f", "s", "pelvis")])
-            .mirrored()
-            .unwrap();
+        let both = layout_of_contacts(vec![
+            new_contact("f_heel_r", "heel", "calcn_r"),
+            new_contact("f", "s", "pelvis"),
+        ])
+        .mirrored()
+        .unwrap();
         assert_eq!(both.contacts.len(), 3);
         let image = &both.contacts[2];
         assert_eq!(
@@ -354,12 +357,13 @@ mod tests {
 
     #[test]
     fn both_sides_or_none_are_refused() {
-        for contacts in
-            [vec![contact("f", "s", "pelvis")], vec![contact("f", "s", "a_r"), contact("g", "t", "a_l")]]
-        {
-            assert!(layout(contacts).mirrored().is_err());
+        for contacts in [
+            vec![new_contact("f", "s", "pelvis")],
+            vec![new_contact("f", "s", "a_r"), new_contact("g", "t", "a_l")],
+        ] {
+            assert!(layout_of_contacts(contacts).mirrored().is_err());
         }
-        let camel = layout(vec![contact("f", "s", "RFoot")]).mirrored().unwrap_err();
+        let camel = layout_of_contacts(vec![new_contact("f", "s", "RFoot")]).mirrored().unwrap_err();
         assert!(camel.to_string().contains("otherwise than with _r or _l"), "{camel}");
     }
 

@@ -196,7 +196,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spans_inside_others_are_covered() {
+    fn a_span_covers_those_inside_it() {
         let covered = OuterSpans::of(vec![20..30, 0..10, 20..25, 26..30, 2..3]);
         assert_eq!(covered.spans(), [0..10, 20..30]);
         for (span, goes) in

@@ -18,7 +18,7 @@ fn with_note(name: &str) -> String {
 }
 
 #[track_caller]
-fn edited(text: &str, edits: &[(&str, &str)]) -> Model {
+fn edited_model(text: &str, edits: &[(&str, &str)]) -> Model {
     let mut text = text.to_owned();
     for (from, to) in edits {
         assert!(text.contains(from), "{from}");
@@ -51,7 +51,7 @@ fn the_property_that_changed_is_named() {
                 continue;
             }
             found += 1;
-            let model = edited(&text, &[(&open, &format!("{open}1"))]);
+            let model = edited_model(&text, &[(&open, &format!("{open}1"))]);
             assert_properties(&model.changed_since_note(), &[property], property.name());
             assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
         }
@@ -62,14 +62,15 @@ fn the_property_that_changed_is_named() {
 #[test]
 fn all_that_changed_is_named_together() {
     let text = with_note(SMOOTH);
-    let both =
-        edited(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")]).changed_since_note();
+    let both = edited_model(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")])
+        .changed_since_note();
     let ChangedContacts { radii: true, places: false, exchanged: false, properties, .. } = both.contacts
     else {
         panic!("{both:?}");
     };
     assert_eq!((properties, both.weight_kg), (vec![Property::Stiffness], None));
-    let (then, now) = edited(&text, &[("<mass>42", "<mass>142")]).changed_since_note().weight_kg.unwrap();
+    let (then, now) =
+        edited_model(&text, &[("<mass>42", "<mass>142")]).changed_since_note().weight_kg.unwrap();
     assert!((then - 62.0).abs() < 1e-9 && (now - 162.0).abs() < 1e-9, "{then} {now}");
 }
 
@@ -78,7 +79,7 @@ fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
     let text = with_note(SMOOTH);
     let (_, spheres) = text.split_once("<ContactSphere name=").unwrap();
     let (location, _) = spheres.split_once("<location>").unwrap().1.split_once('<').unwrap();
-    let model = edited(&text, &[(&format!("<location>{location}<"), "<location>1 1 1<")]);
+    let model = edited_model(&text, &[(&format!("<location>{location}<"), "<location>1 1 1<")]);
     let changed = model.changed_since_note();
     assert!(matches!(
         changed.contacts,
@@ -96,7 +97,7 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
     for (name, of_spheres) in [(sphere, true), (force, false)] {
         let (named, path) = (format!("name=\"{name}\""), format!("/{name}<"));
         let edits = [(named.as_str(), "name=\"another\""), (path.as_str(), "/another<")];
-        let model = edited(&text, if of_spheres { &edits } else { &edits[..1] });
+        let model = edited_model(&text, if of_spheres { &edits } else { &edits[..1] });
         let changed = model.changed_since_note();
         let ChangedContacts { sphere_names, force_names, radii, places, properties, exchanged, .. } =
             changed.contacts;
@@ -108,7 +109,7 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
 }
 
 #[test]
-fn contacts_that_went_are_counted() {
+fn contacts_removed_since_the_note_are_counted() {
     let text = with_note(SMOOTH);
     let start = text.rfind("<SmoothSphereHalfSpaceForce ").unwrap();
     let end = text.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();

@@ -191,7 +191,7 @@ fn mixed_radii_use_the_mean_square_before_and_after() {
 }
 
 #[test]
-fn terrain_is_never_resized() {
+fn spheres_of_terrain_are_never_resized() {
     for file in ["format/terrain_on_ground.osim", "format/terrain_welded.osim"] {
         let outcome = given_fixture(file).standing_for(53.0).rescaled_to(8.0 * 53.0);
         outcome.sets(Property::Radius, 4, 0.065).sets(Property::Stiffness, 2, 2_469_135.6);

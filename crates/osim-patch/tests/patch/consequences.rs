@@ -26,7 +26,7 @@ fn try_rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Result<Plan, F
     rescale(&model, &Selection::default().apply(&model).unwrap(), &wanted)
 }
 
-fn rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
+fn plan_of_rescaling(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
     try_rescaled(text, change).unwrap()
 }
 
@@ -34,15 +34,15 @@ fn codes(plan: &Plan) -> Vec<FindingCode> {
     plan.findings.iter().map(osim_model::Finding::code).collect()
 }
 
-fn change(plan: &Plan, property: Property) -> &osim_patch::NumberChange {
+fn change_of_property(plan: &Plan, property: Property) -> &osim_patch::NumberChange {
     plan.changes.iter().find(|change| change.property == property).unwrap()
 }
 
 #[test]
 fn a_radius_says_where_it_comes_from() {
     let radius = |rule| {
-        let plan = rescaled(ONE_FOOT, |wanted| wanted.radius = rule);
-        let change = change(&plan, Property::Radius);
+        let plan = plan_of_rescaling(ONE_FOOT, |wanted| wanted.radius = rule);
+        let change = change_of_property(&plan, Property::Radius);
         (change.by.as_str(), change.factor, change.to)
     };
     assert_eq!(radius(RadiusRule::Isometric), ("8", Some(2.0), 0.06));
@@ -53,7 +53,7 @@ fn a_radius_says_where_it_comes_from() {
 #[test]
 fn how_far_bottoms_move_is_said_with_its_direction() {
     let remarks = |rule| {
-        rescaled(ONE_FOOT, |wanted| wanted.radius = rule)
+        plan_of_rescaling(ONE_FOOT, |wanted| wanted.radius = rule)
             .remarks
             .iter()
             .map(ToString::to_string)
@@ -76,15 +76,19 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
              <socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>\
              </SmoothSphereHalfSpaceForce>",
         );
-    let remarks =
-        rescaled(&two, |_| ()).remarks.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ");
+    let remarks = plan_of_rescaling(&two, |_| ())
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect::<Vec<_>>()
+        .join("; ");
     assert!(remarks.contains("points of spheres move 10.00 to 30.00 mm down"), "{remarks}");
 }
 
 #[test]
 fn the_first_line_says_by_how_much() {
     assert_eq!(
-        rescaled(ONE_FOOT, |_| ()).taken.to_string(),
+        plan_of_rescaling(ONE_FOOT, |_| ()).taken.to_string(),
         "contacts made for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
     );
 }
@@ -92,14 +96,16 @@ fn the_first_line_says_by_how_much() {
 #[test]
 fn level_spheres_keep_their_bottoms() {
     let text = ONE_FOOT.replace("<radius>", "<location>0.1 -0.02 0.3</location><radius>");
-    let plan = rescaled(&text, |wanted| wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0]))));
+    let plan = plan_of_rescaling(&text, |wanted| {
+        wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0])))
+    });
     let place = &plan.moves[0];
     // R grows from 0.03 to 0.06: the centre rises by 0.03.
     assert_eq!((place.from, place.by), ([0.1, -0.02, 0.3], ChangedBy::Level));
     assert!((place.to[1] - 0.01).abs() < 1e-15 && place.to[0] == 0.1 && place.to[2] == 0.3);
     assert!(!place.inserted);
     // A sphere without a location stands at the origin, and gets one.
-    let plan = rescaled(ONE_FOOT, |wanted| {
+    let plan = plan_of_rescaling(ONE_FOOT, |wanted| {
         wanted.level = Some(LevelAxis { axis: Axis::Z, down: true, of_body: false });
     });
     assert!(plan.moves[0].inserted);
@@ -112,19 +118,25 @@ fn friction_changes_only_where_asked_and_says_what_it_is_worth() {
         "</dissipation>",
         "</dissipation><viscous_friction>0.5</viscous_friction><transition_velocity>0.2</transition_velocity>",
     );
-    assert!(!codes(&rescaled(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
-    let plan = rescaled(&text, |wanted| wanted.properties = PropertySet::default().with_friction());
+    assert!(!codes(&plan_of_rescaling(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
+    let plan = plan_of_rescaling(&text, |wanted| wanted.properties = PropertySet::default().with_friction());
     assert!(codes(&plan).contains(&FindingCode::FrictionNotSimilar));
     // Speeds follow the root of the length (2): numbers from theory.md's rule with rho = 2, computed by hand.
-    assert!((change(&plan, Property::TransitionVelocity).to - 0.2 * std::f64::consts::SQRT_2).abs() < 1e-15);
-    assert!((change(&plan, Property::ViscousFriction).to - 0.5 / std::f64::consts::SQRT_2).abs() < 1e-15);
+    assert!(
+        (change_of_property(&plan, Property::TransitionVelocity).to - 0.2 * std::f64::consts::SQRT_2).abs()
+            < 1e-15
+    );
+    assert!(
+        (change_of_property(&plan, Property::ViscousFriction).to - 0.5 / std::f64::consts::SQRT_2).abs()
+            < 1e-15
+    );
 }
 
 #[test]
 fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
     let text = include_str!("../../../../fixtures/table1/mouse_hunt_crossley.osim");
-    let plan = rescaled(text, |wanted| wanted.properties = PropertySet::default().with_friction());
-    let change = change(&plan, Property::TransitionVelocity);
+    let plan = plan_of_rescaling(text, |wanted| wanted.properties = PropertySet::default().with_friction());
+    let change = change_of_property(&plan, Property::TransitionVelocity);
     assert_eq!(change.set, None);
     assert!((change.factor.unwrap() - std::f64::consts::SQRT_2).abs() < 1e-15);
     assert!(!codes(&plan).contains(&FindingCode::FrictionNotSimilar));
@@ -133,15 +145,15 @@ fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
 #[test]
 fn a_force_that_is_switched_off_is_named() {
     let off = ONE_FOOT.replace("<stiffness>", "<appliesForce>false</appliesForce><stiffness>");
-    assert!(codes(&rescaled(&off, |_| ())).contains(&FindingCode::DisabledForce));
-    assert!(!codes(&rescaled(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(codes(&plan_of_rescaling(&off, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(!codes(&plan_of_rescaling(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
 }
 
 #[test]
 fn gravity_scales_from_what_is_there_or_not_at_all() {
     let to = |gravity: f64| move |wanted: &mut Rescale| wanted.target_gravity_m_s2 = Some(gravity);
-    let plan = rescaled(ONE_FOOT, to(2.0 * 9.81));
-    assert_eq!(change(&plan, Property::Stiffness).factor, Some(4.0));
+    let plan = plan_of_rescaling(ONE_FOOT, to(2.0 * 9.81));
+    assert_eq!(change_of_property(&plan, Property::Stiffness).factor, Some(4.0));
     assert!(plan.remarks.iter().map(ToString::to_string).collect::<String>().contains("<gravity> stays"));
     for nonsense in [0.0, -9.81, f64::NAN, f64::INFINITY] {
         assert_eq!(try_rescaled(ONE_FOOT, to(nonsense)).unwrap_err().code(), "refused", "{nonsense}");
@@ -153,10 +165,11 @@ fn gravity_scales_from_what_is_there_or_not_at_all() {
 
 #[test]
 fn an_explicit_radius_is_done_at_an_equal_mass_too() {
-    let same = |rule| rescaled(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
+    let same =
+        |rule| plan_of_rescaling(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
     assert!(same(RadiusRule::Isometric).is_empty());
     assert_eq!(codes(&same(RadiusRule::Keep)).last(), Some(&FindingCode::AlreadyAtTarget));
-    assert_eq!(change(&same(RadiusRule::Factor(2.0)), Property::Stiffness).factor, Some(0.25));
+    assert_eq!(change_of_property(&same(RadiusRule::Factor(2.0)), Property::Stiffness).factor, Some(0.25));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use osim_patch::{Convert, Converted, convert};
 const BOTH: [ForceKind; 2] = [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley];
 
 /// A foot with a sphere on it, a floor and a wall, around its forces.
-fn foot(forces: &str) -> String {
+fn foot_document(forces: &str) -> String {
     document(40000, "", forces, GEOMETRY)
 }
 
@@ -42,7 +42,7 @@ fn document(version: u32, defaults: &str, forces: &str, geometry: &str) -> Strin
     )
 }
 
-fn material(geometry: &str, stiffness: &str, dissipation: &str, friction: &str) -> String {
+fn material_xml(geometry: &str, stiffness: &str, dissipation: &str, friction: &str) -> String {
     format!(
         "<HuntCrossleyForce::ContactParameters><geometry>{geometry}</geometry><stiffness>{stiffness}</stiffness>\
          <dissipation>{dissipation}</dissipation><static_friction>{friction}</static_friction>\
@@ -50,7 +50,7 @@ fn material(geometry: &str, stiffness: &str, dissipation: &str, friction: &str) 
     )
 }
 
-fn hunt(name: &str, own: &str, materials: &[String]) -> String {
+fn hunt_crossley_force(name: &str, own: &str, materials: &[String]) -> String {
     format!(
         "\n\t\t\t\t<HuntCrossleyForce name=\"{name}\">{own}<HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\">\
          <objects>{}</objects></HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>",
@@ -59,7 +59,7 @@ fn hunt(name: &str, own: &str, materials: &[String]) -> String {
 }
 
 #[track_caller]
-fn converted(text: &str, to: ForceKind) -> Converted {
+fn convert_text(text: &str, to: ForceKind) -> Converted {
     let model = Model::parse(text).unwrap();
     let selected = Selection::default().apply_to_all(&model).unwrap();
     convert(&model, &selected, &Convert::new(to)).unwrap()
@@ -87,9 +87,9 @@ fn each_half_space_has_its_own_material() {
     // surfaces of E* make 2^-1.5 E*. Here k_sphere = 1e4, k_wall = 3e6^(2/3) = 20800.838, so E* = (2 * 1e4 * 20800.838 /
     // 30800.838)^1.5 = 1569720.9, c = 2 * 20800.838 / 30800.838 = 1.3506670, and 2 * 0.8 * 0.2 / (0.8 + 0.2) = 0.32.
     for (first, second) in [(floor, wall), (wall, floor)] {
-        let materials = [first, second].map(|(geometry, k, c, mu)| material(geometry, k, c, mu));
+        let materials = [first, second].map(|(geometry, k, c, mu)| material_xml(geometry, k, c, mu));
         for to in BOTH {
-            let made = converted(&foot(&hunt("foot", "", &materials)), to);
+            let made = convert_text(&foot_document(&hunt_crossley_force("foot", "", &materials)), to);
             let model = made.rebuilt.model();
             let own = force_against(model, "floor");
             assert_eq!((value(own, Property::Stiffness), value(own, Property::Dissipation)), (1e6, 2.0));
@@ -118,7 +118,7 @@ const OFF: [(u32, &str); 3] = [
     (30000, "<isDisabled>true</isDisabled>"),
 ];
 
-fn defaults(own: &str) -> String {
+fn defaults_xml(own: &str) -> String {
     let object = |class: ForceKind| format!("<{0} name=\"default\">{own}</{0}>", class.as_str());
     format!("<defaults>{}</defaults>", BOTH.map(object).concat())
 }
@@ -141,9 +141,9 @@ fn forces_act_as_they_did_whatever_the_defaults_say() {
             ] {
                 let force = match to {
                     ForceKind::HuntCrossley => SMOOTH.replace("{own}", own),
-                    _ => hunt("foot", own, &[material("heel floor", "1e6", "0", "0")]),
+                    _ => hunt_crossley_force("foot", own, &[material_xml("heel floor", "1e6", "0", "0")]),
                 };
-                let made = converted(&document(version, &defaults(off), &force, &geometry), to);
+                let made = convert_text(&document(version, &defaults_xml(off), &force, &geometry), to);
                 let [force] = made.rebuilt.model().forces() else { panic!("one force") };
                 assert_eq!((force.kind, force.applies), (to, acts), "{version} {off} {own}");
             }
@@ -158,7 +158,7 @@ fn what_defaults_do_not_speak_of_is_not_written() {
         "<defaults><HuntCrossleyForce name=\"default\"><transition_velocity>0.2</transition_velocity></HuntCrossleyForce></defaults>",
     ] {
         let force = SMOOTH.replace("{own}", "");
-        let made = converted(&document(40000, defaults, &force, GEOMETRY), ForceKind::HuntCrossley);
+        let made = convert_text(&document(40000, defaults, &force, GEOMETRY), ForceKind::HuntCrossley);
         let model = made.rebuilt.model();
         assert!(!String::from_utf8_lossy(model.document().bytes()).contains("appliesForce"));
         // The force that was there had OpenSim's.
@@ -171,13 +171,13 @@ fn a_sphere_keeps_its_force_where_another_one_has_its_name() {
     // OpenSim looks for `heel` in the model itself first, and then in its geometry set.
     let other = "<components><ContactSphere name=\"heel\"><socket_frame>/bodyset/foot_r</socket_frame>\
                  <location>0 1 0</location><radius>0.5</radius></ContactSphere></components>";
-    let text = foot(&SMOOTH.replace("{own}", ""));
+    let text = foot_document(&SMOOTH.replace("{own}", ""));
     let two = text.replace("\t</Model>", &format!("\t\t{other}\n\t</Model>"));
     for (text, called) in [
         (text, "<geometry>heel floor</geometry>"),
         (two, "<geometry>/contactgeometryset/heel floor</geometry>"),
     ] {
-        let made = converted(&text, ForceKind::HuntCrossley);
+        let made = convert_text(&text, ForceKind::HuntCrossley);
         let model = made.rebuilt.model();
         let written = String::from_utf8_lossy(model.document().bytes()).into_owned();
         assert!(written.contains(called), "{written}");
@@ -188,10 +188,12 @@ fn a_sphere_keeps_its_force_where_another_one_has_its_name() {
 
 #[test]
 fn a_force_without_a_sphere_stays_as_it_is() {
-    let floor_only = hunt("floor_only", "", &[material("floor", "1e6", "2", "0.8")]);
-    let text =
-        foot(&format!("{}{floor_only}", hunt("foot", "", &[material("heel floor", "1e6", "2", "0.8")])));
-    let made = converted(&text, ForceKind::SmoothSphereHalfSpace);
+    let floor_only = hunt_crossley_force("floor_only", "", &[material_xml("floor", "1e6", "2", "0.8")]);
+    let text = foot_document(&format!(
+        "{}{floor_only}",
+        hunt_crossley_force("foot", "", &[material_xml("heel floor", "1e6", "2", "0.8")])
+    ));
+    let made = convert_text(&text, ForceKind::SmoothSphereHalfSpace);
     assert_eq!(made.without_sphere, ["/forceset/floor_only"]);
     let written = String::from_utf8_lossy(made.rebuilt.model().document().bytes()).into_owned();
     assert!(written.contains(floor_only.as_str()), "{written}");
@@ -202,7 +204,7 @@ fn a_force_without_a_sphere_stays_as_it_is() {
 
 #[test]
 fn a_force_without_a_half_space_is_refused_with_the_way_out() {
-    let text = foot(&hunt("kick", "", &[material("heel", "1e6", "2", "0.8")]));
+    let text = foot_document(&hunt_crossley_force("kick", "", &[material_xml("heel", "1e6", "2", "0.8")]));
     let model = Model::parse(text).unwrap();
     let selected = Selection::default().apply_to_all(&model).unwrap();
     let fault = convert(&model, &selected, &Convert::new(ForceKind::SmoothSphereHalfSpace)).unwrap_err();

@@ -77,7 +77,7 @@ fn numbers_become_text_in_one_place() {
 }
 
 /// Numbers as people and programs write them, and those at the edge of a double.
-fn number() -> impl Strategy<Value = f64> {
+fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![
         Just(1e-308),
         Just(1e308),
@@ -99,7 +99,7 @@ fn not_finite(bytes: &[u8]) -> usize {
 }
 
 /// The plans of several verbs for `model` with `a` and `b` in them; those that are refused are left out.
-fn plans(model: &Model, a: f64, b: f64) -> Vec<Plan> {
+fn plans_of_several_verbs(model: &Model, a: f64, b: f64) -> Vec<Plan> {
     let Ok(selected) = Selection::default().apply(model) else { return Vec::new() };
     let mut made = Vec::new();
     if let Ok((mass, _)) =
@@ -134,7 +134,7 @@ fn plans(model: &Model, a: f64, b: f64) -> Vec<Plan> {
 proptest! {
     #[test]
     fn nothing_that_is_not_finite_is_written(
-        hunt: bool, radius in number(), stiffness in number(), dissipation in number(), mass in number(), a in number(), b in number(),
+        hunt: bool, radius in any_number(), stiffness in any_number(), dissipation in any_number(), mass in any_number(), a in any_number(), b in any_number(),
     ) {
         let name = if hunt { "format/floor_of_its_own.osim" } else { "format/v40600.osim" };
         let text = String::from_utf8(fixture(name)).unwrap();
@@ -145,7 +145,7 @@ proptest! {
             .replacen("<dissipation>2.25<", &format!("<dissipation>{dissipation:e}<"), 1)
             .replacen("<mass>61.5<", &format!("<mass>{mass:e}<"), 1);
         let model = Model::parse(text.as_str()).unwrap();
-        for plan in plans(&model, a, b) {
+        for plan in plans_of_several_verbs(&model, a, b) {
             if let Ok(bytes) = plan.patched(&model, FileId::MAIN) {
                 prop_assert_eq!(not_finite(&bytes), 0, "{}", String::from_utf8_lossy(&bytes));
             }

@@ -57,7 +57,7 @@ fn absent_elements_are_inserted_in_opensims_order_with_their_siblings_indentatio
 }
 
 #[test]
-fn what_surrounds_a_number_stays() {
+fn white_space_and_comments_around_a_number_stay() {
     let rest = "<constant_contact_force>0</constant_contact_force>
         <hertz_smoothing>100</hertz_smoothing>
         <hunt_crossley_smoothing>2</hunt_crossley_smoothing>";

@@ -21,7 +21,7 @@ const SETS: [&str; 12] = [
     "<ForceSet><objects/></ForceSet><ForceSet><objects/></ForceSet>",
 ];
 
-fn document(version: u32, sets: &str) -> String {
+fn document_with_sets(version: u32, sets: &str) -> String {
     format!(
         "<?xml version=\"1.0\"?>\n<OpenSimDocument Version=\"{version}\">\n\t<Model name=\"leg\">\n\t\t<BodySet>\n\t\t\t<objects>\n\
          \t\t\t\t<Body name=\"foot_r\">\n\t\t\t\t\t<mass>1</mass>\n\t\t\t\t</Body>\n\t\t\t</objects>\n\t\t</BodySet>{sets}\n\t</Model>\n\
@@ -29,7 +29,7 @@ fn document(version: u32, sets: &str) -> String {
     )
 }
 
-fn layout(kind: ForceKind) -> ContactLayout {
+fn layout_of_kind(kind: ForceKind) -> ContactLayout {
     let mut layout = ContactLayout::default();
     for (name, x) in [("heel", 0.0), ("toe", 0.2)] {
         let mut contact = NewContact::new(kind, format!("force_{name}"), name);
@@ -48,13 +48,13 @@ fn what_is_added_is_read_as_it_was_wanted() {
     for version in [20302, 30000, 30505, 40000] {
         for kind in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
             for sets in SETS {
-                let model = Model::parse(document(version, sets)).unwrap();
-                let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
+                let model = Model::parse(document_with_sets(version, sets)).unwrap();
+                let rebuilt = add_contacts(&model, &mut layout_of_kind(kind)).unwrap();
                 let built = rebuilt.model();
                 assert_eq!(built.forces().len(), 2, "{version} {sets}");
                 let selected = Selection::default().apply(built).unwrap();
                 let read = ContactLayout::of(built, &selected).unwrap();
-                let wanted = layout(kind);
+                let wanted = layout_of_kind(kind);
                 assert_eq!(read.floor, "floor");
                 for (read, wanted) in read.contacts.iter().zip(&wanted.contacts) {
                     let own = |contact: &NewContact| {
@@ -92,10 +92,10 @@ fn defaults_do_not_change_what_is_added() {
                  </ContactSphere></defaults>",
                 kind.as_str()
             );
-            let text =
-                document(version, "").replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{text}"));
+            let text = document_with_sets(version, "")
+                .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{text}"));
             let model = Model::parse(text).unwrap();
-            let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
+            let rebuilt = add_contacts(&model, &mut layout_of_kind(kind)).unwrap();
             for force in rebuilt.model().forces() {
                 let own = |property| force.checked(osim_model::SetId::FIRST, property).unwrap();
                 assert!(force.applies, "{version} {off}");
@@ -113,9 +113,9 @@ fn defaults_do_not_change_what_is_added() {
 #[test]
 fn what_was_added_goes_without_a_trace() {
     for sets in SETS {
-        let text = document(40000, sets);
+        let text = document_with_sets(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
-        let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
+        let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
         let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
         let added = plan.patched(&model, FileId::MAIN).unwrap();
         let with = Model::parse(added.clone()).unwrap();
@@ -132,9 +132,9 @@ fn a_part_can_go_first_and_then_the_rest() {
         .into_iter()
         .flat_map(|sets| [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley].map(|kind| (sets, kind)))
     {
-        let text = document(40000, sets);
+        let text = document_with_sets(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
-        let rebuilt = add_contacts(&model, &mut layout(kind)).unwrap();
+        let rebuilt = add_contacts(&model, &mut layout_of_kind(kind)).unwrap();
         let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
         let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
         let made = with.note.clone().unwrap().added_to_file;
@@ -163,21 +163,21 @@ fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
 
 #[test]
 fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
-    let model = Model::parse(document(40000, "")).unwrap();
-    let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
+    let model = Model::parse(document_with_sets(40000, "")).unwrap();
+    let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
     let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let edited = Model::parse(with.replacen("<stiffness>1000000<", "<stiffness>1100000<", 1)).unwrap();
     let half = Model::parse(after_removal(&edited, &["force_toe"])).unwrap();
     assert_eq!(half.doubt_about_note(), Some(osim_model::NoteDoubt::ValuesChanged));
-    assert_eq!(String::from_utf8_lossy(&after_removal(&half, &[])), document(40000, ""));
+    assert_eq!(String::from_utf8_lossy(&after_removal(&half, &[])), document_with_sets(40000, ""));
 }
 
 /// A floor that was made goes once: what is in its place later is somebody else's.
 #[test]
 fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
-    let model = Model::parse(document(40000, "")).unwrap();
-    let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
+    let model = Model::parse(document_with_sets(40000, "")).unwrap();
+    let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
     let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let floor = with.split_once("<ContactHalfSpace").unwrap().1.split_once("</ContactHalfSpace>").unwrap().0;
@@ -209,10 +209,11 @@ fn an_old_note_is_there_again() {
         format!("<credits>A;\n {}\n</credits>", OLD.replace(' ', "\n\t")),
     ] {
         for sets in SETS {
-            let text = document(40000, sets)
+            let text = document_with_sets(40000, sets)
                 .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{credits}"));
             let model = Model::parse(text.clone()).unwrap();
-            let rebuilt = add_contacts(&model, &mut layout(ForceKind::SmoothSphereHalfSpace)).unwrap();
+            let rebuilt =
+                add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
             let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
             let with = Model::parse(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
             assert_eq!(
@@ -242,10 +243,10 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
         "<defaults><HuntCrossleyForce name=\"default\">{parameters}</HuntCrossleyForce><SmoothSphereHalfSpaceForce>\
          <socket_sphere>/contactgeometryset/heel</socket_sphere></SmoothSphereHalfSpaceForce></defaults>"
     );
-    let text =
-        document(40000, "").replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{defaults}"));
+    let text = document_with_sets(40000, "")
+        .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{defaults}"));
     let model = Model::parse(text.clone()).unwrap();
-    let rebuilt = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
+    let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::HuntCrossley)).unwrap();
     let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
     let with = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     assert_eq!(String::from_utf8_lossy(&after_removal(&Model::parse(with.clone()).unwrap(), &[])), text);
@@ -266,8 +267,8 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
 fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
     let other =
         "<defaults><ElasticFoundationForce><geometry>heel</geometry></ElasticFoundationForce></defaults>";
-    let model = Model::parse(document(40000, "")).unwrap();
-    let added = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
+    let model = Model::parse(document_with_sets(40000, "")).unwrap();
+    let added = add_contacts(&model, &mut layout_of_kind(ForceKind::HuntCrossley)).unwrap();
     let text = String::from_utf8(added.model().document().bytes().to_vec()).unwrap();
     let model =
         Model::parse(text.replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{other}"))).unwrap();
@@ -282,9 +283,9 @@ fn new_objects_have_names_that_nothing_uses() {
                  name=\"contact_parameters\"><objects><ElasticFoundationForce::ContactParameters><geometry>heel</geometry>\
                  </ElasticFoundationForce::ContactParameters></objects></ElasticFoundationForce::ContactParametersSet>\
                  </ElasticFoundationForce></objects></ForceSet>";
-    let text = document(40000, other);
+    let text = document_with_sets(40000, other);
     let model = Model::parse(text.clone()).unwrap();
-    let added = add_contacts(&model, &mut layout(ForceKind::HuntCrossley)).unwrap();
+    let added = add_contacts(&model, &mut layout_of_kind(ForceKind::HuntCrossley)).unwrap();
     let names: Vec<&str> = added.model().spheres().iter().map(|sphere| sphere.name.as_str()).collect();
     assert_eq!(names, ["heel_2", "toe"]);
     let plan = osim_patch::note(added.model(), 62.0, Some(9.81), None).unwrap().attach_to(added);

@@ -16,7 +16,7 @@ fn a_mass_that_is_missing_is_asked_for() {
 }
 
 /// Why a bad fixture is refused; `None` where it is not.
-fn refusal(name: &str) -> Option<Fault> {
+fn fault_of_bad_fixture(name: &str) -> Option<Fault> {
     given_fixture(name).rescaled_to(1234.5).result.err()
 }
 
@@ -33,7 +33,7 @@ fn every_bad_fixture_is_refused_or_listed_here() {
         "bad/nul_byte.osim",
     ];
     let mut accepted: Vec<String> =
-        fixtures("bad").into_iter().filter(|name| refusal(name).is_none()).collect();
+        fixtures("bad").into_iter().filter(|name| fault_of_bad_fixture(name).is_none()).collect();
     accepted.retain(|name| !harmless.contains(&name.as_str()));
     assert!(accepted.is_empty(), "rescaled without a word: {accepted:?}");
 }
@@ -52,7 +52,8 @@ fn a_refused_number_is_pointed_at() {
     ] {
         let name = format!("bad/{file}.osim");
         let bytes = fixture(&name);
-        let fault = refusal(&name).unwrap_or_else(|| panic!("{name} is not refused")).located(&bytes);
+        let fault =
+            fault_of_bad_fixture(&name).unwrap_or_else(|| panic!("{name} is not refused")).located(&bytes);
         assert_eq!(fault.code(), code, "{name}: {fault}");
         assert!(fault.to_string().contains(text), "{name}: {fault}");
         let line = fault.position.unwrap_or_else(|| panic!("{name}: no place")).line;

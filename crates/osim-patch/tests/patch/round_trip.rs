@@ -12,7 +12,7 @@ use osim_patch::{Edit, Plan, Rescale, rescale, splice};
 use proptest::prelude::*;
 
 /// Bytes of all files in `fixtures/`.
-fn seeds() -> &'static [Vec<u8>] {
+fn bytes_of_fixtures() -> &'static [Vec<u8>] {
     static SEEDS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
     SEEDS.get_or_init(|| {
         let names = fixtures("format").into_iter().chain(fixtures("bad"));
@@ -57,7 +57,7 @@ const SHARDS: [&str; 24] = [
     "e6",
 ];
 
-fn spoil() -> impl Strategy<Value = Spoil> {
+fn any_damage() -> impl Strategy<Value = Spoil> {
     let at = 0..1_000_000_usize;
     prop_oneof![
         4 => (at.clone(), any::<u8>()).prop_map(|(at, byte)| Spoil::Replace(at, byte)),
@@ -68,8 +68,8 @@ fn spoil() -> impl Strategy<Value = Spoil> {
     ]
 }
 
-fn spoiled(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
-    let seeds = seeds();
+fn damaged_bytes(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
+    let seeds = bytes_of_fixtures();
     let mut bytes = seeds[seed % seeds.len()].clone();
     for spoil in spoils {
         let place = |at: usize| at % (bytes.len() + 1);
@@ -101,7 +101,7 @@ fn spoiled(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
 }
 
 /// Plans a rescaling by `factor`; `None` where the model is refused.
-fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
+fn plan_of_rescaling(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
     let selected = Selection::default().apply(model).ok()?;
     let (contacts_mass, _) = MassRequest::default().contacts_mass(model).ok()?;
     let mut wanted = Rescale::new(contacts_mass.kg * factor, contacts_mass);
@@ -111,7 +111,7 @@ fn planned(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
 }
 
 /// Pieces tile the file: the first starts at 0, each ends where the next starts, the last ends with the file.
-fn tiles(document: &Document) {
+fn assert_pieces_tile(document: &Document) {
     let tree = document.tree();
     let mut at = 0;
     for piece in tree.pieces() {
@@ -140,7 +140,7 @@ fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
 }
 
 /// The value of a change in a model that was read again.
-fn value<'m>(model: &'m Model, change: &osim_patch::NumberChange) -> Option<&'m Value> {
+fn value_after_change<'m>(model: &'m Model, change: &osim_patch::NumberChange) -> Option<&'m Value> {
     if change.property == Property::Radius {
         return model.spheres().iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
     }
@@ -150,14 +150,14 @@ fn value<'m>(model: &'m Model, change: &osim_patch::NumberChange) -> Option<&'m 
 }
 
 /// The whole law on one file; `true` where it was rescaled.
-fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
+fn check_round_trip(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let Ok(document) = Document::parse(bytes) else { return false };
     assert_eq!(document.bytes(), bytes);
-    tiles(&document);
+    assert_pieces_tile(&document);
     assert_eq!(splice(bytes, &[]).unwrap(), bytes, "without edits the bytes changed");
     let Ok(model) = Model::read(document) else { return false };
     let _ = model.limbs(&model.force_ids());
-    let Some(plan) = planned(&model, factor, radius) else { return false };
+    let Some(plan) = plan_of_rescaling(&model, factor, radius) else { return false };
     let (edits, patched) =
         (plan.edits(&model, FileId::MAIN).unwrap(), plan.patched(&model, FileId::MAIN).unwrap());
     only_spans_change(bytes, &patched, &edits);
@@ -168,7 +168,7 @@ fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let model = Model::parse(patched).expect("what was written is a model");
     for change in &plan.changes {
         assert!(change.to.is_finite());
-        let value = value(&model, change).unwrap_or_else(|| panic!("{} is gone", change.path));
+        let value = value_after_change(&model, change).unwrap_or_else(|| panic!("{} is gone", change.path));
         assert_eq!(value.number.to_bits(), change.to.to_bits(), "{} of {}", change.property, change.path);
         assert!(value.span.is_some() && value.fault.is_none(), "{} of {}", change.property, change.path);
     }
@@ -178,14 +178,14 @@ fn law(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
 }
 
 #[test]
-fn every_fixture_keeps_the_law() {
+fn every_fixture_survives_a_rescaling_and_its_inverse() {
     let mut rescaled = 0;
     for name in fixtures("format").into_iter().chain(fixtures("table1")).chain(fixtures("bad")) {
         let bytes = fixture(&name);
         for radius in
             [RadiusRule::Isometric, RadiusRule::Keep, RadiusRule::Metres(0.0456), RadiusRule::Factor(0.3)]
         {
-            rescaled += usize::from(law(&bytes, 3.7, radius));
+            rescaled += usize::from(check_round_trip(&bytes, 3.7, radius));
         }
     }
     assert!(rescaled > 400, "only {rescaled} of the fixtures were rescaled");
@@ -197,11 +197,11 @@ fn there_and_back_is_the_same_to_the_last_bits() {
     for name in fixtures("table1") {
         let bytes = fixture(&name);
         let model = Model::parse(bytes).unwrap();
-        let there = planned(&model, 19.3, RadiusRule::Isometric).unwrap();
+        let there = plan_of_rescaling(&model, 19.3, RadiusRule::Isometric).unwrap();
         let patched = there.patched(&model, FileId::MAIN).unwrap();
         let model = Model::parse(patched).unwrap();
         // The note says what the contacts are made for, so 1/19.3 leads back.
-        let back = planned(&model, 1.0 / 19.3, RadiusRule::Isometric).unwrap();
+        let back = plan_of_rescaling(&model, 1.0 / 19.3, RadiusRule::Isometric).unwrap();
         assert_eq!(back.changes.len(), there.changes.len(), "{name}");
         for (change, original) in back.changes.iter().zip(&there.changes) {
             let error = (change.to - original.from).abs() / original.from;
@@ -221,21 +221,21 @@ proptest! {
     #[test]
     fn spoiled_files_keep_the_law_or_are_refused(
         seed: usize,
-        spoils in prop::collection::vec(spoil(), 1..6),
+        spoils in prop::collection::vec(any_damage(), 1..6),
         factor in 0.001..1000.0_f64,
     ) {
-        law(&spoiled(seed, &spoils), factor, RadiusRule::Isometric);
+        check_round_trip(&damaged_bytes(seed, &spoils), factor, RadiusRule::Isometric);
     }
 
     #[test]
-    fn bytes_without_sense_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
-        law(&bytes, 2.0, RadiusRule::Isometric);
+    fn reading_random_bytes_never_panics(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        check_round_trip(&bytes, 2.0, RadiusRule::Isometric);
     }
 
     #[test]
-    fn text_of_markup_never_panics(shards in prop::collection::vec(prop::sample::select(&SHARDS[..]), 0..40)) {
+    fn reading_random_markup_never_panics(shards in prop::collection::vec(prop::sample::select(&SHARDS[..]), 0..40)) {
         let text = format!("<OpenSimDocument Version='40000'><Model>{}</Model></OpenSimDocument>", shards.concat());
-        law(text.as_bytes(), 2.0, RadiusRule::Isometric);
+        check_round_trip(text.as_bytes(), 2.0, RadiusRule::Isometric);
     }
 
     #[test]

@@ -320,7 +320,7 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn refused(text: &str, line: Option<u64>, column: Option<usize>, says: &str) {
+    fn assert_refused(text: &str, line: Option<u64>, column: Option<usize>, says: &str) {
         let fault = ContactTable::read(text.as_bytes()).unwrap_err();
         assert_eq!((fault.line, fault.column), (line, column), "{fault}");
         assert!(fault.message.contains(says), "{fault}");
@@ -348,46 +348,81 @@ mod tests {
         let global_m = Some([1.0, 2.0, 3.0]);
         assert_eq!(places[0], TablePlace::Exported { global_m, local_m: None });
         assert_eq!(places[1], TablePlace::Exported { global_m, local_m: Some([0.1, 0.2, 0.3]) });
-        refused(&format!("{header}a,1,2,3,not_assigned,x,nan,nan,nan\n"), Some(2), Some(5), "is not a body");
-        refused(&format!("{header}a,1,2,3,foot,x,0.1,nan,0.3\n"), Some(2), Some(8), "'nan' is not finite");
-        refused(&format!("{header}a,nan,nan,nan,foot,x,,,\n"), Some(2), Some(7), "a has no position");
+        assert_refused(
+            &format!("{header}a,1,2,3,not_assigned,x,nan,nan,nan\n"),
+            Some(2),
+            Some(5),
+            "is not a body",
+        );
+        assert_refused(
+            &format!("{header}a,1,2,3,foot,x,0.1,nan,0.3\n"),
+            Some(2),
+            Some(8),
+            "'nan' is not finite",
+        );
+        assert_refused(&format!("{header}a,nan,nan,nan,foot,x,,,\n"), Some(2), Some(7), "a has no position");
     }
 
     #[test]
     fn a_fault_names_its_line_and_column() {
-        refused("name,body,x,y\na,foot,1,2\n", Some(1), Some(1), "no column 'z'");
-        refused("name,body,x,y,z,radus\na,foot,1,2,3,4\n", Some(1), Some(6), "'radus' is not known");
-        refused("name,body,x,y,z,radius [mm]\na,foot,1,2,3,4\n", Some(1), Some(6), "not in metres");
-        refused("name,body,x,X,y,z\na,foot,1,1,2,3\n", Some(1), Some(4), "say the same");
-        refused(
+        assert_refused("name,body,x,y\na,foot,1,2\n", Some(1), Some(1), "no column 'z'");
+        assert_refused("name,body,x,y,z,radus\na,foot,1,2,3,4\n", Some(1), Some(6), "'radus' is not known");
+        assert_refused("name,body,x,y,z,radius [mm]\na,foot,1,2,3,4\n", Some(1), Some(6), "not in metres");
+        assert_refused("name,body,x,X,y,z\na,foot,1,1,2,3\n", Some(1), Some(4), "say the same");
+        assert_refused(
             "name,body,x,y,z,pos_x_in_local,pos_y_in_local,pos_z_in_local\n",
             Some(1),
             Some(6),
             "leave one kind out",
         );
-        refused("name,body,x,y,z\na,foot,1,O,3\n", Some(2), Some(4), "column 'y': 'O' is not a number");
-        refused("name,body,x,y,z,radius\na,foot,1,2,3,0\n", Some(2), Some(6), "expected metres above 0");
-        refused("name,body,x,y,z,radius\na,foot,1,2,3,\n", Some(2), Some(6), "the cell is empty, expected");
-        refused("name,body,x,y,z\na,,1,2,3\n", Some(2), Some(2), "the cell is empty: name the body");
-        refused("name,body,x,y,z\nleft heel,foot,1,2,3\n", Some(2), Some(1), "with which OpenSim refuses");
+        assert_refused(
+            "name,body,x,y,z\na,foot,1,O,3\n",
+            Some(2),
+            Some(4),
+            "column 'y': 'O' is not a number",
+        );
+        assert_refused(
+            "name,body,x,y,z,radius\na,foot,1,2,3,0\n",
+            Some(2),
+            Some(6),
+            "expected metres above 0",
+        );
+        assert_refused(
+            "name,body,x,y,z,radius\na,foot,1,2,3,\n",
+            Some(2),
+            Some(6),
+            "the cell is empty, expected",
+        );
+        assert_refused("name,body,x,y,z\na,,1,2,3\n", Some(2), Some(2), "the cell is empty: name the body");
+        assert_refused(
+            "name,body,x,y,z\nleft heel,foot,1,2,3\n",
+            Some(2),
+            Some(1),
+            "with which OpenSim refuses",
+        );
         for name in [".", ".."] {
             let table = format!("name,body,x,y,z\n{name},foot,1,2,3\n");
-            refused(&table, Some(2), Some(1), "is a step in OpenSim's paths");
+            assert_refused(&table, Some(2), Some(1), "is a step in OpenSim's paths");
         }
         // ESC, an override of direction, a no-break space, and a letter that is not there.
         for (letter, number) in
             [('\u{1b}', "U+001B"), ('\u{202e}', "U+202E"), ('\u{a0}', "U+00A0"), ('\u{200b}', "U+200B")]
         {
-            refused(&format!("name,body,x,y,z\nheel{letter}r,foot,1,2,3\n"), Some(2), Some(1), number);
+            assert_refused(&format!("name,body,x,y,z\nheel{letter}r,foot,1,2,3\n"), Some(2), Some(1), number);
         }
         for number in ["1e308", "-1.1e9"] {
             let table = format!("name,body,x,y,z,radius\na,foot,1,{number},3,0.1\n");
-            refused(&table, Some(2), Some(4), "is beyond 1e9, expected metres");
+            assert_refused(&table, Some(2), Some(4), "is beyond 1e9, expected metres");
         }
-        refused("name,body,x,y,z,radius\na,foot,1,2,3,2e9\n", Some(2), Some(6), "is beyond 1e9");
-        refused("name,body,x,y,z\na,foot,1,2,3\na,foot,1,2,4\n", Some(3), Some(1), "in line 2 already");
-        refused("name,body,x,y,z\n", None, None, "no rows");
-        refused("name,body,x,y,z\n,,,,\n,,,,\n", None, None, "no rows");
-        refused("name,body,x,y,z\na,foot,1,2\n", None, None, "line 2: 4 cells");
+        assert_refused("name,body,x,y,z,radius\na,foot,1,2,3,2e9\n", Some(2), Some(6), "is beyond 1e9");
+        assert_refused(
+            "name,body,x,y,z\na,foot,1,2,3\na,foot,1,2,4\n",
+            Some(3),
+            Some(1),
+            "in line 2 already",
+        );
+        assert_refused("name,body,x,y,z\n", None, None, "no rows");
+        assert_refused("name,body,x,y,z\n,,,,\n,,,,\n", None, None, "no rows");
+        assert_refused("name,body,x,y,z\na,foot,1,2\n", None, None, "line 2: 4 cells");
     }
 }

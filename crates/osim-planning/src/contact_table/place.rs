@@ -87,7 +87,7 @@ mod tests {
     use super::*;
 
     /// `foot` hangs 1 m above ground, turned by a quarter about z: its x points up. `bone` is where ground is.
-    fn pose() -> DefaultPose {
+    fn pose_of_foot_and_bone() -> DefaultPose {
         let joint = |body: &str, place: &str, turn: &str| {
             format!(
                 "<WeldJoint name=\"{body}_j\"><socket_parent_frame>at</socket_parent_frame>\
@@ -105,7 +105,7 @@ mod tests {
         DefaultPose::of(&Model::parse(text).unwrap())
     }
 
-    fn place(global: Option<[f64; 3]>, local: Option<[f64; 3]>) -> TablePlace {
+    fn place_in_table(global: Option<[f64; 3]>, local: Option<[f64; 3]>) -> TablePlace {
         TablePlace::Exported { global_m: global, local_m: local }
     }
 
@@ -118,30 +118,30 @@ mod tests {
 
     #[test]
     fn a_body_in_ground_has_global_places_and_another_one_local_ones() {
-        let pose = pose();
+        let pose = pose_of_foot_and_bone();
         let point = Some([0.1, 0.2, 0.3]);
-        is_at(place(point, None).on_body("bone", || &pose, false), [0.1, 0.2, 0.3], false);
+        is_at(place_in_table(point, None).on_body("bone", || &pose, false), [0.1, 0.2, 0.3], false);
         // x of the foot is y of ground, y is -x, and its origin is 1 m up.
         let seen = Some([-0.2, 1.1, 0.3]);
-        is_at(place(seen, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
-        is_at(place(seen, None).on_body("foot", || &pose, true), [0.1, 0.2, 0.3], true);
-        is_at(place(None, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
+        is_at(place_in_table(seen, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
+        is_at(place_in_table(seen, None).on_body("foot", || &pose, true), [0.1, 0.2, 0.3], true);
+        is_at(place_in_table(None, point).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
         is_at(TablePlace::OfBody([0.1, 0.2, 0.3]).on_body("foot", || &pose, false), [0.1, 0.2, 0.3], false);
     }
 
     #[test]
     fn places_that_differ_or_are_global_alone_are_refused() {
-        let pose = pose();
+        let pose = pose_of_foot_and_bone();
         let point = Some([0.1, 0.2, 0.3]);
-        assert_eq!(place(point, None).on_body("foot", || &pose, false), Err(PlaceFault::OnlyGlobal));
+        assert_eq!(place_in_table(point, None).on_body("foot", || &pose, false), Err(PlaceFault::OnlyGlobal));
         for (body, global) in [("foot", [-0.2, 1.1, 0.302]), ("bone", [0.1, 0.2, 0.302])] {
-            let fault = place(Some(global), point).on_body(body, || &pose, true).unwrap_err();
+            let fault = place_in_table(Some(global), point).on_body(body, || &pose, true).unwrap_err();
             assert!(
                 matches!(fault, PlaceFault::Disagree(apart) if (apart - 0.002).abs() < 1e-12),
                 "{fault:?}"
             );
         }
-        let nowhere = place(point, None).on_body("hand", || &pose, true);
+        let nowhere = place_in_table(point, None).on_body("hand", || &pose, true);
         assert!(matches!(nowhere, Err(PlaceFault::Pose(_))), "{nowhere:?}");
     }
 }

@@ -23,7 +23,7 @@ pub(crate) fn remarks_on_parts_of_feet(model: &Model, soles: &[Sole]) -> Vec<Phr
         feet.spheres_on_one_side_only(),
         feet.bodies_without_spheres(),
         feet.rigid_joints(),
-        feet.feet_of_one_body(),
+        feet.single_body_feet(),
     ]
     .into_iter()
     .flatten()
@@ -91,8 +91,8 @@ impl<'f> FeetWithSpheres<'f> {
         })
     }
 
-    /// A remark that names feet which are one body.
-    fn feet_of_one_body(&self) -> Option<Phrase> {
+    /// A remark that names the feet which consist of a single body.
+    fn single_body_feet(&self) -> Option<Phrase> {
         let single = self.soles.iter().filter_map(|sole| match sole.bodies.as_slice() {
             [only] => Some(only.as_str()),
             _ => None,

@@ -136,13 +136,13 @@ pub(super) fn is_part_name(text: &str) -> bool {
 mod tests {
     use super::*;
 
-    fn axis(text: &str) -> Axis {
+    fn parsed_axis(text: &str) -> Axis {
         text.parse().unwrap()
     }
 
     #[test]
     fn the_ends_of_every_axis_are_among_its_points() {
-        let axes = [axis("stiffness=3,1,2"), axis("dissipation=0.5,4,1")];
+        let axes = [parsed_axis("stiffness=3,1,2"), parsed_axis("dissipation=0.5,4,1")];
         let ends: Vec<String> =
             points_at_ends(&axes).into_iter().map(|index| point_at(&axes, index).to_string()).collect();
         for wanted in ["stiffness=1", "stiffness=3", "dissipation=0.5", "dissipation=4"] {
@@ -152,7 +152,7 @@ mod tests {
 
     #[test]
     fn points_along_an_axis_have_each_of_its_numbers() {
-        let axes = [axis("target_mass=3,1,2"), axis("dissipation=0.5,4")];
+        let axes = [parsed_axis("target_mass=3,1,2"), parsed_axis("dissipation=0.5,4")];
         let name = axes[0].name;
         let points: Vec<String> = points_along(&axes, name)
             .into_iter()
@@ -169,21 +169,21 @@ mod tests {
     }
 
     #[test]
-    fn a_grid_is_every_combination() {
-        let axes = [axis("stiffness=x0.1,x1"), axis("dissipation=0.5,1,2")];
+    fn a_grid_has_every_combination_of_its_values() {
+        let axes = [parsed_axis("stiffness=x0.1,x1"), parsed_axis("dissipation=0.5,1,2")];
         let names: Vec<String> = (0..6).map(|index| point_at(&axes, index).file_part()).collect();
         assert_eq!(names[0], "stiffness-x0.1_dissipation-0.5");
         assert_eq!(names[5], "stiffness-x1_dissipation-2");
         assert_eq!(point_at(&axes, 1).to_string(), "stiffness=x0.1 dissipation=1");
     }
 
-    fn request(point: Option<usize>, shard: Option<&str>) -> SweepRequest {
+    fn sweep_request(point: Option<usize>, shard: Option<&str>) -> SweepRequest {
         SweepRequest { point, shard: shard.map(|text| text.parse().unwrap()), ..SweepRequest::default() }
     }
 
     #[test]
-    fn parts_together_are_the_whole() {
-        let of = |point, shard| indices_of_call(&request(point, shard), 5).collect::<Vec<_>>();
+    fn parts_of_a_sweep_together_make_every_variant() {
+        let of = |point, shard| indices_of_call(&sweep_request(point, shard), 5).collect::<Vec<_>>();
         assert_eq!(of(None, None), [0, 1, 2, 3, 4]);
         assert_eq!((1..=5).flat_map(|point| of(Some(point), None)).collect::<Vec<_>>(), [0, 1, 2, 3, 4]);
         assert_eq!([of(None, Some("1/2")), of(None, Some("2/2"))].concat(), [0, 2, 4, 1, 3]);
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn points_are_counted_from_1() {
         for (point, is_there) in [(0, false), (1, true), (5, true), (6, false)] {
-            assert_eq!(check_point_exists(&request(Some(point), None), 5).is_ok(), is_there, "{point}");
+            assert_eq!(check_point_exists(&sweep_request(Some(point), None), 5).is_ok(), is_there, "{point}");
         }
     }
 
@@ -201,7 +201,7 @@ mod tests {
         for (point, shard, expected) in
             [(Some(7), None, Some("point-7")), (None, Some("2/8"), Some("shard-2-of-8")), (None, None, None)]
         {
-            let name = part_name(&request(point, shard));
+            let name = part_name(&sweep_request(point, shard));
             assert_eq!(name.as_deref(), expected);
             assert!(name.is_none_or(|name| is_part_name(&name)));
         }

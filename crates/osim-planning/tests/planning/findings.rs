@@ -337,7 +337,7 @@ fn a_result_reaches_the_severity_of_its_worst_finding() {
 }
 
 #[test]
-fn counts_are_told_in_words() {
+fn messages_of_findings_count_in_words() {
     let mut counts = check_foot(&[SOLE]).counts;
     counts.error = 1;
     assert_eq!(counts.describe("-"), "1 error");

@@ -151,7 +151,7 @@ fn smaller_left_foot() -> String {
     format!("{right}{}", left.replace("0.913924 0.913924 0.913924", &small))
 }
 
-fn differing(text: &str) -> Vec<String> {
+fn differing_sides(text: &str) -> Vec<String> {
     let found = check_text(text).findings;
     let differ = found.iter().filter(|found| found.code() == FindingCode::LeftRightDiffer);
     differ.inspect(|found| assert_eq!(found.remedy, None)).map(|found| found.message.to_string()).collect()
@@ -161,7 +161,7 @@ fn differing(text: &str) -> Vec<String> {
 fn contacts_that_follow_bones_of_unlike_size_do_not_differ() {
     let text = smaller_left_foot();
     assert!(text.contains("<radius>0.032<") && text.contains("<radius>0.0311"));
-    assert_eq!(differing(&text), Vec::<String>::new());
+    assert_eq!(differing_sides(&text), Vec::<String>::new());
     // On equal bones the same numbers differ, as little as in published models.
     let equal = include_str!("../../../../fixtures/check/known_contacts.osim");
     let (_, feet) = equal.split_at(equal.find("<Body name=\"calcn_l\">").unwrap());
@@ -182,12 +182,15 @@ fn a_remedy_leaves_radii_on_bones_of_unlike_size() {
     let start = text.rfind("<radius>0.0311").unwrap();
     let end = start + text[start..].find("</radius>").unwrap();
     let wrong = format!("{}<radius>0.02{}", &text[..start], &text[end..]);
-    assert!(differing(&wrong)[0].contains("radius is 0.02 m for s6_l and 0.032 m for s6_r"), "one radius");
+    assert!(
+        differing_sides(&wrong)[0].contains("radius is 0.02 m for s6_l and 0.032 m for s6_r"),
+        "one radius"
+    );
     // A modulus that stays as it is, as in published models, and one that does neither.
     let start = text.rfind("<stiffness>").unwrap();
     let end = start + text[start..].find("</stiffness>").unwrap();
     let modulus = |modulus: f64| format!("{}<stiffness>{modulus}{}", &text[..start], &text[end..]);
-    assert_eq!(differing(&modulus(1e6)), Vec::<String>::new());
-    let found = differing(&modulus(1.3e6));
+    assert_eq!(differing_sides(&modulus(1e6)), Vec::<String>::new());
+    let found = differing_sides(&modulus(1.3e6));
     assert!(found.len() == 1 && found[0].contains("stiffness is 1300000 and 1000000"), "{found:?}");
 }

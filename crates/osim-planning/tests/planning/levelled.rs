@@ -42,20 +42,20 @@ fn inspected(text: &str) -> Inspection {
 }
 
 /// The heights of the bottoms of one side over the floor, m.
-fn heights(text: &str, side: &str) -> Vec<f64> {
+fn heights_of_bottoms(text: &str, side: &str) -> Vec<f64> {
     let bodies = inspected(text).standing;
     let bottoms = bodies.iter().flat_map(|body| &body.bottoms).filter(|bottom| bottom.sphere.ends_with(side));
     bottoms.map(|bottom| bottom.height_m).collect()
 }
 
-fn lowest(text: &str) -> f64 {
-    heights(text, "_r").into_iter().fold(f64::INFINITY, f64::min)
+fn lowest_bottom(text: &str) -> f64 {
+    heights_of_bottoms(text, "_r").into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the bottoms of each foot are at one height.
 fn is_level(text: &str) -> bool {
     ["_r", "_l"].into_iter().all(|side| {
-        let heights = heights(text, side);
+        let heights = heights_of_bottoms(text, side);
         assert!(heights.len() > 1, "{heights:?}");
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
         heights.iter().all(|height| height - lowest < 1e-9)
@@ -63,7 +63,7 @@ fn is_level(text: &str) -> bool {
 }
 
 /// Remarks of a change on bottoms that it moves.
-fn moved(text: &str, fields: &Value) -> Vec<String> {
+fn remarks_on_moved_bottoms(text: &str, fields: &Value) -> Vec<String> {
     let (_, plan) = planned(text, fields).unwrap();
     let own = plan.findings.iter().filter(|finding| finding.code() == FindingCode::BottomsMoved);
     own.map(|finding| finding.message.to_string()).collect()
@@ -80,7 +80,7 @@ fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
     assert_eq!((found.counts.error, found.counts.warning, found.steps.len()), (0, 0, 0));
     assert!(!has(&found, FindingCode::UnlevelFoot));
     // The lowest stays where it was.
-    assert!((lowest(&after) - lowest(UNEVEN)).abs() < 1e-12);
+    assert!((lowest_bottom(&after) - lowest_bottom(UNEVEN)).abs() < 1e-12);
     // Once more it changes nothing.
     assert!(planned(&after, &json!({"verb": "set", "level": true})).unwrap().1.is_empty());
 }
@@ -98,7 +98,7 @@ fn feet_are_level_with_the_radii_that_they_get() {
     // A radius that grows makes its own bottom the lowest.
     let all = changed(UNEVEN, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
     assert!(is_level(&all));
-    assert!((lowest(&all) - (lowest(UNEVEN) - 0.032)).abs() < 1e-12);
+    assert!((lowest_bottom(&all) - (lowest_bottom(UNEVEN) - 0.032)).abs() < 1e-12);
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn added_spheres_are_level_where_that_is_asked() {
 #[test]
 fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
     // 2.5 mm and 32.5 mm more.
-    let said = moved(HEEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
+    let said = remarks_on_moved_bottoms(HEEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
     let [said] = said.as_slice() else { panic!("{said:?}") };
     assert!(
         said.starts_with("the default pose was 2.5 mm inside the floor and is 35 mm inside the floor now; "),
@@ -165,18 +165,18 @@ fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
     );
     assert!(said.ends_with(" puts it on its feet"), "{said}");
     // Bottoms that stay, and little that moves.
-    assert!(moved(HEEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty());
+    assert!(remarks_on_moved_bottoms(HEEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty());
     let body =
         json!({"verb": "rescale", "target_mass": 61.5, "contacts_mass": 7.6875, "radius": "isometric"});
-    assert_eq!(moved(HEEL, &body).len(), 1);
+    assert_eq!(remarks_on_moved_bottoms(HEEL, &body).len(), 1);
     let mut level = body.clone();
     level["level"] = json!(true);
-    assert!(moved(HEEL, &level).is_empty());
+    assert!(remarks_on_moved_bottoms(HEEL, &level).is_empty());
 }
 
 #[test]
 fn a_body_that_is_still_to_be_scaled_is_not_judged_by_its_pose() {
-    assert!(moved(HEEL, &json!({"verb": "rescale", "target_mass": 492.0})).is_empty());
+    assert!(remarks_on_moved_bottoms(HEEL, &json!({"verb": "rescale", "target_mass": 492.0})).is_empty());
 }
 
 #[test]
@@ -185,7 +185,7 @@ fn a_model_that_did_not_stand_does_not_lose_its_stand() {
         let text =
             HEEL.replace("<location>0 -0.05 0</location>", &format!("<location>0 {height} 0</location>"));
         assert_ne!(text, HEEL);
-        assert!(moved(&text, &json!({"verb": "set", "set": {"radius": "x2"}})).is_empty());
+        assert!(remarks_on_moved_bottoms(&text, &json!({"verb": "set", "set": {"radius": "x2"}})).is_empty());
     }
 }
 
@@ -193,11 +193,14 @@ fn a_model_that_did_not_stand_does_not_lose_its_stand() {
 fn a_change_that_makes_a_foot_uneven_says_so() {
     let level = changed(UNEVEN, &json!({"verb": "set", "level": true, "no_note": true}));
     // R = 0.032 becomes 0.0416: 9.6 mm, 0.231 of the largest radius.
-    let said = moved(&level, &json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*1_r"]}));
+    let said = remarks_on_moved_bottoms(
+        &level,
+        &json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*1_r"]}),
+    );
     let [said] = said.as_slice() else { panic!("{said:?}") };
     let expected = "the bottoms of calcn_r differed by 0 mm at the default pose and differ by 9.6 mm now, 0.231 R, from s1_r to s";
     assert!(said.starts_with(expected), "{said}");
     // Level again, with that radius.
     let again = json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*_r"], "level": true});
-    assert!(moved(&level, &again).iter().all(|said| !said.contains("differed")));
+    assert!(remarks_on_moved_bottoms(&level, &again).iter().all(|said| !said.contains("differed")));
 }

@@ -14,18 +14,18 @@ const HORSE: &str = include_str!("../../../../fixtures/table1/horse_smooth_spher
 const NAME: &str = "horse.osim";
 
 /// The horse with its stiffness times `factor`.
-fn horse(factor: f64) -> String {
+fn horse_with_stiffness(factor: f64) -> String {
     HORSE.replace("24003440.860215053", &(24_003_440.860_215_053 * factor).to_string())
 }
 
-fn trot() -> InspectOptions {
+fn options_of_trot() -> InspectOptions {
     InspectOptions { stance: Stance { limbs: Some(2.0), ..Stance::default() }, ..InspectOptions::default() }
 }
 
 #[test]
 fn a_horse_gets_published_contacts_for_two_stance_limbs() {
     // By (3) x̂ follows E*^(-2/3): a twentieth makes 0.5608 to 4.132, and 2^(-2/3) of that is 2.603.
-    let found = check_with(NAME, &horse(0.05), &InspectOptions::default());
+    let found = check_with(NAME, &horse_with_stiffness(0.05), &InspectOptions::default());
     let said = message(&found, FindingCode::SunkIn);
     assert!(
         said.starts_with("too soft: at body weight on one limb spheres sink 4.132 R into the floor"),
@@ -40,7 +40,7 @@ fn a_horse_gets_published_contacts_for_two_stance_limbs() {
 
 #[test]
 fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
-    let text = horse(0.05);
+    let text = horse_with_stiffness(0.05);
     let found = check_with(NAME, &text, &InspectOptions::default());
     let files = InMemory::from_iter([(NAME, text.as_str())]);
     let Some(remedy @ Request::Transfer(_)) = find(&found, FindingCode::SunkIn).remedy.clone() else {
@@ -50,13 +50,13 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     let opened = change.open(NAME.as_ref(), &files).unwrap();
     let plan = change.plan(&opened, &files).unwrap();
     let text = String::from_utf8(plan.patched(&opened.model, FileId::MAIN).unwrap()).unwrap();
-    for options in [InspectOptions::default(), trot()] {
+    for options in [InspectOptions::default(), options_of_trot()] {
         let found = check_with(NAME, &text, &options);
         assert!(!has(&found, FindingCode::SunkIn));
         assert_eq!((found.counts.error, found.counts.warning), (0, 0));
     }
     // The verdict has the note's story.
-    let found = check_with(NAME, &text, &trot());
+    let found = check_with(NAME, &text, &options_of_trot());
     let on_mass = found.verdicts.iter().find(|verdict| verdict.on == VerdictOn::Mass).unwrap();
     let said = on_mass.text.to_string();
     assert!(
@@ -67,13 +67,13 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
     let model = Model::parse(text.clone()).unwrap();
     assert_eq!(InspectOptions::default().inspect(NAME, &model, None).stance_limbs, 2.0);
     // Falisse et al. (2022) have x̂ = 0.353 on one human limb, and so has the horse on two.
-    let said = message(&check_with(NAME, &text, &trot()), FindingCode::BeyondHertz);
+    let said = message(&check_with(NAME, &text, &options_of_trot()), FindingCode::BeyondHertz);
     assert!(said.contains("x/R is 0.353"), "{said}");
 }
 
 #[test]
 fn scaling_by_mass_alone_would_leave_the_horse_wrong() {
-    let files = InMemory::from_iter([(NAME, horse(0.05))]);
+    let files = InMemory::from_iter([(NAME, horse_with_stiffness(0.05))]);
     let request = json!({"verb": "rescale", "models": [NAME], "target_mass": 545, "contacts_mass": 62, "yes": ["wrong-afterwards"]});
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), &files).unwrap();
     let opened = change.open(NAME.as_ref(), &files).unwrap();
@@ -87,11 +87,11 @@ fn scaling_by_mass_alone_would_leave_the_horse_wrong() {
 #[test]
 fn a_horse_that_two_limbs_carry_is_not_told_to_change() {
     // x̂ = 0.560829 / 0.35^(2/3) = 1.12924 on one limb, 0.711375 on two.
-    let found = check_with(NAME, &horse(0.35), &InspectOptions::default());
+    let found = check_with(NAME, &horse_with_stiffness(0.35), &InspectOptions::default());
     let own = find(&found, FindingCode::SunkIn);
     assert_eq!((own.severity, own.remedy.is_none()), (Severity::Warning, true));
     let said = own.message.to_string();
     assert!(said.ends_with("; on 2 of its 4 limbs it is 0.7114 R"), "{said}");
     assert!(own.advice.to_string().contains("Nothing, if at least two of its 4 limbs always carry it"));
-    assert!(!has(&check_with(NAME, &horse(0.35), &trot()), FindingCode::SunkIn));
+    assert!(!has(&check_with(NAME, &horse_with_stiffness(0.35), &options_of_trot()), FindingCode::SunkIn));
 }

@@ -98,7 +98,7 @@ fn with_note(text: &str, kg: f64) -> String {
     text.replacen("<gravity>", &format!("<credits>{}</credits>\n<gravity>", note.text()), 1)
 }
 
-fn mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
+fn mass_mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
     let model = Model::parse(text).unwrap();
     let contacts_mass = masses.contacts_mass(&model).unwrap().0;
     MassMismatch::find(&model, masses, Some(&contacts_mass))
@@ -107,7 +107,7 @@ fn mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
 #[test]
 fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
     let text = with_note(&foot(&[SOLE]), 75.5);
-    let found = mismatch(&text, &MassRequest::default()).unwrap();
+    let found = mass_mismatch(&text, &MassRequest::default()).unwrap();
     let expected = "its contacts are made for 75.5 kg (note in the file) and carry its body of 60 kg here: \
                     say `mass` 75.5, or scale the body first";
     assert_eq!(found.message().to_string(), expected);
@@ -115,18 +115,18 @@ fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
 
 #[test]
 fn masses_that_agree_or_are_said_are_no_mismatch() {
-    assert_eq!(mismatch(&foot(&[SOLE]), &MassRequest::default()), None, "without a note");
-    assert_eq!(mismatch(&with_note(&foot(&[SOLE]), 61.1), &MassRequest::default()), None, "within 2 %");
+    assert_eq!(mass_mismatch(&foot(&[SOLE]), &MassRequest::default()), None, "without a note");
+    assert_eq!(mass_mismatch(&with_note(&foot(&[SOLE]), 61.1), &MassRequest::default()), None, "within 2 %");
     let text = with_note(&foot(&[SOLE]), 75.5);
     for masses in [
         MassRequest { model_kg: Some(80.0), ..MassRequest::default() },
         MassRequest { model_kg: Some(75.5), ..MassRequest::default() },
         MassRequest { contacts_mass_kg: Some(75.5), ..MassRequest::default() },
     ] {
-        assert_eq!(mismatch(&text, &masses), None, "{masses:?}");
+        assert_eq!(mass_mismatch(&text, &masses), None, "{masses:?}");
     }
     let no_body = text.replace("<mass>60</mass>", "<mass>0</mass>");
-    assert_eq!(mismatch(&no_body, &MassRequest::default()), None, "what the model weighs is not known");
+    assert_eq!(mass_mismatch(&no_body, &MassRequest::default()), None, "what the model weighs is not known");
 }
 
 #[test]

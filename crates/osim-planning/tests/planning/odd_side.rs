@@ -7,7 +7,7 @@ use osim_model::FindingCode;
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
 /// The human with ten times the stiffness in all forces of one side, whose names end so.
-fn stiffer(end: &str) -> String {
+fn human_with_one_stiffer_side(end: &str) -> String {
     let mut parts = HUMAN.split("<SmoothSphereHalfSpaceForce name=\"");
     let first = parts.next().unwrap().to_owned();
     parts.fold(first, |text, force| {
@@ -20,7 +20,7 @@ fn stiffer(end: &str) -> String {
 #[test]
 fn the_table_of_known_contacts_shows_which_side_is_the_slip() {
     for (end, odd, known) in [("_l", "left", "right"), ("_r", "right", "left")] {
-        let found = message(&check_text(&stiffer(end)), FindingCode::LeftRightDiffer);
+        let found = message(&check_text(&human_with_one_stiffer_side(end)), FindingCode::LeftRightDiffer);
         let expected = format!(
             "; the one on the {odd} is the odd one, since the contacts on the {known} are those of Falisse et al. (2022)"
         );

@@ -161,7 +161,7 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
 }
 
 #[test]
-fn the_model_itself_is_right() {
+fn the_generic_model_itself_has_no_findings() {
     assert_eq!(codes(&check(GENERIC, Some(GENERIC))), []);
 }
 

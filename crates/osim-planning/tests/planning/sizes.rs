@@ -115,7 +115,7 @@ fn one_broken_vertex_decides_nothing() {
 }
 
 /// A table of four spheres a foot; `change` has the side and the place.
-fn table(change: impl Fn(&str, [f64; 3]) -> (String, [f64; 3])) -> String {
+fn table_of_spheres(change: impl Fn(&str, [f64; 3]) -> (String, [f64; 3])) -> String {
     let places = [[-0.02, -0.03, 0.0], [0.12, -0.03, -0.03], [0.11, -0.03, 0.04], [0.05, -0.03, 0.02]];
     let mut rows = "name,body,x,y,z,radius\n".to_owned();
     for (side, sign) in [("r", 1.0), ("l", -1.0)] {
@@ -133,11 +133,14 @@ fn what_a_table_says_is_named_in_the_model_that_it_makes() {
     let other = |side: &str| if side == "r" { "l".to_owned() } else { "r".to_owned() };
     let out = |side: &str| if side == "r" { 0.2 } else { -0.2 };
     for (rows, expected) in [
-        (table(|side, place| (own(side), place)), None),
-        (table(|side, [x, y, z]| (own(side), [x, y, z + out(side)])), Some(FindingCode::OddPlace)),
-        (table(|side, [x, y, z]| (own(side), [x, y, z - out(side)])), Some(FindingCode::OddPlace)),
-        (table(|side, place| (own(side), place.map(|value| value / 1e3))), Some(FindingCode::CrowdedSpheres)),
-        (table(|side, place| (other(side), place)), Some(FindingCode::LeftRightSwapped)),
+        (table_of_spheres(|side, place| (own(side), place)), None),
+        (table_of_spheres(|side, [x, y, z]| (own(side), [x, y, z + out(side)])), Some(FindingCode::OddPlace)),
+        (table_of_spheres(|side, [x, y, z]| (own(side), [x, y, z - out(side)])), Some(FindingCode::OddPlace)),
+        (
+            table_of_spheres(|side, place| (own(side), place.map(|value| value / 1e3))),
+            Some(FindingCode::CrowdedSpheres),
+        ),
+        (table_of_spheres(|side, place| (other(side), place)), Some(FindingCode::LeftRightSwapped)),
     ] {
         let mut files = fixtures();
         files.add("places.csv", rows.clone().into_bytes());

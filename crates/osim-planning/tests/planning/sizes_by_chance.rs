@@ -19,7 +19,7 @@ struct Sphere {
 }
 
 /// A pelvis and two feet, scaled by `factors`; the spheres stay as they are.
-fn model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere], mass: f64) -> String {
+fn scaled_model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere], mass: f64) -> String {
     let triple = |values: [f64; 3]| values.map(|value| value.to_string()).join(" ");
     let body = |(name, factors): (&str, &[f64; 3])| {
         format!(
@@ -68,7 +68,7 @@ fn model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere], mass
 }
 
 /// A factor between a third and three; some are 1.
-fn factor(random: &mut Random) -> f64 {
+fn random_factor(random: &mut Random) -> f64 {
     if random.below(5) == 0 { 1.0 } else { 3_f64.powf(2.0 * random.part() - 1.0) }
 }
 
@@ -79,9 +79,9 @@ fn spheres_follow_their_bodies() {
         let mut random = Random::of(seed);
         let mut factors = one;
         for body in &mut factors {
-            let alike = factor(&mut random);
+            let alike = random_factor(&mut random);
             let is_alike = random.below(2) == 0;
-            *body = std::array::from_fn(|_| if is_alike { alike } else { factor(&mut random) });
+            *body = std::array::from_fn(|_| if is_alike { alike } else { random_factor(&mut random) });
         }
         let hips = [0.1, -0.1].map(|side| [0.02 * random.part() + 0.01, -0.9 + 0.1 * random.part(), side]);
         let radius = 0.01 + 0.05 * random.part();
@@ -95,8 +95,8 @@ fn spheres_follow_their_bodies() {
         }
         let (old, new) = (30.0 + 50.0 * random.part(), 20.0 + 100.0 * random.part());
         let mut files = InMemory::default();
-        files.add("generic.osim", model(&one, &hips, &spheres, old).into_bytes());
-        let scaled = model(&factors, &hips, &spheres, new);
+        files.add("generic.osim", scaled_model(&one, &hips, &spheres, old).into_bytes());
+        let scaled = scaled_model(&factors, &hips, &spheres, new);
         files.add("scaled.osim", scaled.clone().into_bytes());
         let call = json!({"verb": "transfer", "models": ["scaled.osim"], "from": "generic.osim", "follow_bodies": true, "yes": ["implausible-radius"]});
         let change = prepare(Request::from_json(call.to_string().as_bytes()).unwrap(), &files);

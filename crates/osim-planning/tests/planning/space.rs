@@ -16,7 +16,7 @@ fn read(name: &str) -> Vec<u8> {
     std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn numbers(value: &Value) -> Vec<f64> {
+fn numbers_in_json(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(|one| one.as_f64().unwrap()).collect()
 }
 
@@ -44,9 +44,9 @@ fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
     let played = serde_json::to_value(PlayedRecording::of(&result, &request, &FieldNames)).unwrap();
     let bodies: Vec<&str> =
         played["bodies"].as_array().unwrap().iter().map(|body| body.as_str().unwrap()).collect();
-    let poses = numbers(&played["poses"]);
+    let poses = numbers_in_json(&played["poses"]);
     let frames = result.states.frames();
-    assert_eq!(numbers(&played["time_s"]).len(), frames);
+    assert_eq!(numbers_in_json(&played["time_s"]).len(), frames);
     assert_eq!(poses.len(), frames * bodies.len() * 12);
     for (index, pair) in result.states.pairs.iter().enumerate() {
         let body = bodies.iter().position(|name| **name == *pair.body).unwrap();
@@ -116,7 +116,7 @@ fn bones_are_on_their_bodies_and_missing_ones_are_named() {
     assert!(surfaces.iter().all(|surface| surface["triangles"].as_array().unwrap().len() == 3 * 188));
     let z = |mesh: &str| -> Vec<f64> {
         let surface = surfaces.iter().find(|surface| surface["mesh"] == mesh).unwrap();
-        numbers(&surface["points"]).chunks(3).map(|point| point[2]).collect()
+        numbers_in_json(&surface["points"]).chunks(3).map(|point| point[2]).collect()
     };
     let mirrored: Vec<f64> = z("l_human_foot.vtp").iter().map(|value| -value).collect();
     assert_eq!(z("r_human_foot.vtp"), mirrored);

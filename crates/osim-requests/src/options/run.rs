@@ -52,7 +52,6 @@ choices! {
 }
 
 impl Deny {
-    /// The severity.
     pub const fn severity(self) -> Severity {
         match self {
             Self::Warning => Severity::Warning,

@@ -170,19 +170,22 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn notes(json: &str, noted: &str) {
+    fn assert_noted(json: &str, noted: &str) {
         assert_eq!(Request::from_json(json.as_bytes()).unwrap().noted().options, noted);
     }
 
     #[test]
     fn what_decides_numbers_is_told_and_where_files_are_is_not() {
-        notes(r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#, "");
-        notes(
+        assert_noted(
+            r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#,
+            "",
+        );
+        assert_noted(
             r#"{"verb": "rescale", "models": "a.osim", "target_mass": 80, "radius": "keep", "level": true, "only": ["radius", "stiffness"],
             "output": "b.osim", "yes": ["implausible-mass"]}"#,
             "radius=keep level=true only=radius,stiffness",
         );
-        notes(
+        assert_noted(
             r#"{"verb": "transfer", "models": "a.osim", "from": "b.osim", "body_scale_file": "/home/me/my scales.xml",
             "follow_bodies": true, "stance_limbs": 2}"#,
             "follow_bodies=true body_scale_file=my_scales.xml",

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn inputs_are_fields() {
+    fn inputs_are_spelled_as_fields_of_json() {
         assert_eq!(
             spelled("`mass=KG`, `mass`, `mass=62`, `strict`, `radius=keep`"),
             r#""mass": KG, `mass`, "mass": 62, "strict": true, "radius": "keep""#
@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn calls_can_be_run() {
+    fn spelled_calls_are_valid_requests_in_json() {
         for template in [
             "`drop-test MODEL gravity=1.62 duration=3`",
             "`design MODEL indentation=0.16 body_weights=2`",

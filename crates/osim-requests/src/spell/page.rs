@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn fields_have_their_labels() {
+    fn the_page_spells_fields_with_their_labels() {
         let text =
             Phrase::template("leave radii as they are with `radius=keep`; `design MODEL indentation=0.16`");
         assert_eq!(

@@ -259,7 +259,7 @@ mod tests {
     }
 
     #[test]
-    fn inputs_are_keywords() {
+    fn inputs_are_spelled_as_keywords_of_python() {
         assert_eq!(spelled("`mass=KG`, `mass`, `mass=62`, `strict`"), "mass=KG, mass=, mass=62, strict=True");
         assert_eq!(spelled("`radius=keep`, `from=MODEL`"), "radius=\"keep\", from_=MODEL");
         assert_eq!(
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn calls_are_functions() {
+    fn calls_are_spelled_as_functions_of_python() {
         assert_eq!(spelled("`drop-test MODEL`, `inspect`"), "ocs.drop_test(\"model.osim\"), ocs.inspect()");
         assert_eq!(
             spelled("`plot MODEL output=FILE.svg kind=force`"),
@@ -278,7 +278,7 @@ mod tests {
     }
 
     #[test]
-    fn strings_are_python_s() {
+    fn strings_are_spelled_as_in_python() {
         assert_eq!(python_quoted("C:\\a \"b\"\n\u{1}é"), r#""C:\\a \"b\"\n\u0001é""#);
     }
 

@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn a_span_rises() {
+    fn a_span_has_its_start_below_its_end() {
         let span: Span = " -0.1 .. 0.5".parse().unwrap();
         assert_eq!((span.ends(), span.to_string().as_str()), ((-0.1, 0.5), "-0.1..0.5"));
         for refused in

@@ -283,7 +283,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn plain_numbers_are_taken() {
+    fn quantities_are_read_from_decimal_numbers() {
         assert_eq!("1190".parse::<Kilograms>().map(Kilograms::get), Ok(1190.0));
         assert_eq!(" 2.09e-2 ".parse::<Kilograms>().map(Kilograms::get), Ok(0.0209));
         assert_eq!(Count::new(4.0).map(Count::get), Ok(4.0));
@@ -342,7 +342,7 @@ mod tests {
 
     /// Each type with its bounds: the largest is taken, and one more is refused with both.
     #[test]
-    fn every_count_has_a_largest() {
+    fn every_count_has_a_largest_value() {
         macro_rules! bounds {
         ($($name:ident $least:literal $most:literal;)+) => {$(
             let expected = format!("expected a whole number from {} to {}", $least, $most);

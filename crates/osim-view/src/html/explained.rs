@@ -220,7 +220,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_in_brackets_become_links() {
+    fn equation_numbers_in_brackets_become_links() {
         let mut topics = Topics::default();
         let linked = topics.with_links_to_equations("stiffness k, N/m (B.2), (as found)").0;
         assert_eq!(linked, "stiffness k, N/m <a href=\"#equation-b-2\">(B.2)</a>, (as found)");

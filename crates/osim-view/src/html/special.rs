@@ -244,7 +244,7 @@ mod tests {
 
     use super::*;
 
-    fn offer(chosen: &mut ChosenModels, number: usize, mass_kg: f64, code: Option<FindingCode>) {
+    fn offer_model(chosen: &mut ChosenModels, number: usize, mass_kg: f64, code: Option<FindingCode>) {
         let why = Failure::outside("a", "plot", "not known".to_owned());
         let body = ContactBody::without_weight(format!("model {number}"), Vec::new(), &why);
         let facts = ModelFacts {
@@ -263,7 +263,7 @@ mod tests {
         for number in 1..=40 {
             let code = (number == 30).then_some(FindingCode::Floats);
             #[expect(clippy::cast_precision_loss, reason = "a small number")]
-            offer(&mut chosen, number, 100.0 - number as f64, code);
+            offer_model(&mut chosen, number, 100.0 - number as f64, code);
         }
         let drawn: Vec<(usize, String)> =
             chosen.choice().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();

@@ -7,7 +7,7 @@ use osim_model::{
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
 /// One example of every question.
-fn examples() -> Vec<Needed> {
+fn example_of_every_question() -> Vec<Needed> {
     let name = |name: &str| name.to_owned();
     vec![
         Needed::BodyMass { body: name("toes_r") },
@@ -95,7 +95,7 @@ fn by_purpose() -> Vec<Needed> {
 }
 
 /// The variants that the source declares.
-fn declared() -> usize {
+fn count_of_declared_questions() -> usize {
     let source = include_str!("../../../osim-model/src/model/fault/needed.rs");
     let (_, after) = source.split_once("pub enum Needed {").unwrap();
     let (variants, _) = after.split_once("\n}").unwrap();
@@ -107,8 +107,8 @@ fn declared() -> usize {
 
 #[test]
 fn every_question_is_asked_in_the_words_of_each_front_end() {
-    let examples = examples();
-    assert_eq!(examples.len(), declared(), "a question is missing, or there twice");
+    let examples = example_of_every_question();
+    assert_eq!(examples.len(), count_of_declared_questions(), "a question is missing, or there twice");
     let mut review = String::new();
     for needed in examples.into_iter().chain(by_purpose()) {
         let phrase = needed.phrase();

@@ -27,7 +27,7 @@ fn registers() -> [(&'static str, Vec<&'static Quantity>); 4] {
 }
 
 /// A body of 62 kg on six spheres of the paper, and what else is given.
-fn drop(others: &Value) -> DropResult {
+fn drop_result(others: &Value) -> DropResult {
     let mut request = json!({
         "verb": "drop-test", "mass": 62, "spheres": 6, "radius": 0.032, "stiffness": 1e6, "dissipation": 2, "samples": 3,
     });
@@ -37,7 +37,7 @@ fn drop(others: &Value) -> DropResult {
 }
 
 /// Everything that a design can be asked for.
-fn sheet() -> DesignSheet {
+fn full_design_sheet() -> DesignSheet {
     let request = json!({
         "verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16, "restitution": 0.9,
         "constant_indentation": 0.1, "state_width": 0.3, "speed_width": 0.3,
@@ -46,7 +46,7 @@ fn sheet() -> DesignSheet {
     design_sheet(&request).unwrap()
 }
 
-fn schema<T: JsonSchema>() -> Value {
+fn schema_of_type<T: JsonSchema>() -> Value {
     let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
     Schema::to_value(generator.into_root_schema_for::<T>())
 }
@@ -57,7 +57,7 @@ fn fields(object: &Value) -> Vec<&str> {
 
 /// Fails unless a schema requires the fields of `object`, in their order, and allows `optional` beside them.
 #[track_caller]
-fn lists(schema: &Value, object: &Value, optional: &[&str]) {
+fn assert_lists(schema: &Value, object: &Value, optional: &[&str]) {
     assert_eq!(schema["required"], json!(fields(object)));
     let mut listed = fields(&schema["properties"]);
     listed.retain(|field| !optional.contains(field));
@@ -109,17 +109,19 @@ fn every_quantity_says_what_it_is() {
 
 #[test]
 fn schemas_list_what_is_printed() {
-    let (record, of_drop) =
-        (serde_json::to_value(DropRecord::from(&drop(&json!({})))).unwrap(), schema::<DropRecord<'_>>());
-    lists(&of_drop, &record, &["model_bytes"]);
-    lists(&of_drop["$defs"]["DropSeriesRecord"], &record["series"], &[]);
+    let (record, of_drop) = (
+        serde_json::to_value(DropRecord::from(&drop_result(&json!({})))).unwrap(),
+        schema_of_type::<DropRecord<'_>>(),
+    );
+    assert_lists(&of_drop, &record, &["model_bytes"]);
+    assert_lists(&of_drop["$defs"]["DropSeriesRecord"], &record["series"], &[]);
 
     let model = open("table1/mouse_smooth_sphere.osim");
     let inspected = osim_inspect::InspectOptions::default().inspect("mouse.osim", &model.model, None);
     let sphere = serde_json::to_value(inspected.figures.spheres().next().unwrap()).unwrap();
-    lists(&schema::<SphereFigures>(), &sphere, &[]);
+    assert_lists(&schema_of_type::<SphereFigures>(), &sphere, &[]);
 
-    let of_design = schema::<DesignSheet>();
+    let of_design = schema_of_type::<DesignSheet>();
     let names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
     assert_eq!(of_design["$defs"]["DesignFigure"]["properties"]["name"]["enum"], json!(names));
 }
@@ -127,7 +129,7 @@ fn schemas_list_what_is_printed() {
 #[test]
 fn what_a_schema_calls_a_number_is_always_known() {
     // It is still in the air when the time is up.
-    let in_the_air = drop(&json!({"height": 10, "duration": 0.1}));
+    let in_the_air = drop_result(&json!({"height": 10, "duration": 0.1}));
     for figure in DropFigure::ALL {
         let known = figure.value(&in_the_air).is_some();
         assert_eq!(known, figure.is_always_known(), "{}", figure.info().name);
@@ -136,7 +138,7 @@ fn what_a_schema_calls_a_number_is_always_known() {
 
 #[test]
 fn a_design_finds_every_quantity_of_its_register_in_that_order() {
-    let sheet = sheet();
+    let sheet = full_design_sheet();
     let found: Vec<DesignQuantity> = sheet.figures.iter().map(|figure| figure.quantity).collect();
     assert_eq!(found, DesignQuantity::ALL);
     for figure in &sheet.figures {

@@ -145,7 +145,7 @@ fn findings_are_told_with_what_to_do() {
 }
 
 #[test]
-fn a_library_is_one_table() {
+fn a_library_of_models_is_shown_as_one_table() {
     let mut library = check::LibraryTable::default();
     for name in [SMOOTH, MIXED, "check/sunk_in.osim", "check/floats.osim"] {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);

@@ -378,15 +378,15 @@ fn sides_differ(
 mod tests {
     use super::*;
 
-    fn axes(factors: [f64; 3]) -> [Option<AxisFactor>; 3] {
+    fn factors_of_axes(factors: [f64; 3]) -> [Option<AxisFactor>; 3] {
         let known = |factor: f64| AxisFactor { factor, source: FactorSource::Mesh };
         factors.map(|factor| (!factor.is_nan()).then(|| known(factor)))
     }
 
     #[test]
     fn an_axis_without_a_factor_does_not_end_the_comparison() {
-        let right = axes([1.02, f64::NAN, 0.95]);
-        let differ = |left| sides_differ("calcn_r", &right, "calcn_l", &axes(left));
+        let right = factors_of_axes([1.02, f64::NAN, 0.95]);
+        let differ = |left| sides_differ("calcn_r", &right, "calcn_l", &factors_of_axes(left));
         // 1.09 over 1.02 is 6.9 % more.
         let Some(FactorQuestion::Sides { factors: [[x, y, z], _], .. }) = differ([1.09, 0.9, 0.95]) else {
             panic!("not asked")

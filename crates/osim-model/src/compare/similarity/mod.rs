@@ -229,7 +229,7 @@ mod tests {
     use crate::model::{MassRequest, Model};
 
     /// A thigh and a shank, joined at the knee; a muscle, a spring on the knee, and a limit that is 0.
-    fn leg(masses: [f64; 2], thigh_m: f64, force: f64, fiber: f64, more: &str) -> ModelSize {
+    fn sizes_of_leg(masses: [f64; 2], thigh_m: f64, force: f64, fiber: f64, more: &str) -> ModelSize {
         let text = format!(
             r#"<OpenSimDocument Version="40000"><Model><BodySet><objects>
         <Body name="thigh"><mass>{}</mass></Body><Body name="shank"><mass>{}</mass></Body></objects></BodySet>
@@ -249,7 +249,7 @@ mod tests {
         ModelSize::of(&Model::parse(text).unwrap(), &MassRequest::default())
     }
 
-    fn row(found: &Similarity, kind: SizedKind) -> &SimilarityRow {
+    fn row_of_kind(found: &Similarity, kind: SizedKind) -> &SimilarityRow {
         found.rows.iter().find(|row| row.kind == kind).unwrap()
     }
 
@@ -257,13 +257,13 @@ mod tests {
     /// 4 times as large, as areas grow, and fibers twice as long: similarity has 8 for the one and 2 for the other.
     #[test]
     fn factors_verdicts_and_names_without_a_counterpart() {
-        let old = leg([2.0, 1.0], 0.4, 1000.0, 0.1, "<Thelen2003Muscle name='gone'/>");
-        let new = leg([16.0, 8.0], 0.8, 4000.0, 0.2, "<PathActuator name='come'/>");
+        let old = sizes_of_leg([2.0, 1.0], 0.4, 1000.0, 0.1, "<Thelen2003Muscle name='gone'/>");
+        let new = sizes_of_leg([16.0, 8.0], 0.8, 4000.0, 0.2, "<PathActuator name='come'/>");
         let found = Similarity::between(&new, &old);
         let ratios = found.ratios.unwrap();
         assert_eq!((ratios.mass, ratios.length, found.length_from), (8.0, 2.0, LengthFrom::Joints(1)));
         let of = |kind| {
-            let row = row(&found, kind);
+            let row = row_of_kind(&found, kind);
             (
                 row.similar.unwrap(),
                 row.compared.clone().unwrap().factors.map(|one| one.median),
@@ -287,13 +287,18 @@ mod tests {
     /// A body of an eighth of the mass is half as long: fibers 0.5, times √0.5.
     #[test]
     fn a_mass_alone_is_a_size() {
-        let found = Similarity::at_mass(&leg([2.0, 1.0], 0.4, 1000.0, 0.1, ""), 3.0 / 8.0);
-        assert!((row(&found, SizedKind::OptimalFiberLength).similar.unwrap() - 0.5).abs() < 1e-15);
-        assert!((row(&found, SizedKind::ActivationTime).similar.unwrap() - 0.5_f64.sqrt()).abs() < 1e-15);
+        let found = Similarity::at_mass(&sizes_of_leg([2.0, 1.0], 0.4, 1000.0, 0.1, ""), 3.0 / 8.0);
+        assert!((row_of_kind(&found, SizedKind::OptimalFiberLength).similar.unwrap() - 0.5).abs() < 1e-15);
+        assert!(
+            (row_of_kind(&found, SizedKind::ActivationTime).similar.unwrap() - 0.5_f64.sqrt()).abs() < 1e-15
+        );
         assert!(found.rows.iter().all(|row| row.verdict.is_none() && row.compared.is_none()));
         // Its bodies have no mass: there is no ratio, and the numbers are listed all the same.
-        let unknown = Similarity::at_mass(&leg([0.0, 0.0], 0.4, 1000.0, 0.1, ""), 3.0);
-        assert_eq!((unknown.ratios, row(&unknown, SizedKind::MaxIsometricForce).similar), (None, None));
+        let unknown = Similarity::at_mass(&sizes_of_leg([0.0, 0.0], 0.4, 1000.0, 0.1, ""), 3.0);
+        assert_eq!(
+            (unknown.ratios, row_of_kind(&unknown, SizedKind::MaxIsometricForce).similar),
+            (None, None)
+        );
     }
 
     #[test]
@@ -302,14 +307,14 @@ mod tests {
             let spring = format!(
                 "<PointToPointSpring name='s'><stiffness>{stiffness}</stiffness></PointToPointSpring>"
             );
-            leg([2.0, 1.0], 0.4, 1000.0, 0.1, &spring)
+            sizes_of_leg([2.0, 1.0], 0.4, 1000.0, 0.1, &spring)
         };
         let mut new = spring("5");
         new.mass_kg = Some(24.0);
         let found = Similarity::between(&new, &spring("0"));
-        assert_eq!(row(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Other));
+        assert_eq!(row_of_kind(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Other));
         // Numbers in six digits are the same.
         let found = Similarity::between(&new, &spring("5.000001"));
-        assert_eq!(row(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Left));
+        assert_eq!(row_of_kind(&found, SizedKind::SpringStiffness).verdict, Some(SizeVerdict::Left));
     }
 }

@@ -186,7 +186,7 @@ mod tests {
     }
 
     /// Points on the edge of a bridge: 10 long, 4 high, with a hollow of 6 by 2 below.
-    fn bridge() -> Vec<DVec2> {
+    fn edge_points_of_bridge() -> Vec<DVec2> {
         let across = (0..=200).map(|index| 0.05 * f64::from(index));
         let below = |x: f64| if (2.0..=8.0).contains(&x) { 2.0 } else { 0.0 };
         let mut points: Vec<DVec2> =
@@ -197,7 +197,7 @@ mod tests {
     }
 
     /// Area inside of a line, by Gauss's formula.
-    fn area(line: &[DVec2]) -> f64 {
+    fn area_inside(line: &[DVec2]) -> f64 {
         let next = line.iter().cycle().skip(1);
         line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum()
     }
@@ -216,25 +216,25 @@ mod tests {
     }
 
     #[test]
-    fn a_silhouette_keeps_hollows() {
-        let line = silhouette(&bridge());
+    fn the_silhouette_of_a_foot_keeps_hollows() {
+        let line = silhouette(&edge_points_of_bridge());
         // 10 by 4 less 6 by 2; a convex hull would have 40. The two corners of the hollow may be cut by an edge of 1.6.
-        let seen = area(&line);
+        let seen = area_inside(&line);
         assert!((seen - 28.0).abs() < 1.3, "{seen}: {line:?}");
     }
 
     #[test]
     fn no_point_is_outside_a_silhouette() {
         // A point that is left out because another one is close to it may be outside by a cell.
-        let line = silhouette(&bridge());
-        for point in bridge() {
+        let line = silhouette(&edge_points_of_bridge());
+        for point in edge_points_of_bridge() {
             let near = line.iter().any(|corner| distance(*corner, point) < 0.1);
             assert!(near || contains(&line, point), "{point:?} is outside of {line:?}");
         }
     }
 
     #[test]
-    fn a_silhouette_keeps_toes_apart() {
+    fn the_silhouette_of_a_foot_keeps_toes_apart() {
         // Three rays from the origin, 10 long, 30 degrees apart, with points every 0.5 on both sides of each.
         let ray = |angle: f64| {
             (0..=20).flat_map(move |index| {

@@ -223,7 +223,7 @@ mod tests {
     }
 
     /// A box of 0.1 by 0.05 by 0.25 with 6 × 4 × 11 points.
-    fn block() -> Vec<[f64; 3]> {
+    fn points_of_box() -> Vec<[f64; 3]> {
         let along = |count: i32, step: f64| (0..count).map(move |index| f64::from(index) * step);
         along(6, 0.02)
             .flat_map(|x| along(4, 0.05 / 3.0).flat_map(move |y| along(11, 0.025).map(move |z| [x, y, z])))
@@ -232,9 +232,9 @@ mod tests {
 
     #[test]
     fn a_broken_number_is_found_and_a_bone_is_whole() {
-        assert!(stray_point(&block()).is_none());
+        assert!(stray_point(&points_of_box()).is_none());
         for (index, broken) in [(7, [0.05, -0.4, 0.1]), (100, [12.0, 0.0, 0.1]), (200, [0.05, 0.02, 250.0])] {
-            let mut points = block();
+            let mut points = points_of_box();
             points[index] = broken;
             let found = stray_point(&points).unwrap();
             assert_eq!(found.index, index);
@@ -245,7 +245,7 @@ mod tests {
 
     #[test]
     fn broken_numbers_that_lie_together_are_found() {
-        let mut points = block();
+        let mut points = points_of_box();
         (points[3], points[4]) = ([0.05, -1.0, 0.1], [0.05, -1.0, 0.101]);
         assert!(matches!(stray_point(&points), Some(Stray { index: 3 | 4, .. })));
     }
@@ -253,8 +253,8 @@ mod tests {
     #[test]
     fn a_second_part_is_no_broken_number() {
         // A toe of many points, far ahead.
-        let toe = block().into_iter().take(30).map(|[x, y, z]| [x / 5.0, y / 5.0, 1.0 + z / 5.0]);
-        let points: Vec<[f64; 3]> = block().into_iter().chain(toe).collect();
+        let toe = points_of_box().into_iter().take(30).map(|[x, y, z]| [x / 5.0, y / 5.0, 1.0 + z / 5.0]);
+        let points: Vec<[f64; 3]> = points_of_box().into_iter().chain(toe).collect();
         assert!(stray_point(&points).is_none());
         // A cube has eight corners.
         assert!(stray_point(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 50.0]]).is_none());

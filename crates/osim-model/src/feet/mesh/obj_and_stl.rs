@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn counts_are_not_believed() {
+    fn a_wrong_triangle_count_of_an_stl_file_is_detected() {
         let triangle = [0.0; 9];
         assert_eq!(
             stl_points(&binary_of(b"x", u32::MAX, &[triangle])),

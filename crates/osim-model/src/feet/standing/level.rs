@@ -38,12 +38,7 @@ pub enum NotLevelled {
          the foot; expected at most 3 degrees: set default values of its joints at which it lies flat",
         shown(limb), readable((degrees * 10.0).round() / 10.0), shown(sphere)
     )]
-    Leans {
-        limb: String,
-        /// The sphere whose body leans most.
-        sphere: String,
-        degrees: f64,
-    },
+    Leans { limb: String, sphere: String, degrees: f64 },
     /// The places of bodies at the default pose are not known.
     #[error("the bottoms of a foot cannot be made level: {0}")]
     Pose(#[from] PoseFault),

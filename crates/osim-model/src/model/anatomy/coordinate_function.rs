@@ -219,7 +219,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn polynomials_have_slopes() {
+    fn polynomial_functions_have_their_derivative_as_slope() {
         // 2 x^3 - x + 5 at 3: 54 - 3 + 5, and 6 x^2 - 1.
         let cubic = FunctionKind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
         assert_eq!((cubic.value(3.0), cubic.slope(3.0)), (56.0, 53.0));
@@ -280,7 +280,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_lines_go_on_outside() {
+    fn linear_functions_continue_outside_their_points() {
         for (x, expected, slope) in [
             (-2.0, -0.6, 0.8),
             (-0.5, 0.6, 0.8),

@@ -141,7 +141,7 @@ impl JointMotion {
     }
 
     /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
-    pub(crate) fn moving_placement(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
+    pub(crate) fn placement_and_velocity(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
         let speed = |index: usize| speeds.get(index);
         let [first, second, third] = [speed(0), speed(1), speed(2)];
@@ -275,7 +275,7 @@ mod tests {
     use crate::model::typed_model::Model;
 
     /// A chain of bodies: calcn, mid, fore; each joint says what stands between its frames.
-    fn chain(middle: &str, end: &str) -> Anatomy {
+    fn anatomy_of_chain(middle: &str, end: &str) -> Anatomy {
         let body = |name: &str| format!("<Body name=\"{name}\"><mass>1</mass></Body>");
         let frame = |name: &str, at: &str, turned: &str, body: &str| {
             format!(
@@ -326,8 +326,8 @@ mod tests {
     #[test]
     fn a_joint_is_found_through_bodies_between() {
         // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
-        assert_place(&chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
-        let anatomy = chain("WeldJoint:", "0.05 0 0");
+        assert_place(&anatomy_of_chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
+        let anatomy = anatomy_of_chain("WeldJoint:", "0.05 0 0");
         assert!(
             anatomy.joint_place_seen_from("toes_r", &anatomy.joints[1]).is_none(),
             "it is not below the toes"
@@ -342,7 +342,7 @@ mod tests {
         // A quarter turn about z: the middle body's x points up, its y back; 0.1 - (-0.02 turned) = 0.1 + 0.02, and 0.05 up.
         let quarter = "1.5707963267948966";
         let pin = format!("PinJoint:<coordinates>{}</coordinates>", coordinate("q", quarter));
-        assert_place(&chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
+        assert_place(&anatomy_of_chain(&pin, "0.05 0 0"), [0.12, 0.05, 0.0]);
         // A CustomJoint for the same quarter turn: half of the angle by each of two functions, and 0.03 along z.
         let axis = |name: &str, q: &str, direction: &str, function: &str| {
             format!(
@@ -365,10 +365,10 @@ mod tests {
             // OpenSim gives the axis the length 1.
             axis("translation3", "t", "0 0 2", spline),
         );
-        assert_place(&chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
+        assert_place(&anatomy_of_chain(&custom, "0.05 0 0"), [0.12, 0.05, 0.03]);
         // A curve that is not known is not guessed.
         let unknown = custom.replace("SimmSpline", "GCVSpline");
-        let anatomy = chain(&unknown, "0.05 0 0");
+        let anatomy = anatomy_of_chain(&unknown, "0.05 0 0");
         assert!(anatomy.joint_place_seen_from("calcn_r", &anatomy.joints[1]).is_none());
     }
 

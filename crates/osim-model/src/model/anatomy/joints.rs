@@ -77,13 +77,13 @@ impl ModelJoint {
         Some(self.in_parent.then(&motion).then(&self.in_child.inverse()))
     }
 
-    pub(crate) fn moving_placement_at(
+    pub(crate) fn placement_and_velocity_at(
         &self,
         components: &Components,
         values: &[f64],
         speeds: Speeds<'_>,
     ) -> Option<MovingPlacement> {
-        let motion = self.motion(components)?.moving_placement(values, speeds);
+        let motion = self.motion(components)?.placement_and_velocity(values, speeds);
         let motion = if self.reversed { motion.inverse() } else { motion };
         let still = MovingPlacement::still;
         Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))

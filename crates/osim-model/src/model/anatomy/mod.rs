@@ -258,14 +258,14 @@ impl ModelJoint {
         self.placement_at(model.components(), values)
     }
 
-    /// Place and motion of a body while its coordinates change with these `speeds`.
-    pub fn moving_placement(
+    /// As [`placement`](Self::placement), with the velocity of the child's frame while the coordinates change with these `speeds`.
+    pub fn placement_and_velocity(
         &self,
         model: &Model,
         values: &[f64],
         speeds: Speeds<'_>,
     ) -> Option<MovingPlacement> {
-        self.moving_placement_at(model.components(), values, speeds)
+        self.placement_and_velocity_at(model.components(), values, speeds)
     }
 
     /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along one,

@@ -305,7 +305,7 @@ pub(super) fn in_note_letters(text: &str) -> String {
 mod tests {
     use super::*;
 
-    fn full() -> Step {
+    fn step_with_every_field() -> Step {
         Step {
             operation: "transfer radius=x2".into(),
             options: "level=true only=radius".into(),
@@ -318,13 +318,13 @@ mod tests {
     #[test]
     fn a_step_reads_back_as_written() {
         let spelled = "transfer radius=x2 with level=true only=radius from 62.5 kg of reference falisse.osim 0123456789abcdef on 2026-11-25";
-        assert_eq!(full().text(), spelled);
+        assert_eq!(step_with_every_field().text(), spelled);
         let preset = Some(Source { name: "falisse2022".into(), digest: None });
         for step in [
-            full(),
-            Step { reference: preset, ..full() },
-            Step { options: String::new(), from_mass_kg: None, ..full() },
-            Step { date: None, reference: None, ..full() },
+            step_with_every_field(),
+            Step { reference: preset, ..step_with_every_field() },
+            Step { options: String::new(), from_mass_kg: None, ..step_with_every_field() },
+            Step { date: None, reference: None, ..step_with_every_field() },
             Step::new("rescale"),
         ] {
             assert_eq!(Step::parse(&step.text()), step);

@@ -183,7 +183,7 @@ mod tests {
     use crate::model::note::content::NotedNames;
     use crate::model::property::Property;
 
-    fn note() -> Note {
+    fn example_note() -> Note {
         Note {
             version: "0.1.0".into(),
             contacts_mass_kg: Some(0.0209),
@@ -213,7 +213,7 @@ mod tests {
     #[test]
     fn a_note_is_spelled_as_agreed() {
         assert_eq!(
-            note().text(),
+            example_note().text(),
             "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
          by set stiffness=x2; stance limbs 2; weighed 0.021 kg; sizes calcn_r=0.913924,1,0.001; \
          record 0123456789abcdef 00112233 fedcba98 12:11223344 6:22334455 3344.4455.-.-.-.-.-.-.-; made c)]"
@@ -231,15 +231,16 @@ mod tests {
             sizes: vec![],
             places: None,
             added_to_file: Note::nothing_added(),
-            ..note()
+            ..example_note()
         };
-        let no_numbers = Note { parts: NotedParts { properties: [].into(), ..note().parts }, ..note() };
-        let beside_others = Note { added_forces: vec!["heel".into(), "toe".into()], ..note() };
+        let no_numbers =
+            Note { parts: NotedParts { properties: [].into(), ..example_note().parts }, ..example_note() };
+        let beside_others = Note { added_forces: vec!["heel".into(), "toe".into()], ..example_note() };
         assert!(beside_others.text().ends_with("; made c; added heel toe)]"), "{}", beside_others.text());
         let one_size = BodySize { body: "calcn_r".into(), factors: [0.9; 3] };
-        let alike = Note { sizes: vec![one_size], ..note() };
+        let alike = Note { sizes: vec![one_size], ..example_note() };
         assert!(alike.text().contains("; sizes calcn_r=0.9; "), "{}", alike.text());
-        for note in [note(), nothing_known, no_numbers, beside_others, alike] {
+        for note in [example_note(), nothing_known, no_numbers, beside_others, alike] {
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }
@@ -254,14 +255,14 @@ mod tests {
             ),
         ] {
             assert_eq!(Note::operation_text(operation), expected);
-            let note = Note { steps: vec![Step::new(operation)], ..note() };
+            let note = Note { steps: vec![Step::new(operation)], ..example_note() };
             assert_eq!(Note::parse(&note.text()), Some(note));
         }
     }
 
     #[test]
-    fn anything_else_is_no_note() {
-        let text = note().text();
+    fn text_that_breaks_the_grammar_is_no_note() {
+        let text = example_note().text();
         for (from, to) in [
             ("0.0209 kg", "-1 kg"),
             ("0.0209 kg", "0.0209"),

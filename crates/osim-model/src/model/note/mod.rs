@@ -285,7 +285,7 @@ mod tests {
     const NOTE: &str = "[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale; sizes none; \
                     record 0123456789abcdef 01234567 01234567 1:01234567 1:01234567 0123.-.-.-.-.-.-.-.-; made -)]";
 
-    fn document(credits: &str) -> Document {
+    fn document_with_credits(credits: &str) -> Document {
         let text =
             format!("<OpenSimDocument Version='40000'><Model name='m'>{credits}</Model></OpenSimDocument>");
         Document::parse(text).unwrap()
@@ -293,7 +293,7 @@ mod tests {
 
     /// The text of the credits after the same note is written for 70 kg.
     fn with_70_kg(credits: &str) -> String {
-        let document = document(credits);
+        let document = document_with_credits(credits);
         let found = Credits::of(&document).unwrap().unwrap();
         let note = Note::parse(&NOTE.replace("62 kg", "70 kg")).unwrap();
         let mut text = document.tree().slice(0..document.bytes().len()).to_owned();
@@ -305,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn a_note_ends_the_text() {
+    fn a_note_is_at_the_end_of_the_credits() {
         for (before, after) in [
             ("<credits>A. Author; B. Other</credits>", "<credits>A. Author; B. Other; NOTE</credits>"),
             ("<credits> A;\n\tB; \n</credits>", "<credits> A;\n\tB;; NOTE \n</credits>"),
@@ -340,7 +340,7 @@ mod tests {
 
     #[test]
     fn a_note_that_does_not_end_the_text_cannot_be_relied_on() {
-        let note_in = |credits: &str| Credits::of(&document(credits)).unwrap().unwrap().note();
+        let note_in = |credits: &str| Credits::of(&document_with_credits(credits)).unwrap().unwrap().note();
         assert_eq!(note_in(&format!("<credits>A; {NOTE}</credits>")).map(|note| note.is_ok()), Some(true));
         // OpenSim condenses white space when it saves; people break lines.
         let broken = NOTE.replace("; digest", ";\n\t\tdigest");
@@ -360,13 +360,17 @@ mod tests {
             "<credits>A<!-- c -->B</credits>",
             "<credits>A <b>B</b></credits>",
         ] {
-            assert_eq!(Credits::of(&document(credits)).unwrap_err().code(), "broken-text", "{credits}");
+            assert_eq!(
+                Credits::of(&document_with_credits(credits)).unwrap_err().code(),
+                "broken-text",
+                "{credits}"
+            );
         }
     }
 
     #[test]
     fn credits_of_defaults_do_not_count() {
-        let document = document("<defaults><credits>A</credits></defaults>");
+        let document = document_with_credits("<defaults><credits>A</credits></defaults>");
         assert_eq!(Credits::of(&document).unwrap(), None);
     }
 

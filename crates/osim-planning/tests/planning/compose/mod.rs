@@ -268,7 +268,7 @@ fn try_all(models: &[(usize, (String, String))]) -> Counts {
 }
 
 #[test]
-fn every_remedy_composes() {
+fn remedies_can_be_run_one_after_the_other() {
     let all: Vec<_> = models().into_iter().enumerate().collect();
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
     let mut parts = vec![Vec::new(); threads];

@@ -60,7 +60,7 @@ fn codes(text: &str) -> BTreeSet<FindingCode> {
 }
 
 #[test]
-fn every_damage_is_named() {
+fn every_damage_of_a_model_has_a_finding() {
     let mut table: BTreeMap<&str, (usize, BTreeMap<String, usize>)> = BTreeMap::new();
     let mut wrong = Vec::new();
     let feet = feet();

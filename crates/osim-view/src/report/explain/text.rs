@@ -205,7 +205,7 @@ mod tests {
     use crate::report::explain::equations::equations;
 
     #[test]
-    fn formulas_keep_their_meaning() {
+    fn formulas_keep_their_meaning_in_ascii() {
         assert_eq!(ascii("F_e = 4/3 η √R E* x^(3/2)"), "F_e = 4/3 eta sqrt(R) E* x^(3/2)");
         assert_eq!(ascii("f_n = √(k / M) / (2π)"), "f_n = sqrt(k / M) / (2pi)");
         assert_eq!(ascii("Δx̂ = 2 atanh(1 − 2 t) / (bd R)"), "Delta_xhat = 2 atanh(1 - 2 t) / (bd R)");
