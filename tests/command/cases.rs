@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-use crate::support::{TestDir, report_skip};
+use crate::support::{TestDir, fixture, report_skip};
 
 /// A folder with copies of the files of a case; `None` after reporting that the test is skipped.
 fn case(name: &str) -> Option<TestDir> {
@@ -71,6 +71,11 @@ fn no_row_is_good_while_spheres_are_left_behind() {
     assert_eq!(sign(&report, "solver"), "warning");
     assert_ne!(sign(&report, "standing"), "good");
     assert_eq!(finding(&report, "spheres-left-behind")["spheres"].as_array().unwrap().len(), 6);
+    // The original has warnings of its own, which are no reason to print no command.
+    let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
+    dir.run(command).succeeded();
+    let right = check(&dir, "scaled.fixed-1.osim --from generic.osim");
+    assert_eq!(codes(&right, "error"), BTreeSet::new());
 }
 
 #[test]
@@ -135,6 +140,8 @@ fn a_body_that_is_too_dense_is_remarked() {
     let message = finding(&report, "mass-against-length")["message"].as_str().unwrap();
     assert!(message.contains("0.35") && message.contains("0.0429") && message.contains("8.16"), "{message}");
     assert!(codes(&report, "remark").contains("mass-against-length"));
+    dir.run("transfer scaled.osim --from generic.osim --follow-bodies -o right.osim").succeeded();
+    assert!(codes(&check(&dir, "right.osim --from generic.osim"), "remark").contains("mass-against-length"));
 }
 
 #[test]
@@ -185,4 +192,66 @@ fn spheres_that_part_are_refused_and_levelled_ones_are_not() {
     let run = dir.run("model.osim --target-mass 8 -o out.osim").failed().wrote_nothing();
     assert!(run.err().contains("sunk-in"), "{}", run.err());
     dir.run("model.osim --target-mass 8 --level -o out.osim").succeeded();
+}
+
+#[test]
+fn contacts_of_an_adult_under_a_child_are_said() {
+    let Some(dir) = case("child_with_adult_contacts_is_not_good") else { return };
+    let report = check(&dir, "model.osim");
+    assert_eq!(sign(&report, "mass"), "warning");
+    assert!(codes(&report, "warning").contains("contacts-of-another-mass"));
+    dir.run("model.osim --target-mass 30 -o out.osim").failed().wrote_nothing();
+}
+
+#[test]
+fn a_sensor_makes_no_other_body() {
+    let Some(dir) = case("mass_01_percent") else { return };
+    assert_no_accusation(&check(&dir, "model.osim"));
+}
+
+#[test]
+fn a_reference_whose_spheres_do_not_fit_its_bones_is_refused() {
+    let Some(dir) = case("reference_of_another_mass_is_asked") else { return };
+    for mass in ["", "--reference-mass 62"] {
+        let call = format!("transfer m52.osim --from m75.osim {mass} --follow-bodies -o out.osim");
+        dir.run(&call).failed().wrote_nothing();
+    }
+    dir.run("m75.osim --target-mass 80 -o out.osim").failed().wrote_nothing();
+    dir.run("transfer m52.osim --from generic.osim --follow-bodies -o out.osim").succeeded();
+}
+
+#[test]
+fn scaled_models_in_a_folder_are_asked_about() {
+    let names = ["generic_hunt_crossley", "generic_smooth", "scaled_hunt_crossley", "scaled_smooth"];
+    let dir = TestDir::new();
+    for name in names {
+        dir.write(&format!("models/{name}.osim"), fixture(&format!("scale_tool/{name}.osim")));
+    }
+    let run = dir.run("models --target-mass 80 -d results").failed();
+    let written = names.map(|name| dir.has(&format!("results/{name}.osim")));
+    assert_eq!(written, [true, true, false, false], "{}", run.err());
+    assert!(run.err().contains("transfer --from"), "{}", run.err());
+}
+
+#[test]
+fn a_model_with_one_leg_gets_the_contacts_of_one_side() {
+    let Some(dir) = case("one-leg-add") else { return };
+    let run = dir.run("add model.osim --from falisse2022 -o out.osim").failed().wrote_nothing();
+    assert!(run.err().contains("--reference-select"), "{}", run.err());
+    dir.run("add model.osim --from falisse2022 --reference-select *_r -o out.osim").succeeded();
+}
+
+#[test]
+fn a_model_without_contacts_is_not_asked_about_a_mass() {
+    let Some(dir) = case("questions-out-of-order") else { return };
+    let run = dir.run("model.osim --target-mass 62000 -o out.osim").failed().wrote_nothing();
+    assert!(run.err().contains("no contacts"), "{}", run.err());
+}
+
+#[test]
+fn a_place_that_the_run_corrects_is_not_warned_about() {
+    let Some(dir) = case("stale-warning-after-transfer") else { return };
+    let run = dir.run("transfer scaled.osim --from generic.osim --follow-bodies -o out.osim").succeeded();
+    assert!(!(run.out() + &run.err()).contains("odd-place"));
+    assert!(!codes(&check(&dir, "out.osim"), "warning").contains("odd-place"));
 }

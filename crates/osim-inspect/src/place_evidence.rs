@@ -20,7 +20,7 @@ pub(crate) enum PlaceEvidence {
     OtherSize(LayoutMatch),
     /// Each foot has the places that the published layout of this title has on the other foot.
     Mirrored(&'static str),
-    /// These bodies have spheres and are no feet, and the feet of the model have none.
+    /// These bodies, which do not belong to a foot, have spheres, and the feet of the model have none.
     NotOnFeet(Vec<String>),
     /// These spheres reach further than published ones.
     FarReach(Vec<Reach>),
@@ -75,7 +75,7 @@ impl PlaceEvidence {
     }
 }
 
-/// The bodies with spheres that are no foot, if no calcaneus of the model has spheres, or no foot where it has no calcaneus.
+/// The bodies with spheres that do not belong to a foot, if no calcaneus of the model has spheres, or no foot where it has no calcaneus.
 fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();

@@ -16,7 +16,7 @@ use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
 
 /// Spheres that reach no further than this towards the next joint are usual.
 const LARGEST_TOWARDS_JOINT: f64 = 1.4;
-/// Spheres that are no farther behind the origin of their body are usual.
+/// Usual spheres reach at least so far: some are a little nearer to the heel than the origin of their body.
 const LEAST_TOWARDS_JOINT: f64 = -0.3;
 /// Usual places of the foremost sphere along the foot.
 const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
@@ -54,7 +54,9 @@ impl Reach {
         let (value, towards) = (four_significant(self.value), &self.towards);
         match self.measure {
             ReachMeasure::TowardsJoint if self.value < 0.0 => {
-                format!("lies at {value} of the way to the next joint, {towards}: behind its body")
+                format!(
+                    "lies at {value} of the way to the next joint, {towards}: on the other side of its body"
+                )
             }
             ReachMeasure::TowardsJoint => format!(
                 "lies at {value} of the way to the next joint, {towards}, and no published sphere beyond 1.34"

@@ -80,7 +80,8 @@ fn generic_model(
     let inspected = options.inspect_for_rules(generic.name(), &generic.model);
     let findings = check_without_remedies(&options, &generic.model, &inspected);
     let has_fault = |one: &&FindingWithRemedy| {
-        one.severity == Severity::Error || one.code() == FindingCode::SpheresMisplaced
+        one.severity == Severity::Error
+            || (one.severity == Severity::Warning && one.code() == FindingCode::SpheresMisplaced)
     };
     let fault = findings.iter().find(has_fault).map(|one| {
         phrase![format!("{} has a fault of its own [{}]: ", from.display(), one.code()), &one.message]

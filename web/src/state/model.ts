@@ -91,7 +91,7 @@ export function isSameMass(one: number, other: number): boolean {
 
 const MISPLACED = new Set(["spheres-left-behind", "spheres-misplaced"]);
 
-/** Whether spheres are known not to be where the bones are. */
+/** Whether spheres are known not to be where the bones are. A remark about a heel without spheres does not say so. */
 export function hasMisplacedSpheres({ findings }: Inspected): boolean {
-  return findings.some(({ code }) => MISPLACED.has(code));
+  return findings.some(({ code, severity }) => MISPLACED.has(code) && severity !== "remark");
 }

@@ -147,7 +147,7 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
         }
         PlaceEvidence::NotOnFeet(bodies) => {
             let text = format!(
-                "spheres are on {}, which is no foot, and the feet of the model have none",
+                "spheres are on {}, and the feet of the model have none",
                 listed(bodies, MOST_BODIES_NAMED)
             );
             find_on_bodies(model, bodies, text)
@@ -286,7 +286,7 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
 }
 
-/// Spheres that are ahead of the ankle by more than this part of the limb's longest bone are no heel. That of D'Hondt et al. is 0.027 ahead.
+/// Spheres that are ahead of the ankle by more than this part of the limb's longest bone do not serve as a heel. That of D'Hondt et al. is 0.027 ahead.
 const AHEAD_OF_ANKLE: f64 = 0.04;
 
 /// The remark that the spheres of a calcaneus are all ahead of the ankle, about the foot whose rearmost sphere is farthest ahead.
