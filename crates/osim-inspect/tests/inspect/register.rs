@@ -95,7 +95,7 @@ fn a_schema_says_what_a_figure_is_with_equation_and_unit() {
     let described =
         |figure: Figure| schema.get("properties").unwrap()[figure.info().name]["description"].clone();
     for (figure, text) in [
-        (Figure::Radius, "Radius R, m."),
+        (Figure::Radius, "Radius R of the sphere, m."),
         (Figure::MeanContactStress, "Mean contact stress σ under one body weight (15), N/m2."),
         (Figure::Indentation, "x̂ under its share of one body weight, by the Hertz law (11)."),
         (
@@ -114,7 +114,7 @@ fn a_table_heads_a_figure_with_unit_and_equation() {
     assert_eq!(heading(Figure::MeanContactStress), "mean stress, N/m2 (15)");
     assert_eq!(heading(Figure::Indentation), "x/R at 1 BW, Hertz (11)");
     assert_eq!(heading(Figure::RestitutionExact), "restitution, exact");
-    assert_eq!(Figure::Radius.info().meaning().to_string(), "Radius R.");
+    assert_eq!(Figure::Radius.info().meaning().to_string(), "Radius R of the sphere.");
 }
 
 #[test]
