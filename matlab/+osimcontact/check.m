@@ -17,8 +17,13 @@ function results = check(varargin)
 %     loads: With motion: OpenSim's ExternalLoads (.xml). Takes a text.
 %     angles: With motion: the unit of its angles, where its header does not say it. Takes 'degrees' or
 %         'radians'.
+%     fix: Do what the printed commands do, and check the result: with output, output_dir or in_place.
+%         Takes true or false.
+%     output: Write to this file [default: NAME.scaled.osim beside it]. Takes a text.
+%     output_dir: Write into this folder. Takes a text.
+%     in_place: Change the model itself and keep the old one as NAME.osim.bak. Takes true or false.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
-%     force: Replace an existing report. Takes true or false.
+%     force: Replace existing files. Takes true or false.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per
 %         limb]. Takes a whole number.
 %     stance_limbs: Limbs that share the body weight [default: as the note in the model says, else 1].

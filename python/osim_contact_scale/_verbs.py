@@ -304,6 +304,10 @@ def check(
     plates: StrPath | None = None,
     loads: StrPath | None = None,
     angles: Literal["degrees", "radians"] | None = None,
+    fix: bool = False,
+    output: StrPath | None = None,
+    output_dir: StrPath | None = None,
+    in_place: bool = False,
     report: StrPath | None = None,
     force: bool = False,
     spheres: int | None = None,
@@ -344,10 +348,18 @@ def check(
         With `motion`: OpenSim's ExternalLoads (.xml)
     angles : {"degrees", "radians"}, optional
         With `motion`: the unit of its angles, where its header does not say it.
+    fix : bool, optional
+        Do what the printed commands do, and check the result: with `output`, `output_dir` or `in_place`.
+    output : path, optional
+        Write to this file, or - [default: NAME.scaled.osim beside it]
+    output_dir : path, optional
+        Write into this folder.
+    in_place : bool, optional
+        Change the model itself and keep the old one as NAME.osim.bak.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     force : bool, optional
-        Replace an existing report.
+        Replace existing files.
     spheres : int, optional
         Spheres that share the body weight, all stance limbs together [default: as found per limb]
     stance_limbs : int, optional
@@ -394,7 +406,7 @@ def check(
     >>> ocs.check("fixtures/scale_tool/scaled_smooth.osim", from_="fixtures/scale_tool/generic_smooth.osim").findings[0].code
     'spheres-left-behind'
     """
-    keywords = {"from": from_, "body_scale_file": body_scale_file, "moco_setup": moco_setup, "from_moco_setup": from_moco_setup, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
+    keywords = {"from": from_, "body_scale_file": body_scale_file, "moco_setup": moco_setup, "from_moco_setup": from_moco_setup, "motion": motion, "plates": plates, "loads": loads, "angles": angles, "fix": fix or None, "output": output, "output_dir": output_dir, "in_place": in_place or None, "report": report, "force": force or None, "spheres": spheres, "stance_limbs": stance_limbs, "impact_speed": impact_speed, "gravity": gravity, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model, "yes": yes}
     return _run.survey("check", sources, keywords, jobs, progress)  # type: ignore[no-any-return]
 
 

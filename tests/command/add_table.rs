@@ -323,12 +323,7 @@ fn missing_options_are_named() {
     assert_refused(&dir, &format!("{table} --from falisse2022 --indentation 0.1"), true, &["--indentation"]);
     assert_refused(&dir, &format!("{table} --from falisse2022 --radius 0.03"), true, &["leave one out"]);
     assert_refused(&dir, &format!("{table} --feet calcn_r --count 2 --pad 0"), true, &["--feet"]);
-    assert_refused(
-        &dir,
-        "add human.osim --from falisse2022 --count 2",
-        true,
-        &["--count says nothing without --feet"],
-    );
+    assert_refused(&dir, "add human.osim --from falisse2022 --count 2", true, &["--count needs --feet"]);
     // Bones without skin touch the ground, so a pad may be 0, but not negative.
     let feet = "add human.osim --feet calcn_r --count 2 --from falisse2022 --pad";
     assert_refused(&dir, &format!("{feet} -0.1"), true, &["--pad '-0.1': expected metres, 0 or more"]);

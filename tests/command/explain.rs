@@ -49,7 +49,7 @@ fn collect_from_tables(text: &str, found: &mut BTreeSet<String>) {
                 line[..at].chars().count() + header.len()
                     - header.trim_start().rsplit(' ').next().unwrap().len(),
             );
-        } else if line.is_empty() || line.starts_with("  (+") || line.starts_with("remark:") {
+        } else if line.is_empty() || line.starts_with("  (") || line.starts_with("remark:") {
             column = None;
         } else if let Some(column) = column {
             let cell: String = line.chars().skip(column).collect();

@@ -45,7 +45,7 @@ fn sentences_wrap_at_the_terminal_width() {
         let (whole, narrow) = (output_in_pipes(&dir, arguments), output_in_terminal(&dir, 60, arguments));
         for (whole, narrow) in [(whole.0, narrow.0), (whole.1, narrow.1)] {
             assert_eq!(words(&whole), words(&narrow), "{arguments}");
-            let is_text = |line: &&str| !line.contains(" $ ") && !line.trim_start().contains("   ");
+            let is_text = |line: &&str| !line.starts_with("  $ ") && !line.trim_start().contains("   ");
             let text: String = narrow.lines().filter(is_text).map(|line| format!("{line}\n")).collect();
             assert!(longest_line(&text) <= 60, "{arguments}:\n{text}");
         }

@@ -57,5 +57,7 @@ mod sweep;
 mod terminal;
 mod transfer;
 mod untrusted_text;
+#[cfg(unix)]
+mod widths;
 mod workbooks;
 mod zero_constant_contact_force;

@@ -76,7 +76,7 @@ fn existing_files_are_replaced_only_with_force() {
         .says(&["fig-c5.svg exists already: choose another folder with -d"]);
     dir.run("reproduce -d paper --force").succeeded();
     assert!(dir.text("paper/fig-c5.svg").starts_with("<svg") && dir.has("paper/table1.csv"));
-    dir.run("reproduce --force").usage_error().says(&["--force says nothing without -d"]);
+    dir.run("reproduce --force").usage_error().says(&["--force needs -d"]);
 }
 
 #[test]

@@ -174,7 +174,7 @@ fn a_field_needs_the_same_other_fields_as_its_option() {
             })
             .collect();
         let error_of_request = error_of_request.replace(": true", "").replace('"', "`");
-        assert!(sentence.contains(" says nothing without --"), "{words}: {error_of_call}");
+        assert!(sentence.contains(" needs --"), "{words}: {error_of_call}");
         assert!(error_of_request.trim_end().ends_with(&spelled.join(" ")), "{words}: {error_of_request}");
     }
 }

@@ -197,8 +197,7 @@ fn similarity_is_reported_at_the_target_gravity() {
         let text = format!("{}{}", run.out(), run.err());
         let line =
             text.lines().find(|line| line.contains("in the reference")).unwrap_or_else(|| panic!("{text}"));
-        let x_hats: Vec<&str> = line.matches("0.3533").collect();
-        assert_eq!(x_hats.len(), 2, "{line}");
+        assert!(line.contains("sink in as deep (0.353 R) and bounce as much"), "{line}");
     }
 }
 

@@ -6,12 +6,11 @@ use osim_inspect::CheckResult;
 use osim_model::FindingCode;
 use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with, prepare};
-use osim_requests::spell::{CommandLine, FrontEnd};
+use osim_requests::spell::CommandLine;
 use osim_requests::{CheckRequest, Request};
 use osim_view::report::check::{LibraryTable, csv_rows, text};
-use osim_view::report::extent::Extent;
+use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::json::line;
-use osim_view::report::layout::Colour;
 use serde_json::json;
 
 use crate::front_end::{Changed, files_in_memory, request};
@@ -40,7 +39,7 @@ fn check_in_memory_equals_the_command() {
         let result = check_and_spell(&check_request(model), Path::new(model), &files);
         let printed = |more: &str| dir.run(&format!("check {model}{more}")).out();
         for (extent, option) in [(Extent::Brief, ""), (Extent::Full, " --full")] {
-            assert_eq!(text(&result, CommandLine.prompt(), Colour::Plain, extent), printed(option));
+            assert_eq!(text(&result, &CommandLine, Layout { extent, ..Layout::default() }), printed(option));
         }
         assert_eq!(line(&result), printed(" --format json"));
         assert_eq!(csv_rows(&result, true).unwrap(), printed(" --format csv"));
@@ -53,7 +52,7 @@ fn check_of_several_models_equals_the_command() {
     let files = files_in_memory(&dir);
     let request =
         request!(Check, {"verb": "check", "models": ["human.osim", "floats.osim"], "deny": "warning"});
-    let mut table = LibraryTable::default();
+    let mut table = LibraryTable::new(request.clone());
     let mut denied = false;
     for path in &request.models {
         let result = check_and_spell(&request, path, &files);
@@ -62,7 +61,7 @@ fn check_of_several_models_equals_the_command() {
     }
     let run = dir.run("check human.osim floats.osim --deny warning");
     assert_eq!(run.status, Some(i32::from(denied)));
-    assert_eq!(table.text(true, &CommandLine, Colour::Plain, true), run.out());
+    assert_eq!(table.text(&CommandLine, Layout::default()), run.out());
 }
 
 /// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it

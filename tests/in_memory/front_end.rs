@@ -97,7 +97,7 @@ impl Changed {
 
     /// The table that the command prints.
     fn table(&self) -> String {
-        plan::text(&self.plan, self.opened.name(), &format!("written: {}", self.names().join(", ")))
+        plan::text(&self.plan, self.opened.name(), &format!("written: {}", self.names().join(", ")), None)
     }
 
     /// The diff that the command prints.

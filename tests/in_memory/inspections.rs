@@ -5,10 +5,9 @@ use osim_model::files::InMemory;
 use osim_planning::{Inspector, open_with};
 use osim_requests::InspectRequest;
 use osim_requests::spell::CommandLine;
-use osim_view::report::extent::Extent;
+use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::inspection::{csv_rows, text};
 use osim_view::report::json::line;
-use osim_view::report::layout::Colour;
 use serde_json::{Value, json};
 
 use crate::front_end::{files_in_memory, request};
@@ -30,8 +29,8 @@ fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
 fn assert_same_output(dir: &TestDir, words: &str, json: &Value) {
     let all = inspected(&request!(Inspect, json), &files_in_memory(dir));
     let extent = Extent::new(words.ends_with("--full"));
-    let texts: Vec<String> =
-        all.iter().map(|model| text(model, &CommandLine, Colour::Plain, extent)).collect();
+    let layout = Layout { extent, ..Layout::default() };
+    let texts: Vec<String> = all.iter().map(|model| text(model, &CommandLine, layout)).collect();
     assert_eq!(texts.join("\n"), dir.run(words).succeeded().out());
     let lines: String = all.iter().map(line).collect();
     assert_eq!(lines, dir.run(&format!("{words} --format json")).succeeded().out());

@@ -12,7 +12,9 @@ use osim_planning::open_with;
 use osim_requests::options::{ForceOptions, MassOptions};
 use osim_requests::spell::{CommandLine, JsonRequest, Matlab, shell_quoted};
 use osim_requests::{RequestError, RequestFault};
+use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::layout::Colour;
 
 use crate::exit::{self, Exit, ExitError, exit_of_cause};
 use crate::terminal::Terminal;
@@ -26,6 +28,11 @@ pub(crate) struct Session {
 }
 
 impl Session {
+    /// How results are laid out on this terminal.
+    pub(crate) fn layout(&self, full: bool) -> Layout {
+        Layout { columns: self.terminal.columns(), colour: Colour::Ansi, extent: Extent::new(full) }
+    }
+
     /// Reports a failure; scripts that read JSON get it there, too.
     pub(crate) fn fail(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {

@@ -33,6 +33,8 @@ pub struct FindingRecord {
     pub spheres: Vec<String>,
     /// Line in the model's file.
     pub line: Option<usize>,
+    /// A sentence for each element that it is about, if there is more to say than its name.
+    pub details: Vec<String>,
     /// The call that corrects it, if `check` can propose one.
     pub command: Option<String>,
     /// Of the result of a change: the model before it, or the reference, has this finding, too.
@@ -50,6 +52,7 @@ impl From<&Finding> for FindingRecord {
             place: finding.place.clone(),
             spheres: finding.spheres.clone(),
             line: finding.line,
+            details: finding.details.clone(),
             command: None,
             had_before: finding.had_before,
         }

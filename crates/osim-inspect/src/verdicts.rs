@@ -2,6 +2,7 @@
 
 use std::cmp::Reverse;
 
+use contact_scaling::limits;
 use osim_model::feet::{ContactPlane, DefaultPose};
 use osim_model::messages::{Phrase, counted, four_significant, phrase, readable, shown, three_significant};
 use osim_model::{FindingCode, MassSource, Model, Severity, VerdictOn};
@@ -224,14 +225,20 @@ fn describe_floor(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         2 => "; one more plane".to_owned(),
         count => format!("; {} more planes", count - 1),
     };
-    let degrees = readable((surface.tilt_rad.to_degrees() * 100.0).round() / 100.0);
-    Ok(format!("{name} leans by {degrees} degrees, on {carrier}{others}").into())
+    let degrees = (surface.tilt_rad.to_degrees() * 100.0).round() / 100.0;
+    let name = if name == "floor" { "the floor".to_owned() } else { format!("the floor {name}") };
+    let lies = if degrees == 0.0 { "is level".to_owned() } else { format!("leans by {degrees} degrees") };
+    Ok(format!("{name} {lies} and is fixed to {carrier}{others}").into())
 }
 
 /// Describes how high the lowest sphere starts, and with which coordinate the body stands.
 fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let describe = |body: &StandingBody| {
-        Some(format!("it starts {}; {}", body.height_in_words()?, body.describe_way_to_stand()))
+        Some(format!(
+            "at the default pose the lowest sphere is {}; {}",
+            body.height_in_words()?,
+            body.describe_way_to_stand()
+        ))
     };
     let first = inspected.inspection.standing.iter().find_map(describe);
     first.map(Phrase::from).ok_or_else(|| "where its spheres are over a floor is not known".into())
@@ -241,9 +248,9 @@ fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
 fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let deepest = inspected.largest(Figure::Indentation).ok_or_else(|| inspected.why_no_figures())?;
     let weighs = inspected.inspection.figures.mass_kg.map(readable).unwrap_or_default();
-    let made_for = made_for(inspected).unwrap_or_else(|| "no note says what they were made for".into());
+    let made_for = made_for(inspected).unwrap_or_else(|| "no note says for which mass they were made".into());
     let x_hat = four_significant(deepest);
-    Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere has x/R = {x_hat}")])
+    Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere sinks in {x_hat} R")])
 }
 
 /// The mass that the contacts are made for, if the worst finding is about depth and does not say it.
@@ -274,13 +281,13 @@ fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         limbs.iter().filter(|limb| limb.side == side).map(|limb| limb.spheres.len()).sum()
     };
     Ok(match (count_on("right"), count_on("left")) {
-        (0, some) | (some, 0) => format!("there is one side only, with {}", spheres(some)),
-        (right, left) if right == left => {
-            format!("they agree: {} on each side", spheres(right))
-        }
-        (right, left) => {
-            format!("what both have agrees: {} on the right, {} on the left", spheres(right), spheres(left))
-        }
+        (0, some) | (some, 0) => format!("there is one side only ({})", spheres(some)),
+        (right, left) if right == left => format!("left and right agree ({} each)", spheres(right)),
+        (right, left) => format!(
+            "what left and right both have agrees ({} on the right, {} on the left)",
+            spheres(right),
+            spheres(left)
+        ),
     }
     .into())
 }
@@ -289,33 +296,31 @@ fn spheres(count: usize) -> String {
     counted(count, "sphere")
 }
 
-/// Describes the radii, also against the mass of the body.
+/// Describes the radii.
 fn describe_sizes(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let radii = inspected.smallest(Figure::Radius).zip(inspected.largest(Figure::Radius));
     let (least, most) = radii.ok_or_else(|| inspected.why_no_figures())?;
-    let scaled_range =
-        |scale: f64| range(&three_significant(least * scale), &three_significant(most * scale));
-    let radii = format!("radii of {} mm", scaled_range(1000.0));
-    Ok(match inspected.inspection.figures.mass_kg {
-        Some(mass) => format!("{radii}, {} m/kg^(1/3) of the mass", scaled_range(mass.cbrt().recip())),
-        None => radii,
-    }
-    .into())
+    let range = range(&three_significant(least * 1e3), &three_significant(most * 1e3));
+    Ok(format!("radii of {range} mm").into())
 }
 
 /// Describes the transition width, the restitution and the natural frequency of the contacts.
 fn describe_solver(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let least = inspected.smallest(Figure::RestitutionExact).ok_or_else(|| inspected.why_no_figures())?;
     let mut text = match inspected.largest(Figure::TransitionWidth) {
-        Some(width) => format!("contact sets in over {} R", three_significant(width)),
-        None => "contact sets in at once, without smoothing".to_owned(),
+        Some(width) => format!(
+            "smoothing switches contact on over {} R (limit {} R)",
+            three_significant(width),
+            limits::TRANSITION_WIDTH.value
+        ),
+        None => "contact switches on at once, without smoothing".to_owned(),
     };
     if let Some(speed) = inspected.inspection.figures.impact_speed_m_s {
         let (least, speed) = (three_significant(least), three_significant(speed));
-        text.push_str(&format!("; a sphere keeps {least} of an impact speed of {speed} m/s"));
+        text.push_str(&format!("; restitution {least} at {speed} m/s"));
     }
     if let Some(frequency) = inspected.largest(Figure::NaturalFrequency) {
-        text.push_str(&format!("; it swings at {} Hz", three_significant(frequency)));
+        text.push_str(&format!("; a rigid body would bounce on it at {} Hz", three_significant(frequency)));
     }
     Ok(text.into())
 }

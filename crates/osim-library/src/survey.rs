@@ -5,18 +5,17 @@ use std::path::PathBuf;
 
 use osim_inspect::{CheckResult, Counts, Inspection};
 use osim_model::files::{Failure, OpenModel};
-use osim_model::messages::Verb;
+use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::{Inspector, ModelFeet};
-use osim_requests::Jobs;
 use osim_requests::options::ReportOptions;
+use osim_requests::{CheckRequest, Jobs};
 use osim_view::html::{About, Columns, DetailLevel, Entry, InspectedAndChecked, NamedDigest, Section};
 use osim_view::report::check::{self, LibraryTable};
-use osim_view::report::extent::Extent;
+use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
-use osim_view::report::layout::Colour;
 
 use crate::report_page::{MayReplace, ReportPage, Words};
-use crate::run::PathConflicts;
+use crate::run::{ModelToFix, PathConflicts};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
 use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
@@ -32,8 +31,10 @@ pub struct Survey<'s> {
     pub report: &'s ReportOptions,
     /// Whether each model is shown by itself, however many there are.
     pub shows_each: bool,
-    /// How much the text of a model shows; in full each is shown by itself, too.
-    pub extent: Extent,
+    /// The call of a check, which the command for many models repeats.
+    pub check: Option<&'s CheckRequest>,
+    /// How texts are laid out; in full each model is shown by itself, too.
+    pub layout: Layout,
     /// The front end whose words messages use.
     pub words: Words,
 }
@@ -42,8 +43,8 @@ pub struct Survey<'s> {
 pub enum SurveyedModel {
     /// The model's inspection, and the numbers of its findings if they are shown.
     Inspected(Box<Inspection>, Option<Counts>),
-    /// The findings of the model that was checked.
-    Checked(Box<CheckResult>),
+    /// Its findings; with `fix` those of the result, and what was written.
+    Checked(Box<CheckResult>, Option<String>),
     /// A model of a folder without contacts.
     WithoutContacts,
     Failed(Box<Failure>),
@@ -89,6 +90,14 @@ impl Survey<'_> {
         mut each: impl FnMut(&str, SurveyedModel) -> Result<(), E>,
     ) -> Result<Option<E>, E> {
         let models = &self.sources.models;
+        if models.len() > 1 && self.check.is_some_and(|call| call.output.is_some()) {
+            let fault = phrase![
+                Input::Output,
+                " names one file, and these are several models: name a folder with ",
+                Input::OutputDir
+            ];
+            return Err(LibraryFault::new(fault).into());
+        }
         let lists = self.verb == Verb::Check || self.is_table();
         let folders =
             lists.then(|| OutputFolders::list(models.iter().map(|source| source.path.as_path()), false));
@@ -112,19 +121,20 @@ impl Survey<'_> {
         Ok(first_error)
     }
 
-    /// The text about all models, still empty.
-    pub fn begin_text(&self, colour: Colour) -> SurveyText {
+    /// Begins the text about the models.
+    pub fn begin_text(&self) -> SurveyText {
         let mut text = SurveyText {
             words: self.words,
-            colour,
-            extent: self.extent,
+            layout: self.layout,
             is_first: true,
             names_full: true,
             models: None,
             library: None,
         };
-        if self.is_table() && self.verb == Verb::Check {
-            text.library = Some(LibraryTable::default());
+        if let Some(call) = self.check.filter(|_| self.is_table()) {
+            let table = text.library.insert(LibraryTable::new(call.clone()));
+            let failures = self.sources.failures.iter();
+            failures.for_each(|failure| table.add_failed(&failure.model.to_string(), failure.code));
         } else if self.is_table() {
             let table = text.models.insert(ModelsTable::default());
             let failures = self.sources.failures.iter();
@@ -138,7 +148,7 @@ impl Survey<'_> {
         let models = self.sources.models.len();
         let several =
             if self.verb == Verb::Check { models } else { models + self.sources.failures.len() } > 1;
-        several && !self.shows_each && !self.extent.is_full()
+        several && !self.shows_each && !self.layout.extent.is_full()
     }
 
     fn survey_model(
@@ -165,8 +175,10 @@ impl Survey<'_> {
         folders: Option<&OutputFolders>,
         with_page: bool,
     ) -> Result<(SurveyedModel, Option<Entry>), Failure> {
-        let opened =
-            Loaded::read_with_memory(source, self.inspector.set_files(), self.memory)?.files.open()?;
+        let Loaded { files: kept, origin } =
+            Loaded::read_with_memory(source, self.inspector.set_files(), self.memory)?;
+        let fix = self.check.filter(|call| call.fix).map(|call| (call.output(), kept.with_bytes(Vec::new())));
+        let opened = kept.open()?;
         let mut inspection = self.inspector.inspect(&opened)?;
         let is_check = self.verb == Verb::Check;
         if is_check && source.folder.is_some() {
@@ -178,18 +190,24 @@ impl Survey<'_> {
                 .filter(|_| is_file)
                 .and_then(|known| known.compiled_model_beside_output(&source.path));
             let files = MemoryFirst { memory: self.memory, disk: &Disk };
-            let mut check_result =
-                self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files);
-            check_result.spell(self.words);
-            check_result
+            self.inspector.check(&opened.model, &inspection, compiled.as_ref(), &files)
         });
+        let (mut check_result, mut written) = (check_result, None);
+        if let Some((output, files)) = fix
+            && let Some(checked) = check_result.take()
+        {
+            let model = ModelToFix { source, files, opened: &opened, origin: &origin, checked };
+            let (judged, what) = model.fix(self.inspector, &output)?;
+            (check_result, written) = (Some(judged), Some(what));
+        }
+        check_result.iter_mut().for_each(|result| result.spell(self.words));
         inspection.spell(self.words);
         let entry = check_result
             .as_ref()
             .filter(|_| with_page)
             .map(|check_result| self.entry(&opened, &inspection, check_result));
         let surveyed = match check_result {
-            Some(check_result) if is_check => SurveyedModel::Checked(Box::new(check_result)),
+            Some(check_result) if is_check => SurveyedModel::Checked(Box::new(check_result), written),
             check_result => SurveyedModel::Inspected(
                 Box::new(inspection),
                 check_result.map(|check_result| check_result.counts),
@@ -233,8 +251,7 @@ impl Survey<'_> {
 /// The text of a survey: one text for each model, or one table of all.
 pub struct SurveyText {
     words: Words,
-    colour: Colour,
-    extent: Extent,
+    layout: Layout,
     is_first: bool,
     /// Whether a table says how all models are shown in full.
     names_full: bool,
@@ -258,26 +275,30 @@ impl SurveyText {
             }
             (SurveyedModel::Inspected(inspected, _), None, _) => {
                 let gap = if std::mem::take(&mut self.is_first) { "" } else { "\n" };
-                return format!("{gap}{}", inspection::text(inspected, self.words, self.colour, self.extent));
+                return format!("{gap}{}", inspection::text(inspected, self.words, self.layout));
             }
-            (SurveyedModel::Checked(check_result), _, Some(table)) => table.add(check_result),
-            (SurveyedModel::Checked(check_result), _, None) => {
-                return check::text(check_result, self.words.prompt(), self.colour, self.extent);
+            (SurveyedModel::Checked(check_result, _), _, Some(table)) => table.add(check_result),
+            (SurveyedModel::Checked(check_result, written), _, None) => {
+                let mut text = check::text(check_result, self.words, self.layout);
+                text.extend(written.as_ref().map(|written| format!("{written}\n")));
+                return text;
             }
             (SurveyedModel::Failed(failure), models, library) => {
                 models.iter_mut().for_each(|table| table.add_failed(name, failure.code));
                 library.iter_mut().for_each(|table| table.add_failed(name, failure.code));
             }
-            (SurveyedModel::WithoutContacts, ..) => {}
+            (SurveyedModel::WithoutContacts, _, library) => {
+                library.iter_mut().for_each(LibraryTable::add_without_contacts);
+            }
         }
         String::new()
     }
 
-    /// The table, where there is one, for lines of `width` characters; `None` is a file, whose lines have no end.
-    pub fn end(self, width: Option<usize>) -> String {
-        let models = self.models.map(|table| table.text(width, self.words, self.colour, self.names_full));
-        let library =
-            self.library.map(|table| table.text(width.is_none(), self.words, self.colour, self.names_full));
+    /// The table, where there is one.
+    pub fn end(self) -> String {
+        let Layout { columns, colour, .. } = self.layout;
+        let models = self.models.map(|table| table.text(columns, self.words, colour, self.names_full));
+        let library = self.library.map(|table| table.text(self.words, self.layout));
         models.or(library).unwrap_or_default()
     }
 }

@@ -87,7 +87,7 @@ pub(crate) fn motion<'py>(
         }
     }
     let record = MotionRecord::new(&result, &remarks, &PythonWords);
-    Ok((dictionary(py, &record)?, motion_text(&result, &remarks, &PythonWords), columns))
+    Ok((dictionary(py, &record)?, motion_text(&result, &remarks, &PythonWords, None), columns))
 }
 
 /// `fit`: the parameters found, and their text.

@@ -114,7 +114,7 @@ impl Planned {
 
     /// The plan as the command prints it.
     fn text(&self) -> String {
-        plan_text::text(self.model.plan(), self.model.opened().name(), "nothing written yet")
+        plan_text::text(self.model.plan(), self.model.opened().name(), "nothing written yet", None)
     }
 
     /// The changes as a unified diff; `output` is how the new model is called in it.

@@ -8,9 +8,8 @@ use osim_library::{LibraryFault, Source, Sources, Survey, SurveyedModel};
 use osim_model::messages::terminal_safe;
 use osim_planning::Inspector;
 use osim_requests::{Jobs, Request};
-use osim_view::report::extent::Extent;
+use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::json::FailureRecord;
-use osim_view::report::layout::Colour;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
@@ -55,6 +54,10 @@ pub(crate) fn survey<'py>(
         if let Some(failure) = inspector.generic_failure() {
             return Err(failure.clone().into());
         }
+        let check = match &request {
+            Request::Check(request) => Some(&**request),
+            _ => None,
+        };
         let survey = Survey {
             verb: request.verb(),
             sources: &sources(models, &files),
@@ -62,7 +65,8 @@ pub(crate) fn survey<'py>(
             inspector: &inspector,
             report,
             shows_each,
-            extent: Extent::new(full),
+            check,
+            layout: Layout { extent: Extent::new(full), ..Layout::default() },
             words: WORDS,
         };
         // Python checked it with its own name.
@@ -100,7 +104,7 @@ fn survey_models(
     let mut page = survey.begin_page(call)?;
     let unlisted = survey.sources.failures.iter().cloned().map(Box::new);
     let mut rows: Vec<SurveyedModel> = unlisted.map(SurveyedModel::Failed).collect();
-    let mut pieces = survey.begin_text(Colour::Plain).without_full();
+    let mut pieces = survey.begin_text().without_full();
     let mut text = String::new();
     let each = |name: &str, surveyed: SurveyedModel| -> Result<(), LibraryFault> {
         text.push_str(&pieces.add(name, &surveyed));
@@ -111,14 +115,14 @@ fn survey_models(
     survey.run(&mut page, jobs, || watch.is_stopped(), each)?;
     watch.check_stopped()?;
     page.map_or(Ok(()), ReportPage::finish)?;
-    text.push_str(&pieces.end(None));
+    text.push_str(&pieces.end());
     Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))
 }
 
 fn row(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<Row<'_>> {
     Ok(match surveyed {
         SurveyedModel::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
-        SurveyedModel::Checked(found) => (Some(dictionary(py, &*found)?), remedies(&found), None),
+        SurveyedModel::Checked(found, _) => (Some(dictionary(py, &*found)?), remedies(&found), None),
         SurveyedModel::WithoutContacts => (None, Vec::new(), None),
         SurveyedModel::Failed(failure) => {
             let record = dictionary(py, &FailureRecord::new(&failure, WORDS))?;

@@ -76,7 +76,7 @@ impl RequestFault {
             }
             Self::Missing { field } => phrase![&name_of_field(field), " is missing"],
             Self::Needs { field, other } => {
-                phrase![&name_of_field(field), " says nothing without ", &name_of_field(other)]
+                phrase![&name_of_field(field), " needs ", &name_of_field(other)]
             }
             Self::Excludes { field, other } => {
                 phrase![

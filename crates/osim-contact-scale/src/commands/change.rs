@@ -152,6 +152,7 @@ fn do_tasks(
         words: session.words,
         options,
         format,
+        columns: session.terminal.columns(),
         detail: DetailLevel::for_models(tasks + run.request().failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
@@ -284,6 +285,8 @@ pub(crate) struct Shower<'s> {
     pub words: Words,
     pub options: &'s RunOptions,
     pub format: RunFormat,
+    /// Columns of the terminal; `None` if lines have no end.
+    pub columns: Option<usize>,
     /// How much of each model a page shows.
     pub detail: DetailLevel,
     pub progress: Progress,
@@ -359,7 +362,7 @@ impl Shower<'_> {
         let (shown, result) = (opened.name(), written.describe());
         Some(match self.format {
             RunFormat::Lines => plan::line(plan, shown, &result),
-            _ => plan::text(plan, shown, &result),
+            _ => plan::text(plan, shown, &result, self.columns),
         })
     }
 }

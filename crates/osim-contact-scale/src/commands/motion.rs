@@ -33,7 +33,7 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     let text = match request.format {
         MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
         MotionFormat::Csv => motion_csv(&result)?,
-        _ => motion_text(&result, &remarks, session.words),
+        _ => motion_text(&result, &remarks, session.words, session.terminal.columns()),
     };
     let written = match &output {
         Some(output) => output.write(&result, request, session)?,

@@ -1,6 +1,7 @@
 //! `inspect` and `check`: what contacts models have, what they do under their weight, and what is wrong with them.
 
 use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use anyhow::Result;
 use osim_library::{Disk, Sources, Survey, SurveyedModel};
@@ -9,9 +10,7 @@ use osim_model::messages::{Call, Input, Verb};
 use osim_planning::Inspector;
 use osim_requests::options::SheetFormat;
 use osim_requests::{CheckRequest, InspectRequest};
-use osim_view::report::extent::Extent;
 use osim_view::report::json::line;
-use osim_view::report::layout::Colour;
 use osim_view::report::{check, inspection};
 
 use crate::exit::{self, Exit};
@@ -36,12 +35,13 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
         report: &request.report,
         // Factors of bodies have no room in a table.
         shows_each: request.from.is_some() || format != SheetFormat::Table,
-        extent: Extent::new(request.full),
+        check: None,
+        layout: session.layout(request.full),
         words: session.words,
     };
     let shown = show(&survey, format, session)?;
     if hint && shown.is_any && format == SheetFormat::Table {
-        session.terminal.print(&next_steps(session, shown.has_contacts))?;
+        session.terminal.print(&next_steps(session, &request.models, shown.has_contacts))?;
     }
     Ok(shown.exit)
 }
@@ -54,16 +54,18 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
     let inspector = Inspector::for_check(request, &Disk);
     let survey = Survey {
         verb: Verb::Check,
-        sources: &Sources::find(&request.models, None),
+        sources: &Sources::find(&request.models, request.output_dir.as_deref()),
         memory: &BTreeMap::new(),
         inspector: &inspector,
         report: &request.report,
         shows_each: request.format != SheetFormat::Table,
-        extent: Extent::new(request.full),
+        check: Some(request),
+        layout: session.layout(request.full),
         words: session.words,
     };
     let shown = show(&survey, request.format, session)?;
-    if shown.without_contacts > 0 {
+    // The table of findings says it itself.
+    if shown.without_contacts > 0 && (request.full || request.format != SheetFormat::Table) {
         let text = format!("remark: models without contacts skipped: {}\n", shown.without_contacts);
         session.terminal.print_beside(&text)?;
     }
@@ -99,29 +101,29 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
     for remark in &survey.sources.remarks {
         session.terminal.remark(remark)?;
     }
-    let mut text = survey.begin_text(Colour::Ansi);
+    let mut text = survey.begin_text();
     let each = |name: &str, surveyed: SurveyedModel| -> Result<()> {
         let header = !shown.is_any;
         match &surveyed {
             SurveyedModel::Inspected(inspected, _) => shown.has_contacts |= !inspected.forces.is_empty(),
-            SurveyedModel::Checked(found) => {
+            SurveyedModel::Checked(found, _) => {
                 let worst = found.findings.iter().map(|finding| finding.severity).max();
                 shown.worst = shown.worst.max(worst);
             }
             SurveyedModel::WithoutContacts => shown.without_contacts += 1,
             SurveyedModel::Failed(failure) => shown.exit = shown.exit.and(session.fail(failure, json)?),
         }
-        shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(_));
+        shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(..));
         let terminal = &mut session.terminal;
         match (format, &surveyed) {
             (SheetFormat::Json, SurveyedModel::Inspected(inspected, _)) => {
                 terminal.print_records(&line(inspected))?;
             }
-            (SheetFormat::Json, SurveyedModel::Checked(found)) => terminal.print_records(&line(found))?,
+            (SheetFormat::Json, SurveyedModel::Checked(found, _)) => terminal.print_records(&line(found))?,
             (SheetFormat::Csv, SurveyedModel::Inspected(inspected, _)) => {
                 terminal.print_records(&inspection::csv_rows(inspected, header)?)?;
             }
-            (SheetFormat::Csv, SurveyedModel::Checked(found)) => {
+            (SheetFormat::Csv, SurveyedModel::Checked(found, _)) => {
                 terminal.print_records(&check::csv_rows(found, header)?)?;
             }
             _ => terminal.print_painted(&text.add(name, &surveyed))?,
@@ -131,14 +133,22 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
     let untold = survey.run(&mut page, None, || false, each)?;
     shown.exit = shown.exit.and(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
-    session.terminal.print_painted(&text.end(session.terminal.columns()))?;
+    session.terminal.print_painted(&text.end())?;
     Ok(shown)
 }
 
+/// In place of the model in a call.
+const MODEL: &str = "MODEL";
+
 /// What to do next, once, after all models: without contacts in any of them, how they get some.
-fn next_steps(session: &Session, has_contacts: bool) -> String {
+fn next_steps(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
     let words = session.words;
-    let row = |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call));
+    let name = match models {
+        [only] => words.word(&only.display().to_string()),
+        _ => MODEL.to_owned(),
+    };
+    let row =
+        |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call).replacen(MODEL, &name, 1));
     let steps = if has_contacts {
         let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         let transfer = Verb::Transfer.call_with_model().with_placeholder(Input::From, "OTHER");
@@ -153,7 +163,7 @@ fn next_steps(session: &Session, has_contacts: bool) -> String {
         row(&add, "give it the contacts of another model")
     };
     format!(
-        "\nNothing was changed. Next (MODEL is the name of the file, in quotes where it has blanks):\n{steps}{}",
+        "\nNothing was changed. Next:\n{steps}{}",
         "  osim-contact-scale --help                         everything else\n"
     )
 }

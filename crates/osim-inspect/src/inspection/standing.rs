@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use foldhash::HashMap;
 use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
-use osim_model::messages::{readable, shown};
+use osim_model::messages::{four_significant, readable, shown};
 use osim_model::{Limb, Limbs, Model, SphereId};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -273,25 +273,39 @@ impl StandingBody {
         })
     }
 
-    /// The coordinate with which it stands: `pelvis_ty = 0.981 (now 0) puts it on its feet`, or why there is none.
+    /// Where the default pose is: `65 mm too high`; `on the floor` within a tenth of a millimetre.
+    pub fn pose_in_words(&self) -> Option<String> {
+        let height_m = self.lowest()?.height_m;
+        let millimetres = four_significant((height_m.abs() * 1e4).round() / 10.0);
+        Some(match height_m {
+            height if height.abs() < 1e-4 => "on the floor".to_owned(),
+            height if height < 0.0 => format!("{millimetres} mm too low"),
+            _ => format!("{millimetres} mm too high"),
+        })
+    }
+
+    /// The coordinate with which it stands: `to start there, pelvis_ty = 0.981 (now 0; the spheres then carry the body)`, or why there
+    /// is none.
     pub fn describe_way_to_stand(&self) -> String {
         if let Some(why) = &self.why_no_coordinate {
             return format!("no coordinate puts it on its feet: {why}");
         }
         let carried = self.as_posed.as_ref().filter(|rest| rest.carried).and_then(|rest| rest.value_m);
         match (carried, self.touching_m) {
-            (Some(value), _) => format!("{} puts it on its feet", self.coordinate_set_to(value)),
-            (None, Some(value)) => {
-                format!("{} lets its lowest sphere touch the floor", self.coordinate_set_to(value))
-            }
+            (Some(value), _) => self.coordinate_set_to(value, "the spheres then carry the body"),
+            (None, Some(value)) => self.coordinate_set_to(value, "its lowest sphere then touches the floor"),
             (None, None) => "what puts it on its feet is not known".to_owned(),
         }
     }
 
-    /// The coordinate with a new and its present value: `pelvis_ty = 0.981 (now 0)`.
-    fn coordinate_set_to(&self, value: f64) -> String {
+    /// The coordinate with a new and its present value, and what the new one does.
+    fn coordinate_set_to(&self, value: f64, does: &str) -> String {
         let (name, now) = (self.coordinate_name().unwrap_or_default(), self.default_m.unwrap_or_default());
-        format!("{name} = {} (now {})", readable(self.rounded_coordinate(value)), readable(now))
+        format!(
+            "to start there, {name} = {} (now {}; {does})",
+            readable(self.rounded_coordinate(value)),
+            readable(now)
+        )
     }
 
     /// The coordinate's name; with its joint if OpenSim made the name, because several joints can have a `_coord_4`.

@@ -179,13 +179,16 @@ pub(crate) fn find_contacts_of_another_mass(
         return None;
     }
     let text = format!(
-        "the contacts are those of {}, made for {} kg, and the body weighs {} kg",
-        known.title,
+        "the contacts are for {} kg ({}), the body weighs {} kg",
         readable(made_for),
+        known.title,
         four_significant(mass)
     );
     let remedy = places_are_right.then(|| scale_to_body(remedies, made_for, mass)).flatten();
-    Some(FindingWithRemedy::new(Finding::new(&CONTACTS_OF_ANOTHER_MASS, text), remedy))
+    let measure = format!("{} for {} kg", readable(made_for), four_significant(mass));
+    let finding =
+        Finding::new(&CONTACTS_OF_ANOTHER_MASS, text).with_measure((mass / made_for).ln().abs(), measure);
+    Some(FindingWithRemedy::new(finding, remedy))
 }
 
 fn scale_to_body(remedies: &Remedies<'_>, contacts_mass_kg: f64, target_mass_kg: f64) -> Option<Request> {

@@ -207,8 +207,10 @@ pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRe
     let affected = check.spheres_with(|sphere| {
         value_beyond_limit(sphere, Figure::Indentation).filter(|&x| x < UP_TO_CENTRE)
     })?;
-    let (x, limit) = (four_significant(affected.largest), INDENTATION.in_words());
-    let text = format!("at body weight on one limb x/R is {x} by Hertz, {limit}");
+    let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
+    let text = format!(
+        "under body weight on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
+    );
     Some(check.finding_at_sphere(&BEYOND_HERTZ, &text, &affected).into())
 }
 
@@ -233,7 +235,9 @@ pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<Findin
             .filter(|_| sphere.is_within(Figure::Indentation) == Some(true))
     };
     let affected = check.spheres_with(only_at_two)?;
-    let (x, limit) = (four_significant(affected.largest), INDENTATION.in_words());
-    let text = format!("at two body weights on one limb x/R is {x} by Hertz, {limit}");
+    let (x, limit) = (four_significant(affected.largest), INDENTATION.value);
+    let text = format!(
+        "under two body weights on one limb spheres sink in {x} R, and Hertz theory holds up to {limit} R"
+    );
     Some(check.finding_at_sphere(&BEYOND_HERTZ_AT_TWO, &text, &affected).into())
 }

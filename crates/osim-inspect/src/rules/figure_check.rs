@@ -62,6 +62,7 @@ impl<'l> FigureCheck<'l> {
         let line =
             self.inspected.spheres.iter().find(|sphere| sphere.path == worst.path).map(|sphere| sphere.line);
         let finding = Finding::new(rule, format!("{text} ({which})")).with_place(&worst.path);
+        let finding = finding.with_measure(affected.largest, "");
         finding.with_line(line).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
     }
 

@@ -256,7 +256,13 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
         placement.spheres.iter().filter(|sphere| !sphere.follows && sphere.stayed() == stayed).collect();
     let worst = all.iter().copied().reduce(|a, b| if b.distance_m() > a.distance_m() { b } else { a })?;
     let (count, total) = (all.len(), counted(placement.spheres.len(), "sphere"));
-    let most = format!("up to {} mm, {}", three_significant(1e3 * worst.distance_m()), worst.name);
+    let distance = format!("{} mm", three_significant(1e3 * worst.distance_m()));
+    let most = format!("up to {distance}, {}", worst.name);
+    let details = all.iter().map(|sphere| {
+        let (here, belongs) = (millimetres(sphere.here_m), millimetres(sphere.belongs_m));
+        format!("{} is at {here} mm and belongs at {belongs} mm", sphere.name)
+    });
+    let details = details.collect();
     let finding = if stayed {
         Finding::new(&SPHERES_LEFT_BEHIND, format!("{count} of {total} did not follow the bones ({most})"))
     } else {
@@ -269,8 +275,18 @@ fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Findi
         ];
         Finding::new(&SPHERES_MISPLACED, text)
     };
-    let finding = finding.with_place(&worst.path).with_line(Some(worst.line));
+    let finding = finding.with_place(&worst.path).with_line(Some(worst.line)).with_details(details);
+    let finding = finding.with_measure(worst.distance_m(), distance);
     Some(finding.with_spheres(all.into_iter().map(|sphere| sphere.name.clone()).collect()))
+}
+
+fn millimetres(place: [f64; 3]) -> String {
+    let axes = place.map(|metres| {
+        let text = format!("{:.2}", metres * 1e3);
+        // Write zero without a minus.
+        if text == "-0.00" { "0.00".to_owned() } else { text }
+    });
+    axes.join(" ")
 }
 
 /// The finding that these spheres reach further than those of published models.

@@ -101,7 +101,7 @@ pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
 pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::ConstantIndentation))?;
     let x = four_significant(affected.largest);
-    let text = format!("sqrt(constant_contact_force)/R is {x}, {}", CONSTANT_INDENTATION.in_words());
+    let text = format!("sqrt(constant_contact_force)/R is {x}, limit {}", CONSTANT_INDENTATION.value);
     let remedy = check.remedies.design_constant_indentation(CONSTANT_INDENTATION.value);
     Some(FindingWithRemedy::new(
         check.finding_at_force(&LARGE_CONSTANT_INDENTATION, &text, &affected),
@@ -126,8 +126,8 @@ pub(super) static WIDE_TRANSITION: Rule = Rule {
 
 pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let affected = check.spheres_with(|sphere| value_beyond_limit(sphere, Figure::TransitionWidth))?;
-    let (width, limit) = (four_significant(affected.largest), TRANSITION_WIDTH.in_words());
-    let text = format!("contact sets in over {width} R, {limit}");
+    let (width, limit) = (four_significant(affected.largest), TRANSITION_WIDTH.value);
+    let text = format!("smoothing switches contact on over {width} R, limit {limit} R");
     Some(FindingWithRemedy::new(
         check.finding_at_force(&WIDE_TRANSITION, &text, &affected),
         narrow_transition(check.remedies),
@@ -163,10 +163,12 @@ pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<Findi
     })?;
     let restitution = affected.worst.value(Figure::RestitutionApproximate);
     let restitution = restitution.map_or_else(|| "below 0".to_owned(), four_significant);
+    let exact = affected.worst.value(Figure::RestitutionExact);
+    let exact = exact.map_or_else(|| "not known".to_owned(), four_significant);
     let text = format!(
-        "at an impact speed of {} m/s the restitution is {restitution} by (13), {}",
+        "the restitution at {} m/s is {exact}, by (13) {restitution}, limit {} or more",
         four_significant(speed),
-        RESTITUTION.in_words()
+        RESTITUTION.value
     );
     Some(check.finding_at_force(&BEYOND_HUNT_CROSSLEY, &text, &affected).into())
 }

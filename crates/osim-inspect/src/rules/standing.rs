@@ -34,9 +34,9 @@ pub(super) fn find_not_on_floor(check: &FigureCheck<'_>) -> Vec<FindingWithRemed
 }
 
 fn not_on_floor_finding(body: &StandingBody, is_one_of_several: bool) -> Option<Finding> {
-    let which = if is_one_of_several { format!("with {} ", shown(&body.body)) } else { String::new() };
-    let (height, way) = (body.height_in_words()?, body.describe_way_to_stand());
-    let text = format!("a simulation {which}from the default pose starts {height}; {way}");
+    let which = if is_one_of_several { format!(" of {}", shown(&body.body)) } else { String::new() };
+    let (height, way) = (body.pose_in_words()?, body.describe_way_to_stand());
+    let text = format!("the default pose{which} is {height}; {way}");
     Some(Finding::new(&NOT_ON_FLOOR, text).with_place(&body.lowest()?.path))
 }
 

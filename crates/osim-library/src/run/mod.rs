@@ -3,6 +3,7 @@
 //! A [`Task`] is one model with its `JobSettings`; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], reported in the order in which the models were named.
 
+mod fix;
 mod model_job;
 mod planned_model;
 mod record;
@@ -26,6 +27,7 @@ use crate::run::summary::SummaryWriter;
 use crate::workers::{thread_count, work_in_order};
 use crate::write::OutputFolders;
 
+pub(crate) use fix::ModelToFix;
 pub use model_job::{Counts, Outcome};
 pub use planned_model::PlannedModel;
 pub use record::{JsonRecord, Record, Status};

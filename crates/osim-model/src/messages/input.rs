@@ -74,6 +74,7 @@ inputs! {
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     Feet = "feet", "bodies that touch the ground";
     Fit = "fit", "what is fitted";
+    Fix = "fix", "do what check prints";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
     Force = "force", "replace existing files";

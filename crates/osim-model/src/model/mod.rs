@@ -64,7 +64,7 @@ pub use fault::{
     MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, NoteDoubt, Question, RadiusChangeReason,
     probable_units,
 };
-pub use finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
+pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictOn};
 pub use limbs::{Limb, Limbs};
 pub use mass::{
     Mass, MassRequest, MassSource, implausible_mass, is_at_target, positive_mass, same_gravity, same_mass,

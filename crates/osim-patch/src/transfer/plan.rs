@@ -256,6 +256,9 @@ fn check_spread(
     Ok(())
 }
 
+/// Numbers that differ by less than this (relative) look the same.
+const SAME_TO_THE_EYE: f64 = 1e-3;
+
 /// A remark with x̂ under body weight and c_r of the reference and of the result, to compare scaling rules.
 fn compare_with_reference(
     model: &Model,
@@ -311,9 +314,16 @@ fn compare_with_reference(
     };
     let (x_there, c_there) = describe(&from.contact, &there)?;
     let (x_here, c_here) = describe(&contact, &here)?;
-    let text = format!(
-        "relative indentation at body weight {x_there:.4} in the reference, {x_here:.4} here; \
-         restitution (exact law) at sqrt(gR/2) {c_there:.4} and {c_here:.4}"
-    );
+    let as_much = |here: f64, there: f64| (here / there - 1.0).abs() < SAME_TO_THE_EYE;
+    let text = if as_much(x_here, x_there) && as_much(c_here, c_there) {
+        format!(
+            "the contacts sink in as deep ({x_here:.3} R) and bounce as much ({c_here:.3}) as in the reference"
+        )
+    } else {
+        format!(
+            "the contacts sink in {x_here:.3} R (in the reference {x_there:.3} R), and their restitution is {c_here:.3} \
+             (there {c_there:.3})"
+        )
+    };
     Some(text.into())
 }

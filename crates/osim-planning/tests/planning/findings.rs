@@ -140,12 +140,12 @@ fn each_finding_says_its_figure_and_the_limit() {
         (
             FindingCode::BeyondHertz,
             Smooth { stiffness: stiffness_for(0.25, WEIGHT), ..SOLE },
-            "at body weight on one limb x/R is 0.25 by Hertz, at most 0.16 (heel_r)",
+            "under body weight on one limb spheres sink in 0.25 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::BeyondHertzAtTwo,
             Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE },
-            "at two body weights on one limb x/R is 0.2 by Hertz, at most 0.16 (heel_r)",
+            "under two body weights on one limb spheres sink in 0.2 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::SunkIn,
@@ -155,22 +155,22 @@ fn each_finding_says_its_figure_and_the_limit() {
         (
             FindingCode::BeyondHuntCrossley,
             Smooth { dissipation: 1.5, ..SOLE },
-            "at an impact speed of 0.5 m/s the restitution is 0.25 by (13), at least 0.8 (heel_r)",
+            "the restitution at 0.5 m/s is 0.5609, by (13) 0.25, limit 0.8 or more (heel_r)",
         ),
         (
             FindingCode::BeyondHuntCrossley,
             Smooth { dissipation: 2.5, ..SOLE },
-            "at an impact speed of 0.5 m/s the restitution is below 0 by (13), at least 0.8 (heel_r)",
+            "the restitution at 0.5 m/s is 0.4368, by (13) below 0, limit 0.8 or more (heel_r)",
         ),
         (
             FindingCode::LargeConstantIndentation,
             Smooth { constant_contact_force: 1e-4, ..SOLE },
-            "sqrt(constant_contact_force)/R is 0.2, at most 0.1 (heel_r)",
+            "sqrt(constant_contact_force)/R is 0.2, limit 0.1 (heel_r)",
         ),
         (
             FindingCode::WideTransition,
             Smooth { hertz_smoothing: 100.0, ..SOLE },
-            "contact sets in over 0.5889 R, at most 0.31 (heel_r)",
+            "smoothing switches contact on over 0.5889 R, limit 0.31 R (heel_r)",
         ),
         (
             FindingCode::ForceBeforeContact,
@@ -202,7 +202,7 @@ fn of_several_spheres_the_worst_is_the_place_and_all_that_are_concerned_are_name
     assert!(
         deep.message
             .to_string()
-            .ends_with("x/R is 0.25 by Hertz, at most 0.16 (2 of 3 spheres, most in toe_r)")
+            .ends_with("sink in 0.25 R, and Hertz theory holds up to 0.16 R (2 of 3 spheres, most in toe_r)")
     );
     assert_eq!(deep.place.as_deref(), Some("/contactgeometryset/toe_r"));
     assert_eq!(deep.line, line_of(&foot(&spheres), "<ContactSphere name=\"toe_r\""));

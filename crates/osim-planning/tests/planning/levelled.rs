@@ -163,7 +163,7 @@ fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
         said.starts_with("the default pose was 2.5 mm inside the floor and is 35 mm inside the floor now; "),
         "{said}"
     );
-    assert!(said.ends_with(" puts it on its feet"), "{said}");
+    assert!(said.ends_with("; the spheres then carry the body)"), "{said}");
     // Bottoms that stay, and little that moves.
     assert!(remarks_on_moved_bottoms(HEEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty());
     let body =

@@ -145,11 +145,13 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
         .findings
         .iter()
         .filter(|finding| finding.code() == FindingCode::SpheresLeftBehind)
-        .map(|finding| finding.message.to_string())
+        .flat_map(|finding| [vec![finding.message.to_string()], finding.details.clone()].concat())
         .collect();
     // The Scale Tool's factors of calcn and toes are 1.02, 0.9 and 0.95. The heel's bottom was at -72 mm and goes to -64.8; with a radius of
     // 32 ∛(1.02 · 0.9 · 0.95) = 30.57 mm its centre goes to -34.23, and from 5 to 4.75 mm sideways: √(0.2² + 5.77² + 0.25²) is 5.78.
-    assert_eq!(behind, ["6 of 6 spheres did not follow the bones (up to 5.78 mm, heel_r)"]);
+    assert_eq!(behind[0], "6 of 6 spheres did not follow the bones (up to 5.78 mm, heel_r)");
+    assert_eq!(behind[1], "heel_r is at -10.00 -40.00 5.00 mm and belongs at -10.20 -34.23 4.75 mm");
+    assert_eq!(behind.len(), 7);
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
     let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
     assert_eq!(said(found.findings[0].remedy.as_ref()), expected);

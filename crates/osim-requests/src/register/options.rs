@@ -159,6 +159,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Motion => "The unit of the motion's angles, where its header does not say it",
             Plot => "Of motion: the unit of its angles, where its header does not say it",
             Fit => "The unit of the motions' angles, where their headers do not say it";
+        Fix = flag().about(FieldGroup::Output), "Do what the printed commands do, and check the result: with `output`, `output_dir` or `in_place`";
         Deny = choice(Deny::WORDS).rare_if(!is(&[Check])).about(FieldGroup::Shown).of_run(),
             "Exit with 1 where the result has a finding as bad as this, or worse",
             Check => "Exit with 1 where a finding is as bad as this, or worse";
@@ -239,7 +240,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         InPlace = flag().rare_if(is(&[Fit])).about(FieldGroup::Output), "Change the model itself and keep the old one as NAME.osim.bak";
         NoBackup = flag().rare().about(FieldGroup::Output), "With `in_place`: keep no backup";
         Force = flag().under_if(is(&[Motion, Plot, Reproduce]), OF_VERB_ALONE).about(FieldGroup::Output), "Replace existing files",
-            Inspect | Check => "Replace an existing report";
+            Inspect => "Replace an existing report",
+            Check => "Replace existing files";
         NoNote = flag().rare(), "Leave no note (in the credits) in the model",
             Sweep => "Leave no note (in the credits) in the models";
         DryRun = flag().of_run(), "Write nothing, only say what would change",

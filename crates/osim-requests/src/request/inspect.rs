@@ -64,6 +64,12 @@ pub struct CheckRequest {
     pub full: bool,
     pub deny: Deny,
     pub format: SheetFormat,
+    pub fix: bool,
+    #[serde(with = "path::Optional")]
+    pub output: Option<PathBuf>,
+    #[serde(with = "path::Optional")]
+    pub output_dir: Option<PathBuf>,
+    pub in_place: bool,
     #[serde(flatten)]
     pub report: ReportOptions,
     #[serde(flatten)]
@@ -71,19 +77,33 @@ pub struct CheckRequest {
 }
 
 impl CheckRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[
-            Relation::Required("models"),
-            Relation::Needs("body_scale_file", "from"),
-            Relation::Needs("moco_setup", "from"),
-            Relation::Needs("from_moco_setup", "moco_setup"),
-            Relation::Needs("motion", "plates"),
-            Relation::Needs("plates", "motion"),
-            Relation::Needs("loads", "motion"),
-            Relation::Needs("angles", "motion"),
-        ],
-        ReportOptions::RELATIONS,
-    ];
+    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
+        Relation::Required("models"),
+        Relation::Needs("body_scale_file", "from"),
+        Relation::Needs("moco_setup", "from"),
+        Relation::Needs("from_moco_setup", "moco_setup"),
+        Relation::Needs("motion", "plates"),
+        Relation::Needs("plates", "motion"),
+        Relation::Needs("loads", "motion"),
+        Relation::Needs("angles", "motion"),
+        Relation::Needs("output", "fix"),
+        Relation::Needs("output_dir", "fix"),
+        Relation::Needs("in_place", "fix"),
+        Relation::Excludes("output_dir", "output"),
+        Relation::Excludes("in_place", "output"),
+        Relation::Excludes("in_place", "output_dir"),
+    ]];
+
+    /// Where the results of `fix` go.
+    pub fn output(&self) -> OutputOptions {
+        OutputOptions {
+            output: self.output.clone(),
+            output_dir: self.output_dir.clone(),
+            in_place: self.in_place,
+            force: self.report.force,
+            ..OutputOptions::default()
+        }
+    }
 }
 
 // Writing down what the user knows of contacts: the mass they were made for, the limbs that share the weight.

@@ -1,5 +1,7 @@
 //! The register of verbs: the request of each, what the help and pages say of it, and what has no name in its calls.
 
+use std::path::PathBuf;
+
 use osim_model::messages::{Input, Verb};
 #[cfg(feature = "schemas")]
 use schemars::Schema;
@@ -161,6 +163,18 @@ macro_rules! verbs {
             pub fn output_mut(&mut self) -> Option<&mut OutputOptions> {
                 match self {
                     $($(Self::$variant($change) => Some(&mut $change.output),)?)+
+                    _ => None,
+                }
+            }
+
+            /// The models of a verb that changes the contacts which models have.
+            pub fn models_mut(&mut self) -> Option<&mut Vec<PathBuf>> {
+                match self {
+                    Self::Rescale(request) => Some(&mut request.models),
+                    Self::Transfer(request) => Some(&mut request.models),
+                    Self::Convert(request) => Some(&mut request.models),
+                    Self::Design(request) => Some(&mut request.models),
+                    Self::Set(request) => Some(&mut request.models),
                     _ => None,
                 }
             }

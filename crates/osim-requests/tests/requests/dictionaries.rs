@@ -66,7 +66,7 @@ fn a_wrong_field_is_named_with_what_to_write() {
         (json!({"target_mas": 62}), "target_mas", "did you mean `target_mass`"),
         (json!({"radius": "huge"}), "radius", "expected isometric, keep"),
         (json!({"only": ["stifness"]}), "only", "there is no property 'stifness'"),
-        (json!({"level_axis": "y"}), "level_axis", "says nothing without `level`"),
+        (json!({"level_axis": "y"}), "level_axis", "needs `level`"),
         (json!({"in_place": true, "output": "b.osim"}), "in_place", "exclude each other"),
         (json!({"dissipation_by": "height"}), "dissipation_by", "expected one of radius, mass"),
         (json!({"jobs": 0}), "jobs", "expected a whole number from 1 to 4096"),

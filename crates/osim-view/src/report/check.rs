@@ -1,252 +1,441 @@
-//! What was found, as text.
+//! What was found, as text: of one model in rows, of many models by finding.
 
 use std::cmp::Reverse;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 
-use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Verdict};
-use osim_model::messages::{Phrase, one_line};
+use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Sign};
+use osim_model::messages::{Phrase, counted, one_line, shown_whole};
 use osim_model::{FindingCode, Severity};
+use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
+use osim_requests::{CheckRequest, Request};
 
-use crate::report::extent::Extent;
-use crate::report::layout::{Colour, clipped, csv_text, severity, sign, table, wrapped, wrapped_with_path};
-use crate::report::messages::in_a_cell;
+use crate::report::extent::Layout;
+use crate::report::layout::{csv_text, severity, sign, table, wrapped_with_path};
+use crate::report::messages::{NO_CONTACTS, in_a_cell};
 use crate::report::similarity;
 
-/// Columns before the words of a verdict.
-const INDENT: usize = 20;
+/// Columns before the words of a row.
+const INDENT: usize = 18;
 
-/// A line for each verdict: its sign, what it is on, and the answer.
-fn lines(verdicts: &[Verdict], colour: Colour) -> String {
-    verdicts.iter().map(|verdict| line(verdict, colour)).collect()
-}
+/// What a finding that answers none of the questions is about.
+const FILE: &str = "file";
 
-fn line(verdict: &Verdict, colour: Colour) -> String {
-    let word = verdict.sign.as_str();
-    let head = format!("  {word:<8} {:<9}", verdict.on.as_str());
-    let text = verdict.text.to_string();
-    let place = verdict.place.as_deref().filter(|place| !text.contains(*place));
-    let place = place.map(|place| format!(" ({place})")).unwrap_or_default();
-    let line = wrapped(&format!("{head}{text}{place}"), &" ".repeat(INDENT));
-    line.replacen(word, &sign(verdict.sign, colour), 1)
-}
+/// Models or findings of one rule that are told one by one at most; more are counted.
+const NAMED: usize = 3;
 
 // Findings of one model, for people.
 
-/// The verdicts, then every finding, worst first, with what to do. What was found is taken as it is spelled; `prompt` is before each remedy.
-///
-/// What was published so with known contacts is named once, and explained only in full, except that they may be for another mass.
-pub fn text(found: &CheckResult, prompt: &str, colour: Colour, extent: Extent) -> String {
-    let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
-    let clean = known.filter(|_| found.counts.error + found.counts.warning == 0);
-    let shown: Vec<&FindingWithRemedy> = found
-        .findings
-        .iter()
-        .filter(|finding| {
-            extent.is_full()
-                || (!finding.is_published || is_of_another_mass(finding))
-                    && clean.is_none_or(|known| known.code() != finding.code())
-        })
-        .collect();
-    let published = published(found);
-    let head = match clean {
-        Some(known) if found.findings.iter().any(is_of_another_mass) => {
-            let mass = "this body weighs something else: the contacts may be for another mass";
-            format!("nothing is wrong for certain; {}, and {mass}{published}", known.message)
-        }
-        Some(known) => format!("nothing is wrong; {}{published}", known.message),
-        None => found.counts.describe("nothing to say"),
-    };
-    let mut text = wrapped_with_path(&found.model, &head, "  ");
-    text.push_str(&lines(&found.verdicts, colour));
-    // What puts several findings right is not repeated with each.
-    let mended: BTreeSet<FindingCode> =
-        found.findings.iter().filter(|one| one.command.is_some()).map(|one| one.code()).collect();
-    let at_end = found.commands.len() > 1 || mended.len() > 1;
-    let mut rest = shown.as_slice();
-    while let Some(first) = rest.first() {
-        // The same trap in several places is explained once.
-        let same = rest.iter().take_while(|finding| finding.code() == first.code()).count();
-        let (alike, others) = rest.split_at(same);
-        text.push('\n');
-        let more = if first.code() == FindingCode::KnownContacts { published.as_str() } else { "" };
-        text.push_str(&block(first, alike, more, colour, extent));
-        if !at_end {
-            text.push_str(&commands(alike.iter().filter_map(|finding| finding.command.as_ref()), prompt));
-        }
-        rest = others;
+/// What is wrong and the command that corrects it; a row for each question that is not good, and one for those that are; in full all
+/// findings with why and what to do. What was found is taken as it is spelled.
+pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String {
+    let rows = Rows::of(found);
+    let is_full = layout.extent.is_full();
+    let mut text = wrapped_with_path(&found.model, &headline(found, &rows), "  ", layout.width());
+    text.push_str(&commands(&found.commands, words));
+    text.push('\n');
+    for row in &rows.bad {
+        text.push_str(&row.text(layout));
     }
-    if at_end {
-        let order = if found.commands.len() > 1 { ", one after the other" } else { "" };
-        text.push_str(&format!("\nTo put it right{order}:\n"));
-        text.push_str(&commands(&found.commands, prompt));
+    for (why, names) in &rows.unknown {
+        text.push_str(&layout.wrapped(&format!("unknown  {}: {why}", names.join(", ")), "         "));
     }
-    if let Some(list) = found.similarity.as_ref().filter(|list| extent.is_full() || list.is_worth_showing()) {
+    if is_full {
+        rows.good.iter().for_each(|row| text.push_str(&row.text(layout)));
+    } else if let Some(good) = rows.good_in_words() {
+        text.push_str(&layout.wrapped(&format!("good     {good}"), "         "));
+    }
+    let without_command =
+        |finding: &&FindingWithRemedy| finding.severity >= Severity::Warning && finding.command.is_none();
+    if is_full {
+        text.push_str(&explanations(found, layout));
+    } else if let Some(open) = found.findings.iter().find(without_command) {
+        let more = Phrase::template(&format!("\nWhat to do: `explain topics={}`", open.code()));
+        text.push_str(&format!("{}\n", more.spelled(words)));
+    }
+    if let Some(list) = found.similarity.as_ref().filter(|list| is_full || list.is_worth_showing()) {
         text.push('\n');
-        text.push_str(&similarity::text(list, extent));
+        text.push_str(&similarity::text(list, layout));
     }
     text
 }
 
-/// Commands, each once and in a line of its own, never broken: they are there to be copied.
-fn commands<'f>(commands: impl IntoIterator<Item = &'f String>, prompt: &str) -> String {
-    let mut commands: Vec<&String> = commands.into_iter().collect();
-    commands.dedup();
-    commands.into_iter().map(|command| format!("  {prompt}{}\n", one_line(command.clone()))).collect()
+/// A question that is not good, or a finding that answers none.
+struct Row<'c> {
+    sign: Sign,
+    on: &'c str,
+    text: String,
 }
 
-/// Whether it is a doubt about the mass: that others published contacts so does not make them right for this body.
-fn is_of_another_mass(finding: &FindingWithRemedy) -> bool {
-    finding.code() == FindingCode::ContactsOfAnotherMass
-}
-
-/// The codes that are the published state of known contacts.
-fn published(found: &CheckResult) -> String {
-    let mut codes: Vec<&str> = found
-        .findings
-        .iter()
-        .filter(|finding| finding.is_published && !is_of_another_mass(finding))
-        .map(|finding| finding.code().as_str())
-        .collect();
-    codes.dedup();
-    if codes.is_empty() {
-        String::new()
-    } else {
-        format!(" (the published model has these findings, too: {})", codes.join(", "))
+impl Row<'_> {
+    fn text(&self, layout: Layout) -> String {
+        let word = self.sign.as_str();
+        let text = format!("{word:<8} {:<8} {}", self.on, self.text);
+        layout.wrapped(&text, &" ".repeat(INDENT)).replacen(word, &sign(self.sign, layout.colour), 1)
     }
 }
 
-fn block(
-    first: &FindingWithRemedy,
-    alike: &[&FindingWithRemedy],
-    more: &str,
-    colour: Colour,
-    extent: Extent,
-) -> String {
-    let mut text = format!("{} {}\n", severity(first.severity, colour), first.code());
-    for finding in alike {
-        let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
-        let message = finding.message.to_string();
-        let place = finding.place.as_deref().filter(|place| !message.contains(*place));
-        let place = place.map(|place| format!("{place}: ")).unwrap_or_default();
-        text.push_str(&wrapped(&format!("  {line}{place}{message}{more}"), "    "));
-        if extent.is_full() && finding.spheres.len() > 1 {
-            text.push_str(&wrapped(&format!("    spheres: {}", finding.spheres.join(", ")), "      "));
+/// The answers to all questions, the worst first.
+struct Rows<'c> {
+    bad: Vec<Row<'c>>,
+    /// What is not known, by the reason.
+    unknown: BTreeMap<String, Vec<&'c str>>,
+    good: Vec<Row<'c>>,
+    /// Questions whose only findings the published model has, too.
+    published: Vec<&'c str>,
+}
+
+impl<'c> Rows<'c> {
+    fn of(found: &'c CheckResult) -> Self {
+        let mut rows =
+            Self { bad: Vec::new(), unknown: BTreeMap::new(), good: Vec::new(), published: Vec::new() };
+        for verdict in &found.verdicts {
+            let on = verdict.on.as_str();
+            let about = || found.findings.iter().filter(|finding| finding.rule.verdict == Some(verdict.on));
+            let text = verdict.text.to_string();
+            if about().next().is_some() && about().all(is_as_published) {
+                rows.published.push(on);
+                let text = format!("as published: {text}");
+                rows.good.push(Row { sign: Sign::Good, on, text });
+            } else if verdict.sign == Sign::Good {
+                rows.good.push(Row { sign: Sign::Good, on, text });
+            } else if verdict.sign == Sign::Unknown {
+                rows.unknown.entry(text).or_default().push(on);
+            } else {
+                let findings: Vec<_> = about().filter(|finding| !is_as_published(finding)).collect();
+                let place = verdict.place.as_deref();
+                rows.bad.push(Row { sign: verdict.sign, on, text: row_text(text, place, &findings) });
+            }
+        }
+        let files = found.findings.iter().filter(|finding| finding.rule.verdict.is_none());
+        let files: Vec<_> = files.filter(|finding| !is_as_published(finding)).collect();
+        for alike in files.chunk_by(|a, b| a.code() == b.code()) {
+            // A few are told one by one: they may have nothing in common but the rule.
+            let rows_of_rule = if alike.len() > NAMED { vec![alike] } else { alike.chunks(1).collect() };
+            for findings in rows_of_rule {
+                let Some(first) = findings.first() else { continue };
+                let text = row_text(first.message.to_string(), first.place.as_deref(), findings);
+                rows.bad.push(Row { sign: first.severity.into(), on: FILE, text });
+            }
+        }
+        rows.bad.sort_by_key(|row| match row.sign {
+            Sign::Error => 0,
+            Sign::Warning => 1,
+            _ => 2,
+        });
+        rows
+    }
+
+    /// The good ones in one row.
+    fn good_in_words(&self) -> Option<String> {
+        let good = self.good.iter().map(|row| row.on).filter(|on| !self.published.contains(on));
+        let good: Vec<&str> = good.collect();
+        let published = match self.published.as_slice() {
+            [] => None,
+            names => Some(format!("{} as published", names.join(", "))),
+        };
+        let parts = [Some(good.join(", ")).filter(|text| !text.is_empty()), published];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        (!parts.is_empty()).then(|| parts.join("; "))
+    }
+}
+
+/// The worst finding of a row, with its place, how many there are, and all codes.
+fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemedy]) -> String {
+    let name = place.and_then(|place| place.rsplit('/').next()).filter(|name| !text.contains(*name));
+    // A message about spheres names the worst one, or says that it is about all.
+    if let Some(name) = name.filter(|_| findings.first().is_none_or(|first| first.spheres.is_empty())) {
+        text.push_str(&format!(" ({name})"));
+    }
+    let Some(first) = findings.first() else { return text };
+    let alike = findings.iter().filter(|finding| finding.code() == first.code()).count();
+    if alike > 1 {
+        text.push_str(&format!(" (and {} more)", alike - 1));
+    }
+    let mut codes: Vec<&str> = findings.iter().map(|finding| finding.code().as_str()).collect();
+    codes.dedup();
+    let (code, others) = codes.split_first().unwrap_or((&"", &[]));
+    let others = if others.is_empty() { String::new() } else { format!("; also {}", others.join(", ")) };
+    format!("{text} [{code}{others}]")
+}
+
+/// Whether the published model has the finding, too. That others published contacts so does not make them right for a body of another mass.
+fn is_as_published(finding: &FindingWithRemedy) -> bool {
+    finding.code() == FindingCode::KnownContacts
+        || finding.is_published && finding.code() != FindingCode::ContactsOfAnotherMass
+}
+
+/// The worst row in words, and what the commands do.
+fn headline(found: &CheckResult, rows: &Rows<'_>) -> String {
+    let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
+    let known = known.map(|known| format!("; {}", known.message)).unwrap_or_default();
+    let Counts { error, warning, .. } = found.counts;
+    if error + warning > 0 {
+        let counts = Counts { remark: 0, ..found.counts }.describe("");
+        let corrected = found.findings.iter().filter(|finding| finding.command.is_some()).count();
+        return match found.commands.len() {
+            0 => counts,
+            1 => format!("{counts}; this command puts {} right:", share(corrected, error + warning)),
+            _ => format!(
+                "{counts}; these commands, one after the other, put {} right:",
+                share(corrected, error + warning)
+            ),
+        };
+    }
+    let worst = |sign| rows.bad.iter().filter(|row| row.sign == sign).count();
+    match (worst(Sign::Warning), worst(Sign::Remark)) {
+        (0, 0) if rows.unknown.is_empty() => format!("nothing is wrong{known}"),
+        (0, 0) => {
+            let names: Vec<&str> = rows.unknown.values().flatten().copied().collect();
+            format!("nothing was found, but not all is known: {}{known}", names.join(", "))
+        }
+        (0, remarks) => format!("{}{known}", counted(remarks, "remark")),
+        (warnings, _) => format!("{}{known}", counted(warnings, "warning")),
+    }
+}
+
+/// How many of several findings, in words.
+fn share(some: usize, all: usize) -> String {
+    match (some, all) {
+        (_, 1) => "it".to_owned(),
+        (2, 2) => "both".to_owned(),
+        (some, all) if some == all => format!("all {all}"),
+        (some, all) => format!("{some} of {all}"),
+    }
+}
+
+/// Commands, each in a line of its own, never broken: they are there to be copied.
+fn commands(commands: &[String], words: &dyn FrontEnd) -> String {
+    let line = |command: &String| format!("  {}{}\n", words.prompt(), one_line(command.clone()));
+    commands.iter().map(line).collect()
+}
+
+/// Every finding with its place, why it matters and what to do. The same finding in several places is explained once.
+fn explanations(found: &CheckResult, layout: Layout) -> String {
+    let mut text = String::new();
+    for alike in found.findings.chunk_by(|a, b| a.code() == b.code()) {
+        let Some(first) = alike.first() else { continue };
+        text.push_str(&format!("\n{} {}\n", severity(first.severity, layout.colour), first.code()));
+        for finding in alike {
+            let line = finding.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+            let message = finding.message.to_string();
+            let place = finding.place.as_deref().filter(|place| !message.contains(*place));
+            let place = place.map(|place| format!("{place}: ")).unwrap_or_default();
+            text.push_str(&layout.wrapped(&format!("  {line}{place}{message}"), "    "));
+            for detail in &finding.details {
+                text.push_str(&layout.wrapped(&format!("    {detail}"), "      "));
+            }
+            if finding.spheres.len() > 1 && finding.details.is_empty() {
+                text.push_str(
+                    &layout.wrapped(&format!("    spheres: {}", finding.spheres.join(", ")), "      "),
+                );
+            }
+        }
+        text.push_str(&layout.wrapped(&format!("  Why: {}", first.why), "       "));
+        // The command above does it, and nobody is asked for the original that was given.
+        let asks_for_original = found.similarity.is_some()
+            && matches!(
+                first.code(),
+                FindingCode::SpheresLeftBehind
+                    | FindingCode::SpheresMisplaced
+                    | FindingCode::SpheresNotCompared
+            );
+        if first.command.is_none() && !asks_for_original {
+            text.push_str(&layout.wrapped(&format!("  Do:  {}.", first.advice), "       "));
         }
     }
-    text.push_str(&wrapped(&format!("  Why: {}", first.why), "       "));
-    text.push_str(&wrapped(&format!("  Do:  {}.", first.advice), "       "));
     text
 }
 
 // Findings of many models as one table.
 
-/// What was found in all models of a folder.
-#[derive(Debug, Default)]
+/// What was found in all models of a call.
+#[derive(Debug)]
 pub struct LibraryTable {
-    /// Counts, or why there are none.
-    models: Vec<(String, Result<Counts, &'static str>)>,
-    /// For each code and severity, how many models, and the first of them.
-    codes: Vec<(Severity, FindingCode, usize, String)>,
-    /// What puts them right, model by model.
-    commands: Vec<String>,
+    call: CheckRequest,
+    counts: Vec<Counts>,
+    /// For each severity and code.
+    codes: BTreeMap<(Reverse<Severity>, FindingCode), FoundInModels>,
+    /// What corrects the models that can be corrected: the steps of each.
+    steps: Vec<Vec<Request>>,
+    without_contacts: usize,
+    not_read: Vec<String>,
 }
 
-/// Commands that are listed; more are counted.
-const LISTED: usize = 30;
+/// A kind of finding in several models.
+#[derive(Debug, Default)]
+struct FoundInModels {
+    models: usize,
+    /// How bad it is in the worst model, in words if there are some, and the name of that model.
+    worst: (f64, String, String),
+}
+
+/// Where the results of a proposed command for many models go.
+const RESULTS: &str = "RESULTS";
 
 impl LibraryTable {
+    /// A table for the models of `call`.
+    pub fn new(call: CheckRequest) -> Self {
+        Self {
+            call,
+            counts: Vec::new(),
+            codes: BTreeMap::new(),
+            steps: Vec::new(),
+            without_contacts: 0,
+            not_read: Vec::new(),
+        }
+    }
+
     /// Adds what was found in the next model.
     pub fn add(&mut self, found: &CheckResult) {
-        let mut seen: Option<(Severity, FindingCode)> = None;
-        for finding in &found.findings {
-            // Findings are sorted, so that those of one code are together.
-            let kind = (finding.severity, finding.code());
-            if seen.replace(kind) == Some(kind) {
-                continue;
-            }
-            match self.codes.iter_mut().find(|(severity, code, ..)| (*severity, *code) == kind) {
-                Some((_, _, models, _)) => *models += 1,
-                None => self.codes.push((kind.0, kind.1, 1, found.model.clone())),
+        let shown: Vec<_> = found.findings.iter().filter(|finding| !is_as_published(finding)).collect();
+        // Findings are sorted, so that those of one code are together.
+        for alike in shown.chunk_by(|a, b| (a.severity, a.code()) == (b.severity, b.code())) {
+            let Some(first) = alike.first() else { continue };
+            let kind = self.codes.entry((Reverse(first.severity), first.code())).or_default();
+            kind.models += 1;
+            let sizes = alike.iter().filter_map(|finding| finding.measure.as_ref());
+            let largest = sizes.max_by(|a, b| a.size.total_cmp(&b.size));
+            let (size, text) = largest.map_or((0.0, ""), |measure| (measure.size, &measure.text));
+            if kind.models == 1 || size > kind.worst.0 {
+                kind.worst = (size, text.to_owned(), found.model.clone());
             }
         }
-        self.models.push((found.model.clone(), Ok(found.counts)));
-        self.commands.extend(found.commands.iter().cloned());
+        self.counts.push(found.counts);
+        if !found.steps.is_empty() {
+            self.steps.push(found.steps.clone());
+        }
+    }
+
+    /// Adds a model of a folder that has no contacts.
+    pub fn add_without_contacts(&mut self) {
+        self.without_contacts += 1;
     }
 
     /// Adds a model that could not be checked, because of a failure with this code.
     pub fn add_failed(&mut self, model: &str, code: &str) {
-        self.models.push((model.to_owned(), Err(in_a_cell(code))));
+        if in_a_cell(code) == NO_CONTACTS {
+            self.without_contacts += 1;
+        } else {
+            self.not_read.push(model.to_owned());
+        }
     }
 
-    /// One row for each model, then one for each code, then the commands that put them right.
-    ///
-    /// Names are clipped where a line has an end; in a file or a pipe they are whole. `names_full`: the front end can ask for all models
-    /// in full.
-    pub fn text(
-        mut self,
-        whole_names: bool,
-        words: &dyn FrontEnd,
-        colour: Colour,
-        names_full: bool,
-    ) -> String {
-        let shown = |name: &str, width| if whole_names { name.to_owned() } else { clipped(name, width) };
-        let mut models = table(&["model", "errors", "warnings", "remarks"]);
-        for (model, counts) in &self.models {
-            let count = |count: usize| if count == 0 { "-".to_owned() } else { count.to_string() };
-            let cells = match counts {
-                Ok(counts) => [count(counts.error), count(counts.warning), count(counts.remark)],
-                Err(why) => [*why, "", ""].map(str::to_owned),
-            };
-            models.add_row([vec![shown(model, 48)], cells.to_vec()].concat());
+    /// How many models have errors or warnings, and the command that corrects them; a row for each finding; what was not read.
+    pub fn text(self, words: &dyn FrontEnd, layout: Layout) -> String {
+        let folder = match self.call.models.as_slice() {
+            [only] => only.display().to_string(),
+            _ => String::new(),
+        };
+        let (command, head) = (self.command(), self.headline());
+        let head = match &command {
+            Some(_) => {
+                format!("{head}; this command puts {} right:", share(self.steps.len(), self.bad_models()))
+            }
+            None => head,
+        };
+        let mut text = match folder.as_str() {
+            "" => layout.wrapped(&head, "  "),
+            folder => wrapped_with_path(folder, &head, "  ", layout.width()),
+        };
+        text.extend(
+            command.map(|command| format!("  {}{}\n", words.prompt(), one_line(words.request(&command)))),
+        );
+        text.push('\n');
+        if !self.codes.is_empty() {
+            text.push_str(&painted_rows(&format!("{}\n", self.table(&folder, layout)), layout));
         }
-        models.right_aligned(&[1, 2, 3]);
-        let mut text = format!("{}\n", models.trim_fmt());
-        if self.codes.is_empty() {
-            return text;
-        }
-        self.codes.sort_by_key(|(severity, code, ..)| (Reverse(*severity), *code));
-        let mut codes = table(&["", "finding", "models", "for example"]);
-        for (severity, code, count, model) in &self.codes {
-            let severity = severity.as_str().to_owned();
-            codes.add_row(vec![severity, code.to_string(), count.to_string(), shown(model, 36)]);
-        }
-        codes.right_aligned(&[2]);
-        let more = Phrase::template(if names_full {
-            "In full, with commands that fix it: `check MODEL`; all of them: `full`. What one means: `explain topics=FINDING`"
-        } else {
-            "In full, with commands that fix it: `check MODEL`. What one means: `explain topics=FINDING`"
-        });
-        text.push_str(&format!("\n{}\n", codes.trim_fmt()));
-        text = painted_rows(&text, colour);
-        text.push_str(&self.to_put_right(words.prompt()));
-        text.push_str(&format!("\n{}", wrapped(&more.spelled(words), "")));
+        text.push_str(&layout.wrapped(&self.left_out(), "  "));
         text
     }
 
-    /// The commands, each in a line of its own; where there are too many, how many.
-    fn to_put_right(&self, prompt: &str) -> String {
-        let count = self.commands.len();
-        if count == 0 {
-            return String::new();
+    fn bad_models(&self) -> usize {
+        self.counts.iter().filter(|counts| counts.error + counts.warning > 0).count()
+    }
+
+    fn headline(&self) -> String {
+        let models = self.counts.len();
+        let with = |has: fn(&Counts) -> bool, what: &str| {
+            let count = self.counts.iter().filter(|counts| has(counts)).count();
+            let count_text = if count == models && models > 1 { "all".to_owned() } else { count.to_string() };
+            (count > 0).then(|| format!("{count_text} with {what}"))
+        };
+        let parts = [
+            with(|counts| counts.error > 0, "errors"),
+            with(|counts| counts.error == 0 && counts.warning > 0, "warnings"),
+        ];
+        let parts: Vec<String> = parts.into_iter().flatten().collect();
+        match (models, parts.as_slice()) {
+            (0, _) => "no model was checked".to_owned(),
+            (_, []) => format!("{}, none with an error or a warning", counted(models, "model")),
+            _ => format!("{}, {}", counted(models, "model"), parts.join(", ")),
         }
-        if count > LISTED {
-            return format!("\n{count} commands put it right: each model by itself says them.\n");
+    }
+
+    /// The one command that corrects all models that can be corrected.
+    fn command(&self) -> Option<Request> {
+        let first = self.steps.first()?;
+        let output = OutputOptions { output_dir: Some(RESULTS.into()), ..OutputOptions::default() };
+        let for_all = |steps: &[Request]| match steps {
+            [only] => {
+                let mut request = only.clone();
+                *request.models_mut()? = self.call.models.clone();
+                *request.output_mut()? = output.clone();
+                Some(request)
+            }
+            _ => None,
+        };
+        let request = for_all(first);
+        // A model that is right already stays as it is only where each gets its own steps.
+        let is_for_all =
+            self.steps.len() == self.counts.len() && self.steps.iter().all(|steps| for_all(steps) == request);
+        request.filter(|_| is_for_all).or_else(|| {
+            let CheckRequest { deny, format, report, .. } = CheckRequest::default();
+            let output_dir = Some(RESULTS.into());
+            let call = self.call.clone();
+            Some(CheckRequest { fix: true, output_dir, full: false, deny, format, report, ..call }.into())
+        })
+    }
+
+    fn table(&self, folder: &str, layout: Layout) -> String {
+        let mut table = table(&["models", "finding", "", "worst"]);
+        for ((Reverse(severity), code), found) in &self.codes {
+            let (_, size, model) = &found.worst;
+            let model = model.strip_prefix(folder).unwrap_or(model).trim_start_matches(['/', '\\']);
+            let worst = if size.is_empty() { model.to_owned() } else { format!("{size}, {model}") };
+            table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
         }
-        let lines = self.commands.iter().map(|command| format!("  {prompt}{}\n", one_line(command.clone())));
-        format!("\nTo put it right, for each model in this order:\n{}", lines.collect::<String>())
+        table.right_aligned(&[0]);
+        table.within(layout.columns)
+    }
+
+    /// What was not checked.
+    fn left_out(&self) -> String {
+        let without = match self.without_contacts {
+            0 => "none is without contacts".to_owned(),
+            count => format!("{count} without contacts"),
+        };
+        match self.not_read.len() {
+            0 => format!("every file was read; {without}"),
+            count => {
+                let names: Vec<String> =
+                    self.not_read.iter().take(NAMED).map(|name| shown_whole(name).to_string()).collect();
+                let more = if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
+                format!("{count} not read: {}{more}; {without}", names.join(", "))
+            }
+        }
     }
 }
 
-/// Rows that begin with a severity, in its colour.
-fn painted_rows(text: &str, colour: Colour) -> String {
+/// Rows with a severity, in its colour.
+fn painted_rows(text: &str, layout: Layout) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
-        let word = line.split_ascii_whitespace().next().unwrap_or_default();
-        let found =
-            [Severity::Error, Severity::Warning].into_iter().find(|severity| severity.as_str() == word);
+        let mut words = line.split_ascii_whitespace().skip(1);
+        let word = words.next().unwrap_or_default();
+        let found = [Severity::Error, Severity::Warning].into_iter().find(|level| level.as_str() == word);
         match found {
-            Some(found) => out.push_str(&line.replacen(word, &severity(found, colour), 1)),
+            Some(found) => out.push_str(&line.replacen(word, &severity(found, layout.colour), 1)),
             None => out.push_str(line),
         }
     }

@@ -1,8 +1,8 @@
-//! How much of what is known a text shows.
+//! How much of what is known a text shows, and how wide and colourful it is.
 
 use osim_model::messages::{listed, shortest, shown_whole};
 
-use crate::report::layout::clipped;
+use crate::report::layout::{Colour, WIDTH, clipped, wrapped};
 
 /// How much a text of a result shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -37,5 +37,26 @@ impl Extent {
     /// A name in at most `width` columns; in full all of it.
     pub(crate) fn name(self, name: &str, width: usize) -> String {
         if self.is_full() { shown_whole(name).to_string() } else { clipped(name, width) }
+    }
+}
+
+/// How a text is laid out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Layout {
+    /// Columns of the terminal; `None` for files and pipes, where a table is as wide as it is.
+    pub columns: Option<usize>,
+    pub colour: Colour,
+    pub extent: Extent,
+}
+
+impl Layout {
+    /// Columns of a line of text.
+    pub(crate) fn width(self) -> usize {
+        self.columns.unwrap_or(WIDTH)
+    }
+
+    /// Text in lines, the second and later ones after `indent`. Line ends in it are escaped.
+    pub(crate) fn wrapped(self, text: &str, indent: &str) -> String {
+        wrapped(text, indent, self.width())
     }
 }

@@ -1,5 +1,6 @@
-//! How texts are laid out: lines of 80 columns, columns of a table, rows of CSV, colours.
+//! How texts are laid out: lines as wide as the terminal, columns of a table, rows of CSV, colours.
 
+use std::collections::HashSet;
 use std::{fmt, io};
 
 use anstyle::{AnsiColor, Style};
@@ -13,12 +14,12 @@ use textwrap::core::{Word, display_width};
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 use unicode_linebreak::linebreaks;
 
-/// Columns of an old terminal.
+/// Columns of an old terminal, and of texts in a file or a pipe.
 pub const WIDTH: usize = 80;
 
-/// How text is broken into lines of at most [`WIDTH`] columns: so that they are about equally long.
-pub(crate) fn options<'o>() -> Options<'o> {
-    Options::new(WIDTH).word_separator(WordSeparator::Custom(breakable_words))
+/// How text is broken into lines of at most `width` columns: so that they are about equally long.
+pub(crate) fn options<'o>(width: usize) -> Options<'o> {
+    Options::new(width).word_separator(WordSeparator::Custom(breakable_words))
 }
 
 /// A paragraph with names from outside in it: no line ends of theirs, and none endless.
@@ -26,30 +27,32 @@ fn paragraph(text: &str) -> String {
     text.split(' ').map(|word| shown(word).to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// Text in lines of at most [`WIDTH`] columns. Line ends in it, which are in a name from outside, are escaped.
-pub(crate) fn filled(text: &str) -> String {
-    textwrap::fill(&paragraph(text), options())
+/// Text in lines of at most `width` columns. Line ends in it, which are in a name from outside, are escaped.
+pub(crate) fn filled(text: &str, width: usize) -> String {
+    textwrap::fill(&paragraph(text), options(width))
 }
 
-/// Text in lines of at most [`WIDTH`] columns, the second and later ones after `indent`. Line ends in it are escaped.
-pub fn wrapped(text: &str, indent: &str) -> String {
-    in_lines(&paragraph(text), indent)
+/// Text in lines of at most `width` columns, the second and later ones after `indent`. Line ends in it are escaped.
+pub fn wrapped(text: &str, indent: &str, width: usize) -> String {
+    in_lines(&paragraph(text), indent, width)
 }
 
 /// Wraps a text about a file: the reader has to find the file again, so its path is shown whole.
-pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str) -> String {
-    in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent)
+pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str, width: usize) -> String {
+    in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent, width)
 }
 
-fn in_lines(text: &str, indent: &str) -> String {
+fn in_lines(text: &str, indent: &str, width: usize) -> String {
     // Options of a command line are never broken at their hyphens.
-    let options =
-        options().subsequent_indent(indent).break_words(false).word_splitter(WordSplitter::NoHyphenation);
+    let options = options(width)
+        .subsequent_indent(indent)
+        .break_words(false)
+        .word_splitter(WordSplitter::NoHyphenation);
     format!("{}\n", textwrap::fill(text, options))
 }
 
-// Where a line of text may end: after a blank, after the `/` of a path, and wherever else the Unicode line breaking
-// algorithm has it; never at a hyphen.
+// Where a line of text may end: after a blank, and wherever else the Unicode line breaking algorithm has it; never at a
+// hyphen, and never after the `/` of a path or a unit.
 
 const SOFT_HYPHEN: char = '\u{ad}';
 
@@ -58,7 +61,7 @@ fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     Box::new(behind_quotes(line).flat_map(|part| {
         // Whether a word is broken at its hyphens is for the caller to say.
         let ends = linebreaks(part).map(|(end, _)| end);
-        let ends = ends.filter(|&end| end == part.len() || !part[..end].ends_with(['-', SOFT_HYPHEN]));
+        let ends = ends.filter(|&end| end == part.len() || !part[..end].ends_with(['-', '/', SOFT_HYPHEN]));
         cut(part, ends).map(Word::from)
     }))
 }
@@ -135,68 +138,177 @@ fn split(line: &str) -> (&str, &str) {
 
 // Tables of text.
 
-/// A table that fits a terminal of 80 columns, without lines that old consoles cannot draw. A cell is one line: what cannot
-/// be seen in it is escaped.
+/// A table without lines that old consoles cannot draw. A cell is one line: what cannot be seen in it is escaped. Columns without
+/// anything in them are left out.
 #[derive(Debug)]
-pub struct TextTable(Table);
+pub struct TextTable {
+    header: Vec<String>,
+    rows: Vec<Vec<String>>,
+    right_aligned: Vec<usize>,
+    unbroken: Option<usize>,
+}
 
 pub fn table(header: &[&str]) -> TextTable {
-    let mut table = Table::new();
-    table.load_style(presets::NOTHING).set_header(header.to_vec());
-    TextTable(table)
+    let header = header.iter().map(|text| (*text).to_owned()).collect();
+    TextTable { header, rows: Vec::new(), right_aligned: Vec::new(), unbroken: None }
 }
+
+/// Columns that a cut name has at least.
+const LEAST_NAME: usize = 8;
 
 impl TextTable {
     pub(crate) fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
-        self.0.add_row(cells.into_iter().map(|text| one_line(text.as_ref().to_owned())));
+        self.rows.push(cells.into_iter().map(|text| one_line(text.as_ref().to_owned())).collect());
     }
 
     /// Aligns these columns, counted from 0, to the right.
     pub(crate) fn right_aligned(&mut self, columns: &[usize]) {
-        for &index in columns {
-            if let Some(column) = self.0.column_mut(index) {
-                column.set_cell_alignment(CellAlignment::Right);
-            }
-        }
+        self.right_aligned = columns.to_vec();
     }
 
     /// Never breaks the texts of this column, counted from 0, into lines.
     pub(crate) fn unbroken(&mut self, index: usize) {
-        if let Some(column) = self.0.column_mut(index) {
-            column.set_constraint(ColumnConstraint::ContentWidth);
+        self.unbroken = Some(index);
+    }
+
+    /// The table in lines of at most `width` columns; longer cells are several lines.
+    pub fn fitted(self, width: usize) -> String {
+        let mut table = self.laid_out();
+        let width = u16::try_from(width).unwrap_or(u16::MAX);
+        table.set_content_arrangement(ContentArrangement::Dynamic).set_width(width);
+        table.trim_fmt()
+    }
+
+    /// The table in lines of at most `columns`, in which long names are cut in the middle, and columns that do not fit stand below the others;
+    /// whole where lines have no end. There are no blanks at the ends of lines.
+    pub(crate) fn within(mut self, columns: Option<usize>) -> String {
+        while let Some(excess) = columns.and_then(|columns| self.width().checked_sub(columns + 2)) {
+            let names = (0..self.header.len()).filter(|index| !self.right_aligned.contains(index));
+            let longest = names.map(|index| (self.column_width(index), index)).max();
+            let Some((width, index)) = longest.filter(|(width, _)| *width > LEAST_NAME) else { break };
+            let names: Vec<&str> = self.column(index).collect();
+            let cut = cut_names(&names, width.saturating_sub(excess + 1).max(LEAST_NAME));
+            if cut == names {
+                break;
+            }
+            for (cell, name) in self.rows.iter_mut().filter_map(|row| row.get_mut(index)).zip(cut) {
+                *cell = name;
+            }
+        }
+        match columns.filter(|columns| self.width() > columns + 1) {
+            Some(columns) => self.in_parts(columns),
+            None => self.trim_fmt(),
         }
     }
 
-    /// The table in lines of at most [`WIDTH`] columns.
-    pub fn fitted(mut self) -> String {
-        self.0.set_content_arrangement(ContentArrangement::Dynamic).set_width(WIDTH as u16);
-        self.0.trim_fmt()
+    /// As many columns as fit, and below them the others after the first column.
+    fn in_parts(self, columns: usize) -> String {
+        let all = self.header.len();
+        let fit =
+            (2..all).take_while(|&end| self.with_columns((0..end).collect()).width() <= columns + 1).last();
+        let end = fit.unwrap_or(2);
+        if end >= all {
+            return self.trim_fmt();
+        }
+        let below = self.with_columns(std::iter::once(0).chain(end..all).collect());
+        format!("{}\n\n{}", self.with_columns((0..end).collect()).trim_fmt(), below.within(Some(columns)))
+    }
+
+    fn with_columns(&self, chosen: Vec<usize>) -> Self {
+        let cells = |row: &Vec<String>| -> Vec<String> {
+            chosen.iter().map(|&index| row.get(index).cloned().unwrap_or_default()).collect()
+        };
+        let is_right =
+            |place: &usize| chosen.get(*place).is_some_and(|index| self.right_aligned.contains(index));
+        Self {
+            header: cells(&self.header),
+            rows: self.rows.iter().map(cells).collect(),
+            right_aligned: (0..chosen.len()).filter(is_right).collect(),
+            unbroken: None,
+        }
     }
 
     /// The table without blanks at the ends of its lines.
     pub(crate) fn trim_fmt(&self) -> String {
-        self.0.trim_fmt()
+        self.laid_out().trim_fmt()
+    }
+
+    fn column(&self, index: usize) -> impl Iterator<Item = &str> {
+        self.rows.iter().map(move |row| row.get(index).map_or("", String::as_str))
+    }
+
+    fn is_empty_column(&self, index: usize) -> bool {
+        !self.rows.is_empty() && self.column(index).all(|cell| cell.trim_ascii().is_empty())
+    }
+
+    fn column_width(&self, index: usize) -> usize {
+        let header = self.header.get(index).map_or("", String::as_str);
+        self.column(index).chain([header]).map(display_width).max().unwrap_or_default()
+    }
+
+    /// Columns of a line; each cell has a blank on both sides.
+    fn width(&self) -> usize {
+        let shown = (0..self.header.len()).filter(|&index| !self.is_empty_column(index));
+        shown.map(|index| self.column_width(index) + 2).sum()
+    }
+
+    fn laid_out(&self) -> Table {
+        let shown: Vec<usize> =
+            (0..self.header.len()).filter(|&index| !self.is_empty_column(index)).collect();
+        let cells = |row: &[String]| -> Vec<String> {
+            shown.iter().map(|&index| row.get(index).cloned().unwrap_or_default()).collect()
+        };
+        let mut table = Table::new();
+        table.load_style(presets::NOTHING).set_header(cells(&self.header));
+        table.add_rows(self.rows.iter().map(|row| cells(row)));
+        for (place, index) in shown.iter().enumerate() {
+            let Some(column) = table.column_mut(place) else { continue };
+            if self.right_aligned.contains(index) {
+                column.set_cell_alignment(CellAlignment::Right);
+            }
+            if self.unbroken == Some(*index) {
+                column.set_constraint(ColumnConstraint::ContentWidth);
+            }
+        }
+        table
     }
 }
 
 impl fmt::Display for TextTable {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.laid_out().fmt(f)
     }
+}
+
+/// Names in at most `width` columns, cut in the middle so that different names stay different; longer ones where no cut does that.
+fn cut_names(names: &[&str], width: usize) -> Vec<String> {
+    let different = names.iter().collect::<HashSet<_>>().len();
+    let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or_default();
+    for width in width..longest {
+        for end in [width / 2, width * 3 / 4, width / 4] {
+            let cut: Vec<String> = names.iter().map(|name| cut_name(name, width, end)).collect();
+            if cut.iter().collect::<HashSet<_>>().len() == different {
+                return cut;
+            }
+        }
+    }
+    names.iter().map(|name| (*name).to_owned()).collect()
+}
+
+/// A name with its last `end` letters, in at most `width` columns.
+fn cut_name(name: &str, width: usize, end: usize) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= width || width < 3 {
+        return name.to_owned();
+    }
+    let (first, last) = (letters.iter().take(width - end - 1), letters.iter().skip(letters.len() - end));
+    first.chain(&['~']).chain(last).collect()
 }
 
 /// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
 /// escaped.
 pub(crate) fn clipped(name: &str, width: usize) -> String {
-    let name = shown(name).to_string();
-    let letters: Vec<char> = name.chars().collect();
-    if letters.len() <= width || width < 3 {
-        return name;
-    }
-    let end = width / 2;
-    let start = width - end - 1;
-    let (first, last) = (letters.iter().take(start), letters.iter().skip(letters.len() - end));
-    first.chain(&['~']).chain(last).collect()
+    cut_name(&shown(name).to_string(), width, width / 2)
 }
 
 // Tables as CSV.
@@ -280,9 +392,9 @@ mod tests {
     }
 
     #[test]
-    fn lines_end_behind_blanks_and_slashes_but_not_at_hyphens() {
+    fn lines_end_behind_blanks_but_not_at_hyphens_and_slashes() {
         assert_eq!(words("see  --contacts-mass KG"), ["see  ", "--contacts-mass ", "KG"]);
-        assert_eq!(words("out/even/a_1.osim, 2 N/m^2"), ["out/", "even/", "a_1.osim, ", "2 ", "N/", "m^2"]);
+        assert_eq!(words("out/even/a_1.osim, 2 N/m^2"), ["out/even/a_1.osim, ", "2 ", "N/m^2"]);
         assert_eq!(words("f(x) [a] 1/2"), ["f(x) ", "[a] ", "1/2"]);
     }
 
@@ -344,6 +456,23 @@ mod tests {
         assert_eq!(clipped("heel_r", 10), "heel_r");
         assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
         assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+    }
+
+    #[test]
+    fn a_table_fits_and_its_names_stay_different() {
+        let names = ["contact_of_the_left_heel_1_a", "contact_of_the_left_heel_2_a", "toe"];
+        let rows = |columns| {
+            let mut table = table(&["name", "", "value"]);
+            names.iter().for_each(|name| table.add_row([name, "", "1.234"]));
+            table.right_aligned(&[2]);
+            table.within(columns)
+        };
+        assert!(rows(None).contains(names[0]) && rows(Some(80)) == rows(None));
+        for columns in 20..36 {
+            let text = rows(Some(columns));
+            assert!(text.lines().all(|line| line.chars().count() <= columns), "{columns}:\n{text}");
+            assert!(text.lines().collect::<HashSet<_>>().len() == 4, "{columns}:\n{text}");
+        }
     }
 
     #[test]

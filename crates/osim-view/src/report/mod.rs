@@ -8,15 +8,14 @@
 //! use osim_inspect::InspectOptions;
 //! use osim_model::Model;
 //! use osim_requests::spell::CommandLine;
-//! use osim_view::report::extent::Extent;
+//! use osim_view::report::extent::Layout;
 //! use osim_view::report::inspection;
-//! use osim_view::report::layout::Colour;
 //!
 //! # fn main() -> Result<(), osim_model::Fault> {
 //! let model = Model::parse(include_bytes!("../../../osim-model/tests/data/one_foot.osim").as_slice())?;
 //! let mut inspected = InspectOptions::default().inspect("one_foot.osim", &model, None);
 //! inspected.spell(&CommandLine);
-//! let text = inspection::text(&inspected, &CommandLine, Colour::Plain, Extent::Brief);
+//! let text = inspection::text(&inspected, &CommandLine, Layout::default());
 //! assert!(text.contains("model weighs 10 kg (mass of 1 body)"));
 //! # Ok(())
 //! # }

@@ -5,7 +5,7 @@ use std::fmt;
 
 use imara_diff::{Algorithm, Diff, InternedInput, Interner, Token, UnifiedDiffConfig, UnifiedDiffPrinter};
 use osim_model::Property;
-use osim_model::messages::{listed, one_line, readable};
+use osim_model::messages::{four_significant, listed, one_line, readable};
 use osim_patch::{ChangedBy, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan};
 
 use crate::report::layout::table;
@@ -13,14 +13,20 @@ use crate::report::messages::finding_lines;
 
 // A plan as a table: equal changes share a row.
 
-/// A plan in tables, with its remarks and findings; `output` says what was written. The messages of the plan were spelled before.
-pub fn text(plan: &Plan, model: &str, output: &str) -> String {
+/// A plan in tables for a terminal of so many columns, with its remarks and findings; `output` says what was written. The messages of
+/// the plan were spelled before.
+pub fn text(plan: &Plan, model: &str, output: &str, columns: Option<usize>) -> String {
     let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
     if plan.is_empty() {
         text.push_str("nothing to change\n");
     } else {
         text.push('\n');
-        for table in [objects(plan.objects()), changes(plan), new_spheres(plan), moves(plan)] {
+        for table in [
+            objects(plan.objects(), columns),
+            changes(plan, columns),
+            new_spheres(plan, columns),
+            moves(plan, columns),
+        ] {
             if !table.is_empty() {
                 text.push_str(&format!("{table}\n"));
             }
@@ -53,13 +59,16 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     format!("{}\n", one_line(line))
 }
 
+/// Below this all spheres are nearer to the origin of their bodies than in any human, m.
+const SMALL_FOOT_M: f64 = 0.02;
+
 /// Names of objects in a row of the table of objects; if there are more, the row says how many: it is one line.
 const MAX_NAMES_OF_OBJECTS: usize = 3;
 /// Names of spheres or forces in a row of the table of changes, which has more columns.
 const MAX_NAMES_OF_CHANGE: usize = 2;
 
 /// Whole objects, one row for each class.
-fn objects(objects: &[ObjectChange]) -> String {
+fn objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
     if objects.is_empty() {
         return String::new();
     }
@@ -74,7 +83,7 @@ fn objects(objects: &[ObjectChange]) -> String {
         ]);
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n", table.within(columns))
 }
 
 /// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
@@ -82,7 +91,7 @@ pub fn is_new(plan: &Plan) -> bool {
     plan.objects().iter().any(|object| object.action == ObjectAction::Added)
 }
 
-fn changes(plan: &Plan) -> String {
+fn changes(plan: &Plan, columns: Option<usize>) -> String {
     let changes: &[NumberChange] = &plan.changes;
     if changes.is_empty() {
         return String::new();
@@ -98,65 +107,83 @@ fn changes(plan: &Plan) -> String {
         } else {
             name_or_count(group)
         };
-        let factor = first.factor.map(|factor| format!("x{}", readable(factor))).unwrap_or_default();
+        let factor = first.factor.map(|factor| format!("x{}", number(factor))).unwrap_or_default();
         let equation = match first.by {
             ChangedBy::Equation(numbers) => format!("({numbers})"),
             rule => rule.as_str().to_owned(),
         };
-        let new = if first.inserted {
-            format!("{} +", readable(first.to))
-        } else {
-            format!("{}  ", readable(first.to))
-        };
+        // A blank keeps digits below digits.
+        let mark = if first.inserted { '*' } else { ' ' };
         table.add_row(vec![
             first.property.name().to_owned(),
             of,
-            readable(first.from),
-            new,
+            format!("{}{mark}", number(first.from)),
+            number(first.to),
             factor,
             equation,
         ]);
     }
     table.right_aligned(&[2, 3, 4]);
-    let mut text = table.trim_fmt();
+    let mut text = table.within(columns);
     text.push('\n');
     if changes.iter().any(|change| change.inserted) {
-        text.push_str("  (+ was not in the file: OpenSim's default applied; it is written out now)\n");
+        text.push_str("  (* not in the file: OpenSim's default applied; it is written out now)\n");
     }
     text
 }
 
 /// Spheres that are added, one row each, as they are written.
-fn new_spheres(plan: &Plan) -> String {
+fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     let spheres = plan.new_spheres();
     if spheres.is_empty() {
         return String::new();
     }
+    let largest = spheres.iter().flat_map(|sphere| sphere.centre_m).fold(0.0, largest_of);
     let mut table = table(&["new sphere", "on", "radius", "x", "y", "z"]);
     for sphere in spheres {
-        let mut cells = vec![sphere.name.to_owned(), sphere.body.to_owned(), readable(sphere.radius_m)];
-        cells.extend(sphere.centre_m.map(centre));
+        let mut cells = vec![sphere.name.to_owned(), sphere.body.to_owned(), number(sphere.radius_m)];
+        cells.extend(sphere.centre_m.map(|metres| coordinate(metres, largest)));
         table.add_row(cells);
     }
     table.right_aligned(&[2, 3, 4, 5]);
-    format!("{}\n  (m, in the frame of the body)\n", table.trim_fmt())
+    format!("{}\n  (m, in the frame of the body)\n", table.within(columns))
 }
 
 /// Sphere centres that move, one row each: they are rarely alike. Those of new spheres are in a table of their own.
-fn moves(plan: &Plan) -> String {
+fn moves(plan: &Plan, columns: Option<usize>) -> String {
     let moves = moves_of_others(plan);
     if moves.is_empty() {
         return String::new();
     }
+    let largest = moves.iter().flat_map(|moved| moved.to).fold(0.0, largest_of);
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
         let mut cells = vec![moved.sphere.clone()];
-        cells.extend(moved.from.iter().chain(&moved.to).copied().map(centre));
+        cells.extend(moved.from.iter().chain(&moved.to).map(|&metres| coordinate(metres, largest)));
         cells.push(moved.by.as_str().to_owned());
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6]);
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n  (m, in the frame of the body)\n", table.within(columns))
+}
+
+fn largest_of(largest: f64, coordinate: f64) -> f64 {
+    largest.max(coordinate.abs())
+}
+
+/// A coordinate in metres to a tenth of a millimetre; to a thousandth where the `largest` is that of a small animal.
+fn coordinate(metres: f64, largest: f64) -> String {
+    let (decimals, unit) = if largest < SMALL_FOOT_M { (6, 1e6) } else { (4, 1e4) };
+    format!("{:.decimals$}", (metres * unit).round() / unit + 0.0)
+}
+
+/// A number in four digits, as short as it can be.
+fn number(value: f64) -> String {
+    let text = four_significant(value);
+    match text.parse::<f64>() {
+        Ok(rounded) if rounded != 0.0 && rounded.abs() < 1e-3 => format!("{rounded:e}"),
+        _ => text,
+    }
 }
 
 /// Centres that move of spheres that were there before.

@@ -9,7 +9,7 @@ use osim_requests::fig1;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::report::layout::{csv_text, filled, table, wrapped};
+use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
 
 // The comparison as data.
 
@@ -161,7 +161,7 @@ pub fn reproduction_text(record: &ReproductionRecord) -> String {
 
 /// What Fig. 1 shows and what it needs.
 pub fn fig1_text(record: &ReproductionRecord) -> String {
-    let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph)).collect();
+    let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph, WIDTH)).collect();
     format!("{}\n", paragraphs.join("\n"))
 }
 
@@ -228,9 +228,12 @@ fn cells(number: &NumberRecord) -> Vec<String> {
 /// How many agree, why others do not, and how it was computed.
 fn summary(record: &ReproductionRecord) -> String {
     let (agree, all) = (record.within_last_digit, record.numbers);
-    let mut text = filled(&format!(
-        "{agree} of {all} numbers agree: computed and printed are within half a unit of the last printed digit of each other."
-    ));
+    let mut text = filled(
+        &format!(
+            "{agree} of {all} numbers agree: computed and printed are within half a unit of the last printed digit of each other."
+        ),
+        WIDTH,
+    );
     text.push('\n');
     let numbers =
         record.table1.iter().flat_map(|animal| animal.values.iter().map(move |number| (animal, number)));
@@ -243,11 +246,12 @@ fn summary(record: &ReproductionRecord) -> String {
             ),
             _ => "no rounding explains it".to_owned(),
         };
-        text.push_str(&wrapped(&format!("- {}, {}: {why}.", animal.taxon, number.label), "  "));
+        text.push_str(&wrapped(&format!("- {}, {}: {why}.", animal.taxon, number.label), "  ", WIDTH));
     }
     text.push_str(&filled(
         "E1*, E* and alpha follow from the 62 kg human by (10), (A.4) and (14). The final x/R is that of a drop test by our own \
          integrator, from a quarter of the radius and for 2 s at 9.81 m/s2 on a HuntCrossleyForce, and k is (B.2) there.",
+        WIDTH,
     ));
     text.push('\n');
     text

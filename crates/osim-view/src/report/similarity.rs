@@ -3,8 +3,8 @@
 use osim_inspect::{SizeList, SizeRow, SizeSpread};
 use osim_model::messages::{four_significant, three_significant};
 
-use crate::report::extent::Extent;
-use crate::report::layout::{table, wrapped};
+use crate::report::extent::{Extent, Layout};
+use crate::report::layout::table;
 
 /// Names that are listed; more are counted.
 const MOST_NAMES_LISTED: usize = 6;
@@ -38,20 +38,21 @@ pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
 }
 
 /// The list as text, one line for each kind of number.
-pub fn text(list: &SizeList, extent: Extent) -> String {
+pub fn text(list: &SizeList, layout: Layout) -> String {
+    let extent = layout.extent;
     let mut text = "What else follows size:\n".to_owned();
     for sentence in about(list, extent) {
-        text.push_str(&wrapped(&format!("  {sentence}"), "    "));
+        text.push_str(&layout.wrapped(&format!("  {sentence}"), "    "));
     }
     let mut rows = table(&headings(list));
     for row in &list.kinds {
         rows.add_row(cells(list, row, extent));
     }
     rows.right_aligned(&[1]);
-    text.push_str(&rows.trim_fmt());
+    text.push_str(&rows.within(layout.columns));
     text.push('\n');
     for sentence in gaps(list, extent) {
-        text.push_str(&wrapped(&format!("  {sentence}"), "    "));
+        text.push_str(&layout.wrapped(&format!("  {sentence}"), "    "));
     }
     text
 }

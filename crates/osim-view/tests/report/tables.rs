@@ -3,8 +3,9 @@
 use osim_inspect::{Figure, InspectOptions};
 use osim_model::FileId;
 use osim_model::messages::shortest;
-use osim_requests::spell::{CommandLine, FrontEnd, Python};
-use osim_view::report::extent::Extent;
+use osim_requests::CheckRequest;
+use osim_requests::spell::{CommandLine, Python};
+use osim_view::report::extent::{Extent, Layout};
 use osim_view::report::layout::Colour;
 use osim_view::report::{check, inspection, plan};
 
@@ -17,7 +18,7 @@ const MIXED: &str = "format/mixed_radii.osim";
 fn a_model_is_told_in_80_columns() {
     let model = open(SMOOTH);
     let (seen, _) = inspected(&InspectOptions::default(), &model, &CommandLine);
-    let text = inspection::text(&seen, &CommandLine, Colour::Plain, Extent::Brief);
+    let text = inspection::text(&seen, &CommandLine, Layout::default());
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
     insta::assert_snapshot!("inspection", text);
 }
@@ -26,7 +27,7 @@ fn a_model_is_told_in_80_columns() {
 fn a_table_says_what_to_do_next_in_the_words_of_its_front_end() {
     let model = open("check/beyond_hertz.osim");
     let (seen, _) = inspected(&InspectOptions::default(), &model, &Python);
-    let text = inspection::text(&seen, &Python, Colour::Plain, Extent::Brief);
+    let text = inspection::text(&seen, &Python, Layout::default());
     assert!(text.contains("(! outside the limit: ocs.check(\"model.osim\") says more)"), "{text}");
 }
 
@@ -36,9 +37,9 @@ fn colours_are_all_that_they_add() {
     let (seen, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     for [plain, painted] in [
         [Colour::Plain, Colour::Ansi]
-            .map(|colour| inspection::text(&seen, &CommandLine, colour, Extent::Brief)),
+            .map(|colour| inspection::text(&seen, &CommandLine, Layout { colour, ..Layout::default() })),
         [Colour::Plain, Colour::Ansi]
-            .map(|colour| check::text(&found, CommandLine.prompt(), colour, Extent::Brief)),
+            .map(|colour| check::text(&found, &CommandLine, Layout { colour, ..Layout::default() })),
     ] {
         assert!(!plain.contains('\u{1b}') && painted.contains('\u{1b}'));
         let stripped: String = painted
@@ -140,18 +141,19 @@ fn csv_has_one_row_for_each_sphere_that_stands() {
 fn findings_are_told_with_what_to_do() {
     let model = open(MIXED);
     let (_, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
-    let text = check::text(&found, CommandLine.prompt(), Colour::Plain, Extent::Brief);
+    let text = check::text(&found, &CommandLine, Layout::default());
     insta::assert_snapshot!("check", text);
 }
 
 #[test]
 fn a_library_of_models_is_shown_as_one_table() {
-    let mut library = check::LibraryTable::default();
+    let mut library =
+        check::LibraryTable::new(CheckRequest { models: vec!["models".into()], ..CheckRequest::default() });
     for name in [SMOOTH, MIXED, "check/sunk_in.osim", "check/floats.osim"] {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);
     }
     library.add_failed("broken.osim", "malformed-xml");
-    insta::assert_snapshot!("library", library.text(true, &CommandLine, Colour::Plain, true));
+    insta::assert_snapshot!("library", library.text(&CommandLine, Layout::default()));
 }
 
 #[test]
@@ -159,7 +161,7 @@ fn a_plan_is_told_in_full_in_a_line_and_as_a_diff() {
     let model = open(SMOOTH);
     let plan = rescaled(&model.model, 500.0, &CommandLine);
     let dry = "dry run: nothing written";
-    insta::assert_snapshot!("plan", plan::text(&plan, SMOOTH, dry));
+    insta::assert_snapshot!("plan", plan::text(&plan, SMOOTH, dry, None));
     insta::assert_snapshot!("plan_line", plan::line(&plan, SMOOTH, dry));
     let new = plan.patched(&model.model, FileId::MAIN).unwrap();
     let diff = plan::unified_diff(model.model.document().bytes(), &new, "old.osim", "new.osim");
@@ -175,7 +177,7 @@ fn a_plan_is_told_in_full_in_a_line_and_as_a_diff() {
 fn in_full_an_inspection_has_every_digit_and_every_name() {
     let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
     let [brief, full] = [Extent::Brief, Extent::Full]
-        .map(|extent| inspection::text(&seen, &CommandLine, Colour::Plain, extent));
+        .map(|extent| inspection::text(&seen, &CommandLine, Layout { extent, ..Layout::default() }));
     for sphere in seen.figures.spheres() {
         let values = Figure::ALL.iter().filter_map(|&figure| sphere.value(figure));
         for text in values.map(shortest).chain([sphere.sphere.clone()]) {
@@ -190,7 +192,7 @@ fn in_full_a_check_explains_every_finding_and_names_its_spheres() {
     // What is outside limits in published contacts is in brief only counted.
     let (_, found) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
     let [brief, full] = [Extent::Brief, Extent::Full]
-        .map(|extent| check::text(&found, CommandLine.prompt(), Colour::Plain, extent));
+        .map(|extent| check::text(&found, &CommandLine, Layout { extent, ..Layout::default() }));
     let explained = |text: &str| text.lines().filter(|line| line.starts_with("  Why: ")).count();
     let mut codes: Vec<_> = found.findings.iter().map(|finding| finding.code()).collect();
     codes.dedup();

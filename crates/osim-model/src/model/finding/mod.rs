@@ -41,6 +41,19 @@ pub struct Finding {
     pub line: Option<usize>,
     /// Of the result of a change: whether the model before it, or the reference, has this finding, too.
     pub had_before: bool,
+    /// A sentence for each element that it is about, where there is more to say than its name.
+    pub details: Vec<String>,
+    /// How bad it is, to compare it with the same finding in other models.
+    pub measure: Option<Measure>,
+}
+
+/// How bad a finding is.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measure {
+    /// The larger, the worse.
+    pub size: f64,
+    /// In a few words, with the unit; may be empty.
+    pub text: String,
 }
 
 impl Finding {
@@ -55,6 +68,8 @@ impl Finding {
             spheres: Vec::new(),
             line: None,
             had_before: false,
+            details: Vec::new(),
+            measure: None,
         }
     }
 
@@ -76,6 +91,14 @@ impl Finding {
 
     pub fn with_spheres(self, spheres: Vec<String>) -> Self {
         Self { spheres, ..self }
+    }
+
+    pub fn with_details(self, details: Vec<String>) -> Self {
+        Self { details, ..self }
+    }
+
+    pub fn with_measure(self, size: f64, text: impl Into<String>) -> Self {
+        Self { measure: Some(Measure { size, text: text.into() }), ..self }
     }
 
     pub fn with_message(self, message: impl Into<Phrase>) -> Self {

@@ -8,7 +8,7 @@ use osim_model::messages::{Dialect, Phrase};
 use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
-use crate::report::layout::{options, table};
+use crate::report::layout::{WIDTH, options, table};
 
 /// All that is known of one topic, as text.
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
@@ -32,7 +32,7 @@ fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -
         symbols.add_row([symbol.symbol, symbol.meaning, symbol.unit].map(spelled).to_vec());
     }
     if !equation.symbols.is_empty() {
-        text.push_str(&format!("\n{}\n", symbols.fitted()));
+        text.push_str(&format!("\n{}\n", symbols.fitted(WIDTH)));
     }
     text.push('\n');
     text.push_str(&paragraph("Source: ", &spelled(equation.source)));
@@ -101,7 +101,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     }
     // A name that is broken cannot be copied.
     quantities.unbroken(0);
-    [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted())).join("\n")
+    [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted(WIDTH))).join("\n")
 }
 
 /// The line that names the page of the book with all topics of this kind.
@@ -112,7 +112,7 @@ fn book_line(label: &str, page: &str) -> String {
 fn paragraph(label: &str, body: &str) -> String {
     let body = format!("{}.", body.trim_ascii().trim_end_matches('.'));
     let indent = " ".repeat(label.len());
-    let options = options().initial_indent(label).subsequent_indent(&indent);
+    let options = options(WIDTH).initial_indent(label).subsequent_indent(&indent);
     format!("{}\n", textwrap::fill(&body, options))
 }
 

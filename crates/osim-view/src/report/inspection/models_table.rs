@@ -4,7 +4,7 @@ use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, counted, four_significant, shown, three_significant};
 
-use crate::report::layout::{Colour, OUTSIDE, clipped, painted, table, wrapped, wrapped_with_path};
+use crate::report::layout::{Colour, OUTSIDE, WIDTH, clipped, painted, table, wrapped, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS, in_a_cell};
 
 /// What is in a row beside the name, in the order of the table.
@@ -156,8 +156,16 @@ impl ModelsTable {
         let numbers = columns.iter().enumerate().filter(|(_, column)| column.is_number());
         table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());
         let table = painted(&format!("{}\n", table.trim_fmt()), colour);
-        let folder = if folder.is_empty() { String::new() } else { wrapped_with_path(folder, "", "") };
-        format!("{folder}{table}\n{}{}", legend(&columns, dialect, names_full), self.counted())
+        let folder = if folder.is_empty() {
+            String::new()
+        } else {
+            wrapped_with_path(folder, "", "", width.unwrap_or(WIDTH))
+        };
+        format!(
+            "{folder}{table}\n{}{}",
+            legend(&columns, dialect, names_full, width.unwrap_or(WIDTH)),
+            self.counted()
+        )
     }
 
     /// The folder in which all models are, with the mark at its end; empty where there is none.
@@ -223,10 +231,10 @@ fn folder_of(name: &str) -> &str {
 }
 
 /// What the headings mean, which columns are left out, and where more is.
-fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool) -> String {
+fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: usize) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
-    let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ");
+    let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ", width);
     let left_out: Vec<&str> =
         LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.heading()).collect();
     if !left_out.is_empty() {
@@ -234,14 +242,14 @@ fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool) -> String
             "(left out for want of room: {}; a wider terminal or a file has all)",
             left_out.join("; ")
         );
-        text.push_str(&wrapped(&left_out, " "));
+        text.push_str(&wrapped(&left_out, " ", width));
     }
     let more = Phrase::template(if names_full {
         "One model in full: `inspect MODEL`; all of them: `full`. What was found: `check MODEL`."
     } else {
         "One model in full: `inspect MODEL`. What was found: `check MODEL`."
     });
-    text.push_str(&wrapped(&more.spelled(dialect), ""));
+    text.push_str(&wrapped(&more.spelled(dialect), "", width));
     text
 }
 

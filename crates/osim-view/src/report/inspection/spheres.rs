@@ -8,8 +8,8 @@ use osim_inspect::{
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
 
-use crate::report::extent::Extent;
-use crate::report::layout::{OUTSIDE, csv_text, table, wrapped};
+use crate::report::extent::{Extent, Layout};
+use crate::report::layout::{OUTSIDE, csv_text, table};
 
 /// The common properties of the spheres of a table.
 #[derive(Clone, Copy)]
@@ -159,11 +159,12 @@ struct AlikeSpheres<'a> {
 }
 
 /// The figures; empty if there are none and no reason is to be given.
-pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, extent: Extent) -> String {
+pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
+    let extent = layout.extent;
     let groups = groups(inspected, extent);
     let mut text = String::new();
     if let Some(why) = &inspected.figures.why_no_body_weight {
-        text.push_str(&wrapped(&format!("no figures under body weight: {why}"), ""));
+        text.push_str(&layout.wrapped(&format!("no figures under body weight: {why}"), ""));
     }
     if !groups.is_empty() {
         text.push_str("What the spheres do (BW: body weight, on one limb unless you say otherwise):\n");
@@ -171,15 +172,15 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, extent
     for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
         for (index, group) in chunk.iter().enumerate() {
             let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
-            text.push_str(&wrapped(
-                &format!("{label}  {}", extent.names(&group.names, MOST_NAMES_LISTED)),
-                "    ",
-            ));
+            text.push_str(
+                &layout
+                    .wrapped(&format!("{label}  {}", extent.names(&group.names, MOST_NAMES_LISTED)), "    "),
+            );
         }
         text.push('\n');
-        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, extent));
+        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, layout));
     }
-    text.push_str(&standing(inspected, extent));
+    text.push_str(&standing(inspected, layout));
     if text.contains(OUTSIDE) {
         let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
         text.push_str(&format!("  ({OUTSIDE} {more})\n"));
@@ -188,7 +189,8 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, extent
 }
 
 /// The spheres at their own heights, where these differ.
-fn standing(inspected: &Inspection, extent: Extent) -> String {
+fn standing(inspected: &Inspection, layout: Layout) -> String {
+    let extent = layout.extent;
     let rows = equally_deep(&inspected.figures, extent);
     if rows.is_empty() {
         return String::new();
@@ -199,7 +201,7 @@ fn standing(inspected: &Inspection, extent: Extent) -> String {
         table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, MOST_NAMES_LISTED)]);
     }
     table.right_aligned(&[1, 2]);
-    format!("\n{}{}\n", wrapped(&format!("{CAPTION}:"), ""), table.trim_fmt())
+    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.within(layout.columns))
 }
 
 fn groups(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
@@ -219,7 +221,8 @@ fn groups(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
     groups
 }
 
-fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, extent: Extent) -> String {
+fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, layout: Layout) -> String {
+    let extent = layout.extent;
     let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
     let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
     let mut table = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
@@ -236,7 +239,7 @@ fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, ext
         table.add_row([vec![name, limit(figure)], values].concat());
     }
     table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n", table.within(layout.columns))
 }
 
 fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {

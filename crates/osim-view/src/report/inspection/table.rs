@@ -6,43 +6,43 @@ use osim_inspect::{BodyAtRest, InspectedForce, InspectedSphere, Inspection, Stan
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable, shown, three_significant};
 
-use crate::report::extent::Extent;
+use crate::report::extent::{Extent, Layout};
 use crate::report::inspection::spheres;
-use crate::report::layout::{Colour, painted, table, wrapped};
+use crate::report::layout::{painted, table};
 use crate::report::messages::finding_lines;
 use crate::report::similarity;
 
 /// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
-pub fn text(inspected: &Inspection, dialect: &dyn Dialect, colour: Colour, extent: Extent) -> String {
-    let mut text = head(inspected, extent);
+pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
+    let mut text = head(inspected, layout);
     if !inspected.spheres.is_empty() {
         text.push('\n');
-        text.push_str(&spheres(&inspected.spheres, extent));
+        text.push_str(&spheres(&inspected.spheres, layout));
     }
     if !inspected.forces.is_empty() {
         text.push('\n');
-        text.push_str(&forces(inspected, extent));
+        text.push_str(&forces(inspected, layout));
     }
     if !inspected.forces.is_empty() {
-        let figures = spheres::sphere_sheet(inspected, dialect, extent);
+        let figures = spheres::sphere_sheet(inspected, dialect, layout);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
-        text.push_str(&painted(&figures, colour));
-        text.push_str(&standing(inspected, extent));
+        text.push_str(&painted(&figures, layout.colour));
+        text.push_str(&standing(inspected, layout));
     }
     if inspected.body_factors.is_some() {
         text.push('\n');
-        text.push_str(&body_factors(inspected, extent));
+        text.push_str(&body_factors(inspected, layout));
     }
     if let Some(list) = &inspected.similarity {
         text.push('\n');
-        text.push_str(&similarity::text(list, extent));
+        text.push_str(&similarity::text(list, layout));
     }
     text.push_str(&finding_lines(&inspected.findings));
     text
 }
 
-fn head(inspected: &Inspection, extent: Extent) -> String {
-    let number = |value| extent.number(value, readable);
+fn head(inspected: &Inspection, layout: Layout) -> String {
+    let number = |value| layout.extent.number(value, readable);
     let title =
         format!("{}: {} (document version {})", inspected.model, inspected.name, inspected.document_version);
     let mut text = format!("{}\n", one_line(title));
@@ -54,13 +54,13 @@ fn head(inspected: &Inspection, extent: Extent) -> String {
         Some(mass) => format!("contacts made for: {}", mass.in_words()),
         None => "which mass its contacts are made for is not known".to_owned(),
     };
-    text.push_str(&wrapped(&format!("{weighs}; {contacts}"), ""));
+    text.push_str(&layout.wrapped(&format!("{weighs}; {contacts}"), ""));
     for sentence in inspected.note.iter().flat_map(|note| &note.sentences) {
-        text.push_str(&wrapped(sentence, ""));
+        text.push_str(&layout.wrapped(sentence, ""));
     }
     if let Some(known) = &inspected.known_contacts {
         let made_for = number(known.made_for_kg);
-        text.push_str(&wrapped(
+        text.push_str(&layout.wrapped(
             &format!("the contact parameters are those of {}, made for {made_for} kg", known.title),
             "",
         ));
@@ -76,19 +76,20 @@ fn head(inspected: &Inspection, extent: Extent) -> String {
                 .iter()
                 .map(|limb| format!("{} ({}, n = {})", limb.name, limb.side, limb.spheres.len()))
                 .collect();
-            text.push_str(&wrapped(&format!("limbs: {}", each.join(", ")), "       "));
-            text.push_str(&why.map(|why| wrapped(&why, "")).unwrap_or_default());
+            text.push_str(&layout.wrapped(&format!("limbs: {}", each.join(", ")), "       "));
+            text.push_str(&why.map(|why| layout.wrapped(&why, "")).unwrap_or_default());
         }
         None => {
             let why = why.unwrap_or_default();
-            text.push_str(&wrapped(&format!("limbs are not known: {why}"), ""));
+            text.push_str(&layout.wrapped(&format!("limbs are not known: {why}"), ""));
         }
     }
     text
 }
 
 /// One row per sphere; x, y, z are those of its lowest point.
-fn spheres(spheres: &[InspectedSphere], extent: Extent) -> String {
+fn spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
+    let extent = layout.extent;
     let mut table = table(&["sphere", "body", "limb", "radius", "lowest x", "y", "z"]);
     let decimals = decimals(spheres);
     let length = |value| extent.number(value, |value| metres(value, decimals));
@@ -109,22 +110,23 @@ fn spheres(spheres: &[InspectedSphere], extent: Extent) -> String {
     table.right_aligned(&[3, 4, 5, 6]);
     format!(
         "{}\n  (in m; the lowest point in the body's frame, with the body's axes upright)\n",
-        table.trim_fmt()
+        table.within(layout.columns)
     )
 }
 
 /// Forces with the same parameters share a row; a legend says which they are.
-fn forces(inspected: &Inspection, extent: Extent) -> String {
+fn forces(inspected: &Inspection, layout: Layout) -> String {
+    let extent = layout.extent;
     let groups = groups(inspected, extent);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
     let mut legend = String::new();
     for (index, group) in groups.into_iter().enumerate() {
         let label = format!("F{}", index + 1);
-        legend.push_str(&wrapped(&format!("{label}  {}", described(&group.forces, extent)), "    "));
+        legend.push_str(&layout.wrapped(&format!("{label}  {}", described(&group.forces, extent)), "    "));
         table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
-    let mut text = format!("{legend}\n{}\n", table.trim_fmt());
+    let mut text = format!("{legend}\n{}\n", table.within(layout.columns));
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
     if inspected.forces.iter().any(has_default) {
@@ -134,25 +136,25 @@ fn forces(inspected: &Inspection, extent: Extent) -> String {
 }
 
 /// Where bodies are over their floors, and what puts them on their feet.
-fn standing(inspected: &Inspection, extent: Extent) -> String {
+fn standing(inspected: &Inspection, layout: Layout) -> String {
     let several = inspected.standing.len() > 1;
     let mut text = String::new();
     for body in &inspected.standing {
         let which = if several { format!(" of {}", shown(&body.body)) } else { String::new() };
         text.push_str(&format!("\nStanding{which}:\n"));
-        for sentence in sentences(body, extent) {
-            text.push_str(&wrapped(&format!("  {sentence}"), "    "));
+        for sentence in sentences(body, layout.extent) {
+            text.push_str(&layout.wrapped(&format!("  {sentence}"), "    "));
         }
     }
     if let Some(why) = &inspected.why_no_standing {
-        text.push_str(&wrapped(&format!("where it stands is not known: {why}"), ""));
+        text.push_str(&layout.wrapped(&format!("where it stands is not known: {why}"), ""));
     }
     text
 }
 
 /// Each body's factors, compared with the generic model; `?` if no source has them.
-fn body_factors(inspected: &Inspection, extent: Extent) -> String {
-    let number = |factor| extent.number(factor, |factor| format!("{factor:.6}"));
+fn body_factors(inspected: &Inspection, layout: Layout) -> String {
+    let number = |factor| layout.extent.number(factor, |factor| format!("{factor:.6}"));
     let mut table = table(&["scaled body", "x", "y", "z", "from"]);
     for body in inspected.body_factors.iter().flatten() {
         let mut cells = vec![body.body.clone()];
@@ -163,7 +165,7 @@ fn body_factors(inspected: &Inspection, extent: Extent) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3]);
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n", table.within(layout.columns))
 }
 
 // A body over its floor and on its feet, in sentences: the text and the page share them.

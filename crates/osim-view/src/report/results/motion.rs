@@ -5,7 +5,7 @@ use osim_model::{DVec3, Side};
 use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, TouchedSurface, Wrench};
 use osim_planning::{MotionRemark, MotionResult};
 
-use crate::report::layout::{table, wrapped};
+use crate::report::layout::{WIDTH, table, wrapped};
 pub use crate::report::results::motion_record::{
     MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord,
     MotionStanceRecord, MotionTouchDownRecord,
@@ -14,7 +14,12 @@ pub use crate::report::results::motion_record::{
 // A motion in words, with figures of each foot and sphere.
 
 /// The summary of contacts along a motion, words first.
-pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> String {
+pub fn motion_text(
+    result: &MotionResult,
+    remarks: &[MotionRemark],
+    dialect: &dyn Dialect,
+    columns: Option<usize>,
+) -> String {
     let states = &result.states;
     let (first, last) = (states.time_s.first().copied(), states.time_s.last().copied());
     let mut text = format!(
@@ -29,23 +34,27 @@ pub fn motion_text(result: &MotionResult, remarks: &[MotionRemark], dialect: &dy
     );
     for remark in remarks {
         let mark = if remark.code == "foot" { "" } else { "remark: " };
-        text.push_str(&wrapped(&format!("{mark}{}", remark.message.spelled(dialect)), ""));
+        text.push_str(&wrapped(
+            &format!("{mark}{}", remark.message.spelled(dialect)),
+            "",
+            columns.unwrap_or(WIDTH),
+        ));
         text.push('\n');
     }
-    text.push_str(&feet(result));
+    text.push_str(&feet(result, columns));
     text.push('\n');
-    text.push_str(&spheres(result));
+    text.push_str(&spheres(result, columns));
     text
 }
 
-fn feet(result: &MotionResult) -> String {
-    let (columns, rows) = motion_feet(result);
-    let mut all = table(&columns);
+fn feet(result: &MotionResult, columns: Option<usize>) -> String {
+    let (headings, rows) = motion_feet(result);
+    let mut all = table(&headings);
     for row in rows {
         all.add_row(row);
     }
-    all.right_aligned(&(1..columns.len()).collect::<Vec<_>>());
-    format!("{}\n", all.trim_fmt())
+    all.right_aligned(&(1..headings.len()).collect::<Vec<_>>());
+    format!("{}\n", all.within(columns))
 }
 
 /// The headers and the rows of the table of feet: one row each, and one for all together.
@@ -79,7 +88,7 @@ pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<
     (columns, rows)
 }
 
-fn spheres(result: &MotionResult) -> String {
+fn spheres(result: &MotionResult, columns: Option<usize>) -> String {
     let mut all = table(&[
         "sphere",
         "peak, N",
@@ -96,7 +105,7 @@ fn spheres(result: &MotionResult) -> String {
         }
     }
     all.right_aligned(&[1, 2, 3, 4, 5, 6, 7]);
-    format!("{}\n", all.trim_fmt())
+    format!("{}\n", all.within(columns))
 }
 
 fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {

@@ -11,7 +11,7 @@ use osim_planning::{DesignQuantity, DesignSheet};
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use crate::report::layout::{filled, table};
+use crate::report::layout::{WIDTH, filled, table};
 
 /// A preset, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -118,7 +118,7 @@ pub fn preset_text(preset: &Preset) -> String {
     format!(
         "{}\n{}\n\n{}\n\nrelative indentation at body weight: {}\n",
         preset.name,
-        filled(&format!("source: {}", preset.source)),
+        filled(&format!("source: {}", preset.source), WIDTH),
         table.trim_fmt(),
         readable(dimensionless.relative_indentation())
     )

@@ -1,0 +1,97 @@
+//! `check` with `fix`: the steps that a check proposes for a model are done, and the result is checked and written.
+
+use std::sync::Arc;
+
+use osim_inspect::CheckResult;
+use osim_model::FileId;
+use osim_model::files::{Failure, ModelFiles, OpenModel};
+use osim_model::messages::{Input, counted, phrase};
+use osim_patch::Patch;
+use osim_planning::{Inspector, PreparedChange, prepare};
+use osim_requests::options::{OutputOptions, RunOptions};
+use osim_requests::{Request, RequestError};
+
+use crate::fault::LibraryFault;
+use crate::run::request::RunRequest;
+use crate::run::task::{Destination, JobSettings, Task};
+use crate::run::writing::{PreparedFiles, ResultBytes};
+use crate::source::Origin;
+use crate::write::OutputFolders;
+use crate::{Disk, Source};
+
+/// A model that is to be corrected, as it was checked.
+pub(crate) struct ModelToFix<'m> {
+    pub(crate) source: &'m Source,
+    /// The model's files; the bytes of the model itself are not needed.
+    pub(crate) files: ModelFiles,
+    pub(crate) opened: &'m OpenModel,
+    pub(crate) origin: &'m Origin,
+    pub(crate) checked: CheckResult,
+}
+
+impl ModelToFix<'_> {
+    /// Does the steps of the check and writes the result. Returns the check of the result, and what was written; the same check if no
+    /// step is proposed.
+    ///
+    /// # Errors
+    /// A step is refused or needs an answer, or the result cannot be written. Nothing is written then.
+    pub(crate) fn fix(
+        self,
+        inspector: &Inspector,
+        output: &OutputOptions,
+    ) -> Result<(CheckResult, String), Failure> {
+        let Some(first) = self.checked.steps.first() else {
+            let why = match self.checked.counts.error + self.checked.counts.warning {
+                0 => "nothing written: there is nothing to correct",
+                _ => "nothing written: no command corrects this",
+            };
+            return Ok((self.checked, why.to_owned()));
+        };
+        let refused = |fault: LibraryFault| fault.into_failure(self.opened.name(), "output");
+        let change = Arc::new(prepared(first, self.opened)?);
+        let verb = change.verb;
+        let task = Task::new(self.source.clone(), output, Arc::new(JobSettings::new(change, output)));
+        let request = RunRequest::new(verb, vec![task]);
+        request.check_paths(&RunOptions::default()).map_err(refused)?;
+        let task = request
+            .tasks
+            .first()
+            .filter(|task| task.destination != Destination::Stdout && task.geometry_output.is_none());
+        let Some((task, path)) = task.and_then(|task| Some((task, task.output()?))) else {
+            let why = phrase![
+                Input::Fix,
+                " writes one file for each model, and neither standalone sets nor standard output"
+            ];
+            return Err(refused(LibraryFault::new(why)));
+        };
+        let mut done: Option<(Vec<u8>, OpenModel)> = None;
+        for step in &self.checked.steps {
+            let current = done.as_ref().map_or(self.opened, |(_, opened)| opened);
+            let plan = prepared(step, current)?.plan(current, &Disk)?;
+            let new = plan.patched(&current.model, FileId::MAIN);
+            let new = new.map_err(|fault| current.failure(fault))?;
+            let opened = self.files.with_bytes(new.clone()).with_name(path.display().to_string()).open()?;
+            done = Some((new, opened));
+        }
+        let Some((bytes, result)) = done else { return Ok((self.checked, String::new())) };
+        let inspection = inspector.inspect(&result)?;
+        let folders = OutputFolders::list(std::iter::once(path), false);
+        let compiled = folders.compiled_model_beside_output(path);
+        let judged = inspector.check(&result.model, &inspection, compiled.as_ref(), &Disk);
+        let model = Patch::new(&bytes, Vec::new()).map_err(|fault| self.opened.failure(fault))?;
+        let results = ResultBytes { model, geometry: None };
+        let files = PreparedFiles::new(task, self.opened, self.origin, &results, output.force);
+        let written = files.and_then(|files| files.commit(&results)).map_err(refused)?;
+        let steps = counted(self.checked.steps.len(), "command");
+        let before = self.checked.counts.worst().describe("no finding");
+        Ok((judged, format!("{}; before: {before}; {steps} done", written.describe())))
+    }
+}
+
+/// The change that a step asks for.
+fn prepared(step: &Request, opened: &OpenModel) -> Result<PreparedChange, Failure> {
+    prepare(step.clone(), &Disk).map_err(|error| match error {
+        RequestError::Failure(failure) => failure,
+        RequestError::Fault(fault) => Failure::outside(opened.name().clone(), "internal", fault.phrase()),
+    })
+}

@@ -1,0 +1,93 @@
+//! What people read on terminals of 60, 80 and 120 columns, and `check` with `fix`.
+
+use crate::support::{HUMAN, TestDir, assert_snapshot};
+use crate::terminal::terminal_output;
+
+/// The outputs that are read most.
+const OUTPUTS: [(&str, &str); 10] = [
+    ("good", "check good.osim"),
+    ("scaled", "check scaled.osim --from generic.osim"),
+    ("broken", "check broken.osim"),
+    ("folder", "check subjects --from generic.osim"),
+    ("rescale", "human.osim --target-mass 80 --dry-run"),
+    ("transfer", "transfer scaled.osim --from generic.osim --follow-bodies --level --dry-run"),
+    (
+        "add",
+        "add bones.osim --from falisse2022 --feet calcn_r,toes_r,calcn_l,toes_l --count 6 --pad 0.02 --dry-run",
+    ),
+    ("inspect", "inspect scaled.osim"),
+    ("motion", "motion walker.osim walk.mot --plates plates.sto"),
+    ("design", "design human.osim --indentation 0.16 --constant-indentation 0.05 --dry-run"),
+];
+
+fn models() -> TestDir {
+    TestDir::with(&[
+        HUMAN,
+        ("check/within_limits.osim", "good.osim"),
+        ("check/floats.osim", "broken.osim"),
+        ("scale_tool/generic_smooth.osim", "generic.osim"),
+        ("scale_tool/scaled_smooth.osim", "scaled.osim"),
+        ("scale_tool/scaled_smooth.osim", "subjects/subject01.osim"),
+        ("scale_tool/scaled_smooth.osim", "subjects/subject02.osim"),
+        ("bad/no_contacts.osim", "subjects/bones.osim"),
+        ("feet/human_40000.osim", "bones.osim"),
+        ("feet/Geometry/r_human_foot.vtp", "Geometry/r_human_foot.vtp"),
+        ("feet/Geometry/r_human_toes.vtp", "Geometry/r_human_toes.vtp"),
+        ("feet/Geometry/l_human_foot.vtp", "Geometry/l_human_foot.vtp"),
+        ("feet/Geometry/l_human_toes.vtp", "Geometry/l_human_toes.vtp"),
+        ("motion/walker.osim", "walker.osim"),
+        ("motion/walk.mot", "walk.mot"),
+        ("motion/plates.sto", "plates.sto"),
+    ])
+}
+
+#[test]
+fn outputs_fit_terminals_of_60_80_and_120_columns() {
+    let dir = models();
+    for (name, call) in OUTPUTS {
+        let mut all = format!("$ osim-contact-scale {call}\n");
+        for columns in [60, 80, 120] {
+            let (out, _) = terminal_output(dir.command(call), columns);
+            let text = out.lines().filter(|line| !line.starts_with("  $ "));
+            let longest = text.map(|line| line.chars().count()).max().unwrap_or_default();
+            all.push_str(&format!("----- {columns} columns\n{out}"));
+            assert!(
+                !out.is_empty() && longest <= usize::from(columns),
+                "{name} at {columns}: {longest}\n{out}"
+            );
+        }
+        assert_snapshot(&format!("width_{name}"), &all);
+    }
+}
+
+#[test]
+fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
+    let dir = models();
+    let printed = dir.run("check scaled.osim --from generic.osim").failed().out();
+    let command = printed.lines().find_map(|line| line.strip_prefix("  $ osim-contact-scale ")).unwrap();
+    dir.run(&format!("{command} -o by_command.osim")).succeeded();
+    let fix = "check scaled.osim --from generic.osim --fix -o fixed.osim";
+    dir.run(fix).succeeded().wrote(&["fixed.osim"]).says(&["fixed.osim: ", "written: fixed.osim"]);
+    assert_eq!(dir.text("fixed.osim"), dir.text("by_command.osim"));
+    // What exists stays.
+    dir.run(fix).failed().wrote_nothing().says(&["exists already"]);
+    // Several steps, one after the other.
+    dir.run("check broken.osim --fix -o whole.osim").succeeded().wrote(&["whole.osim"]);
+    assert!(dir.run("check whole.osim --deny warning").succeeded().out().contains("whole.osim: "));
+    // A folder: the command that `check` prints for it.
+    let folder = dir.run("check subjects --from generic.osim").failed().out();
+    assert_eq!(folder.lines().filter(|line| line.starts_with("  $ ")).count(), 1, "{folder}");
+    dir.run("check subjects --from generic.osim --fix -d results").succeeded();
+    assert_eq!(dir.text("results/subject02.osim"), dir.text("fixed.osim"));
+}
+
+#[test]
+fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
+    let dir = models();
+    dir.run("check good.osim --fix -o new.osim").succeeded().wrote_nothing().says(&["nothing to correct"]);
+    dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
+    dir.run("check good.osim broken.osim --fix -o new.osim").exited_with(2).wrote_nothing();
+    let text = dir.text("scaled.osim");
+    dir.run("check scaled.osim --from generic.osim --fix --in-place").succeeded();
+    assert!(dir.text("scaled.osim") != text && dir.text("scaled.osim.bak") == text);
+}
