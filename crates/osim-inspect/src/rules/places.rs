@@ -191,8 +191,13 @@ fn find_on_bodies(model: &Model, bodies: &[String], text: String) -> Option<Find
 fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
-        let severity = if placement.is_wrong_model { Severity::Error } else { Severity::Remark };
-        return vec![Finding::new(&SPHERES_NOT_COMPARED, text).with_severity(severity)];
+        let finding = Finding::new(&SPHERES_NOT_COMPARED, text);
+        if !placement.is_wrong_model {
+            return vec![finding];
+        }
+        let advice =
+            phrase!["Name the model that OpenSim scaled, without an error of its own, with ", Input::From];
+        return vec![finding.with_severity(Severity::Error).with_advice(advice)];
     }
     let unmatched = placement.unmatched.iter().cloned().map(|why| Finding::new(&SPHERES_NOT_COMPARED, why));
     [misplaced_spheres(placement, true), misplaced_spheres(placement, false)]
