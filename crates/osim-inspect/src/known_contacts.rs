@@ -8,6 +8,7 @@ use foldhash::HashMap;
 use osim_model::messages::shown;
 use osim_model::{
     FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, loaded_spheres,
+    same_mass,
 };
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -86,8 +87,11 @@ impl KnownContacts {
         };
         let under_body = |entry: &'static Entry| {
             let mass = mass_kg?;
-            let made_for_kg = entry.made_for_kg * (mass / entry.body_kg());
-            fits(entry, mass, false).then(|| Self::new(entry, made_for_kg))
+            // A sensor makes no other body of the published one.
+            let published_mass = same_mass(mass, entry.body_kg()).then_some(entry.body_kg());
+            let mass =
+                [Some(mass), published_mass].into_iter().flatten().find(|&mass| fits(entry, mass, false))?;
+            Some(Self::new(entry, entry.made_for_kg * (mass / entry.body_kg())))
         };
         let at_any_mass = |entry: &'static Entry| {
             // Contacts that were published under a body of another mass are only recognised under that body.
