@@ -71,7 +71,7 @@ impl Problem {
         Self { message, ..Self::general("RequestError", "usage", "") }
     }
 
-    /// A problem that stands for an exception which Python raised during the call.
+    /// An exception that Python raised during the call, as a problem.
     pub(crate) fn raised(error: PyErr) -> Self {
         Self { raised: Some(error), ..Self::general("ContactScaleError", "raised", "") }
     }

@@ -39,7 +39,7 @@ const EXAMPLES: &str = r##"{
     "radius": 0.04, "level": true, "level_axis": "-y", "only": ["stiffness", "radius"], "keep": ["dissipation", "radius"],
     "dissipation_by": "mass", "friction": true, "contacts_gravity": 9.81, "target_gravity": 1.62,
     "body_scale_file": "ScaleSet 1.xml", "follow_bodies": true, "select": ["*_r", "toe?"], "exclude": ["heel_[lr]"],
-    "skip_disabled": true, "output": "$new.osim", "geometry_output": "g.xml", "output_dir": "it's/here", "in_place": true,
+    "skip_disabled": true, "output": "$new.osim", "geometry_output": "g.xml", "output_dir": "it's/here", "in_place": true, "fix": true,
     "no_backup": true, "force": true, "no_note": true, "dry_run": true, "diff": true, "format": "json", "quiet": true,
     "report": "page 1.html", "jobs": 3, "summary": "run.csv", "resume": true, "shard": "1/4", "yes": ["implausible-mass"],
     "geometry": "g.xml", "model": "m.osim", "presets": "own.toml", "spheres": 6, "stance_limbs": 2, "reference_mass": 75,

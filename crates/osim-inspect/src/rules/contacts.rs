@@ -181,7 +181,7 @@ pub(crate) fn find_contacts_of_another_mass(
     let text = format!(
         "the contacts are for {} kg ({}), the body weighs {} kg",
         readable(made_for),
-        known.title,
+        known.title.replace(['(', ')'], ""),
         four_significant(mass)
     );
     let remedy = places_are_right.then(|| scale_to_body(remedies, made_for, mass)).flatten();

@@ -49,7 +49,7 @@ pub(crate) struct ExchangedModel<'b> {
     backup: Option<PathBuf>,
 }
 
-/// What became of a change that was undone.
+/// The outcome of undoing a change.
 pub(crate) enum UndoOutcome {
     /// The old model is in its place.
     Restored,

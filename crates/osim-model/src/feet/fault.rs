@@ -44,7 +44,7 @@ pub enum FeetFault {
         /// The file as the model spells it.
         mesh: String,
         file: PathBuf,
-        /// Why the file is no mesh.
+        /// Why the file cannot be read as a mesh.
         fault: MeshFault,
     },
     /// Scale factors that no bone can have.

@@ -103,7 +103,7 @@ fn what_was_published_so_is_a_remark_and_nothing_else_is() {
     let other = found.findings.iter().find(|one| one.code() == FindingCode::ContactsOfAnotherMass).unwrap();
     assert_eq!(other.severity, Severity::Warning);
     assert!(
-        other.message.to_string().contains("made for 62 kg, and the body weighs 60 kg"),
+        other.message.to_string().contains("are for 62 kg (Falisse et al. 2022), the body weighs 60 kg"),
         "{}",
         other.message
     );

@@ -17,7 +17,7 @@ pub(crate) struct Parameter {
 /// The kind of value that an equation gives.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Returns {
-    /// A value of the quantity that the symbol stands for.
+    /// A value of the quantity that the symbol means.
     Value(Symbol),
     /// A factor of this symbol from one animal to another.
     Factor(Symbol),

@@ -62,7 +62,7 @@ mod tests {
     fn every_group_has_options() {
         assert_eq!(
             options_of(FieldGroup::Output),
-            ["data", "force", "geometry_output", "in_place", "no_backup", "output", "output_dir"]
+            ["data", "fix", "force", "geometry_output", "in_place", "no_backup", "output", "output_dir"]
         );
         assert_eq!(options_of(FieldGroup::Many), ["jobs", "resume", "shard", "summary"]);
         assert_eq!(options_of(FieldGroup::Shown), ["ascii", "deny", "diff", "format", "full", "quiet"]);

@@ -21,7 +21,7 @@ const INDENT: usize = 18;
 /// What a finding that answers none of the questions is about.
 const FILE: &str = "file";
 
-/// Models or findings of one rule that are told one by one at most; more are counted.
+/// Models or findings of one rule that are named at most; more are counted.
 const NAMED: usize = 3;
 
 // Findings of one model, for people.
