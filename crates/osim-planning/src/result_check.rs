@@ -97,7 +97,7 @@ impl PreparedChange {
             .zip(inspected.as_ref())
             .map(|(changed, inspected)| check_without_remedies(&options_after, changed, inspected));
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
-        let mut judged = findings_of_result(&before, after, reference);
+        let mut judged = findings_of_result(&before, after.as_deref(), reference);
         // Conversion has advice of its own on what it makes.
         if self.verb == Verb::Convert {
             judged.retain(|one| !plan.findings.iter().any(|own| is_same_case(own, one)));
@@ -210,7 +210,7 @@ fn read_again(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
 /// changes.
 fn findings_of_result(
     before: &[FindingWithRemedy],
-    after: Option<Vec<FindingWithRemedy>>,
+    after: Option<&[FindingWithRemedy]>,
     reference: &[FindingWithRemedy],
 ) -> Vec<Finding> {
     let index = FindingIndex::new(before);
@@ -222,7 +222,7 @@ fn findings_of_result(
             || reference.iter().any(|was| was.code() == one.code() && was.severity >= one.severity)
     };
     let judged = |one: &FindingWithRemedy| Finding { had_before: had(one), ..one.finding.clone() };
-    after.as_deref().unwrap_or(before).iter().map(judged).collect()
+    after.unwrap_or(before).iter().map(judged).collect()
 }
 
 /// Whether two findings are about one case.

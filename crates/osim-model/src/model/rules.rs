@@ -63,7 +63,7 @@ impl Model {
         remarks.extend(forces().filter_map(find_several_parameter_sets));
         match forces().next() {
             Some(first) if forces().all(|force| !force.applies) => {
-                remarks.push(all_disabled(first, forces().count()))
+                remarks.push(all_disabled(first, forces().count()));
             }
             _ => remarks.extend(forces().filter_map(find_disabled_force)),
         }

@@ -97,7 +97,7 @@ fn the_first_line_says_by_how_much() {
 fn level_spheres_keep_their_bottoms() {
     let text = ONE_FOOT.replace("<radius>", "<location>0.1 -0.02 0.3</location><radius>");
     let plan = plan_of_rescaling(&text, |wanted| {
-        wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0])))
+        wanted.level = Some(LevelAxis::of_gravity(Some([0.0, -9.81, 0.0])));
     });
     let place = &plan.moves[0];
     // R grows from 0.03 to 0.06: the centre rises by 0.03.

@@ -204,17 +204,17 @@ impl TextTable {
     /// As many columns as fit, and below them the others after the first column.
     fn in_parts(self, columns: usize) -> String {
         let all = self.header.len();
-        let fit =
-            (2..all).take_while(|&end| self.with_columns((0..end).collect()).width() <= columns + 1).last();
+        let fit = (2..all).take_while(|&end| self.with_columns(0..end).width() <= columns + 1).last();
         let end = fit.unwrap_or(2);
         if end >= all {
             return self.trim_fmt();
         }
-        let below = self.with_columns(std::iter::once(0).chain(end..all).collect());
-        format!("{}\n\n{}", self.with_columns((0..end).collect()).trim_fmt(), below.within(Some(columns)))
+        let below = self.with_columns(std::iter::once(0).chain(end..all));
+        format!("{}\n\n{}", self.with_columns(0..end).trim_fmt(), below.within(Some(columns)))
     }
 
-    fn with_columns(&self, chosen: Vec<usize>) -> Self {
+    fn with_columns(&self, chosen: impl Iterator<Item = usize>) -> Self {
+        let chosen: Vec<usize> = chosen.collect();
         let cells = |row: &Vec<String>| -> Vec<String> {
             chosen.iter().map(|&index| row.get(index).cloned().unwrap_or_default()).collect()
         };
