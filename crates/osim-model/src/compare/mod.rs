@@ -1,8 +1,8 @@
-//! Two OpenSim models compared: scale factors between their bodies, whether one is a scaled copy of the other, and where the
-//! contact spheres of a scaled model belong.
+//! Compares two OpenSim models: the scale factors of their bodies, whether one model is a scaled copy of the other, and the right places of
+//! the contact spheres in a scaled model.
 //!
-//! OpenSim's scaling leaves `ContactSphere` radius and location as they were. [`Factors`] says how much each body grew,
-//! [`Follow`] where spheres then belong, [`SpherePlacements`] whether they are there.
+//! OpenSim's scaling leaves `ContactSphere` radius and location as they were. [`Factors`] gives the growth of each body, [`Follow`] the
+//! right places of its spheres, and [`SpherePlacements`] checks the present places.
 //!
 //! ```
 //! use std::collections::BTreeMap;
@@ -19,7 +19,7 @@
 //!
 //! # What it will not do
 //!
-//! It plans and changes nothing, and knows no files, no options and no terminal.
+//! This module makes plans and changes nothing. It knows no files, no options and no terminal.
 
 mod follow;
 mod similarity;

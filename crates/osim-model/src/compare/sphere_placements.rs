@@ -1,4 +1,4 @@
-//! Whether spheres are where their bodies have taken them, compared with the model that was scaled.
+//! Checks whether spheres are at the places to which the scaling of their bodies moves them, compared with the unscaled model.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,35 +9,36 @@ use super::follow::{Factors, ScaleFile};
 use crate::messages::{Input, Phrase, Verb};
 use crate::model::{Anatomy, AnatomySphere, Fault, LevelAxis, Model, Note, RadiusAxis, Step};
 
-/// Places that differ by no more than this are one, m.
+/// Two places are equal if they differ by no more than this, m.
 const SAME_PLACE_M: f64 = 1e-6;
-/// Factors that differ by no more than this (relative) are equal.
+/// Two factors are equal if they differ by no more than this (relative).
 const SAME_FACTOR: f64 = 1e-9;
-/// A y factor that differs from √(x z) by more than this (relative) makes `level` a bad choice.
-const LARGEST_STRETCH: f64 = 0.2;
+/// If the y factor of a foot differs from √(x z) by more than this (relative), spheres should not be kept on the scaled sole (`level`).
+const MOST_STRETCH_FOR_LEVEL: f64 = 0.2;
 
-/// The spheres of a model, compared with those of the model from which OpenSim scaled it: from [`SpherePlacements::compare`].
+/// The spheres of a scaled model, compared with those of the unscaled model: from [`SpherePlacements::compare`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpherePlacements {
-    /// The model that was scaled, as it was named.
+    /// Path of the unscaled model, as the caller named it.
     pub from: PathBuf,
-    /// The Scale Tool's ScaleSet, where one was named.
+    /// Path of the Scale Tool's ScaleSet file, if the caller named one.
     pub body_scale_file: Option<PathBuf>,
-    /// Each sphere that both models have.
+    /// Each sphere that both models have on the same body.
     pub spheres: Vec<PlacedSphere>,
-    /// Spheres that one of the models does not have, or has on another body: a remark about each.
+    /// A remark on each sphere that is missing in one of the models, or is on another body.
     pub unmatched: Vec<Phrase>,
-    /// Why they cannot be compared, in words.
+    /// Why the models cannot be compared, in words.
     pub unknown: Option<Phrase>,
-    /// Whether that is because the caller named a wrong model.
+    /// Whether the comparison failed because the caller named a wrong model.
     pub is_wrong_model: bool,
-    /// Whether a transfer with `level` is right: no foot was stretched too much, and some foot was not scaled alike along all axes.
+    /// Whether a transfer with `level` is right: no foot was stretched too much, and at least one foot was scaled differently along its
+    /// axes.
     pub suits_level: bool,
-    /// Whether radii are as this program wrote them, by its note.
+    /// Whether, by the note in the model, this program wrote the present radii.
     noted_radii: bool,
 }
 
-/// The present place of a sphere, and the place where it belongs, in its frame, m.
+/// The present place of a sphere and its right place, in the sphere's frame, m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedSphere {
     pub name: String,
@@ -45,15 +46,16 @@ pub struct PlacedSphere {
     /// Line of the sphere's element, from 1.
     pub line: usize,
     pub here_m: [f64; 3],
-    /// Place of the sphere in the model that was scaled.
+    /// Place of the sphere in the unscaled model.
     pub was_m: [f64; 3],
-    /// Where it belongs: the place there times the factors of its body; with its bottom on the scaled sole where `level` is right.
+    /// The right place of the sphere: its place in the unscaled model times the factors of its body. If `level` is right, the bottom of the
+    /// sphere stays on the scaled sole.
     pub belongs_m: [f64; 3],
-    /// Whether the sphere is where it belongs, or its bottom is on the scaled sole.
+    /// Whether the sphere is at its right place, or its bottom is on the scaled sole.
     pub follows: bool,
-    /// Whether place and radius are those in the model that was scaled.
+    /// Whether place and radius are equal to those in the unscaled model.
     untouched: bool,
-    /// Whether it is where it was in the model that was scaled.
+    /// Whether the place is equal to the place in the unscaled model.
     stayed: bool,
 }
 
@@ -63,7 +65,7 @@ fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile
 }
 
 impl SpherePlacements {
-    /// Compares `model` with the `original` that OpenSim scaled and with what the ScaleSet `file` says; both as they were named.
+    /// Compares `model` with the `original` that OpenSim scaled, by the factors in the ScaleSet `file` if it is given.
     pub fn compare(
         model: &Model,
         from: &Path,
@@ -108,60 +110,59 @@ impl SpherePlacements {
         }
     }
 
-    /// Without a comparison, because the caller named a wrong model, and `why`.
+    /// A result without a comparison, because the caller named a wrong model: `why` says in which way.
     pub fn of_wrong_model(self, why: Phrase) -> Self {
         Self { spheres: Vec::new(), unmatched: Vec::new(), unknown: Some(why), is_wrong_model: true, ..self }
     }
 
-    /// Whether each sphere is where it belongs.
+    /// Whether every sphere is at its right place.
     pub fn is_right(&self) -> bool {
         self.unknown.is_none()
             && self.unmatched.is_empty()
             && self.spheres.iter().all(|sphere| sphere.follows)
     }
 
-    /// Whether some sphere is not where it belongs.
+    /// Whether a sphere is not at its right place.
     pub fn is_wrong(&self) -> bool {
         self.spheres.iter().any(|sphere| !sphere.follows)
     }
 
-    /// Whether some sphere stayed where it was.
+    /// Whether a sphere still has its place from before the scaling, which is wrong now.
     pub fn was_left_behind(&self) -> bool {
         self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed())
     }
 
-    /// Whether a transfer can place all spheres: each is where it was, with its radius or one that this program gave it.
+    /// Whether a transfer can place all spheres: each has its unscaled place, and its radius is unscaled or written by this program.
     pub fn can_follow(&self) -> bool {
         let is_movable = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
         self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(is_movable)
     }
 
-    /// Whether some sphere is not as it was: a transfer asks what to do with it.
+    /// Whether a sphere has another place or radius than in the unscaled model. A transfer then asks the caller what to do with it.
     pub fn has_changed_spheres(&self) -> bool {
         self.spheres.iter().any(|sphere| !sphere.untouched)
     }
 }
 
 impl PlacedSphere {
-    /// The distance of the sphere from where it belongs, m.
+    /// The distance of the sphere from its right place, m.
     pub fn distance_m(&self) -> f64 {
         DVec3::from(self.here_m).distance(self.belongs_m.into())
     }
 
-    /// Whether the sphere is where it was in the model that was scaled.
+    /// Whether the sphere has the same place as in the unscaled model.
     pub fn stayed(&self) -> bool {
         self.stayed
     }
 }
 
-/// Whether the note says that this program scaled the radii, and they are as it wrote them.
+/// Whether the note says that this program scaled the radii, and nobody has changed them since.
 fn has_radii_of_note(model: &Model) -> bool {
     let rescaled = |note: &Note| note.steps.last().and_then(Step::verb) == Some(Verb::Rescale);
     model.note.as_ref().is_some_and(rescaled) && model.doubt_about_note().is_none()
 }
 
-/// Spheres of the model that the original does not have on the same body, and spheres of the original that the model does not
-/// have: nothing is known of their places.
+/// A remark on each sphere that is in only one of the models, or on different bodies: its right place is not known.
 fn unmatched(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase> {
     let loaded = model.loaded_spheres(&model.force_ids());
     let here = loaded.into_iter().filter_map(|id| scaled.spheres.get(id.index()));
@@ -181,7 +182,8 @@ fn unmatched(model: &Model, scaled: &Anatomy, original: &Anatomy) -> Vec<Phrase>
     other.chain(missing).map(Phrase::from).collect()
 }
 
-/// Spheres that stand and that both models have; those that only one has; and whether `level` suits the factors of their bodies.
+/// Compares the moving spheres that both models have. Returns them, remarks on the other spheres, and whether `level` suits the factors of
+/// their bodies.
 fn placed_spheres(
     model: &Model,
     scaled: &Anatomy,
@@ -233,10 +235,10 @@ fn stretch([x, y, z]: [f64; 3]) -> f64 {
 
 /// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
 pub fn is_stretched(factors: [f64; 3]) -> bool {
-    stretch(factors) > LARGEST_STRETCH
+    stretch(factors) > MOST_STRETCH_FOR_LEVEL
 }
 
-/// The centre with which the bottom of a sphere of this radius is on the sole, scaled by the factors of its body.
+/// The centre of a sphere whose bottom stays on the sole, after its body was scaled by the factors.
 fn on_sole(
     now: &AnatomySphere,
     old: &AnatomySphere,

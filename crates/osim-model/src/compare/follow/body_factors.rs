@@ -1,4 +1,4 @@
-//! The factors of one body, and what they are taken from: distances to joints, and meshes of the same bone.
+//! The scale factors of one body, and their sources: distances between joints, and meshes of one bone in both models.
 
 use std::cell::OnceCell;
 use std::collections::BTreeMap;
@@ -10,18 +10,19 @@ use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
 pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// Source of a factor, in the order in which sources are taken.
+/// The source of a scale factor. A source that is listed earlier is preferred.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FactorSource {
     /// The caller gave the factor.
     Given,
     /// The Scale Tool's applied ScaleSet.
     ScaleFile,
-    /// `scale_factors` of meshes that show the body's bone.
+    /// The ratio of the `scale_factors` of two meshes of one bone, both attached to the body.
     Mesh,
-    /// Translations of frames fixed to the body: joint offsets.
+    /// The ratio of the translations of frames that are fixed to the body: offsets of joints.
     Joint,
-    /// The ratio of distances from the body's origin to a joint below it: one factor for all axes, between different models.
+    /// The ratio of the distances from the body's origin to a joint below the body. All three axes get this one factor. Only for two
+    /// different models.
     Distance,
     /// The factors of the parent body.
     Above,
@@ -42,7 +43,7 @@ impl FactorSource {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisFactor {
-    /// Ratio of the new to the old length.
+    /// The new length over the old length.
     pub factor: f64,
     pub source: FactorSource,
 }
@@ -50,15 +51,16 @@ pub struct AxisFactor {
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyFactors {
     pub body: String,
-    /// Along x, y and z of the body; `None` where no source says it.
+    /// The chosen factors along x, y and z of the body; `None` for an axis without a source.
     pub axes: [Option<AxisFactor>; 3],
-    /// Factors by each source along x, y and z, in the order of the sources.
+    /// The factors that each source gives along x, y and z, in the order of preference.
     pub sources: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// A question that has to be answered before the factors are known. It is asked only where they are needed, by `Factors`.
+    /// The question that the caller has to answer before the factors are known. [`Factors`](super::Factors) asks it only if a caller needs
+    /// the factors.
     pub question: Option<Fault>,
 }
 
-/// The factors of all bodies, by name: of several bodies of one name the first counts.
+/// The index of each body by its name. Where several bodies have one name, the first counts.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct BodyIndex(HashMap<String, usize>);
 
@@ -71,25 +73,28 @@ impl BodyIndex {
         Self(places)
     }
 
-    /// Index of `body` among all bodies.
-    pub(super) fn place(&self, body: &str) -> Option<usize> {
+    /// Index of `body` in the list of all bodies.
+    pub(super) fn index_of(&self, body: &str) -> Option<usize> {
         self.0.get(body).copied()
     }
 
     pub(super) fn axes(&self, bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
-        let found = self.place(body).and_then(|at| bodies.get(at));
+        let found = self.index_of(body).and_then(|at| bodies.get(at));
         found.map(|factors| factors.axes).unwrap_or([None; 3])
     }
 }
 
 // How far a joint is from the origin of a body, in two models.
 
-/// A joint nearer to the body's origin than this does not show its size, m...
+/// A joint that is nearer to the body's origin than this length, m, is not used to measure the size of the body. In a small animal,
+/// [`SHORTEST_OF_BONE`] allows a shorter distance.
 const SHORTEST_DISTANCE_M: f64 = 0.02;
-/// ... unless it is at this part of the limb's longest bone, or farther: bones of a rat are that short.
+/// A joint is far enough to measure the size of the body if its distance is this part of the longest bone of the limb: in a rat, bones are
+/// shorter than [`SHORTEST_DISTANCE_M`].
 const SHORTEST_OF_BONE: f64 = 0.2;
 
-/// A joint below a body that both models have, and where it is in both, seen from the origin of the body at the default pose.
+/// A joint below a body that both models have, with its place in each model. The places are seen from the origin of the body at the default
+/// pose.
 #[derive(Debug)]
 pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
@@ -98,12 +103,12 @@ pub(super) struct ComparedJoint<'a> {
     new_m: DVec3,
 }
 
-/// The joints of one name in both models, by the bodies on which they are in one of them.
+/// The joints that have the same name in both models, listed under the body that is the joint's parent in one of the models.
 pub(super) struct ComparedJoints<'a> {
     scaled: &'a Anatomy,
     reference: &'a Anatomy,
     on_body: HashMap<&'a str, Vec<[&'a AnatomyJoint; 2]>>,
-    /// How large the bones of both models are.
+    /// The distances between joints in the reference and in the scaled model.
     bones: [JointDistances; 2],
 }
 
@@ -121,7 +126,7 @@ impl<'a> ComparedJoints<'a> {
         Self { scaled, reference, on_body, bones }
     }
 
-    /// The farthest joint of one name in both models that lies below `body` and is on it in one of them.
+    /// The farthest joint that lies below `body` in both models. Its parent is `body` in at least one of them.
     pub(super) fn farthest(&self, body: &str) -> Option<ComparedJoint<'a>> {
         let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
             let old_m = self.reference.joint_place_seen_from(body, there)?;
@@ -135,14 +140,14 @@ impl<'a> ComparedJoints<'a> {
     }
 }
 
-/// A joint of `body` that is nearer to its origin does not show its size, m.
+/// The shortest distance, m, at which a joint measures the size of `body`.
 fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
     let longest_m = bones.longest_in_limb(body).or_else(|| bones.longest_around_body(body));
     longest_m.map_or(SHORTEST_DISTANCE_M, |longest_m| SHORTEST_DISTANCE_M.min(SHORTEST_OF_BONE * longest_m))
 }
 
 impl ComparedJoint<'_> {
-    /// The distance in the new model over that in the old one.
+    /// The distance to the joint in the new model over the distance in the old model.
     pub(super) fn ratio(&self) -> f64 {
         self.new_m.length() / self.old_m.length()
     }
@@ -150,18 +155,18 @@ impl ComparedJoint<'_> {
 
 // Which mesh of one model shows the same bone as which of the other.
 
-/// Folders, extensions and side marks that say nothing about the bone.
-const SIDE_BEFORE: [&str; 2] = ["r_", "l_"];
-const SIDE_AFTER: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
+/// Marks of left and right before and after a file's name. They do not belong to the name of the bone.
+const SIDE_PREFIXES: [&str; 2] = ["r_", "l_"];
+const SIDE_SUFFIXES: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct BonePair {
     pub(super) mesh: String,
-    /// New over old factors along x, y and z.
+    /// Factors along x, y and z: those of the scaled model over those of the reference.
     pub(super) factors: [Option<f64>; 3],
 }
 
-/// The meshes of `body` that show the same bone in both models, in the order of their names.
+/// The pairs of meshes of one bone that `body` has in both models, in the order of the file names.
 pub(super) fn bone_pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> Vec<BonePair> {
     let (Some(new), Some(old)) = (scaled.meshes.get(body), reference.meshes.get(body)) else {
         return Vec::new();
@@ -181,7 +186,7 @@ pub(super) fn bone_pairs(scaled: &Anatomy, reference: &Anatomy, body: &str) -> V
     new.iter().filter_map(pair).collect()
 }
 
-/// The factors of the meshes of one body, by the bones that they show: of several of one bone the first.
+/// The factors of the meshes of one body, by the names of their bones. Where several meshes are of one bone, the first counts.
 struct MeshFactorsByBone<'a> {
     by_bone: HashMap<String, &'a [f64; 3]>,
     by_side: HashMap<(String, Option<char>), &'a [f64; 3]>,
@@ -198,31 +203,31 @@ impl<'a> MeshFactorsByBone<'a> {
         bones
     }
 
-    /// The factors of a mesh that shows the same bone: the same file says more than the same bone, and a mesh of the same side more than
-    /// its mirror.
+    /// The factors of a mesh of the same bone as `mesh`. The best match is the same file, then a mesh of the same side, then its mirror
+    /// image.
     fn same_bone(&self, mesh: &str) -> Option<&'a [f64; 3]> {
         let sided = (bone_of_mesh(mesh), side_mark(mesh));
         self.by_side.get(&sided).or_else(|| self.by_bone.get(&sided.0)).copied()
     }
 }
 
-/// The bone that a mesh shows: its file's name without folder, extension, case and side mark.
+/// The name of the bone of a mesh: the name of the file in small letters, without folder, ending and side mark.
 ///
 /// ```
 /// assert_eq!(osim_model::compare::bone_of_mesh("Geometry/R_Foot.VTP"), osim_model::compare::bone_of_mesh("foot_lv.obj"));
 /// ```
 pub fn bone_of_mesh(file: &str) -> String {
     let name = file_stem(file);
-    let name = SIDE_BEFORE.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
-    let name = SIDE_AFTER.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
+    let name = SIDE_PREFIXES.iter().find_map(|mark| name.strip_prefix(mark)).unwrap_or(&name);
+    let name = SIDE_SUFFIXES.iter().find_map(|mark| name.strip_suffix(mark)).unwrap_or(name);
     name.to_owned()
 }
 
 /// The side mark of a file's name, `l` or `r`.
 fn side_mark(file: &str) -> Option<char> {
     let name = file_stem(file);
-    let before = SIDE_BEFORE.iter().find(|mark| name.starts_with(**mark));
-    let after = SIDE_AFTER.iter().find(|mark| name.ends_with(**mark));
+    let before = SIDE_PREFIXES.iter().find(|mark| name.starts_with(**mark));
+    let after = SIDE_SUFFIXES.iter().find(|mark| name.ends_with(**mark));
     before.or(after).and_then(|mark| mark.chars().find(|c| *c != '_'))
 }
 
@@ -239,7 +244,7 @@ mod tests {
 
     const HUMAN: &str = include_str!("../../../../../fixtures/feet/human_40000.osim");
 
-    /// The human with all translations of joints multiplied.
+    /// The human model with the translations of all joints multiplied by `factor`.
     fn with_offsets_times(text: &str, factor: f64) -> String {
         let scaled = |part: &str| {
             let (numbers, rest) = part.split_once('<').unwrap();
@@ -268,21 +273,21 @@ mod tests {
     }
 
     #[test]
-    fn a_short_bone_of_a_small_animal_shows_its_size() {
+    fn a_short_bone_of_a_small_animal_is_measured() {
         // The toes' joint is 178 mm from the calcaneus' origin, and the shank is 462 mm long.
         assert_ratio(&with_offsets_times(HUMAN, 0.1), Some(0.1));
         assert_ratio(&with_offsets_times(HUMAN, 0.01), Some(0.01));
     }
 
     #[test]
-    fn a_joint_near_the_origin_of_a_long_limb_shows_nothing() {
+    fn a_joint_near_the_origin_of_a_long_limb_is_not_measured() {
         let near = HUMAN.replacen("<translation>0.17799999999999999 ", "<translation>0.0178 ", 1);
         assert_ne!(near, HUMAN);
         assert_ratio(&near, None);
     }
 
     #[test]
-    fn one_bone_has_many_names() {
+    fn file_names_of_one_bone_give_one_name() {
         for name in [
             "foot.vtp",
             "r_foot.vtp",

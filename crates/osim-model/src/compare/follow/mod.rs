@@ -1,9 +1,7 @@
-//! Contacts that follow a body which OpenSim has scaled: what its bones say about the factors, and where its spheres
-//! belong.
+//! Moves contact spheres after OpenSim has scaled their bodies: finds the scale factors of the bodies, and the new places of the spheres.
 //!
-//! OpenSim's scaling leaves `ContactSphere` radius and location as they were. Comparing the scaled model with the generic
-//! one it came from gives each body's factors ([`Factors`]); spheres of the same name then move and grow with their body
-//! ([`Follow`]).
+//! OpenSim's scaling leaves `ContactSphere` radius and location as they were. Comparing the scaled model with the generic model gives the
+//! factors of each body ([`Factors`]); spheres of the same name then move and grow with their body ([`Follow`]).
 
 mod body_factors;
 mod scaled_copy;
@@ -26,30 +24,31 @@ use sources::BodyFactorSources;
 
 // Where the spheres of a scaled model belong, and how large they are there.
 
-/// A location or radius that differs by less than this (relative to the radius) was not touched.
+/// If a location or radius changed by less than this part of the radius, nobody edited it.
 const UNTOUCHED_RADII: f64 = 1e-6;
 
-/// Radii that do not follow from the factors of bodies.
+/// Rules for radii that do not use the factors of bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum OwnRadii {
-    /// A body as large as in the reference by (8): the reference's radii times this factor.
+    /// The reference's radii times this factor: as large against the body as in the reference, (8).
     Isometric(f64),
     /// One radius for all spheres, m.
     Metres(f64),
 }
 
-/// How spheres follow their bodies: see [`Follow`] for an example.
+/// The options for moving spheres with their bodies: see [`Follow`] for an example.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FollowRequest {
-    /// How a radius follows from the three factors of its body.
+    /// The rule that makes one ratio of radii from the three factors of a body.
     pub radius_axis: RadiusAxis,
-    /// The axis along which bottoms stay on the scaled sole; `None`: centres are scaled, whatever the radius.
+    /// The axis along which the bottom of each sphere stays on the scaled sole. `None`: the centre is scaled with the body, whatever the
+    /// radius.
     pub level: Option<LevelAxis>,
-    /// The request for spheres that were changed already.
+    /// What to do with spheres that somebody has already moved or resized.
     pub moved: MovedSpheres,
-    /// Whether radii stay as they are in the scaled model.
+    /// Whether spheres keep the radii that they have in the scaled model.
     pub keep_radii: bool,
-    /// Radii that do not follow from factors; where there are none, `radius_axis` counts.
+    /// A rule for radii without the factors of bodies. `None`: `radius_axis` decides.
     pub own_radii: Option<OwnRadii>,
 }
 
@@ -63,7 +62,7 @@ pub struct FollowedSphere {
     pub location_m: [f64; 3],
 }
 
-/// New places and radii of the spheres of a model that OpenSim has scaled.
+/// The new places and radii of spheres in a model that OpenSim has scaled.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -91,31 +90,31 @@ pub struct FollowedSphere {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 ///
-/// A transfer writes them.
+/// [`Follow`] changes no file: a transfer writes the places and radii.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Follow {
     spheres: BTreeMap<SphereId, FollowedSphere>,
-    /// Geometric mean of the factors of the bodies that carry spheres: the ratio of sizes, new over old.
+    /// Geometric mean of the factors of all bodies with spheres: the new size over the old size.
     pub size_ratio: f64,
 }
 
 impl Follow {
-    /// Radius of `sphere` in the reference, m; `None` where it does not follow a body.
+    /// Radius of `sphere` in the reference, m; `None` for a sphere that does not follow a body.
     pub fn old_radius(&self, sphere: SphereId) -> Option<f64> {
         self.spheres.get(&sphere).map(|followed| followed.old_radius_m)
     }
 
-    /// Every sphere that follows a body, with its new place.
+    /// Every sphere that follows a body, with its new place and radius.
     pub fn spheres(&self) -> impl Iterator<Item = (SphereId, &FollowedSphere)> {
         self.spheres.iter().map(|(sphere, place)| (*sphere, place))
     }
 
-    /// The new place of `sphere`; `None` where it does not follow a body.
+    /// The new place and radius of `sphere`; `None` for a sphere that does not follow a body.
     pub fn sphere(&self, sphere: SphereId) -> Option<&FollowedSphere> {
         self.spheres.get(&sphere)
     }
 
-    /// Checks that every contact sphere of the `reference`, by name, is in the scaled model.
+    /// Checks that the scaled model has every contact sphere of the `reference`, by its name.
     pub fn refuse_missing<'n>(
         scaled: &Anatomy,
         reference: impl Iterator<Item = &'n String>,
@@ -132,11 +131,11 @@ impl Follow {
         )))
     }
 
-    /// Matches the spheres `wanted` of `model` with those of the reference by name and moves them with their bodies.
+    /// Matches the spheres `wanted` of `model` with the reference's spheres of the same name, and moves them with their bodies.
     ///
     /// # Errors
-    /// A sphere that has no counterpart of its name in `generic`, is on another body there, or was moved already
-    /// ([`Needed::MovedSpheres`]); a body whose factors are not known ([`Needed::BodyFactors`]).
+    /// A sphere without a sphere of its name in `generic`, or on another body than there; a sphere that somebody has moved already
+    /// ([`Needed::MovedSpheres`]); a body without known factors ([`Needed::BodyFactors`]).
     pub fn find(
         model: &Model,
         wanted: &[SphereId],
@@ -175,7 +174,7 @@ impl Follow {
                     location_m: now.location_m,
                 }
             } else {
-                follow_one(now, old, body_factors, request)
+                moved_sphere(now, old, body_factors, request)
             };
             spheres.insert(id, place);
         }
@@ -184,7 +183,7 @@ impl Follow {
     }
 }
 
-fn follow_one(
+fn moved_sphere(
     now: &AnatomySphere,
     old: &AnatomySphere,
     factors: [f64; 3],
@@ -209,7 +208,7 @@ fn follow_one(
 }
 
 impl AnatomySphere {
-    /// Whether a sphere of a scaled model has the place and the radius that it has in the `generic` model.
+    /// Whether a sphere of a scaled model has the same place and radius as the sphere of the `generic` model.
     pub(crate) fn is_as_in(&self, generic: &Self) -> bool {
         let limit_m = UNTOUCHED_RADII * generic.radius_m;
         let place_limit_m = limit_m.max(self.rounding_m);
@@ -264,13 +263,12 @@ fn refuse_moved(
     Err(Fault::new(Needed::MovedSpheres { model: model.name.clone(), spheres }))
 }
 
-/// Factors of all bodies of a model against those of a reference: new lengths over old ones.
+/// The factors of all bodies of a model against a reference: new lengths over old lengths.
 ///
-/// Where the model is a scaled copy of the reference, so that there is no [`difference`](Self::difference), each axis comes from
-/// the first source that has it, exactly: what the caller gives, the Scale Tool's file, meshes, joint offsets. Between different
-/// models, offsets are not factors: then a body's factors are the ratio of the mesh factors of the same bone, else one ratio of
-/// distances to a joint below it; a body at the end of a limb takes those of its parent body. Left and right take the
-/// same source.
+/// If the model is a scaled copy of the reference, it has no [`difference`](Self::difference), and the factors are exact. Each axis takes
+/// the first source that has a factor: the caller, the Scale Tool's file, meshes, joint offsets. Between different models, joint offsets
+/// are no factors: a body takes the ratio of the mesh factors of one bone, or one ratio of distances to a joint below the body. A body at
+/// the end of a limb without a source takes the factors of its parent body. Left and right take the same source.
 ///
 /// ```
 /// use std::collections::BTreeMap;
@@ -295,22 +293,21 @@ fn refuse_moved(
 pub struct Factors {
     /// Factors of bodies, in file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
-    /// Findings: sources disagree on bodies that carry spheres, by more than 1 % in a scaled copy, 5 % between different models; the models
-    /// are different.
+    /// Warnings: the sources of a body with spheres disagree, by more than 1 % in a scaled copy or 5 % between different models; or the
+    /// models are different.
     pub findings: Vec<Finding>,
-    /// Other decisions, such as factors that a body takes from its parent.
+    /// Remarks on other decisions, such as a body that takes the factors of its parent.
     pub remarks: Vec<Phrase>,
-    /// The difference that shows that the model is not a scaled copy of the reference; `None` where it is one.
+    /// The first difference that proves that the model is not a scaled copy of the reference; `None` for a scaled copy.
     pub difference: Option<CopyDifference>,
     by_name: BodyIndex,
 }
 
 impl Factors {
-    /// Compares `scaled` with the `reference` it came from, or with any other model. `given` has factors along x, y and z by body
-    /// name, which count more than any other source.
+    /// Compares `scaled` with the `reference`. `given` has factors along x, y and z by body name; these are preferred to all other sources.
     ///
     /// # Errors
-    /// Factors given for a body that is not there, or a file that was applied to another model than the reference.
+    /// Factors are given for a body that the model does not have, or the file was applied to another model than the reference.
     pub fn find(
         scaled: &Anatomy,
         reference: &Anatomy,
@@ -320,11 +317,11 @@ impl Factors {
         if let Some(name) = given.keys().find(|name| !scaled.has_body(name)) {
             return Err(Fault::new(FaultKind::UnknownBody { body: name.clone() }));
         }
-        let carriers = carriers(scaled, reference);
+        let carriers = bodies_with_spheres(scaled, reference);
         if let Some(file) = file {
             file.refuse_other_reference(scaled, reference, &carriers)?;
         }
-        let difference = scaled_copy::difference(scaled, reference);
+        let difference = scaled_copy::first_difference(scaled, reference);
         let distances = difference.as_ref().map(|_| ComparedJoints::of(scaled, reference));
         let all_sources: Vec<BodyFactorSources> = scaled
             .bodies
@@ -365,7 +362,7 @@ impl Factors {
         Ok(factors)
     }
 
-    /// Replaces factors that no length can have, such as 0, by questions.
+    /// Replaces each impossible factor, such as 0, with a question for the caller.
     fn question_impossible_factors(&mut self) {
         for body in &mut self.bodies {
             let bad = AXIS_NAMES.iter().zip(body.axes).find_map(|(name, axis)| {
@@ -385,11 +382,11 @@ impl Factors {
     /// The factors of `body` along x, y and z.
     ///
     /// # Errors
-    /// - An axis that no source determines ([`Needed::BodyFactors`]): the body and axis are named.
-    /// - Between different models, a question about the body ([`Needed::Factors`]).
+    /// - No source gives the factor of an axis ([`Needed::BodyFactors`]): the error names the body and the axis.
+    /// - The models are different, and the factors of the body are in doubt ([`Needed::Factors`]).
     /// - A factor that is zero, negative or not finite.
     pub fn body_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
-        let found = self.by_name.place(body).and_then(|at| self.bodies.get(at));
+        let found = self.by_name.index_of(body).and_then(|at| self.bodies.get(at));
         if let Some(question) = found.and_then(|found| found.question.clone()) {
             return Err(question);
         }
@@ -403,8 +400,8 @@ impl Factors {
     }
 }
 
-/// Bodies of `scaled` that carry spheres, there or in the reference: only their factors matter.
-fn carriers<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
+/// Bodies of `scaled` that carry spheres in either model. Only their factors matter.
+fn bodies_with_spheres<'a>(scaled: &'a Anatomy, reference: &'a Anatomy) -> Vec<&'a str> {
     let spheres = scaled.spheres.iter().chain(&reference.spheres);
     let carrying: HashSet<&str> = spheres.filter_map(|sphere| sphere.body.as_deref()).collect();
     scaled.bodies.iter().map(String::as_str).filter(|body| carrying.contains(body)).collect()

@@ -1,4 +1,4 @@
-//! Whether one model is a scaled copy of another one, and the ScaleSet file of the Scale Tool.
+//! Whether a model is a scaled copy of another model; and the ScaleSet file that OpenSim's Scale Tool writes.
 
 use std::collections::BTreeMap;
 
@@ -9,29 +9,29 @@ use super::body_factors::{AXIS_NAMES, BonePair, bone_pairs};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
 
-/// Offsets that differ by more than this from what a factor gives are not explained by it, m.
+/// Largest error of an offset of a joint, m, at which a scale factor still explains the offset.
 const EXPLAINED_OFFSET_M: f64 = 1e-6;
-/// Factors of meshes that differ by more than this (relative) are not the same.
+/// Mesh factors that differ by more than this (relative) are different.
 const SAME_MESH_FACTOR: f64 = 1e-6;
-/// Offsets shorter than this do not show a factor, m.
+/// An offset of a joint that is shorter than this, m, gives no scale factor.
 pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 
-/// A difference that shows that a model is not a scaled copy of another one.
+/// A difference which proves that a model is not a scaled copy of another model.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CopyDifference {
-    /// The reference has too few bodies to say: one joint is always explained by some factors.
+    /// The reference has too few bodies for an answer: some factors always explain one joint.
     Fragment,
     /// A joint connects other bodies than in the reference.
     Joint {
         joint: String,
-        /// The bodies that it joins in the model.
+        /// The bodies that the joint connects in the model.
         here: [String; 2],
-        /// The bodies that the joint joins in the reference.
+        /// The bodies that the joint connects in the reference.
         there: [String; 2],
     },
-    /// No factor leads to the offset of a joint.
+    /// No factor explains the offset of a joint.
     Offset {
-        /// The body on which the joint is.
+        /// The body on which the joint's frame is.
         body: String,
         joint: String,
         /// The axis x, y or z of the offset.
@@ -39,7 +39,7 @@ pub enum CopyDifference {
         here_m: f64,
         there_m: f64,
     },
-    /// Meshes of one body have factors that are not the same.
+    /// Two meshes of one body have different factors.
     Meshes {
         body: String,
         /// The axis x, y or z of the factor.
@@ -48,7 +48,7 @@ pub enum CopyDifference {
 }
 
 impl CopyDifference {
-    /// The difference in words, as the beginning of a sentence.
+    /// The difference as the beginning of a sentence.
     pub fn phrase(&self) -> Phrase {
         let text = match self {
             Self::Fragment => "the reference has some bodies only: ".to_owned(),
@@ -66,8 +66,8 @@ impl CopyDifference {
     }
 }
 
-/// The first thing in file order that no factors per body and axis explain; `None` where `scaled` is a scaled copy.
-pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
+/// The first difference, in file order, that no factors of bodies explain; `None` if `scaled` is a scaled copy of `reference`.
+pub(super) fn first_difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
     if reference.is_fragment {
         return Some(CopyDifference::Fragment);
     }
@@ -80,7 +80,7 @@ pub(super) fn difference(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDi
             AXIS_NAMES
                 .iter()
                 .enumerate()
-                .find_map(|(axis, name)| unexplained(body, &meshes, joints, axis, name))
+                .find_map(|(axis, name)| unexplained_offset(body, &meshes, joints, axis, name))
         })
     })
 }
@@ -99,7 +99,7 @@ fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> 
     })
 }
 
-/// Offsets of a joint on a body, in the reference and in the scaled model.
+/// Offsets of one joint on one body, in the reference and in the scaled model.
 #[derive(Clone, Copy)]
 pub(super) struct SharedOffset<'a> {
     pub(super) joint: &'a str,
@@ -107,7 +107,7 @@ pub(super) struct SharedOffset<'a> {
     pub(super) new_m: DVec3,
 }
 
-/// The joints that both models have between the same bodies, by the bodies on which they are.
+/// The joints that connect the same bodies in both models, listed under each of these bodies.
 pub(super) struct SharedJoints<'a>(HashMap<&'a str, Vec<SharedOffset<'a>>>);
 
 impl<'a> SharedJoints<'a> {
@@ -131,13 +131,13 @@ impl<'a> SharedJoints<'a> {
         self.0.entry(body).or_default().push(offset);
     }
 
-    /// Offsets of frames on `body`, in file order.
+    /// Offsets of the joints' frames on `body`, in file order.
     pub(super) fn on(&self, body: &str) -> &[SharedOffset<'a>] {
         self.0.get(body).map(Vec::as_slice).unwrap_or_default()
     }
 }
 
-fn unexplained(
+fn unexplained_offset(
     body: &str,
     meshes: &[BonePair],
     joints: &[SharedOffset<'_>],
@@ -173,26 +173,26 @@ fn unexplained(
 
 // The file in which the Scale Tool says what it did.
 
-/// A joint that is further than this from where the file puts it, relative to its distance from the body's origin, says that
-/// the file was applied to another model.
-const OTHER_REFERENCE: f64 = 0.01;
-/// A difference of offsets that the spelling of a number makes, m.
+/// If a joint is farther than this part of its distance from the place that the file's factors give, the file was applied to another model.
+const LARGEST_JOINT_ERROR: f64 = 0.01;
+/// Offsets may differ by this length, m, because numbers are rounded when they are written.
 const SPELLING_DIFFERENCE_M: f64 = 1e-6;
 
-/// Factors from the Scale Tool's applied ScaleSet file, by body name: see [`Factors`](crate::compare::follow::Factors) for an example.
+/// The factors in the ScaleSet file that the Scale Tool wrote, by body name: see [`Factors`](crate::compare::follow::Factors) for an
+/// example.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScaleFile(BTreeMap<String, [f64; 3]>);
 
 impl ScaleFile {
-    /// Factors along x, y and z by body, where they are known without a file.
+    /// The factors along x, y and z of each body from other data than a file.
     pub fn from_factors(factors: BTreeMap<String, [f64; 3]>) -> Self {
         Self(factors)
     }
 
-    /// Reads `<ScaleSet>`: `<Scale><scales>sx sy sz</scales><segment>body</segment><apply>true</apply></Scale>`.
+    /// Reads the factors from `<ScaleSet>`: `<Scale><scales>sx sy sz</scales><segment>body</segment><apply>true</apply></Scale>`.
     ///
     /// # Errors
-    /// Another document, factors that are not three numbers above 0, or two that contradict each other.
+    /// The document is not a ScaleSet, a body's factors are not three numbers above 0, or two entries of one body differ.
     pub fn read(document: &Document) -> Result<Self, Fault> {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
@@ -200,7 +200,7 @@ impl ScaleFile {
     /// The factors of `body` along x, y and z.
     ///
     /// # Errors
-    /// The file does not have it.
+    /// The file has no factors of this body.
     pub fn required_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
         self.factors(body).ok_or_else(|| {
             Fault::refused(format!(
@@ -247,10 +247,10 @@ impl ScaleFile {
         self.0.get(body).copied()
     }
 
-    /// Checks that the file's factors lead from `reference` to `scaled`, by the joints on bodies that carry spheres.
+    /// Checks that the file's factors take the joints of `reference` to their places in `scaled`, on all bodies with spheres.
     ///
     /// # Errors
-    /// They do not: the file belongs to another generic model.
+    /// A joint is somewhere else: the file belongs to another generic model.
     pub(super) fn refuse_other_reference(
         &self,
         scaled: &Anatomy,
@@ -263,7 +263,7 @@ impl ScaleFile {
             for &SharedOffset { joint, old_m: old, new_m: new } in joints.on(body) {
                 let expected = old * DVec3::from(factors);
                 let apart_m = new.distance(expected);
-                if apart_m > SPELLING_DIFFERENCE_M + OTHER_REFERENCE * expected.length() {
+                if apart_m > SPELLING_DIFFERENCE_M + LARGEST_JOINT_ERROR * expected.length() {
                     let (body, joint) = (body.to_owned(), joint.to_owned());
                     let question = FactorQuestion::OtherReference { body, joint, apart_m };
                     return Err(Fault::new(Needed::Factors(question)));

@@ -1,4 +1,4 @@
-//! The factors that each source gives a body, and which of them are taken.
+//! Collects the factors that each source gives a body, and chooses among them.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
@@ -11,24 +11,24 @@ use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
 use crate::model::{Anatomy, FactorQuestion, Fault, Needed, Side, without_side};
 
-/// Sources of a scaled copy that differ by more than this (relative) disagree.
-const AGREEMENT_IN_A_COPY: f64 = 0.01;
-/// Sources that differ by more than this between different models disagree.
-const AGREEMENT_OF_FACTORS: f64 = 0.05;
+/// Two sources of a scaled copy disagree if their factors differ by more than this (relative).
+const TOLERANCE_IN_A_COPY: f64 = 0.01;
+/// Two sources for different models disagree if their factors differ by more than this (relative).
+const TOLERANCE_OF_DIFFERENT_MODELS: f64 = 0.05;
 
-/// A bone in a mesh that differs by more than this ratio from what the joints of its body say is another animal's: bones of one name
-/// have other proportions, and no two published models differ so much in them.
-const FACTOR_OF_OTHER_BONE: f64 = 2.0;
+/// A mesh belongs to another animal if its factor is more than this many times the factor from the joints of its body, or less than one
+/// part in so many. In published models, bones of one name do not differ so much in their proportions.
+const LARGEST_MESH_RATIO: f64 = 2.0;
 
-/// The factors of one body by source.
+/// The factors that each source gives one body.
 #[derive(Debug)]
 pub(super) struct BodyFactorSources<'a> {
     pub(super) body: &'a str,
-    /// Sources with their factors, in the order in which they count.
+    /// Sources with their factors, the preferred source first.
     pub(super) by_source: Vec<(FactorSource, [Option<f64>; 3])>,
-    /// Meshes that show the same bone in both models.
+    /// Pairs of meshes of one bone in both models.
     pub(super) meshes: Vec<BonePair>,
-    /// Between different models, the joint at the other end of the distance.
+    /// The joint to which a distance is measured in two different models.
     distance: Option<ComparedJoint<'a>>,
     in_a_copy: bool,
 }
@@ -72,9 +72,9 @@ impl<'a> BodyFactorSources<'a> {
         sources.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
     }
 
-    /// Sources that do not say what was taken.
+    /// Descriptions of the sources that disagree with the factors `taken`.
     pub(super) fn disagreements(&self, taken: &[Option<AxisFactor>; 3]) -> Vec<String> {
-        let limit = if self.in_a_copy { AGREEMENT_IN_A_COPY } else { AGREEMENT_OF_FACTORS };
+        let limit = if self.in_a_copy { TOLERANCE_IN_A_COPY } else { TOLERANCE_OF_DIFFERENT_MODELS };
         let mut messages = Vec::new();
         for (axis, name) in AXIS_NAMES.iter().enumerate() {
             let Some(AxisFactor { factor, source }) = taken[axis] else { continue };
@@ -97,10 +97,11 @@ impl<'a> BodyFactorSources<'a> {
         messages
     }
 
-    /// A distance is one number: it is compared with what the factors make of the same distance.
+    /// Compares the ratio of a joint's distances with the ratio that the factors `taken` give for the same distance. Returns the
+    /// disagreement in words.
     fn distance_disagrees(&self, taken: &[Option<AxisFactor>; 3]) -> Option<String> {
         let (distance, source, [along, ratio]) = self.distance_ratios(taken)?;
-        ((ratio - along).abs() > AGREEMENT_OF_FACTORS * along).then(|| {
+        ((ratio - along).abs() > TOLERANCE_OF_DIFFERENT_MODELS * along).then(|| {
             format!(
                 "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
                  first",
@@ -111,9 +112,9 @@ impl<'a> BodyFactorSources<'a> {
         })
     }
 
-    /// Whether a mesh shows a bone of quite another size than the joints of the body do, or, where there is none for that, those of
-    /// the body `above`.
-    fn shows_other_bone(
+    /// A question if the size of the mesh differs far too much from the distances of the joints. Without a distance on this body, the
+    /// distance on the body `above` is compared.
+    fn mesh_of_other_animal(
         &self,
         taken: &[Option<AxisFactor>; 3],
         above: Option<&Self>,
@@ -126,12 +127,12 @@ impl<'a> BodyFactorSources<'a> {
             Some((distance, x.source, [mean, distance.ratio()]))
         })?;
         let [by_mesh, by_joint] = ratios;
-        let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > FACTOR_OF_OTHER_BONE;
+        let apart = (by_mesh / by_joint).max(by_joint / by_mesh) > LARGEST_MESH_RATIO;
         let (body, joint) = (self.body.to_owned(), distance.joint.to_owned());
         (apart && source == FactorSource::Mesh).then_some(FactorQuestion::OtherBone { body, joint, ratios })
     }
 
-    /// Ratios of a distance between joints to that in the reference: by the factors that were taken, and by the distance itself.
+    /// Two ratios of a joint's distance in the new model to the reference: by the factors `taken`, and as measured.
     fn distance_ratios(
         &self,
         taken: &[Option<AxisFactor>; 3],
@@ -147,8 +148,8 @@ impl<'a> BodyFactorSources<'a> {
     }
 }
 
-/// Chooses the factors of each body: on each axis from the first source that both sides of a pair have, else from the first that the
-/// body has.
+/// Chooses the factors of each body. Each axis takes the first source that both bodies of a left-right pair have, else the first source of
+/// the body.
 pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisFactor>; 3]> {
     let pairs = SidePairs::of(all);
     let choose = |one: &BodyFactorSources<'_>| {
@@ -171,7 +172,7 @@ pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisF
     all.iter().map(choose).collect()
 }
 
-/// Bodies whose names differ only in the side.
+/// Left and right bodies, listed under their common name without the side.
 pub(super) struct SidePairs<'s, 'a>(HashMap<String, Vec<&'s BodyFactorSources<'a>>>);
 
 impl<'s, 'a> SidePairs<'s, 'a> {
@@ -183,7 +184,7 @@ impl<'s, 'a> SidePairs<'s, 'a> {
         Self(pairs)
     }
 
-    /// The body on the other side, where names say that there is exactly one.
+    /// The body on the other side, if exactly one has the matching name.
     fn other_side(&self, body: &str) -> Option<&'s BodyFactorSources<'a>> {
         let side = Side::of_name(body)?;
         let mut others = self.0.get(&without_side(body))?.iter().filter(|other| other.body != body);
@@ -193,7 +194,7 @@ impl<'s, 'a> SidePairs<'s, 'a> {
     }
 }
 
-/// New over old translation of the same frame; the longest offset of each axis is the most exact.
+/// The new translation of a frame over the old one. The longest offset along each axis counts, because it is the most exact.
 fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f64>; 3] {
     let (Some(new), Some(old)) = (scaled.offsets.get(body), reference.offsets.get(body)) else {
         return [None; 3];
@@ -209,11 +210,10 @@ fn joint_factors(scaled: &Anatomy, reference: &Anatomy, body: &str) -> [Option<f
 
 // Factors between models of which neither is a scaled copy of the other.
 
-/// Meshes of one body that differ by more than this (relative) need an answer.
+/// If two meshes of one body differ by more than this (relative), the caller has to say which is right.
 const SAME_MESH_FACTOR: f64 = 0.01;
 
-/// Bodies at the end of a limb, for which there is no source, take the factors of their parent body. If one side of a pair
-/// does, the other does.
+/// Gives a body at the end of a limb, without any source, the factors of its parent body. The body of the other side does the same.
 pub(super) fn inherit_from_body_above(
     factors: &mut [BodyFactors],
     by_name: &BodyIndex,
@@ -250,14 +250,14 @@ pub(super) fn inherit_from_body_above(
             format!("{body} takes the factors of {above}, on which it hangs: {x:.4}, {y:.4}, {z:.4}").into(),
         );
         inherited.insert(body);
-        let Some(found) = by_name.place(body).and_then(|at| factors.get_mut(at)) else { continue };
+        let Some(found) = by_name.index_of(body).and_then(|at| factors.get_mut(at)) else { continue };
         found.axes = axes.map(|axis| Some(AxisFactor { factor: axis.factor, source: FactorSource::Above }));
         found.sources.push((FactorSource::Above, axes.map(|axis| Some(axis.factor))));
     }
     remarks
 }
 
-/// The nearest body above with known factors, for bodies that were passed: limbs share these.
+/// For each body that was visited: the nearest body above it with known factors. A cache, because limbs share the bodies above.
 type NearestKnown<'a> = HashMap<&'a str, Option<(&'a str, [AxisFactor; 3])>>;
 
 /// The nearest body above `body` whose factors are known.
@@ -291,7 +291,7 @@ fn is_given(axes: &[Option<AxisFactor>; 3]) -> bool {
     axes.iter().flatten().any(|axis| axis.source <= FactorSource::ScaleFile)
 }
 
-/// Adds the questions that only the user can answer: meshes of one body that differ, sides that differ, a body without any source.
+/// Adds questions for the caller: about differing meshes of one body, about differing sides, about a body without any source.
 pub(super) fn add_questions(
     factors: &mut [BodyFactors],
     by_name: &BodyIndex,
@@ -309,14 +309,14 @@ pub(super) fn add_questions(
             if is_given(&axes) {
                 return None;
             }
-            let of_meshes = || meshes_differ(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
+            let of_meshes = || mesh_question(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
-                sides_differ(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
+                side_question(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
             };
             let nothing = || FactorQuestion::NoSource { body: sources.body.to_owned() };
             of_meshes()
-                .or_else(|| sources.shows_other_bone(&axes, above(sources.body)))
+                .or_else(|| sources.mesh_of_other_animal(&axes, above(sources.body)))
                 .or_else(of_sides)
                 .or_else(|| axes.iter().all(Option::is_none).then(nothing))
         })
@@ -333,7 +333,7 @@ fn uses_source(axes: &[Option<AxisFactor>; 3], source: FactorSource) -> bool {
     axes.iter().flatten().any(|axis| axis.source == source)
 }
 
-fn meshes_differ(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
+fn mesh_question(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
     let (first, others) = sources.meshes.split_first()?;
     let differs = |other: &&BonePair| {
         let apart = |(a, b): (&Option<f64>, &Option<f64>)| match (a, b) {
@@ -351,8 +351,8 @@ fn meshes_differ(sources: &BodyFactorSources<'_>) -> Option<FactorQuestion> {
     })
 }
 
-/// Two sides that are not of one size, by the axes that are known on both.
-fn sides_differ(
+/// A question if left and right differ in size, compared on the axes with a factor on both sides.
+fn side_question(
     body: &str,
     axes: &[Option<AxisFactor>; 3],
     other: &str,
@@ -363,7 +363,7 @@ fn sides_differ(
     }
     let apart = |(one, two): (&Option<AxisFactor>, &Option<AxisFactor>)| match (one, two) {
         (Some(one), Some(two)) => {
-            (one.factor - two.factor).abs() > AGREEMENT_OF_FACTORS * one.factor.min(two.factor).abs()
+            (one.factor - two.factor).abs() > TOLERANCE_OF_DIFFERENT_MODELS * one.factor.min(two.factor).abs()
         }
         _ => false,
     };
@@ -386,7 +386,7 @@ mod tests {
     #[test]
     fn an_axis_without_a_factor_does_not_end_the_comparison() {
         let right = factors_of_axes([1.02, f64::NAN, 0.95]);
-        let differ = |left| sides_differ("calcn_r", &right, "calcn_l", &factors_of_axes(left));
+        let differ = |left| side_question("calcn_r", &right, "calcn_l", &factors_of_axes(left));
         // 1.09 over 1.02 is 6.9 % more.
         let Some(FactorQuestion::Sides { factors: [[x, y, z], _], .. }) = differ([1.09, 0.9, 0.95]) else {
             panic!("not asked")

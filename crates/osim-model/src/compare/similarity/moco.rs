@@ -1,12 +1,12 @@
-//! The bounds of a Moco problem that have length or time in their unit.
+//! The bounds in an optimisation problem of OpenSim Moco whose units contain length or time.
 
 use std::collections::HashMap;
 
 use crate::model::opensim_text;
 use crate::model::{Document, ElementId, Fault, Model, NotRead, SizedKind, SizedValue, SizedValues};
 
-/// The bounds in a setup file of Moco (`.omoco`): of time, and of values and speeds of coordinates, which `model` says to be angles or
-/// lengths. Activations, controls and normalised tendon forces have no unit.
+/// Reads the bounds in a setup file of Moco (`.omoco`): of time, and of the values and speeds of coordinates. `model` says which
+/// coordinates are angles. Activations, controls and normalised tendon forces have no unit and are left out.
 pub fn moco_bounds(setup: &Document, model: &Model) -> SizedValues {
     let tree = setup.tree();
     let angles = model.coordinates_are_angles();
@@ -61,7 +61,7 @@ pub fn refuse_without_moco_phase(setup: &Document) -> Result<(), Fault> {
     Err(Fault::refused(format!("the document holds a {tag}, expected a MocoStudy with a MocoPhase")))
 }
 
-/// The kind of a state's number: the value or the speed of a coordinate, by its path.
+/// The kind of number that a bound of a state has: the state's path names the value or the speed of a coordinate.
 fn state_kind(path: &str, angles: &HashMap<&str, Option<bool>>) -> Option<SizedKind> {
     let mut segments = path.rsplit('/');
     let (what, coordinate) = (segments.next()?, segments.next()?);

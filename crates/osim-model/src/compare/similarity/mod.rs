@@ -1,5 +1,5 @@
-//! Numbers that should follow the size of a body, beside those of its contacts: the factor that geometric similarity gives each, and the
-//! factor by which it changed.
+//! Compares numbers of a model that should change with body size, such as muscle forces: the factor that geometric similarity expects, and
+//! the factor by which each number changed.
 
 mod moco;
 mod ratios;
@@ -13,20 +13,20 @@ pub use ratios::{SizeRatios, SizeVerdict, Spread, similarity_formula};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LengthFrom {
-    /// The distances between the joints of so many bodies, summed.
+    /// From the distances between joints, summed over this many bodies.
     Joints(usize),
-    /// The cube root of the ratio of masses.
+    /// From the cube root of the ratio of masses.
     Mass,
 }
 
-/// Factors by which numbers of one kind changed.
+/// The factors by which the numbers of one kind changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFactors {
-    /// How many numbers both models have.
+    /// Number of values that both models have.
     pub pairs: usize,
-    /// Compared numbers that are the same in both models, 0 among them.
+    /// Number of values that are equal in both models, also values of 0.
     pub same: usize,
-    /// The factors of those that are not 0 in the original; `None` where all are.
+    /// Median and range of the factors. Values of 0 in the original have no factor; `None` if no value has one.
     pub factors: Option<Spread>,
 }
 
@@ -34,36 +34,36 @@ pub struct ComparedFactors {
 pub struct SimilarityRow {
     pub kind: SizedKind,
     pub count: usize,
-    /// The numbers, in the unit of the kind.
+    /// Median and range of the numbers, in the unit of their kind.
     pub values: Spread,
-    /// The factor that similarity gives; `None` where masses are not known.
+    /// The factor that geometric similarity expects; `None` if the masses are not known.
     pub similar: Option<f64>,
-    /// Factors by which the numbers changed; `None` without an original.
+    /// The factors by which the numbers changed; `None` without an original model.
     pub compared: Option<ComparedFactors>,
-    /// Whether the numbers follow similarity; `None` without an original.
+    /// Whether the numbers changed as similarity expects; `None` without an original model.
     pub verdict: Option<SizeVerdict>,
 }
 
-/// Numbers that should follow the size of a body, with the factors by which they changed and those that similarity gives.
+/// Numbers of a model that should change with body size, their factors of change, and the factors that similarity expects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Similarity {
-    /// The masses of the original (or of the model) and of the model (or of the body that is wanted), kg.
+    /// The masses of the original and of the model, kg. For a planned mass: the masses of the model and of the planned body.
     pub masses_kg: [Option<f64>; 2],
-    /// How much larger the second is; `None` where a mass is not known.
+    /// How much larger the second of the two bodies is; `None` if a mass is not known.
     pub ratios: Option<SizeRatios>,
     pub length_from: LengthFrom,
-    /// Rows for the kinds of numbers that the model has.
+    /// One row for each kind of number in the model.
     pub rows: Vec<SimilarityRow>,
-    /// Names of objects that have numbers in the model and none in the original.
+    /// Names of objects whose numbers are in the model and not in the original.
     pub only_in_model: Vec<String>,
     pub only_in_original: Vec<String>,
     pub not_read: Vec<NotRead>,
 }
 
 impl Similarity {
-    /// `model` compared with its `original`: numbers of one kind belong together where the names of their objects are the same.
+    /// Compares `model` with its `original`. Two numbers are compared if they have the same kind and the names of their objects are equal.
     pub fn between(model: &ModelSize, original: &ModelSize) -> Self {
-        let (length, length_from) = lengths(model, original);
+        let (length, length_from) = length_ratio(model, original);
         let ratio = |new: Option<f64>, old: Option<f64>| {
             let ratio = new? / old?;
             (ratio.is_finite() && ratio > 0.0).then_some(ratio)
@@ -72,8 +72,8 @@ impl Similarity {
         let gravity = ratio(model.gravity_m_s2, original.gravity_m_s2).unwrap_or(1.0);
         let ratios =
             mass.map(|mass| SizeRatios { mass, length: length.unwrap_or_else(|| libm::cbrt(mass)), gravity });
-        let others = by_identity(&original.values.values);
-        let rows = rows(model, ratios, |values| Some(compared(values, &others)));
+        let others = values_by_identity(&original.values.values);
+        let rows = similarity_rows(model, ratios, |values| Some(compared_with_original(values, &others)));
         let owners = |size: &ModelSize| -> BTreeSet<String> {
             let in_model = size.values.values.iter().filter(|one| !one.kind.is_of_moco());
             in_model.map(|one| one.owner.clone()).collect()
@@ -90,7 +90,7 @@ impl Similarity {
         }
     }
 
-    /// The similarity of `model` to a body of the same shape of `target_mass_kg`: lengths go with the cube root of the mass.
+    /// The factors for a body of `target_mass_kg` with the same shape as `model`: lengths grow with the cube root of the mass.
     pub fn at_mass(model: &ModelSize, target_mass_kg: f64) -> Self {
         let mass =
             model.mass_kg.map(|kg| target_mass_kg / kg).filter(|ratio| ratio.is_finite() && *ratio > 0.0);
@@ -99,7 +99,7 @@ impl Similarity {
             masses_kg: [model.mass_kg, Some(target_mass_kg)],
             ratios,
             length_from: LengthFrom::Mass,
-            rows: rows(model, ratios, |_| None),
+            rows: similarity_rows(model, ratios, |_| None),
             only_in_model: Vec::new(),
             only_in_original: Vec::new(),
             not_read: model.values.not_read.clone(),
@@ -109,7 +109,7 @@ impl Similarity {
 
 type NumberIdentity<'v> = (SizedKind, &'v str, (&'static str, usize));
 
-fn by_identity(values: &[SizedValue]) -> HashMap<NumberIdentity<'_>, f64> {
+fn values_by_identity(values: &[SizedValue]) -> HashMap<NumberIdentity<'_>, f64> {
     let mut value_by_identity = HashMap::new();
     for one in values {
         // Of two objects of one name the first counts, as for OpenSim.
@@ -118,8 +118,9 @@ fn by_identity(values: &[SizedValue]) -> HashMap<NumberIdentity<'_>, f64> {
     value_by_identity
 }
 
-/// The ratio of the distances between the joints of bodies that both have, summed so that long bones count most.
-fn lengths(model: &ModelSize, original: &ModelSize) -> (Option<f64>, LengthFrom) {
+/// The ratio of the distances between joints, over all bodies that both models have. The distances are summed, so that long bones count
+/// most.
+fn length_ratio(model: &ModelSize, original: &ModelSize) -> (Option<f64>, LengthFrom) {
     let (mut new, mut old, mut bodies) = (0.0, 0.0, 0_usize);
     for (body, distance_m) in &model.joint_distances_m {
         if let Some(other_m) = original.joint_distances_m.get(body) {
@@ -134,7 +135,7 @@ fn lengths(model: &ModelSize, original: &ModelSize) -> (Option<f64>, LengthFrom)
     }
 }
 
-fn rows(
+fn similarity_rows(
     model: &ModelSize,
     ratios: Option<SizeRatios>,
     compare: impl Fn(&[&SizedValue]) -> Option<(ComparedFactors, Vec<f64>)>,
@@ -150,7 +151,7 @@ fn rows(
             ratios.map(|ratios| ratios.factor(kind.dimension())).filter(|factor| factor.is_finite());
         let found = compare(&values);
         let changed = |(compared, factors): &(ComparedFactors, Vec<f64>)| {
-            let same = factors.iter().filter(|&&factor| is_same(factor)).count();
+            let same = factors.iter().filter(|&&factor| is_unchanged(factor)).count();
             match (compared.pairs, compared.pairs - compared.same) {
                 (1.., 0) if factors.is_empty() => SizeVerdict::Undecided,
                 (_, 1..) if factors.is_empty() => SizeVerdict::Other,
@@ -169,12 +170,12 @@ fn rows(
     SizedKind::ALL.iter().zip(by_kind).filter_map(row).collect()
 }
 
-fn is_same(factor: f64) -> bool {
+fn is_unchanged(factor: f64) -> bool {
     (factor - 1.0).abs() <= SAME_NUMBER
 }
 
-/// How `values` changed against the `others`, and each factor.
-fn compared(
+/// Compares `values` with the `others`, the numbers of the original. Returns a summary and each factor.
+fn compared_with_original(
     values: &[&SizedValue],
     others: &HashMap<NumberIdentity<'_>, f64>,
 ) -> (ComparedFactors, Vec<f64>) {
@@ -187,19 +188,19 @@ fn compared(
         .filter(|factor| factor.is_finite())
         .collect();
     let both_zero = pairs.iter().filter(|(new, old)| *new == 0.0 && *old == 0.0).count();
-    let same = factors.iter().filter(|&&factor| is_same(factor)).count() + both_zero;
+    let same = factors.iter().filter(|&&factor| is_unchanged(factor)).count() + both_zero;
     let spread = Spread::of(factors.iter().copied());
     (ComparedFactors { pairs: pairs.len(), same, factors: spread }, factors)
 }
 
-/// How large a model is, and its numbers that may follow size.
+/// The size of a model: its mass, its gravity, its joint distances, and the numbers that may change with body size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelSize {
-    /// Mass of the model, kg; `None` where that is not known.
+    /// Mass of the model, kg; `None` if it is not known.
     pub mass_kg: Option<f64>,
-    /// Gravity of the model, m/s²; `None` where that is not known.
+    /// Gravity of the model, m/s²; `None` if it is not known.
     pub gravity_m_s2: Option<f64>,
-    /// The longest distance between two joints of each body that has two, m.
+    /// The longest distance between two joints of each body that has at least two joints, m.
     joint_distances_m: BTreeMap<String, f64>,
     values: SizedValues,
 }
@@ -228,7 +229,7 @@ mod tests {
     use super::*;
     use crate::model::{MassRequest, Model};
 
-    /// A thigh and a shank, joined at the knee; a muscle, a spring on the knee, and a limit that is 0.
+    /// A model of a thigh and a shank, joined at the knee, with a muscle, a spring on the knee, and a limit that is 0.
     fn sizes_of_leg(masses: [f64; 2], thigh_m: f64, force: f64, fiber: f64, more: &str) -> ModelSize {
         let text = format!(
             r#"<OpenSimDocument Version="40000"><Model><BodySet><objects>
@@ -253,8 +254,8 @@ mod tests {
         found.rows.iter().find(|row| row.kind == kind).unwrap()
     }
 
-    /// 2 kg and 1 kg become 16 kg and 8 kg, M = 24/3 = 8; the thigh of 0.4 m becomes one of 0.8 m, L = 2. Somebody made the force
-    /// 4 times as large, as areas grow, and fibers twice as long: similarity has 8 for the one and 2 for the other.
+    /// 2 kg and 1 kg become 16 kg and 8 kg, M = 24/3 = 8; the thigh of 0.4 m becomes 0.8 m long, L = 2. The force was made 4 times as
+    /// large, as areas grow, and fibers twice as long: similarity expects 8 for the force and 2 for the fibers.
     #[test]
     fn factors_verdicts_and_names_without_a_counterpart() {
         let old = sizes_of_leg([2.0, 1.0], 0.4, 1000.0, 0.1, "<Thelen2003Muscle name='gone'/>");
@@ -284,9 +285,9 @@ mod tests {
         );
     }
 
-    /// A body of an eighth of the mass is half as long: fibers 0.5, times √0.5.
+    /// A body with an eighth of the mass is half as long: fiber lengths change by 0.5, times by √0.5.
     #[test]
-    fn a_mass_alone_is_a_size() {
+    fn a_target_mass_gives_expected_factors() {
         let found = Similarity::at_mass(&sizes_of_leg([2.0, 1.0], 0.4, 1000.0, 0.1, ""), 3.0 / 8.0);
         assert!((row_of_kind(&found, SizedKind::OptimalFiberLength).similar.unwrap() - 0.5).abs() < 1e-15);
         assert!(
@@ -302,7 +303,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_that_was_zero_and_is_not_has_another_verdict() {
+    fn a_change_from_zero_does_not_follow_similarity() {
         let spring = |stiffness: &str| {
             let spring = format!(
                 "<PointToPointSpring name='s'><stiffness>{stiffness}</stiffness></PointToPointSpring>"

@@ -1,8 +1,8 @@
-//! How much larger one body is than another one, and what similarity makes of a number of any dimension.
+//! How much larger one body is than another, and the factor that geometric similarity gives for a number of any dimension.
 
 use crate::model::Dimension;
 
-/// How much larger one body is than another one.
+/// How much larger one body is than another: ratios of mass, length and gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeRatios {
     pub mass: f64,
@@ -11,8 +11,8 @@ pub struct SizeRatios {
 }
 
 impl SizeRatios {
-    /// The factor that similarity gives a number of the dimension M^m L^l T^t: with times as those of a fall, T = √(L / G), it is
-    /// M^m L^(l + t/2) G^(-t/2).
+    /// The factor that geometric similarity gives for a number of the dimension M^m L^l T^t. Times change like the time of a fall, T = √(L
+    /// / G), so the factor is M^m L^(l + t/2) G^(-t/2).
     ///
     /// M, L and G are the ratios of mass, length and gravity, finite and above 0. Source: dimensional analysis at equal Froude number;
     /// (14) is its case for a dissipation, s/m.
@@ -34,12 +34,12 @@ impl SizeRatios {
     }
 }
 
-/// The power law at equal gravity as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
+/// The factor at equal gravity, as a formula of M and L: `M L^(3/2)`, `1 / L^(1/2)`.
 pub fn similarity_formula(dimension: Dimension) -> String {
     let powers = [("M", 2 * dimension.mass), ("L", 2 * dimension.length + dimension.time)];
     let part = |wanted: fn(i8) -> bool| {
         let found = powers.iter().filter(|(_, halves)| wanted(*halves));
-        found.map(|(name, halves)| power(name, halves.unsigned_abs())).collect::<Vec<_>>().join(" ")
+        found.map(|(name, halves)| power_text(name, halves.unsigned_abs())).collect::<Vec<_>>().join(" ")
     };
     let (above, below) = (part(|halves| halves > 0), part(|halves| halves < 0));
     match (above.is_empty(), below.is_empty()) {
@@ -50,7 +50,7 @@ pub fn similarity_formula(dimension: Dimension) -> String {
     }
 }
 
-fn power(name: &str, halves: u8) -> String {
+fn power_text(name: &str, halves: u8) -> String {
     match (halves, halves % 2) {
         (2, _) => name.to_owned(),
         (_, 0) => format!("{name}^{}", halves / 2),
@@ -58,17 +58,17 @@ fn power(name: &str, halves: u8) -> String {
     }
 }
 
-/// The median of some numbers, and their range.
+/// The median, the least and the largest of some numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// The middle one; the mean of both where their number is even.
+    /// The middle number; for an even count, the mean of the two middle numbers.
     pub median: f64,
     pub min: f64,
     pub max: f64,
 }
 
 impl Spread {
-    /// The spread of these numbers; `None` if there are none.
+    /// The median and the range of `numbers`; `None` if there are none.
     ///
     /// ```
     /// use osim_model::compare::Spread;
@@ -86,34 +86,34 @@ impl Spread {
     }
 }
 
-/// Numbers that differ by less than this (relative) are the same: documents of old versions have six digits.
+/// Numbers that differ by less than this (relative) are equal: documents of old versions have six digits.
 pub(super) const SAME_NUMBER: f64 = 1e-6;
-/// Factors nearer to 1 than this show nothing.
-const NO_DIFFERENCE: f64 = 1e-3;
-/// How far the median may be from what similarity gives, as a difference of logarithms: this, or a quarter of what similarity gives,
-/// whichever is more. Bodies are seldom scaled by one factor along all axes.
+/// An expected factor that is nearer to 1 than this cannot decide anything.
+const LEAST_EXPECTED_CHANGE: f64 = 1e-3;
+/// How far the median factor may be from the expected factor, as a difference of logarithms: at least this. Bodies are seldom scaled by one
+/// factor along all axes.
 const LEAST_TOLERANCE: f64 = 0.02;
 const TOLERANCE_SHARE: f64 = 0.25;
 
-/// Whether the numbers of one kind follow similarity.
+/// Whether the numbers of one kind changed as geometric similarity expects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SizeVerdict {
-    /// The numbers changed as similarity has it: their median is near that factor, or the factor is in their range.
+    /// The numbers changed as expected: their median is near the expected factor, or the expected factor is in their range.
     Follows,
-    /// All numbers of the kind are as they were.
+    /// No number of the kind changed.
     Left,
-    /// Some numbers of the kind are as they were, others changed.
+    /// Some numbers of the kind did not change, others did.
     PartlyLeft,
-    /// The numbers changed by another factor than similarity has.
+    /// The numbers changed by another factor than similarity expects.
     Other,
-    /// Similarity would not change them either: the bodies are too much alike, or all are 0.
+    /// No answer: similarity expects no change, because the bodies are too much alike, or all numbers are 0.
     Undecided,
-    /// The other model has no such numbers.
+    /// The original model has no number of this kind.
     NotCompared,
 }
 
 impl SizeVerdict {
-    /// Name of the outcome, a word for scripts.
+    /// Name of the verdict, a word for scripts.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Follows => "follows",
@@ -136,12 +136,12 @@ impl SizeVerdict {
         }
     }
 
-    /// The outcome of `factors`, `same` of them 1, where similarity gives `expected`, which is finite and above 0.
+    /// The verdict on `factors`. `same` of them are 1; similarity expects the factor `expected`, which is finite and above 0.
     pub(super) fn of(factors: &[f64], same: usize, expected: Option<f64>) -> Self {
         let Some(spread) = Spread::of(factors.iter().copied()) else { return Self::NotCompared };
         let Some(expected) = expected else { return Self::Undecided };
         let distance = libm::log(expected);
-        if distance.abs() < NO_DIFFERENCE {
+        if distance.abs() < LEAST_EXPECTED_CHANGE {
             return Self::Undecided;
         }
         match same {
@@ -170,10 +170,10 @@ mod tests {
         SpringDissipation,
     };
 
-    /// The powers of M and L at equal gravity, worked out by hand from the unit with T = L^(1/2):
-    /// N = M L T^-2 = M L L^-1 = M; N m = M L; N/m = M L^-1; N m s = M L L^(1/2) = M L^(3/2); N s/m = M L^-1 L^(1/2) = M L^(-1/2);
-    /// 1/s = L^(-1/2); m/s = L L^(-1/2) = L^(1/2); s/m = L^(1/2) L^-1 = L^(-1/2); kg m² = M L².
-    const BY_HAND: &[(SizedKind, f64, f64, &str)] = &[
+    /// The powers of M and L at equal gravity, computed by hand from the unit with T = L^(1/2): N = M L T^-2 = M L L^-1 = M; N m = M L; N/m
+    /// = M L^-1; N m s = M L L^(1/2) = M L^(3/2); N s/m = M L^-1 L^(1/2) = M L^(-1/2); 1/s = L^(-1/2); m/s = L L^(-1/2) = L^(1/2); s/m =
+    /// L^(1/2) L^-1 = L^(-1/2); kg m² = M L².
+    const FACTORS_BY_HAND: &[(SizedKind, f64, f64, &str)] = &[
         (MaxIsometricForce, 1.0, 0.0, "M"),
         (BushingRotationalStiffness, 1.0, 1.0, "M L"),
         (BushingStiffness, 1.0, -1.0, "M / L"),
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn factors_are_the_powers_of_mass_and_length_worked_out_by_hand() {
         let ratios = SizeRatios { mass: 5.0, length: 1.7, gravity: 1.0 };
-        for (kind, mass, length, words) in BY_HAND {
+        for (kind, mass, length, words) in FACTORS_BY_HAND {
             let expected = 5.0_f64.powf(*mass) * 1.7_f64.powf(*length);
             let found = ratios.factor(kind.dimension());
             assert!((found / expected - 1.0).abs() < 1e-14, "{kind:?}: {found}, {expected}");
@@ -198,8 +198,8 @@ mod tests {
         }
     }
 
-    /// In other units of mass, length and time a number of the dimension M^m L^l T^t has a value a^m b^l c^t times as large; two bodies
-    /// compared in those units have the same factor.
+    /// A number of the dimension M^m L^l T^t has another value in other units, a^m b^l c^t times as large. The factor between two bodies is
+    /// the same in all units.
     #[test]
     fn factors_do_not_depend_on_units() {
         // Two bodies in SI, and the same in pounds (0.4536 kg) and feet (0.3048 m); gravity in ft/s².
@@ -216,7 +216,7 @@ mod tests {
         }
     }
 
-    /// On the moon a weight is M G, and a pendulum of the same length swings √(1/G) times as long.
+    /// Under a gravity that is G times as large, a weight is M G, and a pendulum of the same length swings √(1/G) times as long.
     #[test]
     fn gravity_scales_weights_and_times() {
         let moon = SizeRatios { mass: 2.0, length: 1.0, gravity: 0.25 };
@@ -225,7 +225,7 @@ mod tests {
     }
 
     #[test]
-    fn the_median_decides_unless_some_are_the_same() {
+    fn the_median_decides_unless_some_numbers_are_unchanged() {
         // A body of 8 times the mass: lengths 2 times, forces 8 times. Areas grow 4 times, which no force at equal gravity does.
         let verdict = |factors: &[f64], same, expected| SizeVerdict::of(factors, same, Some(expected));
         assert_eq!(verdict(&[8.0, 8.1, 7.9], 0, 8.0), Follows);
