@@ -1,4 +1,4 @@
-//! The bones of a model's bodies, from the mesh files that are attached to them.
+//! Reads the bones of a model's bodies: the mesh files that are attached to the bodies.
 
 use std::collections::HashSet;
 use std::path::{Path, PathBuf};
@@ -16,24 +16,24 @@ use crate::model::{AttachedMesh, Model, Side, probable_units};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bone {
     pub body: String,
-    /// Name of the mesh file as the model spells it.
+    /// Name of the mesh file, as the model writes it.
     pub mesh: String,
     /// Points of the mesh in the body's frame, with the model's scale factors, m.
     pub points_m: Vec<[f64; 3]>,
-    /// The file that was read; empty where the points are from elsewhere.
+    /// The mesh file that was read; empty if the points do not come from a file.
     pub file: PathBuf,
-    /// Whether the file is that of the other side: then its points were mirrored in z.
+    /// Whether the file is the mesh of the other side; its points were then mirrored in z.
     pub mirrored: bool,
 }
 
 impl Bone {
-    /// A bone from points that are in the body's frame already.
+    /// A bone whose points are already in the body's frame, m.
     pub fn new(body: impl Into<String>, mesh: impl Into<String>, points_m: Vec<[f64; 3]>) -> Self {
         Self { body: body.into(), mesh: mesh.into(), points_m, file: PathBuf::new(), mirrored: false }
     }
 }
 
-/// The meshes that are attached to the bodies of a model, by body: read once for all of them.
+/// The meshes that are attached to the bodies of a model, listed by body.
 pub struct AttachedBones<'m> {
     model: &'m Model,
     attached: HashMap<&'m str, Vec<AttachedMesh>>,
@@ -51,11 +51,11 @@ impl<'m> AttachedBones<'m> {
         Self { model, attached }
     }
 
-    /// The bones of `body` in the order of the file: their points in its frame, with the model's scale factors and frames.
+    /// The bones of `body`, in the order of the model file. Points are in the body's frame, after the model's scale factors and frames.
     ///
     /// # Errors
-    /// A body that is not there or shows no mesh, a mesh that is missing or broken: each with the body, the mesh, and where it was
-    /// looked for.
+    /// The body does not exist or has no mesh, or a mesh file is missing or broken. The error names the body, the mesh and the searched
+    /// folders.
     pub fn bones(
         &self,
         body: &str,
@@ -73,7 +73,7 @@ impl<'m> AttachedBones<'m> {
     }
 }
 
-/// The bones of several bodies, in their order.
+/// The bones of several bodies, in the order of `bodies`.
 pub fn bones(
     model: &Model,
     bodies: &[&str],
@@ -94,7 +94,7 @@ pub(crate) fn read_bone(
     files: &dyn Files,
 ) -> Result<Bone, FeetFault> {
     let (body, mesh) = (attached.body.clone(), attached.file.clone());
-    let MeshFile { file, mirrored, bytes } = mesh_file(attached, folders, files)?;
+    let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     match mesh_points(&file.to_string_lossy(), &bytes) {
         Ok(points) => {
             let points = points.into_iter().map(|point| on_body(attached, mirrored, point)).collect();
@@ -104,13 +104,13 @@ pub(crate) fn read_bone(
     }
 }
 
-/// The surface that one mesh shows, its points on the body, m.
+/// The surface of one mesh. Its points are in the frame of the body, m.
 pub fn attached_surface(
     attached: &AttachedMesh,
     folders: &MeshFolders,
     files: &dyn Files,
 ) -> Result<Surface, FeetFault> {
-    let MeshFile { file, mirrored, bytes } = mesh_file(attached, folders, files)?;
+    let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     let fault = |fault| FeetFault::Mesh {
         body: attached.body.clone(),
         mesh: attached.file.clone(),
@@ -132,7 +132,7 @@ struct MeshFile {
     bytes: Vec<u8>,
 }
 
-fn mesh_file(
+fn found_mesh_file(
     attached: &AttachedMesh,
     folders: &MeshFolders,
     files: &dyn Files,
@@ -153,11 +153,12 @@ fn mesh_file(
 
 // Where mesh files are looked for, and under which names.
 
-/// Marks of the right and the left side in names of bones that are common: before and after the name.
-const MARKS_OF_RIGHT: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
-const MARKS_OF_LEFT: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
+/// Marks of the right side in names of bone files: those before the name of the bone, and those after the name.
+const RIGHT_SIDE_MARKS: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
+const LEFT_SIDE_MARKS: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
 
-/// The folders in which meshes are looked for, in this order: that of the model, its `Geometry`, and others.
+/// The folders in which mesh files are searched, in this order: the folder of the model, its subfolder `Geometry`, then folders that the
+/// caller adds.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct MeshFolders(Vec<PathBuf>);
 
@@ -177,19 +178,19 @@ impl MeshFolders {
         Self(vec![folder.to_owned(), folder.join("Geometry")])
     }
 
-    /// The folders with another one at the end.
+    /// Adds `folder` as the last one.
     pub fn with_folder(mut self, folder: impl Into<PathBuf>) -> Self {
         self.0.push(folder.into());
         self
     }
 
-    /// The folders in which meshes of bones are searched, in order.
+    /// The folders in the order of the search.
     pub fn iter(&self) -> impl Iterator<Item = &Path> {
         self.0.iter().map(PathBuf::as_path)
     }
 
-    /// Returns the file that `mesh` names, as a model spells it, and whether it is that of the other side: first the name itself
-    /// in each folder, then each of its other names.
+    /// Finds the file of `mesh`, a name in the model, and whether the file is of the other side. The name as written is searched in all
+    /// folders first, then each of the other names.
     pub(crate) fn find(&self, mesh: &str, files: &dyn Files) -> Option<(PathBuf, bool)> {
         let as_written = Some((mesh.to_owned(), false));
         let names = as_written.into_iter().chain(other_names(mesh));
@@ -199,9 +200,9 @@ impl MeshFolders {
     }
 }
 
-/// Other names of the file `mesh`, and whether each is that of the other side: without its folder, in small letters, with the
-/// marks of its side or (a bone without a mark is the right one) without; then those of the other side, which is its mirror image
-/// in z.
+/// Other names under which the file `mesh` may exist, and whether each is of the other side. First come names of the same side: without a
+/// folder, in small letters, with and without marks of the side. A bone without a mark is a right one. Then come names of the other side,
+/// whose mesh is the mirror image in z.
 fn other_names(mesh: &str) -> Vec<(String, bool)> {
     let name = mesh.rsplit(['/', '\\']).next().unwrap_or(mesh);
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
@@ -219,9 +220,9 @@ fn other_names(mesh: &str) -> Vec<(String, bool)> {
     stems.into_iter().flat_map(file).collect()
 }
 
-/// The name of a bone without the mark of its side; without one it is the right one.
+/// The name of a bone without its side mark, and the side. A name without a mark is of the right side.
 fn without_mark(stem: &str) -> (String, Side) {
-    for (side, (before, behind)) in [(Side::Left, MARKS_OF_LEFT), (Side::Right, MARKS_OF_RIGHT)] {
+    for (side, (before, behind)) in [(Side::Left, LEFT_SIDE_MARKS), (Side::Right, RIGHT_SIDE_MARKS)] {
         let bare = before.iter().find_map(|mark| stem.strip_prefix(mark));
         let bare = bare.or_else(|| behind.iter().find_map(|mark| stem.strip_suffix(mark)));
         if let Some(bare) = bare.filter(|bare| !bare.is_empty()) {
@@ -231,9 +232,9 @@ fn without_mark(stem: &str) -> (String, Side) {
     (stem.to_owned(), Side::Right)
 }
 
-/// The names of files of a bone of one side.
+/// The names that a file of the bone may have on one side.
 fn names_of_side(bone: &str, side: Side) -> Vec<String> {
-    let (before, behind) = if side == Side::Right { MARKS_OF_RIGHT } else { MARKS_OF_LEFT };
+    let (before, behind) = if side == Side::Right { RIGHT_SIDE_MARKS } else { LEFT_SIDE_MARKS };
     let marked = before.iter().map(|mark| format!("{mark}{bone}"));
     let marked = marked.chain(behind.iter().map(|mark| format!("{bone}{mark}")));
     // An unmarked bone is the right one.
@@ -243,26 +244,26 @@ fn names_of_side(bone: &str, side: Side) -> Vec<String> {
 
 // Meshes that do not fit the skeleton that shows them: in another unit, of another animal, or with a broken vertex.
 
-/// A mesh is at most this many times as long as the longest bone of its limb. Feet, toes and tali on the models of the corpus, with the
-/// files of its Geometry, are 0.136 to 0.6 of it; a foot without a limb, whose longest bone is its own, is 1.2.
+/// The longest plausible mesh, as a multiple of the longest bone of its limb. Meshes of feet, toes and tali in real models are 0.136 to 0.6
+/// of that bone. A foot alone, without a limb, is 1.2 times its own longest distance between joints.
 const MOST_BONE_LENGTHS: f64 = 3.0;
-/// A mesh is at least this many times as long as the longest bone of its limb: a bone in the toe of a hoofed animal is 0.03 of it.
+/// The shortest plausible mesh, as a part of the longest bone of its limb: a toe bone of a hoofed animal has 0.03.
 const LEAST_BONE_LENGTHS: f64 = 0.01;
-/// A mesh of a foot is usually this many times as long as the longest bone of its limb: for guesses about units.
+/// The usual length of a mesh of a foot, as a part of the longest bone of its limb. Used to guess the unit of a mesh.
 const USUAL_BONE_LENGTHS: f64 = 0.5;
 
-/// A mesh that does not fit the skeleton.
+/// A mesh that does not fit the skeleton: its length is implausible, or a vertex is broken.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OddMesh {
     pub body: String,
-    /// Name of the mesh file as the model spells it.
+    /// Name of the mesh file, as the model writes it.
     pub mesh: String,
-    /// A message about the mesh, in words.
+    /// The message for the user.
     pub text: String,
 }
 
-/// Meshes of `bodies` that do not fit the skeleton, in file order: those with a broken vertex, and those that are far too long or too
-/// short. Meshes that are not there, or cannot be read, say nothing.
+/// Meshes of `bodies` that do not fit the skeleton, in file order: those that are far too long or too short, and those with a broken
+/// vertex. Missing or unreadable meshes are left out.
 pub fn odd_meshes(
     model: &Model,
     bodies: &HashSet<&str>,
@@ -278,7 +279,8 @@ pub fn odd_meshes(
     shown.filter_map(odd).collect()
 }
 
-/// The finding that a bone is far too long or too short for its limb: compared with the longest distance between two joints of one body.
+/// Compares the length of a bone with the longest distance between two joints of a body on its limb. Returns a message if the bone is far
+/// too long or too short.
 ///
 /// ```
 /// use osim_model::feet::{Bone, odd_size};
@@ -313,13 +315,13 @@ pub fn odd_size(model: &Model, bone: &Bone) -> Option<OddMesh> {
     Some(OddMesh { body: bone.body.clone(), mesh: bone.mesh.clone(), text })
 }
 
-/// The diagonal of the box around the points, m.
+/// The diagonal of the box around the bone's points, m.
 fn length_m(bone: &Bone) -> f64 {
     let points = || bone.points_m.iter().copied().map(DVec3::from);
     length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }
 
-/// Advice about a mesh of the wrong length: other scale factors, or another bone.
+/// Advice on a mesh that is `times` as long as usual: change its scale factors, or choose another bone.
 fn repair_advice(times: f64) -> String {
     let (verb, units) = match times > MOST_BONE_LENGTHS {
         true => ("divide", probable_units(times / USUAL_BONE_LENGTHS)),
@@ -340,7 +342,7 @@ fn repair_advice(times: f64) -> String {
     }
 }
 
-/// The finding that a mesh has a broken vertex; `None` for other faults, which say nothing about sizes.
+/// A message about a mesh with a broken vertex; `None` for other faults, which do not tell the size of the mesh.
 fn odd_vertex(fault: &FeetFault) -> Option<OddMesh> {
     let FeetFault::Mesh { body, mesh, fault: MeshFault::StrayPoint { .. }, .. } = fault else { return None };
     Some(OddMesh { body: body.clone(), mesh: mesh.clone(), text: fault.phrase().to_string() })
@@ -365,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn the_name_itself_comes_first_and_then_its_other_names() {
+    fn a_mesh_file_is_found_by_its_own_name_first() {
         assert_file_found(
             &["bones/foot.vtp", "models/Geometry/r_foot.vtp"],
             "foot.vtp",

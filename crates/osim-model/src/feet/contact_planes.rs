@@ -1,4 +1,4 @@
-//! The planes that spheres press on, by the forces that apply, and where they are at the default pose; and spheres that could touch each
+//! The planes on which contact forces press spheres, and their places at the default pose; also pairs of spheres that could touch each
 //! other.
 
 use std::ops::Deref;
@@ -10,11 +10,11 @@ use glam::DVec3;
 use super::default_pose::{DefaultPose, Welds};
 use crate::model::{ElementId, FileId, Force, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
 
-/// A plane that leans by more than this is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees, and between that and
-/// upright planes (90 degrees) there is none.
+/// A plane that leans by more than this angle is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees; upright planes
+/// have 90 degrees.
 pub const STEEPEST_FLOOR_RAD: f64 = std::f64::consts::FRAC_PI_4;
 
-/// A half-space that moving spheres press on: a floor, or a wall. It reads like its [`HalfSpace`].
+/// A half-space on which moving spheres press: a floor or a wall. It dereferences to its [`HalfSpace`].
 ///
 /// ```
 /// use osim_model::feet::{ContactPlane, DefaultPose};
@@ -31,11 +31,11 @@ pub const STEEPEST_FLOOR_RAD: f64 = std::f64::consts::FRAC_PI_4;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactPlane {
-    /// The half-space: its name, path, line and body.
+    /// The half-space, with its name, path, line and body.
     pub plane: Arc<HalfSpace>,
-    /// The spheres that press on it, each once, in file order.
+    /// The spheres that press on the half-space, each once, in file order.
     pub spheres: Vec<SphereId>,
-    /// Surface of the plane in ground; `None` where a number cannot be read, or the place of its body is not known.
+    /// The surface of the plane in ground; `None` if a number cannot be read or the place of the plane's body is not known.
     pub surface: Option<PlaneSurface>,
 }
 
@@ -46,15 +46,15 @@ pub struct PlaneSurface {
     pub normal: DVec3,
     /// A point of the plane, m.
     pub point_m: DVec3,
-    /// The angle between its normal and up, which is against gravity, rad: 0 for a level floor, π upside down.
+    /// The angle between the plane's normal and the direction opposite to gravity, rad: 0 for a level floor, π for a floor upside down.
     pub tilt_rad: f64,
-    /// The half-space's own orientation, rad, with which it would be level.
+    /// The half-space's own orientation, rad, at which the plane would be level.
     pub level_orientation: [f64; 3],
 }
 
 impl ContactPlane {
-    /// The planes that moving spheres press on through an applied force among `forces`, in the order of the forces. A sphere presses
-    /// on every plane of its forces, but for those of its own body and of bodies that are welded to it.
+    /// The planes on which switched-on forces among `forces` press moving spheres, in the order of the forces. A force presses its spheres
+    /// on each of its planes, except planes on the sphere's own body or on a body welded to it.
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
         let welds = Welds::of(model.joints());
         let mut planes_with_spheres = PlanesWithSpheres::default();
@@ -111,7 +111,7 @@ impl PlaneSurface {
     }
 }
 
-/// Collects planes with the spheres that press on them, each pair once.
+/// Collects planes with their spheres, each pair of plane and sphere once.
 #[derive(Default)]
 struct PlanesWithSpheres {
     planes: Vec<(Arc<HalfSpace>, Vec<SphereId>)>,
@@ -136,17 +136,17 @@ impl PlanesWithSpheres {
 
 // Spheres of one force that could touch each other.
 
-/// Two spheres on different bodies that one force lets touch each other.
+/// Two spheres on different bodies between which one force acts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SpherePair {
     /// The sphere that the force names first.
     pub one: SphereId,
     pub other: SphereId,
-    /// The gap between them at the default pose, m, not above 0 where they touch; or why it is not known.
+    /// The gap between the spheres at the default pose, m; 0 or below if they touch. The error says why it is not known.
     pub gap_m: Result<f64, String>,
 }
 
-/// The pairs of `force`, with their gaps at the default `pose` of `model`. Forces of one sphere have none.
+/// The pairs of spheres between which `force` acts, with their gaps at the default `pose`. A force with one sphere has no pairs.
 ///
 /// ```
 /// use osim_model::feet::{DefaultPose, sphere_pairs};

@@ -1,4 +1,4 @@
-//! The convex hull of points of a plane, their distances and the areas of triangles.
+//! The convex hull of points in a plane; also distances and areas of triangles.
 
 use glam::DVec2;
 
@@ -6,19 +6,19 @@ pub(super) fn distance(a: DVec2, b: DVec2) -> f64 {
     libm::hypot(a.x - b.x, a.y - b.y)
 }
 
-/// Twice the area of a triangle; positive if its corners go round the other way than a clock.
+/// Twice the area of a triangle; positive if the corners a, b, c run counterclockwise.
 pub(super) fn twice_area(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }
 
-/// Sorts points along x, then y, and keeps each once.
+/// Sorts points by x, then y, and removes repeated points.
 pub(super) fn sort_and_dedup(points: &mut Vec<DVec2>) {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     points.dedup();
 }
 
-/// The corners of the convex hull, the other way round than a clock goes, from the one with the least x on; `points` are sorted, each
-/// once. Corners in a line are left out. (Andrew, A. M. (1979): Another efficient algorithm for convex hulls in two dimensions.)
+/// The corners of the convex hull, counterclockwise, beginning with the corner of least x. `points` are sorted and not repeated. Corners on
+/// a straight line are left out. (Andrew, A. M. (1979): Another efficient algorithm for convex hulls in two dimensions.)
 pub(super) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     if points.len() < 2 {
         return points.to_vec();
@@ -28,7 +28,8 @@ pub(super) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     corners
 }
 
-/// The lower side of points from left to right, or the upper one from right to left, without its last corner.
+/// One half of the hull without its last corner: the lower half for points from left to right, the upper half for points from right to
+/// left.
 fn half_hull(points: impl Iterator<Item = DVec2>) -> Vec<DVec2> {
     let mut chain: Vec<DVec2> = Vec::new();
     for point in points {

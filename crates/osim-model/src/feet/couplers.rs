@@ -1,4 +1,4 @@
-//! Values of coordinates at the default pose: their defaults, or what constraints make of them; and whether each is free.
+//! The values of coordinates at the default pose, from default values and constraints; and whether each coordinate can move.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 
@@ -6,46 +6,46 @@ use super::fault::PoseFault;
 use crate::model::{CoordinateFunction, Document, ElementId, FileId, JointCoordinate, Model, ModelJoint};
 use crate::xml::opensim_text;
 
-/// OpenSim leaves coordinates that are this close to what a constraint says.
+/// OpenSim does not change a coordinate that is this close to the value that a constraint gives.
 const ASSEMBLY_TOLERANCE: f64 = 1e-10;
-/// How often constraints that depend on each other are followed, at most.
+/// Constraints can depend on each other: they are applied at most this many times.
 const MOST_COUPLER_PASSES: usize = 8;
-/// The first version in which a constraint says whether it is enforced, not whether it is disabled.
-const FIRST_WITH_IS_ENFORCED: u32 = 30509;
+/// The first document version with the element `isEnforced`; older documents have `isDisabled`.
+const FIRST_VERSION_WITH_IS_ENFORCED: u32 = 30509;
 
-/// A coordinate that an enforced CoordinateCouplerConstraint makes a function of another one.
+/// A coordinate whose value is a function of another coordinate, by an enforced `CoordinateCouplerConstraint`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coupler {
-    /// The coordinate that determines the dependent one.
+    /// The coordinate that determines the dependent coordinate.
     pub independent: String,
     pub dependent: String,
     factor: f64,
-    /// `None` for one that is not known.
+    /// The function; `None` if its class is not supported.
     function: Option<CoordinateFunction>,
 }
 
 impl Coupler {
-    /// The dependent coordinate where the independent one has this value, and by how much it changes with it; `None` where the
-    /// function is not known.
+    /// The value of the dependent coordinate for this value of the independent one, and the derivative of the function there; `None` if the
+    /// function is not supported.
     pub fn value_and_slope(&self, independent: f64) -> Option<(f64, f64)> {
         let function = self.function.as_ref()?;
         Some((self.factor * function.value(independent), self.factor * function.slope(independent)))
     }
 }
 
-/// The enforced constraints of a model that make coordinates functions of others.
+/// The enforced constraints of a model that make one coordinate a function of another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Couplers {
-    /// Coordinates that are functions of others, in file order.
+    /// The constraints that can be computed, in file order.
     pub couplers: Vec<Coupler>,
-    /// Constraints that this program cannot evaluate.
+    /// The enforced constraints that this program cannot compute.
     pub unknown: Vec<PoseFault>,
 }
 
 impl Couplers {
     pub fn of(model: &Model) -> Self {
         let mut couplers = Self { couplers: Vec::new(), unknown: Vec::new() };
-        for (document, constraint) in constraints(model) {
+        for (document, constraint) in enforced_constraints(model) {
             match coupler(document, constraint) {
                 Some(coupler) => couplers.couplers.push(coupler),
                 None => couplers.unknown.push(unknown_constraint(document, constraint)),
@@ -63,12 +63,12 @@ fn unknown_constraint(document: &Document, constraint: ElementId) -> PoseFault {
     }
 }
 
-/// The values of the coordinates of a model at its default pose.
+/// The values of all coordinates of a model at the default pose.
 #[derive(Debug)]
 pub(crate) struct CoordinateValues {
-    /// Values of coordinates that are known, by name, rad or m.
+    /// The known values of coordinates by name, rad or m.
     pub(crate) values: HashMap<String, f64>,
-    /// The first constraint that is not understood.
+    /// The first constraint that cannot be computed: it may move the bodies elsewhere.
     pub(crate) doubt: Option<PoseFault>,
 }
 
@@ -99,23 +99,25 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
     CoordinateValues { values, doubt }
 }
 
-/// The names of the coordinates that an enforced coupler makes depend on another.
+/// The names of the coordinates that an enforced coupler constraint determines.
 fn dependent_coordinates(model: &Model) -> HashSet<String> {
-    let couplers = constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
+    let couplers = enforced_constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
     couplers.map(|coupler| coupler.dependent).collect()
 }
 
-/// The value at time 0 of a coordinate that is prescribed: `Some(None)` where its function is not known.
+/// The value of a prescribed coordinate at time 0; `None` if the coordinate is not prescribed, `Some(None)` if its function is not
+/// supported.
 fn prescribed_value(document: &Document, coordinate: ElementId) -> Option<Option<f64>> {
     Some(prescribed_function(document, coordinate)?.map(|function| function.value(0.0)))
 }
 
-/// The function of time that sets a coordinate, if one does: `Some(None)` for a function that is not known.
+/// The function of time that prescribes a coordinate; `None` if the coordinate is not prescribed, `Some(None)` if the function is not
+/// supported.
 pub fn prescribed_function(document: &Document, coordinate: ElementId) -> Option<Option<CoordinateFunction>> {
     Some(CoordinateFunction::read(document, prescribing_element(document, coordinate)?))
 }
 
-/// The function that prescribes a coordinate, if one does.
+/// The element of the function that prescribes a coordinate.
 fn prescribing_element(document: &Document, coordinate: ElementId) -> Option<ElementId> {
     let is_prescribed = matches!(document.flag(coordinate, "prescribed"), Ok(Some(true)));
     let tree = document.tree();
@@ -123,13 +125,13 @@ fn prescribing_element(document: &Document, coordinate: ElementId) -> Option<Ele
     is_prescribed.then_some(function)
 }
 
-/// Whether a function of time sets a coordinate.
+/// Whether a function of time prescribes the coordinate.
 fn is_prescribed(document: &Document, coordinate: ElementId) -> bool {
     prescribing_element(document, coordinate).is_some()
 }
 
-/// Enforced constraints of all files of the model.
-fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
+/// The enforced constraints in all files of the model.
+fn enforced_constraints(model: &Model) -> Vec<(&Document, ElementId)> {
     let files = [FileId::MAIN].into_iter().chain(model.companions().map(|(file, _)| file));
     let mut enforced = Vec::new();
     for document in files.map(|file| model.file(file)) {
@@ -145,7 +147,7 @@ fn constraints(model: &Model) -> Vec<(&Document, ElementId)> {
 }
 
 fn is_enforced(document: &Document, constraint: ElementId) -> bool {
-    if document.version() >= FIRST_WITH_IS_ENFORCED {
+    if document.version() >= FIRST_VERSION_WITH_IS_ENFORCED {
         return !matches!(document.flag(constraint, "isEnforced"), Ok(Some(false)));
     }
     let tree = document.tree();
@@ -175,7 +177,7 @@ fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
     })
 }
 
-/// Sets dependent coordinates to the values that follow. Returns the names of those whose values are not known.
+/// Sets each dependent coordinate to the value of its function. Returns the names of dependent coordinates whose function is not supported.
 fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Vec<String> {
     let mut unknown = Vec::new();
     for pass in 0..MOST_COUPLER_PASSES {
@@ -204,13 +206,13 @@ fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Ve
 
 // Whether a coordinate is free, locked or driven.
 
-/// Whether a coordinate can change, and if not, why.
+/// Whether a coordinate can change, or what fixes it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateState {
     /// Nothing fixes the coordinate.
     Free,
     Locked,
-    /// A function of time, or another coordinate, sets it.
+    /// A function of time or another coordinate determines the value.
     Driven,
 }
 

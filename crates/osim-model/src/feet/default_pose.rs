@@ -1,4 +1,4 @@
-//! Where bodies are in ground while all coordinates have their default values, over all joints.
+//! The places of bodies in ground at the default pose, where all coordinates have their default values.
 
 use std::collections::VecDeque;
 use std::sync::Arc;
@@ -10,13 +10,12 @@ use super::couplers::CoordinateValues;
 use super::fault::PoseFault;
 use crate::model::{Model, ModelJoint, Placement};
 
-/// If two ways over joints lead to places as close as this, they lead to one place, m.
+/// Two chains of joints to one body agree if they lead to places at most this far apart, m.
 const SAME_PLACE_M: f64 = 1e-9;
 
-/// Where each body is in ground at the default pose, as OpenSim's `initSystem` leaves it: coordinates at `default_value`, locked
-/// and clamped ones too; prescribed ones where their function is at time 0; those that a CoordinateCouplerConstraint makes
-/// depend on another where it puts them. Other constraints, functions of several coordinates and joints of plugins are not
-/// understood.
+/// The place of each body in ground at the default pose, as OpenSim's `initSystem` leaves it. Coordinates have their `default_value`, also
+/// locked and clamped ones; prescribed coordinates have the value of their function at time 0; a `CoordinateCouplerConstraint` sets its
+/// dependent coordinate. Other constraints, functions of several coordinates and joints of plugins are not supported.
 ///
 /// ```
 /// use osim_model::DVec3;
@@ -36,7 +35,7 @@ pub struct DefaultPose(Arc<Placements>);
 #[derive(Debug, Clone, PartialEq)]
 struct Placements {
     placements: HashMap<String, Result<Placement, PoseFault>>,
-    /// Why none of the placements is certain.
+    /// The reason why all placements are uncertain, such as a constraint that is not supported.
     doubt: Option<PoseFault>,
 }
 
@@ -45,7 +44,7 @@ impl DefaultPose {
         Self(Arc::clone(model.derived_from_bodies(|model| Arc::new(Placements::of(model)))))
     }
 
-    /// Placement of the frame of `body` in ground.
+    /// Placement of the frame of `body` in ground. The error says why it is not known.
     pub fn placement(&self, body: &str) -> Result<&Placement, PoseFault> {
         if let Some(doubt) = &self.0.doubt {
             return Err(doubt.clone());
@@ -61,13 +60,14 @@ impl Placements {
         let coordinates = CoordinateValues::at_default_pose(model);
         let places = JointPlacements { model, values: &coordinates.values };
         let mut pose = Self { placements: HashMap::new(), doubt: coordinates.doubt.clone() };
-        let open = pose.place_all(joints, &places);
+        let open = pose.place_all_bodies(joints, &places);
         pose.doubt = pose.doubt.or(open);
         pose
     }
 
-    /// Places all bodies, from ground on. Returns a fault if a joint closes a loop, but not at the place to which the other way leads.
-    fn place_all(&mut self, joints: &[ModelJoint], places: &JointPlacements<'_>) -> Option<PoseFault> {
+    /// Places all bodies, beginning at ground. Returns a fault if a joint closes a loop of joints and the two chains lead to different
+    /// places.
+    fn place_all_bodies(&mut self, joints: &[ModelJoint], places: &JointPlacements<'_>) -> Option<PoseFault> {
         let mut open = None;
         for JointStep { joint, from, to, forward, closes } in joints_from_ground(joints) {
             let placement = self.placement_beyond(joint, from, forward, places);
@@ -88,7 +88,7 @@ impl Placements {
         open
     }
 
-    /// The placement of the body at the other end of `joint`.
+    /// The placement of the body at the far end of `joint`, seen from the body `here`.
     fn placement_beyond(
         &self,
         joint: &ModelJoint,
@@ -105,7 +105,7 @@ impl Placements {
     }
 }
 
-/// Computes where the child of a joint is in its parent at the default pose.
+/// Computes the placement of a joint's child frame in its parent frame at the default pose.
 struct JointPlacements<'m> {
     model: &'m Model,
     values: &'m HashMap<String, f64>,
@@ -126,7 +126,7 @@ impl JointPlacements<'_> {
     }
 }
 
-/// Whether two placements are one; also if one of them is not known.
+/// Whether two placements are equal. Also true if one of them is not known.
 fn are_equal_placements(known: &Result<Placement, PoseFault>, other: &Result<Placement, PoseFault>) -> bool {
     let (Ok(known), Ok(other)) = (known, other) else { return true };
     let places = [DVec3::ZERO, DVec3::X, DVec3::Y];
@@ -135,21 +135,21 @@ fn are_equal_placements(known: &Result<Placement, PoseFault>, other: &Result<Pla
 
 // All joints in the order in which they are reached from ground.
 
-/// A joint that is reached from ground over other joints.
+/// A joint on a chain of joints from ground.
 #[derive(Debug, Clone, Copy)]
 pub struct JointStep<'j> {
     pub joint: &'j ModelJoint,
-    /// The body at which it is reached; `None` is ground.
+    /// The body before the joint, nearer to ground; `None` is ground.
     pub from: Option<&'j str>,
-    /// The body at the end of the path.
+    /// The body behind the joint; `None` is ground.
     pub to: Option<&'j str>,
-    /// Whether the step leads from the joint's parent to its child.
+    /// Whether the chain crosses the joint from its parent to its child.
     pub forward: bool,
-    /// Whether `to` was reached over other joints before: the joint closes a loop.
+    /// Whether other joints reached the body `to` before: the joint closes a loop.
     pub closes: bool,
 }
 
-/// The joints that are connected to ground, each once, in an order in which the body `from` of each is reached before it.
+/// The joints that are connected to ground, each once. A joint comes after the joints that lead to its body `from`.
 ///
 /// ```
 /// use osim_model::feet::joints_from_ground;
@@ -190,7 +190,7 @@ pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
 
 /// Bodies that WeldJoints hold together, directly or through others.
 pub(crate) struct Welds<'j> {
-    /// For each body another one of its group; the first of a group has none. `None` is ground.
+    /// For each body, another body of its welded group, closer to the group's first body. The first body has none. `None` is ground.
     leaders: HashMap<Option<&'j str>, Option<&'j str>>,
 }
 
@@ -207,7 +207,7 @@ impl<'j> Welds<'j> {
         welds
     }
 
-    /// Whether two bodies are one, or welded to each other; `None` is ground.
+    /// Whether two bodies are the same, or welded to each other; `None` is ground.
     pub(crate) fn are_welded(&self, one: Option<&'j str>, other: Option<&'j str>) -> bool {
         self.leader(one) == self.leader(other)
     }

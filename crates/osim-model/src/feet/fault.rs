@@ -1,4 +1,4 @@
-//! What can be wrong with feet, and unknown about a pose.
+//! Errors about the bones and soles of feet, and about unknown poses.
 
 use std::path::PathBuf;
 
@@ -7,61 +7,61 @@ use crate::messages::{Phrase, listed};
 use crate::model::Fault;
 use crate::model::files::FileError;
 
-/// Why bones cannot be read or spheres not be laid.
+/// Why bones cannot be read or spheres cannot be placed under a foot.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FeetFault {
     #[error("there is no body {body}, the model has {}", listed_names(.bodies))]
     NoBody { body: String, bodies: Vec<String> },
-    /// Nothing is known about the form of a body.
+    /// The body has no mesh, so its form is unknown.
     #[error(
         "no mesh is attached to body {body}: name another body, or give the places of the spheres in a table"
     )]
     NoMesh { body: String },
-    /// A file that is in none of the folders.
+    /// The mesh file is in none of the folders.
     #[error(
         "body {body} shows mesh {mesh}, which is in none of the folders {}: copy it there, or name the folder that has it",
         shown_paths(.folders)
     )]
     MeshMissing {
         body: String,
-        /// The file as the model spells it.
+        /// Name of the mesh file, as the model writes it.
         mesh: String,
         folders: Vec<PathBuf>,
     },
-    /// A file that is there and cannot be opened.
+    /// The mesh file exists but cannot be opened.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
     Unreadable {
         body: String,
-        /// The file as the model spells it.
+        /// Name of the mesh file, as the model writes it.
         mesh: String,
         file: PathBuf,
         fault: FileError,
     },
-    /// A file that is not the mesh of a bone.
+    /// The file is not a mesh of a bone.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
     Mesh {
         body: String,
-        /// The file as the model spells it.
+        /// Name of the mesh file, as the model writes it.
         mesh: String,
         file: PathBuf,
-        /// Why the file cannot be read as a mesh.
+        /// Why the file is not a usable mesh.
         fault: MeshFault,
     },
-    /// Scale factors that no bone can have.
+    /// The mesh has scale factors that no bone can have.
     #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
     Factors {
         body: String,
-        /// The file as the model spells it.
+        /// Name of the mesh file, as the model writes it.
         mesh: String,
         factors: [f64; 3],
     },
-    /// The model has no gravity, so that no direction is up.
+    /// The model has no gravity, so no direction is up.
     #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
     NoGravity,
-    /// A value of a request that is out of range.
+    /// A value in a request is out of its range.
     #[error("{what} is {value}, expected {expected}")]
     Request { what: &'static str, value: f64, expected: &'static str },
-    /// Bottoms would be closer than 1 mm.
+    /// The bottoms of some spheres would be closer than 1 mm.
     #[error(
         "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
         listed_names(.bodies)
@@ -69,10 +69,10 @@ pub enum FeetFault {
     TooManySpheres {
         bodies: Vec<String>,
         count: usize,
-        /// The number of spheres that fit.
+        /// The largest number of spheres that fit.
         fits: usize,
     },
-    /// The default pose of a body is not known.
+    /// The place of a body at the default pose is not known.
     #[error(transparent)]
     Pose(#[from] PoseFault),
     #[error("{0}")]
@@ -80,7 +80,7 @@ pub enum FeetFault {
 }
 
 impl FeetFault {
-    /// The message, on one line, with names from outside escaped.
+    /// The message on one line. Names from files are escaped.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::Model(fault) => fault.phrase(),
@@ -104,7 +104,7 @@ impl FeetFault {
     }
 }
 
-/// Names that are shown at most, so that a message stays readable.
+/// The largest number of names in one message, to keep the message readable.
 const MOST_NAMES_SHOWN: usize = 20;
 
 fn listed_names(names: &[String]) -> String {
@@ -130,25 +130,25 @@ fn numbers(values: &[f64; 3]) -> String {
     shown_list(values.iter().map(ToString::to_string))
 }
 
-/// Why it is not known where a body is at the default pose.
+/// Why the place of a body at the default pose is not known.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum PoseFault {
-    /// No body of that name is joined to ground.
+    /// No chain of joints leads from ground to the body.
     #[error("no joints lead from ground to body {body}, so it is not known where it is at the default pose")]
     NotJoined { body: String },
-    /// A joint, or a function of it, that is not understood.
+    /// The joint, or one of its functions, is not supported.
     #[error(
         "it is not known how joint {joint}, a {class}, stands at the default pose: one of its functions, or the joint itself, is not understood"
     )]
     Joint { joint: String, class: String },
     #[error("coordinate {coordinate} of joint {joint} has no default value that can be read")]
     Coordinate { coordinate: String, joint: String },
-    /// A constraint that may move bodies before anything else does.
+    /// A constraint that is not supported may move bodies away from the default pose.
     #[error(
         "constraint {constraint}, a {class}, may move bodies at the default pose, which is not computed: switch it off in a copy of the model"
     )]
     Constraint { constraint: String, class: String },
-    /// Joints in a loop that does not close.
+    /// Joints form a loop that does not close.
     #[error("joint {joint} closes a loop of joints that is open at the default pose")]
     Loop { joint: String },
 }

@@ -1,7 +1,7 @@
-//! What a model's feet look like: bones from meshes, where they stand, and spheres below them.
+//! The feet of a model: bones from mesh files, the default pose, and contact spheres under the soles.
 //!
-//! [`bones`] reads the meshes that are attached to bodies, through [`Files`](crate::model::files::Files); [`DefaultPose`] says where
-//! the bodies are in ground; [`soles`] lays spheres under the feet.
+//! [`bones`] reads the meshes that are attached to bodies, through [`Files`](crate::model::files::Files). [`DefaultPose`] gives the places
+//! of the bodies in ground. [`soles`] places spheres under the feet.
 //!
 //! ```
 //! use std::path::Path;
@@ -29,7 +29,7 @@
 //!
 //! # What it will not do
 //!
-//! It changes nothing and opens no file by itself. It poses nothing but the default pose, and knows no constraints but couplers.
+//! This module changes nothing and opens no file by itself. It computes the default pose only, and supports no constraints except couplers.
 
 mod bones;
 mod contact_planes;

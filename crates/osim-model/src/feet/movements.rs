@@ -1,4 +1,4 @@
-//! How bodies can move against each other: what joints and their coordinates leave free.
+//! How bodies can move against each other, by the free coordinates of joints.
 
 use std::sync::Arc;
 
@@ -8,19 +8,19 @@ use glam::DVec3;
 use super::couplers::{CoordinateState, CoordinateStates, CoordinateValues};
 use crate::model::{Model, ModelJoint, Placement};
 
-/// How far a coordinate is moved to see what it moves, rad or m.
+/// The change of a coordinate, rad or m, that tests how the coordinate moves bodies.
 const TRIAL_STEP: f64 = 0.1;
-/// Rotations and translations whose components differ by no more than this are one.
+/// Two rotations or translations are equal if their components differ by at most this.
 const SAME_COMPONENT: f64 = 1e-9;
-/// The most bodies on a path to ground.
+/// The largest number of bodies on a path to ground.
 const MOST_JOINTS: usize = 64;
 
-/// How two bodies can move against each other.
+/// The relative movements that joints allow between two bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Freedom {
     /// Whether a coordinate turns one of the bodies against the other.
     pub turns: bool,
-    /// A coordinate shifts one of them and turns nothing.
+    /// Whether a coordinate shifts one of the bodies without turning it.
     pub slides: bool,
 }
 
@@ -31,22 +31,22 @@ struct JointAbove {
     freedom: Freedom,
 }
 
-/// How the bodies of a model can move. Coordinates that are locked or prescribed, or that a coupler makes depend on another, are
-/// not free; of a joint that is not understood, everything is.
+/// The possible movements of the bodies of a model. Locked and prescribed coordinates, and those that a coupler constraint determines, are
+/// not free. A joint that is not supported counts as free in all directions.
 #[derive(Debug, Clone)]
 pub struct Movements(Arc<PathsToGround>);
 
-/// The paths over joints from bodies to ground.
+/// The chains of joints from bodies to ground.
 #[derive(Debug, Clone)]
 struct PathsToGround {
     above: HashMap<String, JointAbove>,
     ends: HashMap<String, PathEnd>,
 }
 
-/// The last body on the path from a body to ground, and whether the path is rigid.
+/// The last body on the path from a body to ground, and whether a joint on the path can move.
 #[derive(Debug, Clone)]
 struct PathEnd {
-    /// The last body on the path, which is joined to ground or to nothing.
+    /// The last body on the path, which is joined to ground or has no joint above.
     top: String,
     /// Whether a joint on the path can move.
     moves: bool,
@@ -75,12 +75,12 @@ impl Movements {
         self.0.ends.get(body).is_none_or(|end| end.moves)
     }
 
-    /// The topmost body above `body`; `body` itself if nothing is above it.
+    /// The topmost body above `body`; `body` itself if no body is above it.
     pub fn top<'b>(&'b self, body: &'b str) -> &'b str {
         self.0.ends.get(body).map_or(body, |end| end.top.as_str())
     }
 
-    /// The free movements between two bodies; `None` where only ground joins them.
+    /// The free relative movements of two bodies; `None` if only ground connects them.
     pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
         let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());
@@ -119,7 +119,7 @@ impl PathsToGround {
         Self { ends: path_ends(&above), above }
     }
 
-    /// `body` and those above it, each with what the joint above it leaves free.
+    /// `body` and the bodies above it, each with the freedom of the joint above it.
     fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Freedom)> {
         let mut path = Vec::new();
         let mut at = Some(body);
@@ -132,7 +132,7 @@ impl PathsToGround {
     }
 }
 
-/// The ends of the paths of all bodies that are joined to others or to ground; each joint is visited once.
+/// The path ends of all joined bodies. Each joint is visited once.
 fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
     let mut ends: HashMap<String, PathEnd> = HashMap::new();
     for body in above.keys() {
@@ -182,13 +182,13 @@ impl Coordinates<'_> {
             all.with(
                 joint
                     .placement(self.model, &moved)
-                    .map_or(Freedom::ALL, |there| freedom_between(&here, &there)),
+                    .map_or(Freedom::ALL, |there| freedom_between_placements(&here, &there)),
             )
         })
     }
 }
 
-/// The freedom of a joint whose coordinates are not in the file, by its class.
+/// The freedom of a joint whose coordinates are not in the file, by the joint's class.
 fn freedom_of_class(class: &str) -> Freedom {
     match class {
         "WeldJoint" | "CustomJoint" => Freedom::default(),
@@ -197,7 +197,7 @@ fn freedom_of_class(class: &str) -> Freedom {
     }
 }
 
-fn freedom_between(here: &Placement, there: &Placement) -> Freedom {
+fn freedom_between_placements(here: &Placement, there: &Placement) -> Freedom {
     let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_COMPONENT)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);

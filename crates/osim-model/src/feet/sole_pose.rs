@@ -1,4 +1,4 @@
-//! How soles lie at the default pose: whether they are flat, and whether left and right are posed alike.
+//! How feet are posed by default: whether their soles lie flat, and whether left and right are posed alike.
 
 use glam::DVec3;
 
@@ -9,14 +9,14 @@ use super::sole::Sole;
 use crate::messages::{readable, shown};
 use crate::model::{Model, ModelJoint, Placement, without_side};
 
-/// A coordinate that tilts a foot by less than this does not count, rad: 0.3 degrees.
+/// A coordinate that tilts a foot by less than this is ignored, rad: 0.3 degrees.
 const LEAST_TILT_RAD: f64 = 0.005;
-/// How many coordinates a message names at most.
+/// The largest number of coordinates that a message names.
 const MOST_COORDINATES_NAMED: usize = 4;
-/// How many joints are followed from a body to ground at most.
+/// The largest number of joints on the path from a body to ground.
 const MOST_JOINTS: usize = 64;
 
-/// A coordinate whose default value tilts a foot.
+/// A coordinate whose default value tilts a foot against the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TiltingCoordinate {
     /// Name of the coordinate, such as `ankle_angle_r`.
@@ -26,7 +26,7 @@ pub struct TiltingCoordinate {
 }
 
 impl Sole {
-    /// The coordinates that tilt this foot or a part of it at the default pose of `model`, from the foot up.
+    /// The coordinates of `model` whose default values tilt the foot or a part of it, beginning at the foot.
     pub fn tilted_by(&self, model: &Model) -> Vec<TiltingCoordinate> {
         let joints = model.joints();
         let coordinates = CoordinateValues::at_default_pose(model);
@@ -57,7 +57,7 @@ impl Sole {
         tilting
     }
 
-    /// What is wrong with a foot that does not lie flat at the default pose, and by how much; `None` where it does.
+    /// Describes the tilt of a foot that does not lie flat at the default pose; `None` for a flat foot.
     pub fn not_flat(&self) -> Option<String> {
         let print = &self.footprint;
         if print.is_flat() {
@@ -82,7 +82,7 @@ impl Sole {
         ))
     }
 
-    /// The joints of the foot's bodies, then those above them.
+    /// The joints of the foot's bodies, then the joints above them.
     fn joints_above<'j>(&self, joints: &'j [ModelJoint]) -> Vec<&'j ModelJoint> {
         let above = |body: &str| joints.iter().find(|joint| joint.child.as_deref() == Some(body));
         let mut upwards: Vec<&ModelJoint> = self.bodies.iter().filter_map(|body| above(body)).collect();
@@ -101,7 +101,7 @@ impl Sole {
 }
 
 impl TiltingCoordinate {
-    /// Their names and values for a sentence: `ankle_angle_r = 0.2 rad`; of many the first.
+    /// The names and values of coordinates for a sentence: `ankle_angle_r = 0.2 rad`. Only the first of many are named.
     pub fn listed(all: &[Self]) -> String {
         let one = |own: &Self| format!("{} = {} rad", shown(&own.name), readable(own.value));
         let mut named: Vec<String> = all.iter().take(MOST_COORDINATES_NAMED).map(one).collect();
@@ -114,14 +114,15 @@ impl TiltingCoordinate {
 
 // Whether two feet are posed as mirror images of each other.
 
-/// Frames of left bodies are mirror images of those of right ones along one of their axes: nearly always z.
-const MIRRORS: [DVec3; 3] =
+/// The axis of mirroring, one of x, y and z: the frame of a left body is the mirror image of the right body's frame along one of its axes,
+/// nearly always z.
+const MIRROR_FACTORS: [DVec3; 3] =
     [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(-1.0, 1.0, 1.0)];
 
 impl Sole {
-    /// The angle by which the poses of this foot and `other` differ from mirror images of each other at the default pose of `model`, rad:
-    /// the largest angle between where one's body sees up, or the way to the other foot, and the mirror image of where the other's does;
-    /// `None` where a pose is not known.
+    /// The angle by which the pose of this foot differs from the mirror image of the `other` foot at the default pose of `model`, rad. In
+    /// the frames of the feet, two directions are compared: up, and towards the other foot. The larger angle counts. `None` if a pose is
+    /// not known.
     pub fn pose_asymmetry(&self, other: &Self, model: &Model) -> Option<f64> {
         (self.side? != other.side?).then_some(())?;
         let pose = DefaultPose::of(model);
@@ -142,6 +143,6 @@ impl Sole {
         let seen: Vec<_> = up.chain(across).collect();
         let apart =
             |mirror: DVec3| seen.iter().map(|(own, there)| angle(*own, mirror * *there)).fold(0.0, f64::max);
-        (!seen.is_empty()).then(|| MIRRORS.into_iter().map(apart).fold(f64::INFINITY, f64::min))
+        (!seen.is_empty()).then(|| MIRROR_FACTORS.into_iter().map(apart).fold(f64::INFINITY, f64::min))
     }
 }

@@ -1,31 +1,30 @@
-//! Which bodies make a foot, by the tree of joints.
+//! Finds the bodies that form each foot, by the joint tree.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::feet::default_pose::DefaultPose;
 use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
 
-/// Bodies whose origins are within this share of the model's height above the lowest one are feet.
+/// A body belongs to a foot if its origin is at most this part of the model's height above the lowest origin.
 const NEAR_GROUND: f64 = 0.12;
-/// Usual names of bodies of feet, for models whose default pose does not say which they are.
+/// Usual names of foot bodies, for models without a known default pose.
 const FOOT_NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
 
-/// A foot: bodies that are joined to each other, and the spheres on them.
+/// The bodies of one foot, which joints connect, and the spheres on them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBodies {
-    /// Bodies of the foot, the topmost first.
+    /// Bodies of the foot, those nearest to the trunk first.
     pub bodies: Vec<String>,
-    /// Side of the foot, if known.
+    /// Left or right, if known.
     pub side: Option<Side>,
     /// Spheres of the foot, in file order.
     pub spheres: Vec<SphereId>,
 }
 
 impl FootBodies {
-    /// The feet of a model: where its spheres are, limb by limb; spheres on other bodies are a foot for each body.
-    /// A model without chosen spheres has its feet where bodies with a side in their names are near the ground at the
-    /// default pose.
+    /// Finds the feet of a model. With chosen spheres, each limb with spheres has one foot, and other bodies with spheres are feet of their
+    /// own. Without chosen spheres, feet are bodies near the ground at the default pose with a side in their names.
     pub fn find(
         model: &Model,
         anatomy: &Anatomy,
@@ -41,17 +40,17 @@ impl FootBodies {
         }
         let mut groups = groups_by_limb(model, spheres, forces);
         groups.extend(groups_by_body(&tree, model, &spheres_outside_groups(spheres, &groups)));
-        let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| body_of(model, id)).collect();
+        let carriers: HashSet<&str> = spheres.iter().filter_map(|&id| name_of_carrier(model, id)).collect();
         groups.into_iter().flat_map(|group| feet_of_group(&tree, model, group, &carriers)).collect()
     }
 
-    /// The topmost body, to which the others are joined.
+    /// The body of the foot that is nearest to the trunk.
     pub fn top(&self) -> &str {
         self.bodies.first().map_or("", String::as_str)
     }
 }
 
-/// Spheres of one limb, or of one body.
+/// The spheres of one limb, or of one body that belongs to no limb.
 struct SphereGroup {
     side: Option<Side>,
     spheres: Vec<SphereId>,
@@ -73,16 +72,16 @@ fn spheres_outside_groups(spheres: &[SphereId], groups: &[SphereGroup]) -> Vec<S
 }
 
 /// The name of the body that carries `sphere`; empty for ground.
-fn body_of(model: &Model, sphere: SphereId) -> Option<&str> {
+fn name_of_carrier(model: &Model, sphere: SphereId) -> Option<&str> {
     Some(model.sphere(sphere)?.body.as_deref().unwrap_or_default())
 }
 
-/// The spheres of each body, in the order of the first sphere on each.
+/// The spheres of each body, in the order of the first sphere on each body.
 fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, Vec<SphereId>)> {
     let mut places: HashMap<&str, usize> = HashMap::new();
     let mut by_body: Vec<(&str, Vec<SphereId>)> = Vec::new();
     for &id in spheres {
-        let Some(body) = body_of(model, id) else { continue };
+        let Some(body) = name_of_carrier(model, id) else { continue };
         let place = *places.entry(body).or_insert(by_body.len());
         match by_body.get_mut(place) {
             Some((_, known)) => known.push(id),
@@ -92,7 +91,7 @@ fn spheres_by_body<'m>(model: &'m Model, spheres: &[SphereId]) -> Vec<(&'m str, 
     by_body
 }
 
-/// Groups of spheres that are in no limb: one group for each body, or for several bodies of one side that are joined to each other.
+/// Groups the spheres that are in no limb: one group for each body, or for several joined bodies of one side.
 fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> Vec<SphereGroup> {
     let mut on: HashMap<&str, Vec<SphereId>> = HashMap::new();
     let mut bodies = Vec::new();
@@ -107,8 +106,8 @@ fn groups_by_body(tree: &BodyTree<'_>, model: &Model, spheres: &[SphereId]) -> V
     groups.collect()
 }
 
-/// The foot of a group: bodies with its spheres, those between them, and those of the same side below. Bodies that are joined
-/// only through ground are feet of their own.
+/// The foot of a group of spheres: the bodies with these spheres, the bodies between them, and the bodies below them on the same side.
+/// Bodies that only ground connects become separate feet.
 fn feet_of_group(
     tree: &BodyTree<'_>,
     model: &Model,
@@ -163,7 +162,7 @@ impl<'t> BodyTree<'t> {
         Self { anatomy }
     }
 
-    /// All bodies of the foot, in file order.
+    /// All bodies of the model, in file order.
     pub(super) fn bodies(&self) -> impl Iterator<Item = &'t str> {
         self.anatomy.bodies.iter().map(String::as_str)
     }
@@ -172,7 +171,8 @@ impl<'t> BodyTree<'t> {
         self.anatomy.joint_above(body).map(|joint| joint.parent.as_str())
     }
 
-    /// `body` and those above it up to one that is in `seen`, and that one. All are in `seen` afterwards.
+    /// Walks from `body` up the joint tree until a body that is in `seen`. Returns the bodies passed, and the body in `seen`. Adds the
+    /// passed bodies to `seen`.
     fn walk_up<'b>(&self, body: &'b str, seen: &mut HashSet<&'b str>) -> (Vec<&'b str>, Option<&'b str>)
     where
         't: 'b,
@@ -188,7 +188,7 @@ impl<'t> BodyTree<'t> {
         (walked, None)
     }
 
-    /// Bodies of one side that are joined to each other: each group in the given order, the groups in the order of their first body.
+    /// Groups `bodies` of one side that joints connect. Groups are in the order of their first body, and bodies keep their given order.
     fn connected<'b>(&self, bodies: &[&'b str]) -> Vec<Vec<&'b str>>
     where
         't: 'b,
@@ -223,7 +223,7 @@ impl<'t> BodyTree<'t> {
         connected
     }
 
-    /// `bodies` and those between them in the joint tree, the topmost first; `None` if no body is above all of them.
+    /// `bodies` and all bodies between them in the joint tree, those nearest to the trunk first; `None` if no body is above all of them.
     pub(super) fn with_connecting_bodies<'b>(&self, bodies: &[&'b str]) -> Option<Vec<&'b str>>
     where
         't: 'b,
@@ -247,7 +247,7 @@ impl<'t> BodyTree<'t> {
         Some(joined)
     }
 
-    /// `bodies`, and the bodies of the same side that are below them and carry no sphere.
+    /// `bodies` and the bodies below them that are of the same side and carry no sphere.
     fn with_below<'b>(
         &self,
         mut bodies: Vec<&'b str>,
@@ -271,7 +271,7 @@ impl<'t> BodyTree<'t> {
         bodies
     }
 
-    /// The bodies, those with fewer joints above them first.
+    /// Sorts bodies by the number of joints above them, the fewest first.
     fn top_first<'b>(&self, mut bodies: Vec<&'b str>) -> Vec<&'b str>
     where
         't: 'b,

@@ -1,6 +1,6 @@
-//! Where joints, bones, spheres and the floor of a foot are, for a picture of it.
+//! Computes the places of the joints, bones and spheres of a foot and of the floor, for a picture.
 //!
-//! [`FootBodies::find`] says which bodies make feet, [`Foot::all`] where everything on them is at the default pose.
+//! [`FootBodies::find`] finds the bodies of the feet, [`Foot::all`] computes the places of everything on these bodies at the default pose.
 
 mod bodies;
 mod view;
@@ -15,19 +15,19 @@ use crate::model::{Anatomy, AnatomyJoint, Model, ModelJoint, Side};
 pub use bodies::FootBodies;
 pub use view::{ViewAxes, silhouette};
 
-/// Joints above a foot belong to it where they are within this share of its length.
+/// A joint above a foot belongs to the foot's picture if its distance is at most this part of the foot's length.
 const ANKLE_DISTANCE: f64 = 0.5;
-/// Bones of bodies without spheres are drawn up to this share of the foot's length above its lowest place.
+/// Bones of bodies without spheres are drawn up to this height above the foot's lowest point, as a part of the foot's length.
 const DRAWN_HEIGHT_OF_BONES: f64 = 0.8;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
     /// Ground, at the default pose.
     Ground,
-    /// The frame of a body: it is not known where that body is in ground.
+    /// The frame of a body of the foot, because the place of that body in ground is not known.
     Body {
         name: String,
-        /// Why the placement is not known.
+        /// Why the place of the body is not known.
         fault: PoseFault,
     },
 }
@@ -35,57 +35,57 @@ pub enum FootFrame {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootJoint {
     pub name: String,
-    /// Place of the joint on its parent, in the frame of the foot, m.
+    /// Place of the joint on its parent body, in the frame of the foot, m.
     pub at_m: DVec3,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSphere {
     pub name: String,
-    /// The body that carries it; empty for ground.
+    /// Name of the body that carries the sphere; empty for ground.
     pub body: String,
     /// Centre of the sphere in the frame of the foot, m.
     pub centre_m: DVec3,
     /// Radius of the sphere, m.
     pub radius_m: f64,
-    /// Whether the sphere is known to be in the wrong place. Callers that know it set it.
+    /// Whether the sphere is in a wrong place. Callers set it after they have compared models.
     pub misplaced: bool,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootBone {
     pub body: String,
-    /// The mesh, as the model spells it.
+    /// Name of the mesh file, as the model writes it.
     pub mesh: String,
     /// Points of the bone in the frame of the foot, m.
     pub points_m: Vec<DVec3>,
 }
 
-/// A foot, as a picture of it needs it.
+/// One foot with everything that a picture needs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foot {
-    /// The topmost of its bodies, to which the others are joined.
+    /// Name of the body of the foot that is nearest to the trunk.
     pub name: String,
-    /// Side of the foot, if known.
+    /// Left or right, if known.
     pub side: Option<Side>,
-    /// The frame of all places of the foot.
+    /// The frame in which all places of the foot are given.
     pub frame: FootFrame,
-    /// Origin of the foot's first body, m.
+    /// Origin of the foot's topmost body, m.
     pub origin_m: DVec3,
-    /// The directions from which it is drawn.
+    /// The directions for the views of the picture.
     pub axes: ViewAxes,
     pub joints: Vec<FootJoint>,
     /// Spheres of the foot, in file order.
     pub spheres: Vec<FootSphere>,
-    /// Bones of the foot whose meshes are available.
+    /// Bones of the foot whose mesh files could be read.
     pub bones: Vec<FootBone>,
     pub floor: FloorPlace,
-    /// Bodies that are not drawn, because a joint between them and the foot is not understood.
+    /// Names of bodies that are not drawn, because a joint between them and the foot is not supported.
     pub unplaced: Vec<String>,
 }
 
 impl Foot {
-    /// Views of all `feet`: in ground where the default pose is understood, else in the frame of a foot's first body.
+    /// Makes each of the `feet` ready for a picture: in ground if the default pose is known, else in the frame of the foot's topmost body.
     pub fn all(model: &Model, anatomy: &Anatomy, feet: &[FootBodies], pose: &DefaultPose) -> Vec<Self> {
         let context = ModelContext::of(model);
         feet.iter().map(|bodies| Self::of(&context, anatomy, bodies, pose)).collect()
@@ -117,7 +117,7 @@ impl Foot {
         foot
     }
 
-    /// The bodies whose bones belong to the picture: its own, and those whose joints above are near.
+    /// The bodies whose bones the picture contains: those of the foot, and those whose joint above is near the foot.
     pub fn bodies_with_bones(&self, anatomy: &Anatomy, bodies: &FootBodies) -> Vec<String> {
         let mut with_bones = bodies.bodies.clone();
         let above = anatomy.joint_above(bodies.top());
@@ -130,7 +130,7 @@ impl Foot {
         with_bones
     }
 
-    /// Adds bones; points of bodies without spheres that are high above the foot are left out.
+    /// Adds `bones` to the foot. Of bodies without spheres, points high above the foot are left out.
     pub fn add_bones(&mut self, anatomy: &Anatomy, bodies: &FootBodies, bones: &[Bone], pose: &DefaultPose) {
         let places = FootPlaces::of(anatomy, bodies, pose);
         let top = self.lowest_m().map(|lowest| lowest + DRAWN_HEIGHT_OF_BONES * self.length_m());
@@ -148,7 +148,7 @@ impl Foot {
         self.bones.extend(shown_bones);
     }
 
-    /// The height of the lowest sphere, m; without spheres that of the bones, else that of the joints.
+    /// The height of the lowest point of the spheres, m; without spheres, of the bones; without bones, of the joints.
     pub fn lowest_m(&self) -> Option<f64> {
         let up = |point: DVec3| self.axes.up.dot(point);
         let spheres =
@@ -158,7 +158,7 @@ impl Foot {
         spheres.or_else(|| bones().reduce(f64::min)).or_else(|| joints().reduce(f64::min))
     }
 
-    /// Distance over which the foot reaches forward, m.
+    /// The extent of the foot in the forward direction, m.
     pub fn length_m(&self) -> f64 {
         let along = |point: DVec3| self.axes.forward.dot(point);
         let spheres = self.spheres.iter().flat_map(|sphere| {
@@ -172,12 +172,13 @@ impl Foot {
         (high - low).max(0.0)
     }
 
-    /// Whether a height (m) is within the length of the foot from its lowest place.
+    /// Whether `height_m` is at most one foot length away from the foot's lowest point.
     pub fn is_near(&self, height_m: f64) -> bool {
         self.lowest_m().is_some_and(|lowest| (height_m - lowest).abs() <= self.length_m())
     }
 
-    /// The share of the bones' length at which the first and the last centre are, from the heel; `None` without bones.
+    /// The positions of the rearmost and the foremost sphere centre along the bones: 0 is the heel, 1 the tip of the toes. `None` without
+    /// bones.
     pub fn sphere_extent(&self) -> Option<(f64, f64)> {
         let along = |point: DVec3| self.axes.forward.dot(point);
         let carriers: HashSet<&str> = self.spheres.iter().map(|sphere| sphere.body.as_str()).collect();
@@ -227,12 +228,12 @@ fn foot_spheres(model: &Model, bodies: &FootBodies, places: &FootPlaces<'_>) -> 
     bodies.spheres.iter().filter_map(sphere).collect()
 }
 
-/// Facts of the model that all its feet need.
+/// Data of the model that all feet need.
 struct ModelContext<'m> {
     model: &'m Model,
     axes: ViewAxes,
     floor: FloorPlace,
-    /// Joints by their names and those of their children; of several the first.
+    /// Joints by their own name and the name of their child; of equal ones the first counts.
     joints: HashMap<(&'m str, &'m str), &'m ModelJoint>,
 }
 
@@ -252,7 +253,7 @@ impl<'m> ModelContext<'m> {
 struct FootPlaces<'p> {
     anatomy: &'p Anatomy,
     top: &'p str,
-    /// Why the first body cannot be placed in ground, if it cannot.
+    /// Why the topmost body cannot be placed in ground; `None` if it can.
     fault: Option<PoseFault>,
     pose: &'p DefaultPose,
 }
@@ -265,7 +266,7 @@ impl<'p> FootPlaces<'p> {
         Self { anatomy, top, fault, pose }
     }
 
-    /// A point of a body in ground, else in the frame of the foot's first body, m.
+    /// A point of a body, seen from ground; if the place in ground is not known, seen from the foot's topmost body. m.
     fn point(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         match (body, &self.fault) {
             ("", None) => Some(point_m),
@@ -274,7 +275,7 @@ impl<'p> FootPlaces<'p> {
         }
     }
 
-    /// The point in the frame of the foot's first body, m: through the joints between them.
+    /// A point of a body, seen from the foot's topmost body, m: through the joints between the two bodies.
     fn point_in_top(&self, body: &str, point_m: DVec3) -> Option<DVec3> {
         let (mut at, mut point) = (body, point_m);
         for _ in 0..=self.anatomy.bodies.len() {
@@ -288,7 +289,7 @@ impl<'p> FootPlaces<'p> {
         None
     }
 
-    /// A joint, where it is on its parent as OpenSim reads it; on its child where the parent is not in the picture.
+    /// A joint at its place on its parent, as OpenSim reads the file. If the parent is not in the picture, the place on its child.
     fn joint(&self, joint: &AnatomyJoint, context: &ModelContext<'_>) -> Option<FootJoint> {
         let read = context.joints.get(&(joint.name.as_str(), joint.child.as_str()));
         let in_parent_m = read.map_or(joint.in_parent_m, |read| read.in_parent_m());
@@ -298,18 +299,18 @@ impl<'p> FootPlaces<'p> {
     }
 }
 
-/// Floors that are this close are one.
+/// Two floors count as one if their heights differ by at most this, m.
 const SAME_HEIGHT_M: f64 = 1e-9;
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum FloorPlace {
-    /// The model has no level half-space on ground.
+    /// The model has no level half-space that is fixed to ground.
     None,
-    /// All floors are at this height over the origin of ground, m.
+    /// All floors are at this height above the origin of ground, m.
     At(f64),
-    /// Floors are at several heights over the origin of ground, m, the lowest first.
+    /// The floors have these different heights above the origin of ground, m, the lowest first.
     Several(Vec<f64>),
-    /// The foot is not drawn in ground, so that no floor can be drawn.
+    /// The foot is not drawn in the frame of ground, so no floor can be drawn.
     NotInGround,
 }
 

@@ -1,4 +1,4 @@
-//! The directions from which a foot is drawn, and the outline of its points.
+//! The directions for the views of a foot, and the outline of points.
 
 use foldhash::{HashSet, HashSetExt};
 use glam::{DVec2, DVec3};
@@ -6,13 +6,13 @@ use glam::{DVec2, DVec3};
 use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Model;
 
-/// The names of a frame's axes, and of their opposites.
+/// The names of the three axes of a frame and of their opposite directions.
 const AXIS_NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]];
 
-/// Three directions of length 1 in ground (or in the frame of a body that is drawn in its own).
+/// Three directions of length 1 for the views of a foot. They are given in the frame in which the foot is drawn: ground, or a body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ViewAxes {
-    /// x, level; y where x is up or down.
+    /// Along x of the frame, but level; along y if x points up or down.
     pub forward: DVec3,
     /// The direction opposite to gravity.
     pub up: DVec3,
@@ -21,12 +21,12 @@ pub struct ViewAxes {
 }
 
 impl ViewAxes {
-    /// The axes of a model: up is against its gravity.
+    /// The directions for a model: up is opposite to its gravity.
     pub fn of(model: &Model) -> Self {
         Self::with_up(model.up())
     }
 
-    /// The axes with this direction up, which has length 1.
+    /// The directions for a given `up`, which has length 1.
     pub fn with_up(up: DVec3) -> Self {
         let forward = if up.x.abs() > 0.9 { DVec3::Y } else { DVec3::X };
         let level = forward - forward.dot(up) * up;
@@ -34,12 +34,12 @@ impl ViewAxes {
         Self { forward, up, right: forward.cross(up) }
     }
 
-    /// How far a point is forward, up and to the right, m.
+    /// The coordinates of a point along the three directions: forward, up and right, m.
     pub fn coordinates(&self, point_m: DVec3) -> [f64; 3] {
         [self.forward, self.up, self.right].map(|axis| axis.dot(point_m))
     }
 
-    /// Names of the three directions: `x`, `y` and `z` where gravity points along −y; words where none is an axis.
+    /// Names of the three directions: `x`, `y` and `z` if gravity points along −y; words if a direction is not along an axis.
     pub fn names(&self) -> [&'static str; 3] {
         let axis = |direction: DVec3, word| {
             let name_along = |(i, [along, against]): (usize, [&'static str; 2])| match direction[i] {
@@ -55,21 +55,21 @@ impl ViewAxes {
 
 // The line around points.
 
-/// Edges of an outline that are longer than this share of its width or height, whichever is larger, are moved to points inside...
+/// An edge of an outline that is longer than this part of the outline's larger side is replaced by two edges through a point inside.
 const LONGEST_EDGE: f64 = 0.06;
-/// ... if they are also longer than this many times the mean distance of points.
-const LONGEST_EDGE_IN_SPACINGS: f64 = 5.0;
-/// Points inside that are closer than this share are taken as one.
+/// An edge is replaced only if it is also longer than this many times the mean distance of neighbouring points.
+const LONGEST_EDGE_OVER_SPACING: f64 = 5.0;
+/// Points inside the outline that are closer than this part of its size count as one point.
 const CELL_SHARE: f64 = 1.0 / 150.0;
-/// An outline with more corners than this is not tightened further.
+/// The largest number of corners of an outline; then no further edge is replaced.
 const MOST_CORNERS: usize = 600;
 
-/// The line around points of a plane, closed, without its first point again. It is the convex hull, whose long lines give way to
-/// points inside, longest first, until none is longer than 6 % of the width or the height, or than a few times the distance of
-/// points (the characteristic shape of Duckham, Kulik, Worboys and Galton, Pattern Recognition 41, 2008). No point is outside,
-/// and the line does not cross itself.
+/// The closed outline of points in a plane; the first point is not repeated at the end. Starts from the convex hull. The longest edge is
+/// again and again replaced by two edges through a point inside, until no edge is longer than 6 % of the width or height, or a few times
+/// the distance of points (the characteristic shape of Duckham, Kulik, Worboys and Galton, Pattern Recognition 41, 2008). No point is
+/// outside, and the outline does not cross itself.
 ///
-/// Fewer than three points, or points in a line, have no line around them.
+/// Empty for fewer than three points, or points on a straight line.
 pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
     if points.iter().any(|point| !point.is_finite()) {
         return Vec::new();
@@ -84,11 +84,11 @@ pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
     let span = corners().fold(DVec2::NEG_INFINITY, DVec2::max) - corners().fold(DVec2::INFINITY, DVec2::min);
     let size = span.max_element();
     let outline = Outline::new(points, hull, CELL_SHARE * size);
-    let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_IN_SPACINGS * outline.spacing());
+    let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_OVER_SPACING * outline.spacing());
     outline.tightened(longest)
 }
 
-/// The outline of points, which is tightened step by step.
+/// An outline while its long edges are being replaced.
 struct Outline {
     line: Vec<DVec2>,
     inside: Vec<DVec2>,
@@ -103,7 +103,7 @@ impl Outline {
         Self { line: hull, inside }
     }
 
-    /// The distance of as many points that are spread evenly over the same area.
+    /// The mean distance between neighbouring points, if the same number of points were spread evenly over the area of the outline.
     fn spacing(&self) -> f64 {
         let next = self.line.iter().cycle().skip(1);
         let area: f64 = self.line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum();
@@ -128,7 +128,7 @@ impl Outline {
         self.line
     }
 
-    /// The longest edge that may still give way.
+    /// The longest edge that is longer than `least` and is not marked as final.
     fn longest_edge(&self, least: f64, final_edges: &HashSet<[u64; 4]>) -> Option<(usize, DVec2, DVec2)> {
         let next = self.line.iter().cycle().skip(1);
         let edges = self.line.iter().zip(next).enumerate().map(|(index, (&from, &to))| (index, from, to));
@@ -137,8 +137,8 @@ impl Outline {
             .max_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)))
     }
 
-    /// The point from which an edge has the largest angle, so that no other one is in the circle around the three; `None` if
-    /// that point is already on the line.
+    /// The index of the point inside that sees the edge under the largest angle. No other point is then in the circle through it and the
+    /// ends of the edge. `None` if a corner of the outline sees the edge under a larger angle.
     fn nearest_inside(&self, from: DVec2, to: DVec2) -> Option<usize> {
         let seen = |point: &DVec2| {
             let area = twice_area(from, to, *point);
@@ -185,7 +185,7 @@ mod tests {
         assert!(axes.forward.abs_diff_eq(DVec3::new(0.8, 0.6, 0.0), 1e-15));
     }
 
-    /// Points on the edge of a bridge: 10 long, 4 high, with a hollow of 6 by 2 below.
+    /// Points on the edge of a bridge: 10 long, 4 high, with an opening of 6 by 2 below.
     fn edge_points_of_bridge() -> Vec<DVec2> {
         let across = (0..=200).map(|index| 0.05 * f64::from(index));
         let below = |x: f64| if (2.0..=8.0).contains(&x) { 2.0 } else { 0.0 };
@@ -196,7 +196,7 @@ mod tests {
         points
     }
 
-    /// Area inside of a line, by Gauss's formula.
+    /// Area inside a closed line, by Gauss's formula.
     fn area_inside(line: &[DVec2]) -> f64 {
         let next = line.iter().cycle().skip(1);
         line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum()

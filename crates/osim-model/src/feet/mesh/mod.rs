@@ -1,9 +1,9 @@
-//! The points of mesh files.
+//! Reads the points and surfaces of mesh files.
 //!
-//! Numbers in text keep all their digits, because OpenSim reads them as doubles whatever type the file declares. (The crates
-//! vtkio 0.7.0-rc2 and stl_io 0.11 read them in single precision, 5e-9 m off at the tip of a foot, and vtkio brings quick-xml
-//! 0.36, which has known flaws; [`crate::xml`] scans the XML here.) Nothing is allocated because a file says so: sizes are checked
-//! against the bytes that are there.
+//! Numbers in text keep all their digits, because OpenSim reads them as doubles, whatever type the file declares. (The crates vtkio
+//! 0.7.0-rc2 and stl_io 0.11 read them in single precision, an error of 5e-9 m at the tip of a foot. vtkio also needs quick-xml 0.36, which
+//! has known flaws; [`crate::xml`] reads the XML here.) A size that a file declares is checked against the bytes that the file has, before
+//! memory is reserved.
 
 mod obj_and_stl;
 mod surface;
@@ -15,13 +15,14 @@ use glam::DVec3;
 use crate::messages::three_significant;
 pub use surface::{MeshFault, Surface};
 
-/// The largest coordinate or factor: products of these are finite.
+/// The largest allowed coordinate or scale factor, so that products of two stay finite.
 const LARGEST_NUMBER: f64 = 1e9;
-/// Points closer to a line than this part of its length are in it: single precision has seven digits.
-const SAME_LINE: f64 = 1e-6;
+/// A point is on a straight line if its distance from the line is less than this part of the line's length: single precision has seven
+/// digits.
+const LARGEST_LINE_DEVIATION: f64 = 1e-6;
 
-/// The points of the mesh file `name` from its bytes, in the file's own units and frame: the ending of the name (.vtp, .stl,
-/// .obj) says how they are written. Points that repeat are given once.
+/// The points of the mesh file `name`, from its bytes, in the file's own units and frame. The ending of the name (.vtp, .stl, .obj) gives
+/// the format. Repeated points are removed.
 ///
 /// ```
 /// let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n";
@@ -31,8 +32,8 @@ const SAME_LINE: f64 = 1e-6;
 /// ```
 ///
 /// # Errors
-/// Bytes that are not such a file, or are cut off; points that are not finite, fewer than four, too many, all in one line, or one far from
-/// all others.
+/// The bytes are not in this format or are cut off. A point is not finite, or far from all others. There are fewer than four or too many
+/// points, or all are on one line.
 pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let points = match ending.as_deref() {
@@ -44,8 +45,8 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
     checked_points(points)
 }
 
-/// The surface that the mesh file `name` describes, in the file's own units and frame: the ending of the name (.vtp, .stl, .obj)
-/// says how it is written. Faces that name points that are not there are left out.
+/// The surface in the mesh file `name`, in the file's own units and frame. The ending of the name (.vtp, .stl, .obj) gives the format.
+/// Faces with missing points are left out.
 ///
 /// ```
 /// let square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
@@ -55,7 +56,7 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
 /// ```
 ///
 /// # Errors
-/// Bytes that are not such a file, or are cut off; a point that is not finite; too many points or triangles.
+/// The bytes are not in this format or are cut off; a point is not finite; there are too many points or triangles.
 pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let surface = match ending.as_deref() {
@@ -73,12 +74,12 @@ pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
     Ok(surface)
 }
 
-/// Whether a number can be a coordinate in some unit, or a factor of one.
+/// Whether a number can be a coordinate in any unit of length, or a scale factor.
 pub(crate) fn is_length(value: f64) -> bool {
     value.abs() <= LARGEST_NUMBER
 }
 
-/// Points, each once, if they are those of a surface.
+/// The points without repeats, if they can be the points of a surface.
 fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault> {
     for (index, point) in points.iter().enumerate() {
         if let Some((value, axis)) = point.iter().zip(['x', 'y', 'z']).find(|(value, _)| !is_length(**value))
@@ -101,7 +102,7 @@ fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault>
     if points.len() < 4 {
         return Err(MeshFault::FewPoints(points.len()));
     }
-    if in_one_line(&points) {
+    if are_in_one_line(&points) {
         return Err(MeshFault::InOneLine);
     }
     match stray_point(&points) {
@@ -114,43 +115,43 @@ fn checked_points(mut points: Vec<[f64; 3]>) -> Result<Vec<[f64; 3]>, MeshFault>
     }
 }
 
-/// Whether all points are as good as in the line through the first and the one farthest from it.
-fn in_one_line(points: &[[f64; 3]]) -> bool {
+/// Whether all points are nearly on the straight line through the first point and the point farthest from it.
+fn are_in_one_line(points: &[[f64; 3]]) -> bool {
     let Some(&first) = points.first() else { return true };
     let from_first = || points.iter().map(|&point| DVec3::from(point) - DVec3::from(first));
     let farthest = from_first().max_by(|a, b| length(*a).total_cmp(&length(*b))).unwrap_or_default();
     let whole = length(farthest);
-    from_first().all(|point| length(point.cross(farthest / whole)) <= SAME_LINE * whole)
+    from_first().all(|point| length(point.cross(farthest / whole)) <= LARGEST_LINE_DEVIATION * whole)
 }
 
 // A point that is far from all others: a broken number, and no part of a bone.
 
-/// The least number of points for which a usual distance between them can be given.
+/// The least number of points at which a stray point can be recognised.
 const LEAST_POINTS: usize = 20;
-/// Nine of ten points are within the reach of a mesh.
+/// The reach of a mesh is the distance from its middle within which this share of its points is.
 const SHARE_IN_REACH: f64 = 0.9;
-/// A stray point is farther from the middle than this many reaches. In real bones (the foot, the toes and the talus of OpenSim) and
-/// in those of `fixtures/feet` the farthest point is at 1.00 to 1.47.
+/// A stray point is farther from the middle than this many times the reach. In real bones (OpenSim's foot, toes and talus) and in
+/// `fixtures/feet`, the farthest point is at 1.00 to 1.47 times the reach.
 const FAR_OVER_REACH: f64 = 2.0;
-/// The distance within which a far point must have neighbours, as a part of the reach: in the meshes of `fixtures/feet` each point has at
-/// least three.
+/// The distance, as a part of the reach, within which a stray point has few neighbours. In the meshes of `fixtures/feet`, each point has at
+/// least three neighbours.
 const NEIGHBOUR_DISTANCE: f64 = 0.5;
-/// Broken numbers that lie together are still broken.
-const FEW_NEIGHBOURS: usize = 3;
-/// The number of the farthest points that are compared pair by pair, so that the work grows with the points and not with their square.
+/// A stray point has fewer neighbours than this: several broken points may lie together.
+const LEAST_NEIGHBOURS: usize = 3;
+/// Only this many of the farthest points are compared pair by pair, so that the time does not grow with the square of all points.
 const MOST_POINTS_COMPARED: usize = 16;
 
-/// A point that is far from all others.
+/// A point that is far from all other points, probably because of a broken number.
 struct Stray {
-    /// Index of the bad point, from 0.
+    /// Index of the stray point, from 0.
     index: usize,
-    /// Distance of the point from the middle, in the unit of the points.
+    /// Distance of the stray point from the middle, in the unit of the points.
     distance: f64,
-    /// Nine of ten points are not farther than this.
+    /// Nine of ten points are at most this far from the middle.
     reach: f64,
 }
 
-/// The farthest point that is far from all others; `points` are each there once.
+/// The farthest stray point of `points`, which have no repeats.
 fn stray_point(points: &[[f64; 3]]) -> Option<Stray> {
     if points.len() < LEAST_POINTS {
         return None;
@@ -171,15 +172,15 @@ fn stray_point(points: &[[f64; 3]]) -> Option<Stray> {
     Some(Stray { index, distance: *far.get(index)?, reach })
 }
 
-/// Whether the point has few others around it.
+/// Whether the point has few neighbours within the distance `around`.
 fn is_alone(points: &[[f64; 3]], index: usize, around: f64) -> bool {
     let Some(&point) = points.get(index) else { return false };
     // The point itself is one of those that are found.
-    points.iter().filter(|other| distance(**other, point) <= around).take(FEW_NEIGHBOURS + 1).count()
-        <= FEW_NEIGHBOURS
+    points.iter().filter(|other| distance(**other, point) <= around).take(LEAST_NEIGHBOURS + 1).count()
+        <= LEAST_NEIGHBOURS
 }
 
-/// The value that this share of `values` does not exceed.
+/// The value that the given share of `values` does not exceed.
 fn quantile(values: &mut [f64], share: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "at most some million points")]
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and their count")]
@@ -194,7 +195,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     length(DVec3::from(a) - DVec3::from(b))
 }
 
-/// The length of a vector, in any unit: no square of its parts, which a broken file makes very large or small.
+/// The length of a vector of any size. Its parts are not squared, because very large or small numbers of a broken file would overflow.
 pub(super) fn length(vector: DVec3) -> f64 {
     vector.x.hypot(vector.y).hypot(vector.z)
 }
@@ -222,7 +223,7 @@ mod tests {
         assert_eq!(fault, MeshFault::Coordinate { point: 2, axis: 'y', value: "inf".into() });
     }
 
-    /// A box of 0.1 by 0.05 by 0.25 with 6 × 4 × 11 points.
+    /// The points of a box of 0.1 by 0.05 by 0.25, in a grid of 6 × 4 × 11.
     fn points_of_box() -> Vec<[f64; 3]> {
         let along = |count: i32, step: f64| (0..count).map(move |index| f64::from(index) * step);
         along(6, 0.02)

@@ -1,9 +1,9 @@
-//! Wavefront files: of their lines, those that begin with `v` and `f`. Stereolithography files, in text or binary.
+//! Reads Wavefront files (.obj: the lines that begin with `v` and `f`) and stereolithography files (.stl: text or binary).
 
 use super::surface::{MeshFault, Surface, add, check_point_count, number};
 use crate::xml::opensim_text::words;
 
-/// The vertices of an .obj file. A weight or a colour may follow x, y and z, and does not count.
+/// The vertices of an .obj file. Numbers after x, y and z (a weight or a colour) are ignored.
 pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let text = String::from_utf8_lossy(bytes);
     let mut points = Vec::new();
@@ -18,7 +18,8 @@ pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     Ok(points)
 }
 
-/// Vertices and faces. A face names its corners by their places among the vertices: from 1, or back from the last one before it.
+/// The vertices and faces of an .obj file. A face gives the numbers of its corners: from 1, or below 0 counted back from the last vertex
+/// before the face.
 pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
     let mut surface = Surface { points: obj_points(bytes)?, triangles: Vec::new() };
     let text = String::from_utf8_lossy(bytes);
@@ -46,14 +47,14 @@ pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
 
 // Stereolithography files, in text or binary.
 
-/// A binary file has this many bytes before its triangles: a title, and how many there are.
+/// A binary STL file has this many bytes before its triangles: a title and the number of triangles.
 const HEADER_BYTES: usize = 84;
 const TITLE_BYTES: usize = 80;
-/// Normal, three corners of single precision each, two bytes more.
+/// Bytes of one triangle: a normal and three corners in single precision, then two more bytes.
 const TRIANGLE: usize = 50;
 const NORMAL: usize = 12;
 
-/// The corners of all triangles of an STL file.
+/// The corners of all triangles of an STL file, three points for each triangle.
 pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     // Many binary files begin with "solid" too: the size decides.
     let count = bytes
@@ -64,10 +65,10 @@ pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let is_text = bytes.trim_ascii_start().starts_with(b"solid")
         && bytes.iter().take(4 * HEADER_BYTES).all(|&byte| byte.is_ascii() && byte != 0);
     if is_text && size != Some(bytes.len()) {
-        return in_text(&String::from_utf8_lossy(bytes));
+        return text_stl_points(&String::from_utf8_lossy(bytes));
     }
     match size.and_then(|size| bytes.get(HEADER_BYTES..size)) {
-        Some(triangles) => binary(triangles),
+        Some(triangles) => binary_stl_points(triangles),
         None if count.is_none() => {
             Err(MeshFault::NotUnderstood("it is neither a text that begins with \"solid\" nor binary".into()))
         }
@@ -75,7 +76,7 @@ pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     }
 }
 
-fn binary(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn binary_stl_points(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     check_point_count(triangles.len() / TRIANGLE)?;
     let mut points = Vec::new();
     for triangle in triangles.chunks_exact(TRIANGLE) {
@@ -87,7 +88,7 @@ fn binary(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     Ok(points)
 }
 
-fn in_text(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
+fn text_stl_points(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
     if !text.contains("endsolid") {
         return Err(MeshFault::Truncated("its triangles"));
     }
@@ -115,7 +116,7 @@ mod tests {
         assert!(matches!(obj_points(b"v 1 2 x\n"), Err(MeshFault::NotUnderstood(_))));
     }
 
-    fn binary_of(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
+    fn binary_stl(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
         let mut bytes = title.to_vec();
         bytes.resize(TITLE_BYTES, 0);
         bytes.extend(count.to_le_bytes());
@@ -131,8 +132,8 @@ mod tests {
     fn the_size_says_whether_it_is_binary() {
         let triangle = [0.5, 0.0, 0.0, 1.0, 0.25, 0.0, 0.0, 1.0, -2.0];
         let expected = [[0.5, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, -2.0]];
-        assert_eq!(stl_points(&binary_of(b"exported", 1, &[triangle])).unwrap(), expected);
-        assert_eq!(stl_points(&binary_of(b"solid exported", 1, &[triangle])).unwrap(), expected);
+        assert_eq!(stl_points(&binary_stl(b"exported", 1, &[triangle])).unwrap(), expected);
+        assert_eq!(stl_points(&binary_stl(b"solid exported", 1, &[triangle])).unwrap(), expected);
         let text = "solid toe\n facet normal 0 0 1\n  outer loop\n   vertex 5e-1 0 0\n   vertex 1 .25 0\n   vertex 0 1 -2\n  \
                 endloop\n endfacet\nendsolid toe\n";
         assert_eq!(stl_points(text.as_bytes()).unwrap(), expected);
@@ -142,10 +143,10 @@ mod tests {
     fn a_wrong_triangle_count_of_an_stl_file_is_detected() {
         let triangle = [0.0; 9];
         assert_eq!(
-            stl_points(&binary_of(b"x", u32::MAX, &[triangle])),
+            stl_points(&binary_stl(b"x", u32::MAX, &[triangle])),
             Err(MeshFault::Truncated("its triangles"))
         );
-        assert_eq!(stl_points(&binary_of(b"x", 2, &[triangle])), Err(MeshFault::Truncated("its triangles")));
+        assert_eq!(stl_points(&binary_stl(b"x", 2, &[triangle])), Err(MeshFault::Truncated("its triangles")));
         assert!(matches!(stl_points(b"binary"), Err(MeshFault::NotUnderstood(_))));
         assert_eq!(stl_points(b"solid x vertex 1 2 3"), Err(MeshFault::Truncated("its triangles")));
         assert!(matches!(stl_points(b"solid x vertex 1 2 endsolid"), Err(MeshFault::NotUnderstood(_))));

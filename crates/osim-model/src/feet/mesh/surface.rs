@@ -1,31 +1,31 @@
-//! The surface of a mesh: its points, the triangles between them, and what can be wrong with its bytes.
+//! The surface of a mesh: its points and triangles; and the reasons why a mesh file cannot be read.
 
-/// Why a mesh cannot be read.
+/// Why a mesh file cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum MeshFault {
-    /// The name ends in something that is not read.
+    /// The ending of the file name is of no supported format.
     #[error("files of this kind are not read, expected .vtp, .stl or .obj")]
     UnknownKind,
-    /// The bytes are not of the kind that the name says.
+    /// The bytes are not in the format that the file name says.
     #[error("{0}")]
     NotUnderstood(String),
-    /// The file says that more follows than there is.
+    /// The file ends before everything that it announces.
     #[error("the file ends in the middle of {0}: it was cut off, copy it again")]
     Truncated(&'static str),
-    /// Something that is legal and not read here.
+    /// The file uses a permitted feature of its format that is not supported here.
     #[error("{0}: save it as ASCII, for example with ParaView")]
     Unsupported(String),
     #[error("it has more than {most} points, reduce it first, for example with MeshLab")]
     TooManyPoints { most: usize },
-    /// More triangles than a picture of a bone needs.
+    /// The mesh has more triangles than a picture of a bone needs.
     #[error("it has more than {most} triangles, reduce it first, for example with MeshLab")]
     TooManyTriangles { most: usize },
-    /// A coordinate of a point is NaN, infinite or larger than any unit of length makes it.
+    /// A coordinate of a point is NaN, infinite, or too large for any unit of length.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
     Coordinate {
         /// Number of the bad point, from 1.
         point: usize,
-        /// The axis x, y or z of the bad number.
+        /// The axis, x, y or z, of the bad coordinate.
         axis: char,
         value: String,
     },
@@ -33,7 +33,7 @@ pub enum MeshFault {
     FewPoints(usize),
     #[error("all its points are in one line, expected the surface of a bone")]
     InOneLine,
-    /// A point is far from all others: a broken number would decide where the sole is.
+    /// A point is far from all others. With it, a broken number would determine the sole.
     #[error(
         "point {point} is {distance} from the middle of the mesh, alone, where nine of ten points are within {reach}: its numbers are \
          broken, correct them or take it out of the file"
@@ -43,25 +43,25 @@ pub enum MeshFault {
         point: usize,
         /// Distance of the point from the middle, in the unit of the file.
         distance: String,
-        /// How far nine of ten points are at most.
+        /// The distance from the middle within which nine of ten points are.
         reach: String,
     },
 }
 
-/// Triangles that a surface may have at most: more than a picture of a bone needs.
+/// The largest number of triangles of a surface: more than a picture of a bone needs.
 const MOST_TRIANGLES: usize = 400_000;
 
-/// The surface of a mesh, to be looked at.
+/// The surface of a mesh, for pictures.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Surface {
-    /// Points of the surface, in the order of the file.
+    /// Points of the surface, in file order.
     pub points: Vec<[f64; 3]>,
-    /// Three places among the points for each triangle. A face with more corners is several of them.
+    /// Triangles, each as three indices of `points`. A face with more corners is divided into triangles.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Surface {
-    /// A surface whose triangles are each three points in turn.
+    /// A surface from `points`, of which each three in a row are one triangle.
     pub(super) fn of_corners(points: Vec<[f64; 3]>) -> Result<Self, MeshFault> {
         let mut surface = Self { points, triangles: Vec::new() };
         for first in (0..surface.points.len()).step_by(3) {
@@ -70,7 +70,7 @@ impl Surface {
         Ok(surface)
     }
 
-    /// Adds a face with these corners, which count from `start`; one that names a point that is not there is left out.
+    /// Adds a face. Its `corners` are indices of points, counted from `start`. A face with a missing point is left out.
     pub(super) fn add_face(
         &mut self,
         start: usize,
@@ -98,10 +98,10 @@ impl Surface {
 
 // Numbers in the text of meshes, and how many points there may be.
 
-/// Points that a mesh may have at most.
+/// The largest number of points of a mesh.
 pub(super) const MOST_POINTS: usize = 2_000_000;
 
-/// Triples of numbers in text; `what` they are, for messages.
+/// Groups the numbers in `words` by three. `what` names the numbers in error messages.
 pub(super) fn triples<'t>(
     words: impl Iterator<Item = &'t str>,
     what: &'static str,
@@ -128,7 +128,7 @@ pub(super) fn number(word: &str, what: &str) -> Result<f64, MeshFault> {
     word.parse().map_err(|_| broken())
 }
 
-/// The start of a word, for messages.
+/// The first letters of a word, for an error message.
 pub(super) fn shortened(word: &str) -> String {
     word.chars().take(30).collect()
 }

@@ -1,4 +1,4 @@
-//! VTK's polygonal data: its points, and its polygons where they are to be seen, in text or in arrays of bytes.
+//! Reads VTK's polygonal data (.vtp): points, and polygons for pictures. Arrays may be text, base64 or raw bytes.
 
 use std::borrow::Cow;
 use std::io::Read as _;
@@ -11,7 +11,7 @@ use super::surface::{MOST_POINTS, MeshFault, Surface, check_point_count, shorten
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
-/// The element after which raw bytes may follow: a scanner of XML has to stop there.
+/// The element after which raw bytes may follow. The XML scan must stop there.
 const APPENDED_DATA_TAG: &[u8] = b"<AppendedData";
 
 /// The points of all pieces of a .vtp file.
@@ -21,10 +21,10 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
         all.extend(points);
         check_point_count(all.len())
     })?;
-    if all.is_empty() { Err(no_points()) } else { Ok(all) }
+    if all.is_empty() { Err(no_points_fault()) } else { Ok(all) }
 }
 
-/// The points and polygons of all pieces. Strips and lines are left out: no bone that was seen has any.
+/// The points and polygons of all pieces of a .vtp file. Strips and lines are left out: no known bone has any.
 pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
     let mut all = Surface::default();
     each_piece(bytes, |tree, piece, coding, points| {
@@ -44,20 +44,20 @@ pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
         }
         Ok(())
     })?;
-    if all.points.is_empty() { Err(no_points()) } else { Ok(all) }
+    if all.points.is_empty() { Err(no_points_fault()) } else { Ok(all) }
 }
 
-fn no_points() -> MeshFault {
+fn no_points_fault() -> MeshFault {
     MeshFault::NotUnderstood("it has no <Points> in a <Piece> of <PolyData>".into())
 }
 
-/// Calls `take` with each piece and its points.
+/// Calls `take` with each piece of the file and the points of the piece.
 fn each_piece(
     bytes: &[u8],
     mut take: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<(), MeshFault>,
 ) -> Result<(), MeshFault> {
     let (xml, appended) = split_appended_data(bytes);
-    let tree = Tree::scan(xml).map_err(|error| broken(&error.fault))?;
+    let tree = Tree::scan(xml).map_err(|error| xml_mesh_fault(&error.fault))?;
     if tree.name(ElementId::ROOT) != "VTKFile" {
         let found = tree.name(ElementId::ROOT);
         return Err(MeshFault::NotUnderstood(format!("it is a <{found}>, expected a <VTKFile>")));
@@ -79,7 +79,7 @@ fn each_piece(
     Ok(())
 }
 
-/// The XML alone, and the appended bytes after their mark.
+/// Separates the XML from the raw bytes that follow the mark `_` in `<AppendedData>`.
 fn split_appended_data(bytes: &[u8]) -> (Vec<u8>, Option<&[u8]>) {
     let start = bytes.windows(APPENDED_DATA_TAG.len()).position(|window| window == APPENDED_DATA_TAG);
     let mark = start.and_then(|start| {
@@ -97,7 +97,7 @@ fn split_appended_data(bytes: &[u8]) -> (Vec<u8>, Option<&[u8]>) {
     }
 }
 
-fn broken(fault: &SyntaxFault) -> MeshFault {
+fn xml_mesh_fault(fault: &SyntaxFault) -> MeshFault {
     MeshFault::NotUnderstood(match fault {
         SyntaxFault::NotXml | SyntaxFault::Empty => "it is not XML, expected a <VTKFile>".into(),
         other => format!("its XML is broken: {other}"),
@@ -111,15 +111,15 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
         let fault = format!("its points have {components:?} numbers each, expected NumberOfComponents=\"3\"");
         return Err(MeshFault::NotUnderstood(fault));
     }
-    match content(tree, array, coding)? {
+    match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => triples(words(&text), "the points"),
         ArrayContent::Bytes(bytes) => binary(&bytes, &attribute("type"), coding),
     }
 }
 
-/// The places among points that an array lists.
+/// The numbers in an array of whole numbers, such as the point indices of polygons.
 fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
-    match content(tree, array, coding)? {
+    match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => {
             let broken = |word: &str| {
                 MeshFault::NotUnderstood(format!("{:?} among the polygons is not a number", shortened(word)))
@@ -132,13 +132,17 @@ fn integers(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<us
     }
 }
 
-/// The content of an array, as the file has it.
+/// The content of an array, not decoded yet: text or bytes.
 enum ArrayContent<'t> {
     Text(Cow<'t, str>),
     Bytes(Vec<u8>),
 }
 
-fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<ArrayContent<'t>, MeshFault> {
+fn array_content<'t>(
+    tree: &'t Tree,
+    array: ElementId,
+    coding: &Coding<'_>,
+) -> Result<ArrayContent<'t>, MeshFault> {
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
         "ascii" | "" => Ok(ArrayContent::Text(tree.text_of(array))),
@@ -157,14 +161,14 @@ fn content<'t>(tree: &'t Tree, array: ElementId, coding: &Coding<'_>) -> Result<
 // Arrays that are not text: base64 or raw, compressed or not.
 
 const ZLIB: &str = "vtkZLibDataCompressor";
-/// The largest number of bytes that are unpacked: those of the largest mesh.
+/// The largest number of unpacked bytes: those of the largest allowed mesh.
 const MOST_UNPACKED_BYTES: usize = MOST_POINTS * 3 * 8;
 const POINTS_CUT_OFF: MeshFault = MeshFault::Truncated("its points");
 
-/// How a VTP file encodes its arrays.
+/// How a .vtp file encodes its arrays: byte order, header, compression.
 pub(super) struct Coding<'b> {
     big_endian: bool,
-    /// Bytes of each number of a header.
+    /// Bytes of each number in the header of an array.
     header: usize,
     compressor: Option<String>,
     appended: Option<&'b [u8]>,
@@ -185,12 +189,12 @@ impl<'b> Coding<'b> {
         }
     }
 
-    /// The array that is in the file as base64.
+    /// Decodes an array that is base64 text.
     fn decode_text(&self, text: &str) -> Result<Vec<u8>, MeshFault> {
         self.unpacked(&decoded(text.bytes())?)
     }
 
-    /// The array at `offset` after the mark of the appended data.
+    /// Decodes an array in the appended data, at `offset` bytes after the mark.
     fn decode_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
         let no_data =
             || MeshFault::NotUnderstood("its points are in <AppendedData>, which is not there".into());
@@ -201,7 +205,7 @@ impl<'b> Coding<'b> {
         self.unpacked(&decoded(bytes.iter().copied().take_while(|&byte| byte != b'<'))?)
     }
 
-    /// The bytes of an array after its header.
+    /// The bytes of an array without its header, decompressed if necessary.
     fn unpacked(&self, bytes: &[u8]) -> Result<Vec<u8>, MeshFault> {
         match self.compressor.as_deref() {
             None => {
@@ -217,7 +221,8 @@ impl<'b> Coding<'b> {
         }
     }
 
-    /// Blocks of one size, the last one smaller: the header has their number, both sizes, and the packed size of each.
+    /// Decompresses an array. Its header has the number of blocks, the size of a full block and of the last block, and the packed size of
+    /// each block.
     fn inflated(&self, bytes: &[u8]) -> Result<Vec<u8>, MeshFault> {
         let [count, full, last] =
             [self.header_number(bytes, 0)?, self.header_number(bytes, 1)?, self.header_number(bytes, 2)?];
@@ -246,7 +251,7 @@ impl<'b> Coding<'b> {
     }
 }
 
-/// Appends to `all` the `size` bytes that `packed` holds compressed.
+/// Decompresses `packed`, which gives `size` bytes, and appends these to `all`.
 fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFault> {
     let end = all.len().checked_add(size).filter(|&end| end <= MOST_UNPACKED_BYTES);
     let end = end.ok_or(MeshFault::TooManyPoints { most: MOST_POINTS })?;
@@ -257,7 +262,7 @@ fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFaul
     if all.len() == end { Ok(()) } else { Err(broken("another size than its header says".into())) }
 }
 
-/// Base64 with white space, and with padding wherever a piece of it ended.
+/// Decodes base64. White space is skipped, and padding may stand at the end of each part.
 fn decoded(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
     let text: Vec<u8> = bytes.filter(|byte| !byte.is_ascii_whitespace()).collect();
     let broken = || MeshFault::NotUnderstood("its points are not valid base64".into());
@@ -274,7 +279,7 @@ fn decoded(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
     Ok(all)
 }
 
-/// Triples of numbers of the type that the array names.
+/// Decodes an array of points. `kind` is the number type that the array declares.
 pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
     let values: Vec<f64> = match kind {
         "Float32" => {
@@ -294,7 +299,7 @@ pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Ve
     Ok(values.as_chunks::<3>().0.to_vec())
 }
 
-/// Places among points, of the type that the array names.
+/// Decodes an array of whole numbers. `kind` is the number type that the array declares.
 fn decode_integers(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<usize>, MeshFault> {
     let width = match kind {
         "Int32" | "UInt32" => 4,

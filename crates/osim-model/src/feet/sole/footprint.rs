@@ -1,44 +1,46 @@
-//! How much of a foot is near the ground, how far it is from lying flat, and its outline from below.
+//! The footprint of a foot: the part near the ground, the tilt against the ground, and the outline from below. Also chooses the places of
+//! sphere bottoms.
 
 use glam::{DVec2, DVec3};
 
 use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area};
 use crate::model::Side;
 
-/// The bone points near the ground of a flat foot cover at least this part of its length and of its width.
+/// A foot lies flat if its bone points near the ground cover at least this part of its length and width.
 pub(crate) const FLAT_SHARE: f64 = 0.8;
-/// A foot that covers less counts as round, and flat, if it is tilted by less than this, rad: 5 degrees.
-const LEAST_TILT: f64 = 0.087;
-/// A foot that is tilted by more than this does not lie flat, whatever it covers, rad: 10 degrees. Bones of human feet that do rise by up to
-/// 4 degrees to the front and 8 to the side.
+/// The largest tilt of a foot that covers less, but is round and so still counts as flat, rad: 5 degrees.
+const MOST_TILT_OF_ROUND_FOOT_RAD: f64 = 0.087;
+/// The largest tilt of a foot that lies flat, rad: 10 degrees. The bones of flat human feet rise by up to 4 degrees to the front and 8
+/// degrees to the side.
 const MOST_TILT_RAD: f64 = 0.175;
 
-/// How much of a foot is near the ground at the default pose, seen from above.
+/// The part of a foot that is near the ground at the default pose, seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footprint {
     /// The whole foot's length, m.
     pub length_m: f64,
-    /// The part of the foot's length over which bone points near the ground reach: 1 is all of it.
+    /// The extent of bone points near the ground along the foot's length, as a part of this length: 1 is all of it.
     pub share_of_length: f64,
-    /// The part of the foot's width over which bone points near the ground reach.
+    /// The extent of bone points near the ground along the foot's width, as a part of this width.
     pub share_of_width: f64,
-    /// How far the front is up (below 0: down), seen from the side, rad: the slope of the line on which the bones would rest.
+    /// How much the front of the foot is raised (below 0: lowered), as an angle, rad: the slope of the line on which the bones would stand.
     pub pitch_rad: f64,
-    /// How far the outer side is up, seen from the front, rad.
+    /// How much the outer side of the foot is raised, as an angle, rad.
     pub roll_rad: f64,
 }
 
 impl Footprint {
-    /// Whether the foot lies flat: points near the ground cover most of it, or it is round, and it is not tilted.
+    /// Whether the foot lies flat. Points near the ground cover most of a flat foot and the tilt is small; if they cover less, the tilt
+    /// must be very small.
     pub fn is_flat(&self) -> bool {
         let flat = |share: f64, tilt: f64| {
-            let most = if share >= FLAT_SHARE { MOST_TILT_RAD } else { LEAST_TILT };
+            let most = if share >= FLAT_SHARE { MOST_TILT_RAD } else { MOST_TILT_OF_ROUND_FOOT_RAD };
             tilt.abs() < most
         };
         flat(self.share_of_length, self.pitch_rad) && flat(self.share_of_width, self.roll_rad)
     }
 
-    /// The footprint of all points of a foot; those `near` the ground are given, too.
+    /// The footprint of a foot. `flat` are all its points, `near` those near the ground.
     pub(super) fn of(flat: &[FlatPoint], near: &[DVec2]) -> Self {
         let mut whole: Vec<DVec2> = flat.iter().map(|point| point.at).collect();
         sort_and_dedup(&mut whole);
@@ -64,8 +66,8 @@ impl Footprint {
     }
 }
 
-/// The slope of the line on which points rest, which are along the ground and above it: of the side of their convex hull below
-/// their middle.
+/// The slope of the line on which points would stand if they were a rigid body. x of a point is along the ground, y its height. The line is
+/// the side of the convex hull below the middle of the points.
 fn resting_slope(mut points: Vec<DVec2>) -> f64 {
     sort_and_dedup(&mut points);
     let ends = points.first().zip(points.last());
@@ -80,46 +82,47 @@ fn resting_slope(mut points: Vec<DVec2>) -> f64 {
 
 // Points of a foot along the ground: forward, and outward from the middle of the animal.
 
-/// Coordinates are multiples of this, m: those of a mirror image become the same numbers, whatever was rounded before.
-const GRID: f64 = 1.0 / (1_u64 << 34) as f64;
-/// A direction as close as this to an axis of ground is that axis.
-const SAME_DIRECTION: f64 = 1e-9;
-/// If the limbs of a pair are closer than this, their places do not give the direction to the right, m.
+/// Coordinates are rounded to multiples of this length, m, so that mirror images get exactly the same numbers.
+const GRID_SIZE_M: f64 = 1.0 / (1_u64 << 34) as f64;
+/// A direction is replaced by an axis of ground if it differs by less than this.
+const AXIS_TOLERANCE: f64 = 1e-9;
+/// If the limbs of a pair are closer than this, m, their places do not tell the direction to the right.
 const LEAST_LIMB_DISTANCE_M: f64 = 1e-6;
 
-/// A point of a bone in ground, and the place of its body among those of the foot.
+/// A point of a bone in ground, and the index of its body in the foot.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct BonePoint {
     pub at: DVec3,
     pub body: usize,
 }
 
-/// A point of a foot along the ground.
+/// A point of a bone in coordinates along the ground.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FlatPoint {
-    /// Forward and outward from the foot's own rearmost and innermost point, m.
+    /// Distances forward and outward from the foot's rearmost and innermost points, m.
     pub at: DVec2,
     /// Height above the lowest point of the foot, m.
     pub height: f64,
-    /// The place of its body among those of the foot.
+    /// The index of the point's body in the foot.
     pub body: usize,
 }
 
-/// Directions in ground in which a foot is described.
+/// The directions in ground that describe a foot: up, forward and outward.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FootAxes {
     pub up: DVec3,
     forward: DVec3,
-    /// Direction to the right of a right foot and to the left of a left one.
+    /// Direction away from the middle of the animal: to the right for a right foot, to the left for a left foot.
     outward: DVec3,
-    /// The least value of the foot's points along the directions.
+    /// The least component of all points of the foot along `forward`, m.
     rearmost: f64,
     innermost: f64,
     pub lowest: f64,
 }
 
 impl FootAxes {
-    /// The axes of a foot with `points`. `across` is from the left to the right limb of a pair; without one, forward is x of ground.
+    /// The directions of a foot with `points`. `across` points from the left to the right limb of a pair. Without a pair, forward is x of
+    /// ground.
     pub(super) fn of(up: DVec3, side: Option<Side>, points: &[BonePoint], across: Option<DVec3>) -> Self {
         let across = across.and_then(|across| along_ground(up, across, LEAST_LIMB_DISTANCE_M));
         let right = across.map(axis_of_ground).unwrap_or_else(|| {
@@ -133,7 +136,7 @@ impl FootAxes {
         Self { up, forward, outward, rearmost: least(forward), innermost: least(outward), lowest: least(up) }
     }
 
-    /// The points projected onto these directions.
+    /// The points in coordinates along the ground.
     pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
         let from = |point: &BonePoint, direction, least| on_grid(point.at.dot(direction) - least);
         let flat = |point: &BonePoint| FlatPoint {
@@ -147,7 +150,7 @@ impl FootAxes {
         points.iter().map(flat).collect()
     }
 
-    /// The point in ground that is `at` along the ground and has the component `height` along up.
+    /// The point in ground with the coordinates `at` along the ground and the component `height` along `up`.
     pub(super) fn in_ground(&self, at: DVec2, height: f64) -> DVec3 {
         let (ahead, out) = (at.x + self.rearmost, at.y + self.innermost);
         ahead * self.forward + out * self.outward + height * self.up
@@ -155,10 +158,10 @@ impl FootAxes {
 }
 
 fn on_grid(value: f64) -> f64 {
-    (value / GRID).round() * GRID
+    (value / GRID_SIZE_M).round() * GRID_SIZE_M
 }
 
-/// The part of a vector along the ground, with length 1; `None` if it is shorter than `least`.
+/// The horizontal part of a vector, made 1 long; `None` if it is shorter than `least`.
 fn along_ground(up: DVec3, vector: DVec3, least: f64) -> Option<DVec3> {
     let flat = vector - vector.dot(up) * up;
     let length = flat.length();
@@ -167,12 +170,12 @@ fn along_ground(up: DVec3, vector: DVec3, least: f64) -> Option<DVec3> {
 
 fn axis_of_ground(direction: DVec3) -> DVec3 {
     let rounded = direction.round();
-    if direction.abs_diff_eq(rounded, SAME_DIRECTION) { rounded } else { direction }
+    if direction.abs_diff_eq(rounded, AXIS_TOLERANCE) { rounded } else { direction }
 }
 
 // The outline of a foot, the convex hull of its points along the ground, and where the bottoms of spheres are in it.
 
-/// The middle of the area that `corners` enclose; if they enclose none, that of the corners.
+/// The centroid of the area inside `corners`; if the area is 0, the centroid of the corners.
 pub(super) fn centroid(corners: &[DVec2]) -> Option<DVec2> {
     let &first = corners.first()?;
     let (mut whole, mut sum) = (0.0, DVec2::ZERO);
@@ -191,25 +194,25 @@ pub(super) fn centroid(corners: &[DVec2]) -> Option<DVec2> {
 
 // Where the bottoms of spheres are in an outline.
 
-/// Bottoms closer than this are refused, m.
+/// Bottoms of spheres that are closer than this are refused, m.
 const LEAST_BOTTOM_DISTANCE_M: f64 = 1e-3;
-/// The extremes cover this part of the outline's length and of its width.
-const EXTREMES_COVER: f64 = 0.9;
-/// Extremes are one where they are closer than this part of the length.
+/// The spheres at the extreme corners have to reach over this part of the outline's length and width.
+const LEAST_COVER_OF_EXTREMES: f64 = 0.9;
+/// Extreme corners that are closer than this part of the outline's length count as one.
 const LEAST_EXTREME_DISTANCE: f64 = 0.15;
-/// An outline that is this many times as long as wide has a direction of its own; a shorter one points forward.
+/// An outline that is at least this many times as long as wide has its own lengthwise direction. A rounder one takes the forward direction.
 const LEAST_ELONGATION: f64 = 1.5;
-/// Directions in which the farthest corners of the outline are looked at.
-const DIRECTIONS: u32 = 48;
-/// Values that differ by less than this part are equal, and the first counts: bones that are their own mirror image have two of each.
+/// The number of directions in which the farthest corner of the outline is searched.
+const SEARCH_DIRECTIONS: u32 = 48;
+/// Values that differ by less than this (relative) are equal, and the first counts: symmetric bones have each value twice.
 const EQUALITY_TOLERANCE: f64 = 1e-9;
-/// How often spheres between the extremes are moved, at most.
+/// Spheres between the extreme corners are moved apart in at most this many passes.
 const MOST_SPREADING_PASSES: usize = 20;
 
-/// `count` bottoms: in the `corners` of the outline, and for the rest under some of the points that are `near` the ground.
+/// Chooses the places of `count` sphere bottoms: first corners of the outline, then points `near` the ground.
 ///
 /// # Errors
-/// How many fit, where some would be closer than 1 mm.
+/// The number of bottoms that fit, if some would be closer than 1 mm.
 pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) -> Result<Vec<DVec2>, usize> {
     if count == 1 {
         return centroid(corners).map(|middle| vec![middle]).ok_or(0);
@@ -241,7 +244,7 @@ pub(super) fn spread_bottoms(corners: &[DVec2], near: &[DVec2], count: usize) ->
     Ok(bottoms)
 }
 
-/// The corners under which the first two, three or four spheres stand.
+/// The corners for the first two, three or four spheres.
 fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
     let far = farthest_corners(corners);
     let long = diameter(&far);
@@ -262,7 +265,7 @@ fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
     }
 }
 
-/// The direction from the rear to the front of an outline, of length 1: its own if it is long, else forward.
+/// The direction from the rear to the front of an outline, of length 1: along its longest diameter if it is long enough, else forward.
 pub(super) fn lengthwise(corners: &[DVec2]) -> DVec2 {
     let far = farthest_corners(corners);
     direction_of(&far, diameter(&far))
@@ -275,12 +278,12 @@ fn direction_of(corners: &[DVec2], long: [DVec2; 2]) -> DVec2 {
     if whole > 0.0 && whole >= LEAST_ELONGATION * extent(corners, along.perp()) { along } else { DVec2::X }
 }
 
-/// Forward, to the rear, outward and inward, where forward is a direction.
+/// The directions forward, to the rear, outward and inward for a given forward direction.
 fn four_directions(forward: DVec2) -> [DVec2; 4] {
     [forward, -forward, forward.perp(), -forward.perp()]
 }
 
-/// The corners that are farthest in the four directions; each place once, unless all are needed.
+/// The farthest corners in the four directions. Corners close together count as one, unless the rest would cover too little.
 fn four_extremes(corners: &[DVec2], forward: DVec2, length: f64) -> Vec<DVec2> {
     let some = separate_extremes(corners, four_directions(forward), LEAST_EXTREME_DISTANCE * length);
     if covers(&some, corners) {
@@ -290,7 +293,7 @@ fn four_extremes(corners: &[DVec2], forward: DVec2, length: f64) -> Vec<DVec2> {
     }
 }
 
-/// The corners that are farthest in some directions, without those that are close to one before.
+/// The farthest corner in each direction, without corners closer than `least` to an earlier one.
 fn separate_extremes<const N: usize>(corners: &[DVec2], directions: [DVec2; N], least: f64) -> Vec<DVec2> {
     let mut some: Vec<DVec2> = Vec::new();
     for corner in directions.into_iter().filter_map(|direction| farthest_along(corners, direction)) {
@@ -301,7 +304,7 @@ fn separate_extremes<const N: usize>(corners: &[DVec2], directions: [DVec2; N], 
     some
 }
 
-/// The one of `corners` that is farthest along `direction`; of equal ones the first.
+/// The corner that is farthest along `direction`; of equal ones the first.
 fn farthest_along(corners: &[DVec2], direction: DVec2) -> Option<DVec2> {
     let mut best: Option<(DVec2, f64)> = None;
     for &corner in corners {
@@ -314,28 +317,28 @@ fn farthest_along(corners: &[DVec2], direction: DVec2) -> Option<DVec2> {
     best.map(|(corner, _)| corner)
 }
 
-/// How far points reach along a direction of length 1.
+/// The extent of points along a direction of length 1.
 pub(super) fn extent(points: &[DVec2], direction: DVec2) -> f64 {
     let along = |point: &DVec2| point.dot(direction);
     let least = points.iter().map(along).fold(f64::INFINITY, f64::min);
     points.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
 }
 
-/// Whether `some` corners reach nearly as far as all of them, forward and outward.
+/// Whether the corners in `some` reach nearly as far as the corners in `all`, forward and outward.
 fn covers(some: &[DVec2], all: &[DVec2]) -> bool {
-    let covered = |direction| extent(some, direction) >= EXTREMES_COVER * extent(all, direction);
+    let covered = |direction| extent(some, direction) >= LEAST_COVER_OF_EXTREMES * extent(all, direction);
     covered(DVec2::X) && covered(DVec2::Y)
 }
 
-/// The corners that are farthest in some direction, in their order.
+/// The corners that are the farthest in at least one direction, in their order.
 fn farthest_corners(corners: &[DVec2]) -> Vec<DVec2> {
-    let farthest = (0..DIRECTIONS).filter_map(|turn| farthest_along(corners, direction_at(turn)));
+    let farthest = (0..SEARCH_DIRECTIONS).filter_map(|turn| farthest_along(corners, direction_at(turn)));
     let farthest: Vec<DVec2> = farthest.collect();
     corners.iter().filter(|corner| farthest.contains(corner)).copied().collect()
 }
 
 fn direction_at(turn: u32) -> DVec2 {
-    let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(DIRECTIONS);
+    let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(SEARCH_DIRECTIONS);
     DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
@@ -353,7 +356,7 @@ fn diameter(corners: &[DVec2]) -> [DVec2; 2] {
     long
 }
 
-/// The point that is farthest from the nearest of `others`, and how far; of equal ones the first.
+/// The point with the largest distance from its nearest one of `others`, and this distance; of equal ones the first.
 fn farthest(points: &[DVec2], others: &[DVec2]) -> Option<(DVec2, f64)> {
     let mut best: Option<(DVec2, f64)> = None;
     for &point in points {

@@ -1,4 +1,4 @@
-//! The sole of each foot, and spheres that stand on it.
+//! The sole of each foot, and the contact spheres that stand on it.
 
 mod footprint;
 
@@ -13,45 +13,46 @@ use crate::feet::sole::footprint::{BonePoint, FlatPoint, FootAxes, spread_bottom
 use crate::model::{Model, Placement, Side, without_side};
 pub use footprint::Footprint;
 
-/// Bone points up to this height above the lowest point are near the ground; a part of the foot's greatest extent along the ground.
+/// A bone point is near the ground if its height above the lowest point is at most this part of the foot's length or width, whichever is
+/// larger.
 const NEAR_GROUND: f64 = 0.1;
-/// Spheres that may be under one limb at most.
+/// The largest number of spheres under one limb.
 const MOST_SPHERES: usize = 60;
-/// Size of a square in which only one bone point counts, m; and below as a part of the foot's length.
-const CELL_M: f64 = 1e-3;
+/// Size of a grid square in which only one bone point counts, m.
+const THINNING_CELL_M: f64 = 1e-3;
 const CELLS_PER_LENGTH: f64 = 150.0;
 
-/// How many spheres are wanted, and where the sole is below the bones.
+/// The number and radius of the spheres for each limb, and the distance of the sole below the bones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SoleRequest {
-    /// Spheres for each limb.
+    /// Number of spheres for each limb.
     pub count: usize,
     pub radius_m: f64,
-    /// How far below the lowest point of the bones the sole is, m: bones have no skin.
+    /// Distance of the sole below the lowest point of the bones, m: meshes of bones have no skin.
     pub pad_m: f64,
 }
 
-/// The sole of one limb at the default pose, and the spheres that stand on it.
+/// The sole of one limb at the default pose, and the spheres that stand on the sole.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sole {
-    /// The bodies of the foot, in the order in which they were listed.
+    /// The bodies of the foot, in the order of the bones that the caller gave.
     pub bodies: Vec<String>,
-    /// The side, where the names of all bodies say it.
+    /// Left or right, if the names of all bodies agree.
     pub side: Option<Side>,
     /// The direction opposite to gravity, in ground; of length 1.
     pub up: DVec3,
-    /// The points of the sole's plane have this component along `up`, m.
+    /// The height of the sole's plane: the component of its points along `up`, m.
     pub height_m: f64,
-    /// Corners of the outline in the plane, in ground, m: of the convex hull of all bone points that are near the ground.
+    /// Corners of the outline of the sole, in ground, m: the convex hull of all bone points near the ground.
     pub outline_m: Vec<DVec3>,
-    /// How much of the foot is near the ground.
+    /// The part of the foot that is near the ground.
     pub footprint: Footprint,
     pub spheres: Vec<SoleSphere>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct SoleSphere {
-    /// The body that carries it: that of the bone point nearest to its bottom.
+    /// The body that carries the sphere: the body of the bone point that is nearest to the bottom of the sphere.
     pub body: String,
     /// Centre of the sphere in the frame of its body, m.
     pub centre_m: DVec3,
@@ -61,20 +62,20 @@ pub struct SoleSphere {
     pub bottom_m: DVec3,
 }
 
-/// The soles of the limbs to which `bones` belong, with spheres: a limb is the bodies that are joined to each other, and bodies of one
-/// side that are joined to a body of that side.
+/// The soles of the limbs that own `bones`, with spheres. Bodies that joints connect are one foot; also bodies of one side that are joined
+/// to another body of this side.
 ///
-/// Each sole's plane is normal to gravity. The first spheres are under the outline's extremes: of four and more, under the
-/// rearmost, the foremost, the outermost and the innermost corner (heel, toe tip, both sides of the forefoot of a human), along the
-/// outline's own direction if it is long; of three, under these without the foremost; of two, under the corners farthest apart. One
-/// alone is in the middle. Each further sphere is under the bone where it is farthest from all others. Left and right
-/// are mirror images where the bones are.
+/// Each sole's plane is normal to gravity. The first spheres are under extreme corners of the outline. Four or more: under the rearmost,
+/// foremost, outermost and innermost corners (in a human: heel, tip of the toes, both sides of the forefoot), measured along the outline if
+/// it is long. Three: without the foremost corner. Two: under the corners that are farthest apart. One: in the middle. Each further sphere
+/// is under the bone point that is farthest from all other spheres. Left and right soles are mirror images if the bones are.
 ///
 /// # Errors
-/// No gravity, a body whose place is not known, a radius that is not above 0, no sphere, or bottoms closer than 1 mm.
+/// The model has no gravity, the place of a body is not known, the radius is not above 0, no sphere is requested, or bottoms would be
+/// closer than 1 mm.
 pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec<Sole>, FeetFault> {
     refuse_bad_request(request)?;
-    let up = up_of(model).ok_or(FeetFault::NoGravity)?;
+    let up = direction_up(model).ok_or(FeetFault::NoGravity)?;
     let pose = DefaultPose::of(model);
     let mut placements: HashMap<&str, Placement> = HashMap::new();
     for bone in bones {
@@ -96,7 +97,7 @@ pub fn soles(model: &Model, bones: &[Bone], request: &SoleRequest) -> Result<Vec
     soles.collect()
 }
 
-/// The direction from where the left limb of a pair begins to where the right one does.
+/// The direction from the beginning of the left limb to the beginning of the right limb of a pair.
 fn left_to_right(foot: &SoleBodies, pair: &SoleBodies, pose: &DefaultPose) -> Option<DVec3> {
     let origin = |foot: &SoleBodies| Some(pose.placement(&foot.limb).ok()?.translation_m);
     let (own, other) = (origin(foot)?, origin(pair)?);
@@ -119,7 +120,7 @@ fn refuse_bad_request(request: &SoleRequest) -> Result<(), FeetFault> {
     Ok(())
 }
 
-fn up_of(model: &Model) -> Option<DVec3> {
+fn direction_up(model: &Model) -> Option<DVec3> {
     let size = model.gravity().filter(|size| size.is_finite() && *size > 0.0)?;
     // Not -0, where gravity has 0.
     Some(DVec3::ZERO - DVec3::from(model.gravity_m_s2?) / size)
@@ -139,7 +140,7 @@ fn points_in_ground(
     points
 }
 
-/// A sole; where its spheres would be too close, how many fit.
+/// The sole of one foot. The error is the number of spheres that fit.
 fn sole(
     foot: &SoleBodies,
     points: &[BonePoint],
@@ -173,7 +174,7 @@ fn sole(
 }
 
 impl Sole {
-    /// Takes the centres, which are in ground, into the frames of their bodies.
+    /// Converts the centres of the spheres from ground to the frames of their bodies.
     fn in_bodies(mut self, placements: &HashMap<&str, Placement>) -> Self {
         for sphere in &mut self.spheres {
             if let Some(placement) = placements.get(sphere.body.as_str()) {
@@ -184,7 +185,7 @@ impl Sole {
     }
 }
 
-/// Along the ground, the points that are near it, in an order that does not depend on that of the files.
+/// The points near the ground, as coordinates along the ground. They are sorted, so that the order in the files does not matter.
 fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
     let extent = |axis: usize| {
         let along = |point: &FlatPoint| point.at[axis];
@@ -198,17 +199,17 @@ fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
     points
 }
 
-/// Of points that are close together, the first; `points` are sorted.
+/// Keeps only the first of several points that are close together. `points` are sorted.
 fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let ends = points.first().zip(points.last());
     let length = ends.map_or(0.0, |(first, last)| last.x - first.x);
-    let cell = CELL_M.max(length / CELLS_PER_LENGTH);
+    let cell = THINNING_CELL_M.max(length / CELLS_PER_LENGTH);
     let mut seen = HashSet::new();
     let number = |point: &DVec2| (*point / cell).floor().to_array().map(f64::to_bits);
     points.iter().filter(|point| seen.insert(number(point))).copied().collect()
 }
 
-/// The body of the point that is nearest to a `bottom` at `height` above the lowest point.
+/// The index of the body whose bone point is nearest to a sphere's `bottom`. `height` is the height of the bottom above the lowest point.
 fn nearest_body(flat: &[FlatPoint], bottom: DVec2, height: f64) -> Option<usize> {
     let distance = |point: &FlatPoint| {
         (point.at - bottom).length_squared() + (point.height - height) * (point.height - height)
@@ -218,19 +219,19 @@ fn nearest_body(flat: &[FlatPoint], bottom: DVec2, height: f64) -> Option<usize>
 
 // Which bodies are one foot.
 
-/// Joints between a body and the one it is found to belong to, at most.
+/// The largest number of joints between a body and the top of its limb.
 const MOST_JOINTS: usize = 64;
 
 #[derive(Debug, Clone, PartialEq)]
 struct SoleBodies {
     pub bodies: Vec<String>,
     pub side: Option<Side>,
-    /// The highest body of that side above them: where the limb begins.
+    /// The highest body of the foot's side above the foot: the beginning of the limb.
     pub limb: String,
 }
 
 impl SoleBodies {
-    /// Which of `feet` is that of the other side.
+    /// The index of the matching foot of the other side.
     fn pair_in(&self, feet: &[Self]) -> Option<usize> {
         let names = |foot: &Self| {
             let mut names: Vec<String> = foot.bodies.iter().map(|body| without_side(body)).collect();
@@ -243,7 +244,7 @@ impl SoleBodies {
     }
 }
 
-/// The bodies of `bones` as feet, in the order in which the first of each is listed.
+/// Groups the bodies of `bones` into feet, in the order of the first body of each foot.
 fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     let parents = parents(model);
     let mut listed: Vec<&str> = Vec::new();
@@ -277,8 +278,8 @@ fn parents(model: &Model) -> HashMap<String, String> {
     joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()
 }
 
-/// The highest body above `body`, itself included, that is listed, or that is of the same side and has other bodies that are
-/// listed below it.
+/// The highest body, from `body` upwards, that belongs to the same foot: it is in the list, or it is of the same side and has another
+/// listed body below.
 fn top_of(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> String {
     let path = path_up(body, parents);
     let shared = |above: &str| {
@@ -292,7 +293,7 @@ fn top_of(body: &str, listed: &[&str], parents: &HashMap<String, String>) -> Str
     path.iter().rev().find(belongs).cloned().unwrap_or_else(|| body.to_owned())
 }
 
-/// The highest body above `body` that is of its side.
+/// The highest body of the same side, from `body` upwards.
 fn limb_of(body: &str, parents: &HashMap<String, String>) -> String {
     let side = Side::of_name(body);
     let path = path_up(body, parents);
@@ -300,7 +301,7 @@ fn limb_of(body: &str, parents: &HashMap<String, String>) -> String {
     of_side.cloned().unwrap_or_else(|| body.to_owned())
 }
 
-/// The body itself and those above it.
+/// `body` and the bodies above it.
 fn path_up(body: &str, parents: &HashMap<String, String>) -> Vec<String> {
     let mut path = vec![body.to_owned()];
     while let Some(parent) = path.last().and_then(|body| parents.get(body))

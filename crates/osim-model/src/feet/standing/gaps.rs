@@ -1,4 +1,4 @@
-//! How high the bottoms of spheres are over their floors, and how deep the spheres are in them where they carry a load.
+//! The heights of sphere bottoms above floors, and the depths to which loaded spheres sink into them.
 
 use std::collections::BTreeSet;
 
@@ -15,28 +15,28 @@ use crate::model::{ForceId, LoadedSphere, Model, Placement, SphereId};
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereOverFloor {
     pub sphere: SphereId,
-    /// Height of its bottom over its floor along the floor's normal, m; below 0 if it is in the floor. Of several floors the
-    /// least.
+    /// Height of the sphere's bottom above the floor along the floor's normal, m; below 0 if the sphere is in the floor. With several
+    /// floors, the least height.
     pub gap_m: f64,
-    /// The angle between the floor's normal and the axis of the sphere's body that is nearest to it, rad: 0 if the body is upright.
+    /// The tilt of the sphere's body, rad: the angle between the floor's normal and the nearest axis of the body. 0 if the body is upright.
     pub tilt_rad: f64,
 }
 
-/// A contact of a sphere with one plane: the law that a force gives it, and the gap to the plane.
+/// A contact of one sphere with one plane: the contact law of the force, and the gap to the plane.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FloorContact {
     pub(super) contact: LoadedSphere,
     pub(super) gap_m: f64,
 }
 
-/// Floors with the spheres that press on them, at the default pose.
+/// The floors of a model at the default pose, with the spheres that press on each.
 pub(super) struct SphereFloors {
     planes: Vec<(ContactPlane, PlaneSurface)>,
     by_sphere: HashMap<SphereId, Vec<usize>>,
 }
 
 impl SphereFloors {
-    /// The planes of the forces, without walls.
+    /// The floors among the planes of `forces`. Walls are left out.
     pub(super) fn of(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Self {
         let planes = ContactPlane::all(model, forces, pose).into_iter();
         let planes: Vec<(ContactPlane, PlaneSurface)> = planes
@@ -59,14 +59,14 @@ impl SphereFloors {
         self.by_sphere.keys().copied().collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// The floors under `spheres`, each once.
+    /// The floors on which `spheres` press, each once.
     pub(super) fn floors_under(&self, spheres: &[SphereId]) -> Vec<&(ContactPlane, PlaneSurface)> {
         let of_spheres = spheres.iter().filter_map(|sphere| self.by_sphere.get(sphere)).flatten();
         let places: BTreeSet<usize> = of_spheres.copied().collect();
         places.into_iter().filter_map(|place| self.planes.get(place)).collect()
     }
 
-    /// How high `sphere` is over each of its floors.
+    /// The gap between `sphere` and each of its floors, m.
     pub(super) fn gaps(
         &self,
         model: &Model,
@@ -80,7 +80,7 @@ impl SphereFloors {
         Ok(planes.map(|(plane, surface)| (plane, gap(surface))).filter(|(_, gap)| gap.is_finite()).collect())
     }
 
-    /// The contacts of `loaded`, one with each floor among the `own` planes of its force, by their paths.
+    /// The contacts of a sphere under load, one for each floor of its force. `own` are the paths of the force's planes.
     pub(super) fn floor_contacts(
         loaded: &LoadedSphere,
         gaps: &[(&ContactPlane, f64)],
@@ -94,14 +94,14 @@ impl SphereFloors {
     }
 }
 
-/// The angle between `normal` and the axis of `body` that is nearest to it, rad.
+/// The angle between `normal` and the nearest axis of `body`, rad.
 pub(super) fn tilt(body: &Placement, normal: DVec3) -> f64 {
     let squares = body.rotation.inverse().to_body(normal).to_array().map(|part| part * part);
     let largest = squares.iter().copied().fold(0.0, f64::max);
     libm::atan2((squares.iter().sum::<f64>() - largest).max(0.0).sqrt(), largest.sqrt())
 }
 
-/// The centre of a sphere in ground, and its radius; `None` where a number of them cannot be read.
+/// The centre of a sphere in ground, and its radius; `None` if one of these numbers cannot be read.
 fn centre_and_radius(
     model: &Model,
     sphere: SphereId,
@@ -118,28 +118,28 @@ fn centre_and_radius(
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[expect(clippy::exhaustive_enums, reason = "Hertz' law is under each law that a file can have")]
 pub enum RestLaw {
-    /// Hertz' law (1), without the smoothing of the class.
+    /// Hertz' law (1), without the smoothing of the force's class.
     Hertz,
-    /// The law of the force's class, as OpenSim computes it.
+    /// The contact law of the force's class, as OpenSim computes it.
     OfFile,
 }
 
-/// A joint tree at rest on some of its spheres.
+/// The equilibrium of a joint tree on some of its spheres under a load.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RestOnFloor {
-    /// How far the spheres move down along the normal from the default pose to this rest, m; below 0 if they move up.
+    /// The distance that the spheres move down along the normal from the default pose to the equilibrium, m; below 0 if they move up.
     pub down_m: f64,
-    /// The load that they carry, along the normal, N.
+    /// The load that the spheres carry along the normal, N.
     pub load_n: f64,
-    /// Gaps of the resting spheres, in file order.
+    /// The spheres with their depths and forces, in file order.
     pub spheres: Vec<RestingSphere>,
 }
 
-/// A sphere of a joint tree at rest.
+/// A sphere of a joint tree in equilibrium on its floor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RestingSphere {
     pub sphere: SphereId,
-    /// Depth of the sphere in its floor, in its radius: x/R; not above 0 if it does not touch.
+    /// Depth of the sphere in the floor over its radius: x/R; 0 or below if the sphere does not touch.
     pub relative_indentation: f64,
     /// Load of the sphere along the normal, N.
     pub force_n: f64,
@@ -155,14 +155,14 @@ impl RestLaw {
 }
 
 impl RestingSphere {
-    /// Whether the sphere touches the floor: what a smoothed law does before that is not counted.
+    /// Whether the sphere touches the floor. A smoothed law has a small force already before the touch, which does not count.
     pub fn touches(&self) -> bool {
         self.relative_indentation > 0.0
     }
 }
 
 impl RestOnFloor {
-    /// The sphere that is deepest, in its radius.
+    /// The sphere with the largest depth relative to its radius.
     pub fn deepest(&self) -> Option<&RestingSphere> {
         let deeper = |a: &RestingSphere, b: &RestingSphere| {
             a.relative_indentation.total_cmp(&b.relative_indentation).then(b.sphere.cmp(&a.sphere))
@@ -170,12 +170,13 @@ impl RestOnFloor {
         self.spheres.iter().max_by(|a, b| deeper(a, b))
     }
 
-    /// Whether the spheres carry the load with each of them less deep than its radius: beyond that no law knows the sphere.
+    /// Whether each sphere carries its load at a depth less than its radius. The contact laws do not hold for deeper spheres.
     pub fn is_carried(&self) -> bool {
         self.deepest().is_some_and(|deepest| deepest.relative_indentation < 1.0)
     }
 
-    /// The rest at which the contacts `floor_contacts`, in the order of their spheres, carry `load_n`: the lowest of them is deepest.
+    /// The equilibrium at which `floor_contacts` together carry `load_n`. The contacts are in the order of their spheres; the lowest sphere
+    /// is deepest.
     pub(super) fn of(
         floor_contacts: &[&FloorContact],
         load_n: f64,

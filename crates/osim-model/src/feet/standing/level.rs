@@ -1,4 +1,4 @@
-//! `--level`: where the spheres of a foot have to be for their bottoms to be as low as the lowest one.
+//! `--level`: moves the spheres of a foot so that all bottoms are as low as the lowest one.
 
 use glam::DVec3;
 
@@ -8,12 +8,12 @@ use crate::feet::fault::PoseFault;
 use crate::messages::{readable, shown};
 use crate::model::{Fault, ForceId, Limb, Model, SphereId};
 
-/// Bodies that lean by more than this are posed so, rad: the pose moves their spheres, and not the foot.
+/// A foot that leans by more than this, rad, is not made level: its pose, not its spheres, makes some bottoms higher.
 pub const MOST_LEAN_RAD: f64 = 3.0 * std::f64::consts::PI / 180.0;
-/// Bottoms this close are level, m: heights have rounding errors.
-const ROUNDING_M: f64 = 1e-12;
+/// Bottoms whose heights differ by at most this, m, are level: heights have rounding errors.
+const LEVEL_TOLERANCE_M: f64 = 1e-12;
 
-/// A sphere that has to move for the bottoms of its foot to be level.
+/// A sphere that is moved to make the bottoms of its foot level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelledSphere {
     pub sphere: SphereId,
@@ -24,15 +24,15 @@ pub struct LevelledSphere {
 /// Why the bottoms of feet cannot be made level.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NotLevelled {
-    /// Which spheres are one foot's.
+    /// It is not known which spheres belong to one foot.
     #[error("the bottoms of a foot cannot be made level, because limbs are not known: {why}")]
     NoLimbs { why: String },
-    /// No floor is under any of the spheres.
+    /// None of the spheres presses on a floor.
     #[error(
         "the bottoms of a foot cannot be made level, because no sphere presses on a floor that leans by less than 45 degrees"
     )]
     NoFloor,
-    /// The foot does not lie flat.
+    /// The foot leans at the default pose.
     #[error(
         "the foot of limb {} leans by {} degrees at the default pose ({}): there the pose decides which of its spheres is low, and not \
          the foot; expected at most 3 degrees: set default values of its joints at which it lies flat",
@@ -53,11 +53,11 @@ struct OverLowestFloor {
     tilt_rad: f64,
 }
 
-/// The spheres of `forces` that have to move for the bottoms of each limb to be as low as its lowest one at the default pose: along the
-/// normal of its floor. Spheres that are level already are left out.
+/// The spheres of `forces` that have to move, with their new places. In each limb, the bottoms become as low as the lowest one at the
+/// default pose; spheres move along the normal of their floor. Spheres that are level already are left out.
 ///
 /// # Errors
-/// Limbs, floors or the pose are not known, or a foot that would change leans by more than [`MOST_LEAN_RAD`].
+/// Limbs, floors or the pose are not known, or a foot that is not level leans by more than [`MOST_LEAN_RAD`].
 pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LevelledSphere>, NotLevelled> {
     let limbs = model.limbs(forces);
     let limbs = limbs.if_known().ok_or_else(|| NotLevelled::NoLimbs {
@@ -76,7 +76,7 @@ pub fn levelled_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<Levelle
     Ok(moved)
 }
 
-/// A model whose feet are made level.
+/// A model with its floors and pose, for making feet level.
 struct LevelledFeet<'f> {
     model: &'f Model,
     floors: &'f SphereFloors,
@@ -89,14 +89,14 @@ impl LevelledFeet<'_> {
         let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
         let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
         let high: Vec<&OverLowestFloor> =
-            spheres.iter().filter(|over| over.gap_m - lowest_m > ROUNDING_M).collect();
+            spheres.iter().filter(|over| over.gap_m - lowest_m > LEVEL_TOLERANCE_M).collect();
         if !high.is_empty() {
             self.refuse_leaning(limb, &spheres)?;
         }
         high.into_iter().map(|over| self.lowered(over, over.gap_m - lowest_m)).collect()
     }
 
-    /// How a sphere is over the lowest of its floors; `None` if it is on none.
+    /// The height of a sphere above the lowest of its floors; `None` for a sphere without a floor.
     fn over_lowest_floor(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
         let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
         let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
@@ -124,7 +124,7 @@ impl LevelledFeet<'_> {
         }
     }
 
-    /// A sphere with its centre lower by `down_m` along the normal of its floor.
+    /// Moves the centre of a sphere down by `down_m` along the normal of its floor.
     fn lowered(&self, over: &OverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
         let sphere = over.sphere;
         let (model_sphere, body) =

@@ -1,4 +1,4 @@
-//! The coordinate that lifts spheres from their floor, and the tree of joints that it moves.
+//! Finds the coordinate that lifts spheres from their floor, and the part of the joint tree that this coordinate moves.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 use glam::DVec3;
@@ -7,12 +7,13 @@ use crate::feet::couplers::{CoordinateState, CoordinateStates, CoordinateValues}
 use crate::feet::default_pose::{DefaultPose, JointStep, joints_from_ground};
 use crate::model::{JointCoordinate, Model, ModelJoint, Placement};
 
-/// Movements this close to each other are one (per metre of the coordinate).
+/// Two displacements are equal if they differ by at most this, per metre of the coordinate.
 const SAME_MOVEMENT: f64 = 1e-9;
-/// A coordinate lifts where a metre of it is at least this much along the normal: that of a floor of 60 degrees.
+/// A coordinate lifts spheres if its change by 1 m raises them by at least this, m, along the floor's normal: the value for a floor of 60
+/// degrees.
 const LEAST_RISE: f64 = 0.5;
 
-/// The free coordinate that moves all spheres of a joint tree alike along the normal of their floor.
+/// The free coordinate that moves all spheres of a joint tree equally along the normal of their floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lift {
     /// Name of the coordinate, such as `pelvis_ty`.
@@ -20,7 +21,7 @@ pub struct Lift {
     pub joint: String,
     /// Value of the coordinate at the default pose, m.
     pub default_m: f64,
-    /// How far the spheres rise along the normal with a metre of it, m: 1 as a rule, less on a slope.
+    /// The rise of the spheres along the normal for 1 m of the coordinate, m: usually 1, less on a slope.
     pub rise: f64,
 }
 
@@ -29,29 +30,29 @@ pub struct Lift {
 pub enum NotLifted {
     #[error("it is welded to what its floor is on")]
     Welded,
-    /// The coordinates between the tree and ground only turn.
+    /// The coordinates between the joint tree and ground only rotate.
     #[error("it only turns about what its floor is on")]
     Pinned,
-    /// The coordinates between the tree and ground move only along the floor.
+    /// The coordinates between the joint tree and ground move only along the floor.
     #[error("it only slides along its floor")]
     Slides,
     #[error("{coordinate}, which would lift it, is locked")]
     Locked { coordinate: String },
-    /// A coordinate lifts the tree, but a function or another coordinate sets it.
+    /// A coordinate could lift the joint tree, but a function or another coordinate determines its value.
     #[error("{coordinate}, which would lift it, is set by a function")]
     Driven { coordinate: String },
     #[error("its floors have several directions")]
     SeveralFloors,
 }
 
-/// The effect of a coordinate on all spheres below its joint.
+/// How a change of a coordinate moves the spheres below its joint.
 enum CoordinateEffect {
     Lifts(f64),
     Slides,
     Other,
 }
 
-/// A model at its default pose, whose coordinates are tried.
+/// A model at its default pose, in which the lifting coordinate is searched.
 pub(super) struct LiftSearch<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
@@ -69,7 +70,7 @@ impl<'m> LiftSearch<'m> {
         }
     }
 
-    /// The coordinate of the joints on `path` that lifts most along `normal`, with its joint's place on the way.
+    /// Finds the coordinate of the joints on `path` that lifts most along `normal`. Also returns the index of its joint on the path.
     pub(super) fn find(&self, path: &[ParentJoint<'_>], normal: DVec3) -> Result<(usize, Lift), NotLifted> {
         let mut best: Option<(usize, Lift)> = None;
         let mut not = NotLifted::Welded;
@@ -110,7 +111,7 @@ impl<'m> LiftSearch<'m> {
         index: usize,
         normal: DVec3,
     ) -> Option<CoordinateEffect> {
-        let by = |metres: f64| self.moved(parent_joint, index, metres);
+        let by = |metres: f64| self.displacement_of_bodies(parent_joint, index, metres);
         let moved = [by(1.0)?, by(0.5)?, by(-1.0)?];
         let turned = |moved: &Placement| moved.rotation.inverse().to_body(normal);
         let unturned = moved.iter().all(|moved| turned(moved).abs_diff_eq(normal, SAME_MOVEMENT));
@@ -125,8 +126,13 @@ impl<'m> LiftSearch<'m> {
         })
     }
 
-    /// The displacement in ground of the bodies below the joint when its coordinate at `index` grows by `metres`.
-    fn moved(&self, parent_joint: &ParentJoint<'_>, index: usize, metres: f64) -> Option<Placement> {
+    /// The displacement in ground of the bodies below the joint, if its coordinate number `index` grows by `metres`.
+    fn displacement_of_bodies(
+        &self,
+        parent_joint: &ParentJoint<'_>,
+        index: usize,
+        metres: f64,
+    ) -> Option<Placement> {
         let joint = parent_joint.joint;
         let value = |coordinate: &JointCoordinate| self.known.values.get(&coordinate.name).copied();
         let values: Vec<f64> = joint.coordinates.iter().map(value).collect::<Option<_>>()?;
@@ -144,7 +150,7 @@ impl<'m> LiftSearch<'m> {
     }
 }
 
-/// The more informative one of two reasons.
+/// The reason that tells the user more.
 fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
     let rank = |reason: &NotLifted| match reason {
         NotLifted::Welded => 0,
@@ -162,17 +168,17 @@ fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
 pub(super) struct ParentJoint<'j> {
     pub(super) joint: &'j ModelJoint,
     pub(super) body: &'j str,
-    /// The body above it; `None` is ground.
+    /// The body above the joint; `None` is ground.
     pub(super) parent: Option<&'j str>,
-    /// Whether the joint leads from what is above to the body, and not the other way round.
+    /// Whether the joint's parent, in the file, is the upper body.
     pub(super) forward: bool,
 }
 
-/// The bodies of a model by the joints over which ground is reached first. A joint that closes a loop is left out.
+/// The bodies of a model as a tree from ground. A joint that closes a loop is left out.
 pub(super) struct JointTree<'j> {
     above: HashMap<&'j str, ParentJoint<'j>>,
     below: HashMap<&'j str, Vec<&'j str>>,
-    /// The topmost body of the tree of each body: the one that is joined to ground.
+    /// For each body, the topmost body of its tree, which is joined to ground.
     tops: HashMap<&'j str, &'j str>,
 }
 
@@ -200,12 +206,12 @@ impl<'j> JointTree<'j> {
         path
     }
 
-    /// The topmost body of the tree of `body`: the one that is joined to ground.
+    /// The topmost body in the tree of `body`, which is joined to ground.
     pub(super) fn top(&self, body: &str) -> Option<&'j str> {
         self.tops.get(body).copied()
     }
 
-    /// The joints above all of `bodies`, from the lowest to ground. Each body is visited once.
+    /// The joints above all of `bodies`, from the lowest joint to ground. Each body is visited once.
     pub(super) fn common_path_to_ground(&self, bodies: &[&str]) -> Vec<ParentJoint<'j>> {
         let Some(first) = bodies.first() else { return Vec::new() };
         let path = self.path_to_ground(first);

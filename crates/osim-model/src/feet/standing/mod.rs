@@ -1,5 +1,5 @@
-//! Where the spheres of a joint tree are over their floor at the default pose, which coordinate puts them on it, and how deep they
-//! are where they carry the tree's weight.
+//! How joint trees stand on their floors at the default pose: heights of spheres, the coordinate that lowers the spheres to the floor, and
+//! the depths at which they carry the weight.
 
 mod gaps;
 mod level;
@@ -21,28 +21,27 @@ pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};
 
-/// Floors whose normals are this close have one direction, rad.
-const SAME_DIRECTION: f64 = 1e-6;
+/// Floors have one direction if the angle between their normals is at most this, rad.
+const SAME_DIRECTION_RAD: f64 = 1e-6;
 
-/// A joint tree on its floor, its joints as they are at the default pose.
+/// A joint tree above or on its floor, with its joints at the default pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
-    /// The body on top of the tree, which is joined to ground.
+    /// The topmost body of the tree, which is joined to ground.
     pub top: String,
     /// Spheres of the tree that press on floors, in file order.
     pub spheres: Vec<SphereOverFloor>,
-    /// The coordinate that lifts all these spheres from the floor, or why no coordinate does.
+    /// The coordinate that lifts all these spheres from the floor; the error says why there is none.
     pub lift: Result<Lift, NotLifted>,
-    /// Mass of the bodies that this coordinate moves, kg: of the whole tree but what is above its joint. `None` if a mass cannot be
-    /// read.
+    /// Mass of the bodies that the lifting coordinate moves, kg: bodies above its joint do not count. `None` if a mass cannot be read.
     pub mass_kg: Option<f64>,
-    /// The part of their weight along the floor's normal, N; `None` without mass or gravity.
+    /// The part of the weight of these bodies along the floor's normal, N; `None` without mass or gravity.
     pub load_n: Option<f64>,
     floor_contacts: Vec<FloorContact>,
 }
 
 impl Standing {
-    /// Each joint tree of `model` that moving spheres of `forces` press on a floor, in the order of its first sphere.
+    /// The joint trees of `model` with moving spheres of `forces` that press on a floor, in the order of the first sphere of each tree.
     pub fn all(model: &Model, forces: &[ForceId]) -> Result<Vec<Self>, PoseFault> {
         let joints = model.joints();
         let pose = DefaultPose::of(model);
@@ -60,16 +59,15 @@ impl Standing {
         Ok(standings)
     }
 
-    /// How the tree rests on the `chosen` spheres of it alone while they carry `share` of its weight, by the laws of the file; `None` if its
-    /// weight or one of their contacts is not known, or there is no such sphere.
+    /// The equilibrium of the tree on the `chosen` spheres alone, which carry `share` of its weight by the contact laws of the file. `None`
+    /// if the weight or a contact is not known, or no sphere is chosen.
     ///
-    /// # Errors
-    /// No indentation carries the load.
+    /// No depth of the spheres carries the load.
     pub fn rest_on_floor(&self, chosen: &[SphereId], share: f64) -> Option<Result<RestOnFloor, DomainError>> {
         self.rest_under(chosen, share * self.load_n?, RestLaw::OfFile)
     }
 
-    /// The rest of the spheres under a load, in N, along the normal.
+    /// The equilibrium of the `chosen` spheres under the load `load_n` along the normal.
     pub fn rest_under(
         &self,
         chosen: &[SphereId],
@@ -89,7 +87,7 @@ impl Standing {
         Some(RestOnFloor::of(&floor_contacts.concat(), load_n, law))
     }
 
-    /// The value of the coordinate at which the tree is `down_m` lower than at the default pose; `None` if no coordinate lifts it.
+    /// The value of the lifting coordinate at which the tree is `down_m` lower than at the default pose; `None` without such a coordinate.
     pub fn coordinate_at(&self, down_m: f64) -> Option<f64> {
         let lift = self.lift.as_ref().ok()?;
         Some(lift.default_m - down_m / lift.rise)
@@ -100,7 +98,7 @@ impl Standing {
     }
 }
 
-/// The spheres on floors by the body on top of their tree, in the order of the first sphere of each.
+/// Groups the spheres on floors by the topmost body of their joint tree, in the order of the first sphere of each tree.
 fn spheres_by_tree<'j>(
     model: &Model,
     floors: &SphereFloors,
@@ -123,12 +121,12 @@ fn spheres_by_tree<'j>(
     Ok(groups)
 }
 
-/// A tree whose standing is asked for.
+/// One joint tree and the data that describe how it stands.
 struct StandingTree<'t, 'j> {
     model: &'t Model,
     floors: &'t SphereFloors,
     tree: &'t JointTree<'j>,
-    /// Place in the file and mass (kg) of each body.
+    /// Index in the file and mass (kg) of each body.
     masses: &'t HashMap<&'t str, (usize, Option<f64>)>,
     top: &'j str,
 }
@@ -161,7 +159,7 @@ impl<'j> StandingTree<'_, 'j> {
         Ok(Standing { top, spheres: over, lift, mass_kg, load_n, floor_contacts: Vec::new() })
     }
 
-    /// The coordinate that lifts `spheres` from `planes`, and the mass that it moves.
+    /// The coordinate that lifts `spheres` from `planes`, and the mass of the bodies that it moves.
     fn lift(
         &self,
         spheres: &[SphereId],
@@ -179,7 +177,7 @@ impl<'j> StandingTree<'_, 'j> {
         }
         let normals: Vec<DVec3> = planes.iter().map(|(_, surface)| surface.normal).collect();
         let lift = match normals.first() {
-            Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION) => {
+            Some(&first) if normals.iter().all(|&other| angle(first, other) <= SAME_DIRECTION_RAD) => {
                 lifting.find(&path, first)
             }
             _ => Err(NotLifted::SeveralFloors),
@@ -205,7 +203,7 @@ fn paths_of_planes(model: &Model, force: ForceId) -> HashSet<String> {
     planes.into_iter().map(|plane| plane.path.clone()).collect()
 }
 
-/// Gives each of `standing` the contacts of its spheres, in their order; none if a number of theirs cannot be read.
+/// Adds to each joint tree the contacts of its spheres, in their order. Adds none if a number of a contact cannot be read.
 fn add_floor_contacts(
     model: &Model,
     forces: &[ForceId],
