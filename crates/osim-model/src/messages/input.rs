@@ -1,4 +1,4 @@
-//! The names of all inputs that a caller can give and of all verbs, and how a sentence refers to them.
+//! The names of all inputs of requests and of all verbs (commands), and the parts of a message that refer to them.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -7,7 +7,7 @@ use super::printable::shown_whole;
 
 macro_rules! inputs {
     ($($variant:ident = $name:literal, $label:literal;)+) => {
-        /// An input that a caller can give, named as its field in a request.
+        /// An input that a caller can give, called after its field in a request.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Input {
             $(#[doc = concat!("`", $name, "`: ", $label, ".")] $variant,)+
@@ -21,7 +21,7 @@ macro_rules! inputs {
                 match self { $(Self::$variant => $name),+ }
             }
 
-            /// The input whose name this is, exactly.
+            /// The input with exactly this name.
             pub fn named(name: &str) -> Option<Self> {
                 match name {
                     $($name => Some(Self::$variant),)+
@@ -181,7 +181,7 @@ inputs! {
 
 macro_rules! verbs {
     ($($(#[doc = $doc:literal])+ $variant:ident = $name:literal;)+) => {
-        /// Something that can be done with models.
+        /// A task that this program can do with models, such as `rescale`.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum Verb {
             $($(#[doc = $doc])+ $variant,)+
@@ -195,7 +195,7 @@ macro_rules! verbs {
                 match self { $(Self::$variant => $name),+ }
             }
 
-            /// The verb whose name this is, exactly.
+            /// The verb with exactly this name.
             pub fn named(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|verb| verb.name() == name)
             }
@@ -249,19 +249,19 @@ verbs! {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Part {
     Text(Cow<'static, str>),
-    /// An input that the reader can give.
+    /// An input that the reader can give, perhaps with an example of its value.
     Input(Input, Option<Example>),
-    /// A call that the reader can make.
+    /// A call of a verb that the reader can make.
     Call(Call),
-    /// Two wordings: for verbs that take an input, and for verbs that do not.
+    /// Two alternative texts: the first for verbs that take the input, the second for other verbs.
     Either(Input, Box<[Vec<Part>; 2]>),
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Example {
-    /// A word for a value that the reader knows, such as `KG`.
+    /// A word in place of a value that the reader knows, such as `KG`.
     Placeholder(Cow<'static, str>),
-    /// A value to be taken as it is: a number, or a word such as `keep`.
+    /// The value itself: a number, or a word such as `keep`.
     Value(String),
 }
 

@@ -1,8 +1,8 @@
-//! Messages that name inputs and calls as data, without the words of any front end.
+//! Messages to the user. The inputs and calls in them are data, so that each front end can write them in its own way.
 //!
-//! A message often ends in a way out: "say what the model weighs with …". Then follows `--mass KG` on the command
-//! line, `mass=` in Python and a field on a page. So a [`Phrase`] keeps the [`Input`] as data, and each front end spells
-//! it by its own [`Dialect`].
+//! Many messages end with advice, such as "say what the model weighs with …", followed by an input: `--mass KG` on the command line,
+//! `mass=` in Python, a field on a web page. A [`Phrase`] therefore keeps the [`Input`] as data, and the [`Dialect`] of each front end
+//! writes it.
 //!
 //! ```
 //! use osim_model::messages::{Input, phrase, shown};

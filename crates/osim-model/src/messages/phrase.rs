@@ -1,4 +1,4 @@
-//! Text with inputs and calls in it as data, and how front ends spell them.
+//! Message texts that contain inputs and calls as data, and how front ends write these.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -7,7 +7,7 @@ use super::input::{Call, Example, Part};
 use super::input::{Input, Verb};
 use super::printable::one_line;
 
-/// A piece of text in which inputs and calls are data until a front end spells them.
+/// A message text. Inputs and calls in it are data until a front end writes them in its own way.
 ///
 /// ```
 /// use osim_model::messages::{Input, Phrase};
@@ -22,8 +22,8 @@ use super::printable::one_line;
 pub struct Phrase(Vec<Part>);
 
 impl Phrase {
-    /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``,
-    /// `` `design MODEL indentation=0.16` ``. What stands there and is neither stays as it is.
+    /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``, `` `design MODEL indentation=0.16` ``.
+    /// Other text in backticks is not changed.
     pub fn template(text: &str) -> Self {
         let mut phrase = Self::default();
         for (index, piece) in text.split('`').enumerate() {
@@ -37,7 +37,7 @@ impl Phrase {
         phrase
     }
 
-    /// Several phrases as one, with `mark` between them; `None` where there are none.
+    /// Several phrases joined by `mark`; `None` if there are no phrases.
     pub fn joined(phrases: impl IntoIterator<Item = Self>, mark: &'static str) -> Option<Self> {
         phrases.into_iter().reduce(|mut all, next| {
             all.push(mark);
@@ -54,22 +54,22 @@ impl Phrase {
         &self.0
     }
 
-    /// The inputs it names, each once, in order.
+    /// The inputs that the phrase names, each once, in order.
     pub fn inputs(&self) -> Vec<Input> {
         let mut named = Vec::new();
         name_inputs(&self.0, &mut named);
         named
     }
 
-    /// The phrase in the words of a front end.
+    /// The phrase as the text of a front end.
     pub fn spelled(&self, dialect: &dyn Dialect) -> String {
         let mut text = String::new();
         spell_into(&mut text, &self.0, dialect);
         text
     }
 
-    /// Decides each [`Input::either`] of the phrase: the first words stay if `takes` is true for its input, else the second. Without
-    /// this call the phrase has the first words.
+    /// Chooses one of the two texts of each [`Input::either`] in the phrase: the first if `takes` is true for the input, else the second.
+    /// Before this call, the first text counts.
     ///
     /// ```
     /// use osim_model::messages::{Input, phrase};
@@ -82,11 +82,11 @@ impl Phrase {
     pub fn choose_alternatives(&mut self, takes: &dyn Fn(Input) -> bool) {
         if self.0.iter().any(|part| matches!(part, Part::Either(..))) {
             let parts = std::mem::take(&mut self.0);
-            choose(parts, takes, &mut self.0);
+            choose_texts(parts, takes, &mut self.0);
         }
     }
 
-    /// Spells the phrase for good: what is printed from now on is plain text.
+    /// Converts the phrase to plain text in the `dialect` of a front end. It has no inputs and calls any more.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         if self.0.iter().any(|part| !matches!(part, Part::Text(_))) {
             *self = Self::from(self.spelled(dialect));
@@ -95,13 +95,14 @@ impl Phrase {
 }
 
 impl Input {
-    /// Two wordings: `taken` for a verb that takes this input, `otherwise` for one that does not. [`Phrase::choose_alternatives`] decides.
+    /// Two alternative texts: `taken` for a verb that takes this input, `otherwise` for other verbs. [`Phrase::choose_alternatives`]
+    /// decides.
     pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
         Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
     }
 }
 
-/// Adds the inputs that the parts name and that are not there yet.
+/// Adds the inputs in `parts` to `named`, each once.
 fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
     for part in parts {
         let inputs: Vec<Input> = match part {
@@ -121,7 +122,7 @@ fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
     }
 }
 
-/// Adds the parts in the words of a front end.
+/// Appends the `parts`, written in the `dialect` of a front end, to `text`.
 fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
     for part in parts {
         match part {
@@ -133,20 +134,20 @@ fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
     }
 }
 
-/// Adds the parts to `kept`, with one of the two wordings of each [`Part::Either`].
-fn choose(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
+/// Moves the `parts` to `kept`. Of each [`Part::Either`], only the chosen text is kept.
+fn choose_texts(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
     for part in parts {
         match part {
             Part::Either(input, words) => {
                 let [taken, otherwise] = *words;
-                choose(if takes(input) { taken } else { otherwise }, takes, kept);
+                choose_texts(if takes(input) { taken } else { otherwise }, takes, kept);
             }
             part => kept.push(part),
         }
     }
 }
 
-/// An input or a call as a template has it.
+/// Reads the text between two backticks of a template as an input or a call; `None` if it is neither.
 fn template_part(text: &str) -> Option<Part> {
     let mut words = text.split(' ');
     let first = words.next()?;
@@ -164,7 +165,7 @@ fn template_part(text: &str) -> Option<Part> {
     Some(Part::Call(call))
 }
 
-/// `name` or `name=VALUE`; what begins with a capital letter is a placeholder.
+/// Reads `name` or `name=VALUE`. A value that begins with a capital letter is a placeholder.
 fn template_input(word: &str) -> Option<(Input, Option<Example>)> {
     let (name, value) = word.split_once('=').map_or((word, None), |(name, value)| (name, Some(value)));
     let input = Input::ALL.iter().find(|input| input.name() == name)?;
@@ -175,7 +176,7 @@ fn template_input(word: &str) -> Option<(Input, Option<Example>)> {
     Some((*input, example))
 }
 
-/// Inputs are spelled as the names of their fields ([`FieldNames`]).
+/// Writes each input as the name of its field ([`FieldNames`]).
 impl fmt::Display for Phrase {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.spelled(&FieldNames))
@@ -199,7 +200,7 @@ impl IntoParts for &'static str {
     }
 }
 
-/// Text that was put together may have names from outside in it: it is shown on one line, with what cannot be seen escaped.
+/// A computed text may contain names from files. It is shown on one line, with invisible letters escaped.
 impl IntoParts for String {
     fn into_parts(self) -> Vec<Part> {
         vec![Part::Text(Cow::Owned(one_line(self)))]
@@ -230,7 +231,7 @@ impl IntoParts for &Phrase {
     }
 }
 
-/// Puts a [`Phrase`] together from texts, inputs, calls and phrases.
+/// Makes a [`Phrase`] from texts, inputs, calls and other phrases.
 ///
 /// ```
 /// use osim_model::messages::{Input, phrase};
@@ -250,7 +251,7 @@ macro_rules! phrase {
 
 // How front ends spell inputs and calls.
 
-/// The words of a front end.
+/// The way in which a front end writes inputs and calls.
 ///
 /// ```
 /// use osim_model::messages::{Call, Dialect, Example, Input, phrase};
@@ -276,13 +277,13 @@ macro_rules! phrase {
 /// assert_eq!(way_out.spelled(&Python), "say what the model weighs with mass=KG");
 /// ```
 pub trait Dialect {
-    /// An input with an example of its value, as the reader types it.
+    /// The text for an input, with an example of its value, as the reader types it.
     fn input(&self, input: Input, example: Option<&Example>) -> String;
 
     fn call(&self, call: &Call) -> String;
 }
 
-/// Spells an input as the name of its field in a request, for callers that have no dialect of their own.
+/// A dialect that writes each input as the name of its field in a request. For callers without a dialect of their own.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct FieldNames;
 
@@ -334,7 +335,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_spelled_stays_as_it_is() {
+    fn a_spelled_phrase_has_no_inputs() {
         let mut phrase = phrase!["say ", Input::Radius.with_value("keep")];
         phrase.spell(&Uppercase);
         assert_eq!(phrase.to_string(), "say RADIUS keep");

@@ -1,25 +1,24 @@
-//! Text from outside as it may be printed, and how numbers are spelled.
+//! Shows text from files and users so that it can do no harm in a terminal; and writes numbers.
 //!
-//! Names in a model, file names and cells of tables can hold anything: escape sequences that recolour a terminal or
-//! clear it, line ends that look like a line of ours, letters that turn the direction of what follows, megabytes. None
-//! of that is ever printed as it is. What is shown is for reading; JSON and tables for programs have the whole text.
+//! Names in a model, file names and table cells can contain anything: escape sequences that recolour or clear a terminal, line ends that
+//! imitate a line of this program, letters that reverse the direction of writing, megabytes of text. Messages never contain such text
+//! unchanged. Only people read it: JSON and tables for programs have the whole text.
 
 use std::borrow::Cow;
 use std::fmt::{self, Display, Write};
 use std::path::Path;
 
-/// Letters of a text from outside that are shown in a message.
+/// Most letters of a text from a file that a message shows.
 pub(crate) const SHOWN_LETTERS: usize = 200;
 
-/// Letters of a sentence in which names of several forces and files are. No system has longer paths.
+/// Most letters of a sentence that contains names of several forces and files. No system has longer paths.
 const SENTENCE_LETTERS: usize = 5000;
 
-/// Letters shown from the end of a shortened text, where names differ.
+/// Letters at the end of a shortened text that are kept: names often differ at the end.
 const LAST_LETTERS: usize = 40;
 
-/// A text from outside that prints on one line: letters that are invisible or steer a terminal (control characters, line ends,
-/// letters that turn the direction of writing, unusual blanks) as `\n` or `\u{1b}`, and of a long text its beginning
-/// and its end.
+/// Displays a text from a file on one line. Letters that are invisible or control a terminal (control characters, line ends, letters that
+/// reverse the direction of writing, unusual blanks) become `\n` or `\u{1b}`. Of a long text, only the beginning and the end are shown.
 ///
 /// ```
 /// use osim_model::messages::shown;
@@ -34,23 +33,23 @@ pub struct Shown<'t> {
     most: usize,
 }
 
-/// The text on one line, shortened to 200 letters, for a message.
+/// Shows `text` on one line in a message, shortened to 200 letters.
 pub const fn shown(text: &str) -> Shown<'_> {
     Shown { text, most: SHOWN_LETTERS }
 }
 
-/// The text on one line, however long it is: paths that the reader has to find again.
+/// Shows `text` on one line, not shortened: for paths that the reader has to find again.
 pub const fn shown_whole(text: &str) -> Shown<'_> {
     Shown { text, most: usize::MAX }
 }
 
-/// A text with names from outside in it, as a sentence has it: on one line, and not endless.
+/// A sentence with names from files on one line, shortened if it is very long.
 pub fn one_line(text: String) -> String {
     let plain = text.len() <= SENTENCE_LETTERS && text.bytes().all(|byte| matches!(byte, b' '..=b'~'));
     if plain { text } else { Shown { text: &text, most: SENTENCE_LETTERS }.to_string() }
 }
 
-/// A path on one line, not shortened. What is not UTF-8 in it is shown as `�`.
+/// Shows a path on one line, not shortened. Bytes that are not UTF-8 become `�`.
 pub fn shown_path(path: &Path) -> String {
     shown_whole(&path.to_string_lossy()).to_string()
 }
@@ -88,8 +87,7 @@ fn write_visible(text: &str, f: &mut impl Write) -> fmt::Result {
     })
 }
 
-/// Whether a letter is visible, and steers no terminal. An accent that stands alone counts as visible: it may belong to the letter
-/// before it.
+/// Whether a letter is visible and does not control a terminal. An accent alone counts as visible: it may belong to the letter before it.
 pub fn is_visible(letter: char) -> bool {
     if letter.is_ascii() {
         return matches!(letter, ' '..='~');
@@ -100,10 +98,9 @@ pub fn is_visible(letter: char) -> bool {
     !escaped || format!("a{letter}").escape_debug().count() == 2
 }
 
-/// Returns text of many lines so that nothing in it from outside can steer a terminal. Line ends, tabs and no-break
-/// spaces stay.
+/// Makes text of many lines safe for a terminal: control characters from files are escaped; line ends, tabs and no-break spaces are kept.
 ///
-/// Names are shown by [`shown`] already; this is the last check, for texts in which that was forgotten.
+/// [`shown`] has already escaped names. This function is the last check, for texts in which that was forgotten.
 ///
 /// ```
 /// use osim_model::messages::terminal_safe;
@@ -130,11 +127,11 @@ pub fn terminal_safe(text: &str) -> Cow<'_, str> {
 
 // The one spelling in which this project writes numbers into models and tables.
 
-/// Shortest decimal text that reads back as exactly `value`.
+/// The shortest decimal text that reads back as exactly `value`.
 ///
-/// Plain digits between 1e-5 and 1e15 (`0.0641715826`, `2005361.956`), an exponent outside (`4e-6`), no `.0`.
-/// The layout is frozen: the same value has the same bytes on every platform and in every version. Not-finite values
-/// are spelled `NaN`, `inf`, `-inf`; they are never written into a model.
+/// Plain digits between 1e-5 and 1e15 (`0.0641715826`, `2005361.956`), else an exponent (`4e-6`); no `.0`. The layout never changes: the
+/// same value gives the same bytes on every platform and in every version. Values that are not finite become `NaN`, `inf`, `-inf`; these
+/// are never written into a model.
 pub fn shortest(value: f64) -> String {
     if !value.is_finite() {
         return if value.is_nan() {
@@ -153,7 +150,7 @@ pub fn shortest(value: f64) -> String {
     formatted(format_args!("{value:e}"))
 }
 
-/// Formats a number into a string that is allocated once.
+/// Writes a number into a string that is allocated only once.
 fn formatted(number: fmt::Arguments<'_>) -> String {
     const LONGEST_ESCAPE: usize = 24;
     let mut text = String::with_capacity(LONGEST_ESCAPE);
@@ -162,7 +159,7 @@ fn formatted(number: fmt::Arguments<'_>) -> String {
     text
 }
 
-/// A number for people: exact if the exact text is short, else eight significant digits.
+/// A number for readers: exact if the exact text is short, else with eight significant digits.
 pub fn readable(value: f64) -> String {
     const SHORT_TEXT: usize = 10;
     let exact = shortest(value);
@@ -172,19 +169,19 @@ pub fn readable(value: f64) -> String {
     shortest(rounded(value, 7))
 }
 
-/// `1 sphere`, `2 spheres`: a count, or a number as it is to be read, and what is counted.
+/// A count with its noun, plural if needed: `1 sphere`, `2 spheres`.
 pub fn counted(count: impl Display, what: &str) -> String {
     let count = count.to_string();
     let ending = if count == "1" { "" } else { "s" };
     format!("{count} {what}{ending}")
 }
 
-/// Four significant digits, to compare by eye.
+/// A number with four significant digits, for comparing by eye.
 pub fn four_significant(value: f64) -> String {
     significant(value, 4)
 }
 
-/// Three significant digits, for columns that are narrow.
+/// A number with three significant digits, for narrow columns.
 pub fn three_significant(value: f64) -> String {
     significant(value, 3)
 }
@@ -194,13 +191,13 @@ fn significant(value: f64, digits: usize) -> String {
     readable(rounded(value, decimals))
 }
 
-/// `value` rounded to `decimals` digits after the first; unchanged if that is not finite.
+/// `value` rounded to `decimals` digits after the first one; `value` itself if the result is not finite.
 fn rounded(value: f64, decimals: usize) -> f64 {
     let rounded = format!("{value:.decimals$e}").parse().ok();
     rounded.filter(|rounded: &f64| rounded.is_finite()).unwrap_or(value)
 }
 
-/// The first of `names`, up to `most` of them, and how many more there are: a message stays readable.
+/// The first `most` of `names`, and the number of further names, so that a message stays readable.
 ///
 /// ```
 /// use osim_model::messages::listed;
@@ -242,7 +239,7 @@ mod tests {
         assert_eq!(terminal_safe(hostile).matches(|letter: char| !matches!(letter, ' '..='~')).count(), 2);
     }
 
-    /// Our tables use a no-break space between a number and its mark. In a name it would look like a blank without being one.
+    /// Tables of this program use a no-break space between a number and its mark. In a name it would look like an ordinary blank.
     #[test]
     fn a_no_break_space_stays_in_text_and_is_escaped_in_a_name() {
         assert_eq!(terminal_safe("0.3533\u{a0}!"), "0.3533\u{a0}!");

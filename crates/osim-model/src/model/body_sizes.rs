@@ -1,4 +1,4 @@
-//! Bodies: their meshes, their shapes, and whether their sizes changed since the note was written.
+//! The meshes and shapes of bodies, and whether the sizes of bodies changed after the note was written.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,31 +15,32 @@ use crate::model::placement::{Placement, six_digits};
 use crate::model::typed_model::Model;
 use crate::xml::{ElementId, opensim_text};
 
-/// Documents before this version have a `<VisibleObject>`; OpenSim rounds its numbers as it converts them.
+/// The first document version with `<attached_geometry>`. Older documents have a `<VisibleObject>`, whose numbers OpenSim rounds when it
+/// converts them.
 const FIRST_WITH_ATTACHED_GEOMETRY: u32 = 30502;
-/// The last version in which OpenSim reads a list `<geometry>`, too.
+/// The last document version in which OpenSim also reads the list `<geometry>`.
 const LAST_WITH_GEOMETRY_LIST: u32 = 30505;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct AttachedMesh {
     pub body: String,
     pub file: String,
-    /// Scale factors of its points along their own x, y and z; NaN where they are not numbers.
+    /// Scale factors along x, y and z of the mesh; NaN if they are not numbers.
     pub factors: [f64; 3],
-    /// The frame of its scaled points, on the body.
+    /// The placement of the scaled mesh on the body.
     pub placement: Placement,
 }
 
 impl AttachedMesh {
-    /// A point of the file on the body, m.
+    /// Converts a point of the mesh file to a scaled point on the body, m.
     pub fn on_body(&self, point: [f64; 3]) -> DVec3 {
         self.placement.point(DVec3::from(self.factors) * DVec3::from(point))
     }
 }
 
 impl Model {
-    /// Mesh files that are attached to bodies or to frames on them, in file order; those on ground are left out, and geometry
-    /// that has no file.
+    /// The mesh files that are attached to bodies or to frames on bodies, in file order. Meshes on ground and shapes without a file are
+    /// left out.
     pub fn attached_meshes(&self) -> Vec<AttachedMesh> {
         let components = self.components();
         let frames = components.tree.iter().filter(|(id, _)| {
@@ -63,7 +64,7 @@ impl Model {
 
 type FileFactorsPlacement = (String, [f64; 3], Placement);
 
-/// Mesh files that are attached to one frame, with their scale factors and where they are in it.
+/// The mesh files that are attached to one frame, with their scale factors and their placements in the frame.
 fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<FileFactorsPlacement> {
     let document = components.doc(frame);
     let element = components.element(frame);
@@ -102,7 +103,7 @@ fn meshes_of_geometry_set(document: &Document, body: ElementId) -> Vec<FileFacto
         .collect()
 }
 
-/// The files of `<geometry_files>`, for which OpenSim ignores the `<transform>`.
+/// The mesh files in `<geometry_files>`. OpenSim ignores the `<transform>` for these.
 fn meshes_of_file_list(document: &Document, body: ElementId) -> Vec<FileFactorsPlacement> {
     let tree = document.tree();
     let Some(visible) = tree.child(body, "VisibleObject") else { return Vec::new() };
@@ -111,7 +112,7 @@ fn meshes_of_file_list(document: &Document, body: ElementId) -> Vec<FileFactorsP
     opensim_text::list_words(&names).map(|name| (name.to_owned(), factors, Placement::IDENTITY)).collect()
 }
 
-/// The placement in `<transform>`: body-fixed angles about x, y and z (rad), and a translation (m).
+/// The placement that `<transform>` gives: body-fixed angles about x, y and z (rad), and a translation (m).
 fn mesh_placement(document: &Document, element: ElementId) -> Placement {
     let tree = document.tree();
     let text = tree.child(element, "transform").map(|child| tree.text_of(child)).unwrap_or_default();
@@ -125,12 +126,12 @@ fn mesh_placement(document: &Document, element: ElementId) -> Placement {
 pub struct BodyShape {
     /// The centre of mass of the body, m.
     pub centre_m: DVec3,
-    /// The root mean square of the distance of its mass from that centre, m: √(½ trace(I)/m). `None` where mass or inertia is not
-    /// above 0.
+    /// The root mean square distance of the body's mass from its centre of mass, m: √(½ trace(I)/m). `None` if mass or inertia is not above
+    /// 0.
     pub gyration_m: Option<f64>,
     /// Ixx + Iyy + Izz, kg m².
     pub inertia_trace: Option<f64>,
-    /// The places of its joints, also of those to ground, m.
+    /// The places of the body's joints, including joints to ground, m.
     pub joints_m: Vec<DVec3>,
 }
 
@@ -171,7 +172,7 @@ fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     }
 }
 
-/// Ixx + Iyy + Izz, which documents before version 4 have in elements of their own.
+/// Ixx + Iyy + Izz of a body, kg m². Documents before version 4 have these in separate elements.
 pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
     let moments = match numbers(components, body, "inertia").as_deref() {
         Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
@@ -191,9 +192,9 @@ fn numbers(components: &Components, body: ComponentId, tag: &str) -> Option<Vec<
 
 // How large the bones are: mesh scale factors of the bodies that carry contact spheres.
 
-/// Places closer than this are one, m.
+/// Two places are equal if they differ by at most this, m.
 const SAME_PLACE_M: f64 = 1e-9;
-/// Sizes closer than this (relative) are one size.
+/// Two scale factors are equal if they differ by at most this (relative).
 const SAME_SIZE: f64 = 1e-6;
 
 impl BodySize {
@@ -203,22 +204,21 @@ impl BodySize {
     }
 }
 
-/// How the bodies changed since the note was written, where the spheres are still where they were then: from
-/// [`Model::scaled_since_note`].
+/// The change of body sizes after the note was written, while the spheres stayed at their places: from [`Model::scaled_since_note`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScaledSinceNote {
-    /// Mesh factors now over those in the note, along x, y and z, by body. Exactly 1 where they are equal.
+    /// The present mesh factors over those in the note, along x, y and z, by body. Exactly 1 if they are equal.
     pub factors: BTreeMap<String, [f64; 3]>,
     spheres_left_behind: bool,
 }
 
 impl ScaledSinceNote {
-    /// Whether some body has another size now, and a sphere of it belongs elsewhere.
+    /// Whether a body with a sphere changed its size, so that the sphere is now at a wrong place.
     pub const fn is_scaled(&self) -> bool {
         self.spheres_left_behind
     }
 
-    /// Whether every body that carries spheres of `model` has factors.
+    /// Whether the factors of every body that carries spheres of `model` are known.
     pub fn has_all_carriers(&self, model: &Model) -> bool {
         let carriers = model.loaded_spheres(&model.force_ids());
         let mut bodies = carriers.iter().filter_map(|&id| model.sphere(id)?.body.as_ref());
@@ -227,8 +227,8 @@ impl ScaledSinceNote {
 }
 
 impl Model {
-    /// The factors of OpenSim's scaling for the bodies that carry spheres, from the note alone. `None` if there is no note with sizes, or
-    /// spheres were moved since it was written.
+    /// How OpenSim scaled the bodies with spheres after the note was written. Only the note is needed for this. `None` if the note has no
+    /// sizes, or spheres were moved later.
     pub fn scaled_since_note(&self) -> Option<ScaledSinceNote> {
         let note = self.note.as_ref().filter(|note| !note.sizes.is_empty())?;
         if self.has_places_of(note) != Some(true) {
@@ -251,22 +251,22 @@ impl Model {
         Some(ScaledSinceNote { factors, spheres_left_behind })
     }
 
-    /// Whether a body that carries spheres has other mesh factors than when `note` was written.
+    /// Whether the mesh factors of a body with spheres differ from those in `note`.
     pub(crate) fn bodies_have_other_sizes(&self, note: &Note) -> bool {
         let now = self.body_sizes();
         let same_body = |then: &BodySize| now.iter().find(|size| size.body == then.body);
         note.sizes.iter().any(|then| same_body(then).is_some_and(|now| !now.is_as_large_as(then)))
     }
 
-    /// Whether a sphere is somewhere else once its place is multiplied by the factors of its body.
+    /// Whether scaling by `factors` of the body changes the right place of the sphere.
     fn belongs_elsewhere(&self, sphere: &Sphere, factors: [f64; 3]) -> bool {
         let Ok(rotation) = self.rotation_of(sphere) else { return false };
         let there = rotation.scaled_in_frame(factors, sphere.location_m);
         there.into_iter().zip(sphere.location_m).any(|(there, here)| (there - here).abs() > SAME_PLACE_M)
     }
 
-    /// Mesh scale factors of the bodies that carry moving spheres of contact forces, by name; bodies without meshes, or with a
-    /// name that a note cannot hold, are left out. Of several meshes the first counts, in the order of their names.
+    /// Mesh scale factors of the bodies that carry moving contact spheres, by name. Bodies without meshes, or with a name that a note
+    /// cannot hold, are left out. If a body has several meshes, the first name in alphabetical order counts.
     pub fn body_sizes(&self) -> Vec<BodySize> {
         let spheres = moving_spheres(self, &self.force_ids()).into_iter();
         let carrying: BTreeSet<&str> = spheres

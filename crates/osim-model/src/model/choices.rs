@@ -1,9 +1,9 @@
-//! What a request can choose: properties that may change, plain values, and how radii and spheres follow.
+//! Choices in a request: the properties to change, new values, and rules for radii and spheres.
 
 use crate::messages::shortest;
 use crate::model::Property;
 
-/// The properties that may change.
+/// The set of properties that a request may change.
 ///
 /// ```
 /// use osim_model::Property;
@@ -22,7 +22,7 @@ use crate::model::Property;
 pub struct PropertySet(Vec<Property>);
 
 impl Default for PropertySet {
-    /// Everything the paper scales: radius, E₁*, α and the three smoothing parameters.
+    /// All properties that the paper scales: radius, E₁*, α and the three smoothing parameters.
     fn default() -> Self {
         Self(vec![
             Property::Radius,
@@ -36,13 +36,13 @@ impl Default for PropertySet {
 }
 
 impl PropertySet {
-    /// The friction speeds too: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R), beyond the paper.
+    /// Adds the friction speeds, which the paper does not scale: `transition_velocity` ∝ √(g R) and `viscous_friction` ∝ 1/√(g R).
     pub fn with_friction(mut self) -> Self {
         self.0.extend([Property::TransitionVelocity, Property::ViscousFriction]);
         self
     }
 
-    /// Restricts the set to those of `only` (all, if it is empty) without those of `keep`.
+    /// Keeps the properties in `only` (all properties if `only` is empty), without those in `keep`.
     pub fn restricted(mut self, only: &[Property], keep: &[Property]) -> Self {
         self.0.retain(|property| (only.is_empty() || only.contains(property)) && !keep.contains(property));
         self
@@ -52,13 +52,14 @@ impl PropertySet {
         self.0.contains(&property)
     }
 
-    /// Whether everything that the paper scales is in it (a radius may stay: the others then follow from that).
+    /// Whether the set has all properties that the paper scales. The radius may be missing: the other properties then follow from the
+    /// unchanged radius.
     pub fn is_complete(&self) -> bool {
         Self::default().0.iter().all(|&property| property == Property::Radius || self.contains(property))
     }
 }
 
-/// A new value of a property, or a factor.
+/// A new value of a property, or a factor for its present value.
 ///
 /// Exhaustive: there is nothing between a value and a factor.
 ///
@@ -89,16 +90,16 @@ impl std::fmt::Display for Assignment {
 /// Exhaustive: plans have a formula for each.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RadiusRule {
-    /// R ∝ M^{1/3}, with the linear dimensions of the body (8). In a transfer, as large against the body as the reference's.
+    /// R ∝ M^{1/3}, like the linear dimensions of the body (8). In a transfer: as large relative to the body as in the reference.
     Isometric,
     Keep,
-    /// All radii become this, in m.
+    /// All radii get this value, m.
     Metres(f64),
-    /// All radii are multiplied by this.
+    /// All radii are multiplied by this factor.
     Factor(f64),
 }
 
-/// Which size α follows, (14).
+/// Whether the dissipation α changes with the radius or with the mass, (14).
 ///
 /// Exhaustive: plans have a factor for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -110,7 +111,7 @@ pub enum DissipationBy {
     Mass,
 }
 
-/// How a radius follows from three factors.
+/// How the ratio of radii follows from a body's factors along x, y and z.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum RadiusAxis {
     X,
@@ -124,7 +125,7 @@ pub enum RadiusAxis {
 }
 
 impl RadiusAxis {
-    /// The ratio of radii for these factors along x, y and z.
+    /// The ratio of radii for a body's factors along x, y and z.
     pub fn radius_ratio(self, [x, y, z]: [f64; 3]) -> f64 {
         match self {
             Self::X => x,
@@ -139,10 +140,10 @@ impl RadiusAxis {
     }
 }
 
-/// The request for spheres of the scaled model that were moved or resized already.
+/// What to do with spheres of the scaled model that somebody has already moved or resized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MovedSpheres {
-    /// Refuse, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
+    /// Refuse the request, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
     #[default]
     Refuse,
     /// The spheres are right: keep their location and radius.

@@ -1,4 +1,4 @@
-//! Digests of all contact values and of the spheres' places, by which a note recognises its contacts.
+//! Digests of all contact values and of the places of spheres. A note uses them to recognise whether its contacts were changed.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,12 @@ use crate::model::property::Property;
 use crate::model::typed_model::Model;
 use crate::xml::ElementId;
 
-/// Bytes of the digest of all numbers in a note, and of that of a reference.
+/// Bytes of the digest of all numbers in a note, and of the digest of a reference file.
 const DIGEST_BYTES: usize = 8;
 /// Bytes of the digests of radii, places and names.
 const PART_DIGEST_BYTES: usize = 4;
 
-/// The key of a number of a model: its file, its object and its property.
+/// The key of a number in a model: its file, its object and its property.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ValueKey {
     file: FileId,
@@ -38,10 +38,10 @@ impl From<(&Slot, Property)> for ValueKey {
 }
 
 impl Model {
-    /// A digest of all contact values: parameters of every contact force and radii of their spheres, in their order.
+    /// A digest of all contact values, in file order: the parameters of every contact force and the radii of its spheres.
     ///
-    /// `changed` gives the new value of those that a plan changes. Equal numbers have
-    /// equal digests, whatever their spelling, their place in the file, and the names of spheres and forces.
+    /// `changed` gives the new value of numbers that a plan changes. Equal numbers have equal digests, whatever their spelling, their place
+    /// in the file, and the names of spheres and forces.
     pub fn contact_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let mut hash = Sha256::new();
         let mut feed = |set: usize, property: Property, number: f64| {
@@ -64,11 +64,10 @@ impl Model {
                 feed(0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
             }
         }
-        first_digits(hash)
+        hash_digits(hash)
     }
 
-    /// Digest of the radii of all spheres of contact forces, which does not depend on their order. `changed` gives the new value of those that a plan
-    /// changes.
+    /// Digest of the radii of all spheres of contact forces, in any order. `changed` gives the new value of radii that a plan changes.
     pub fn radii_digest(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> String {
         let radius = |sphere: &Sphere| {
             let key = ValueKey::new(sphere.file, sphere.element, Property::Radius);
@@ -81,8 +80,8 @@ impl Model {
         digits(hash, PART_DIGEST_BYTES)
     }
 
-    /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in whatever
-    /// order. `moved` gives the new location of those that a plan moves, m.
+    /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in any order. `moved`
+    /// gives the new location of spheres that a plan moves, m.
     pub fn places_digest(&self, moved: impl Fn(&Sphere) -> Option<[f64; 3]>) -> String {
         let mut places: Vec<(&str, [u64; 3])> = Vec::new();
         for sphere in self.spheres_of_forces() {
@@ -105,25 +104,25 @@ impl Model {
         self.forces().iter().flat_map(Force::spheres).filter_map(|sphere| self.sphere(sphere))
     }
 
-    /// Whether all contact values are those that `note` records.
+    /// Whether all contact values are equal to those that `note` records.
     pub(crate) fn has_values_of(&self, note: &Note) -> bool {
         note.digest == self.contact_digest(|_| None)
     }
 
-    /// Whether all radii are those that `note` records.
+    /// Whether all radii are equal to those that `note` records.
     pub(crate) fn has_radii_of(&self, note: &Note) -> bool {
         note.radii == self.radii_digest(|_| None)
     }
 
-    /// Whether all spheres are where `note` records them; `None` where it records no places.
+    /// Whether all spheres are at the places that `note` records; `None` if the note has no places.
     pub fn has_places_of(&self, note: &Note) -> Option<bool> {
         note.places.as_ref().map(|places| *places == self.places_digest(|_| None))
     }
 
-    /// Why the note about the contacts cannot be relied on; `None` if it can, or if there is no note.
+    /// The reason not to trust the note about the contacts; `None` if it can be trusted, or if there is no note.
     ///
-    /// A note of [`Scope::All`] that gives no mass can be relied on: nobody said one, and the contacts are taken as made for what the
-    /// bodies weigh, as without a note. Once OpenSim has scaled the bodies, they no longer weigh that.
+    /// A note of [`Scope::All`] without a mass can be trusted: nobody gave a mass, and the contacts count as made for the mass of the
+    /// bodies, as without a note. After OpenSim has scaled the bodies, their mass is another one, and the note is in doubt.
     pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
         if self.note_fault.is_some() {
             return self.note_fault;
@@ -141,12 +140,12 @@ impl Model {
     }
 }
 
-/// The first 16 digits of the SHA-256 of `bytes`, by which a note recognises a reference.
+/// The first 16 digits of the SHA-256 of `bytes`, by which a note recognises a reference file.
 pub fn short_digest(bytes: &[u8]) -> String {
-    first_digits(Sha256::new_with_prefix(bytes))
+    hash_digits(Sha256::new_with_prefix(bytes))
 }
 
-fn first_digits(hash: Sha256) -> String {
+fn hash_digits(hash: Sha256) -> String {
     digits(hash, DIGEST_BYTES)
 }
 
@@ -157,12 +156,12 @@ fn digits(hash: Sha256, bytes: usize) -> String {
 
 // Names of the contacts and a digest of each of their properties: by these a note shows what changed.
 
-/// Bytes of the digest of one property. It is short: it only says which property differs once the digest of all numbers does.
+/// Bytes of the digest of one property. It is short because it only names the changed property, after the digest of all numbers has found a
+/// change.
 const PROPERTY_DIGEST_BYTES: usize = 2;
 
 impl Model {
-    /// The parts of a note about the contacts beside the digests of all numbers. `changed` gives the new value of those that a plan
-    /// changes.
+    /// The digests of single properties and of names for a note. `changed` gives the new value of numbers that a plan changes.
     pub fn noted_parts(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> NotedParts {
         let mut seen: HashSet<SphereId> = HashSet::default();
         let spheres = self.forces().iter().flat_map(Force::spheres).filter(|&sphere| seen.insert(sphere));
@@ -175,7 +174,7 @@ impl Model {
         }
     }
 
-    /// A digest of the values of each property, which does not depend on their order in the file.
+    /// A digest of the values of each property, in any order.
     fn property_digests(&self, changed: impl Fn(ValueKey) -> Option<f64>) -> BTreeMap<Property, String> {
         let mut values: BTreeMap<Property, Vec<u64>> = BTreeMap::new();
         for force in self.forces() {
@@ -211,7 +210,8 @@ fn noted_names(mut names: Vec<&str>) -> NotedNames {
 // The record of a note after a change that removes contacts or converts them, and keeps the mass that they are made for.
 
 impl Note {
-    /// The note with the record of the contacts of `after`. Differences between the note and `before` stay, so that they are found later.
+    /// The note with the digests of the changed contacts in `after`. If `before` already differed from the note, the difference is kept, so
+    /// that it is found later.
     pub fn with_updated_record(&self, before: &Model, after: &Model) -> Self {
         let mut note = self.clone();
         let parts = after.noted_parts(|_| None);
@@ -232,7 +232,7 @@ impl Note {
 }
 
 impl NotedParts {
-    /// The parts of `after`, but those of this note where they differ from `before`.
+    /// The digests of `after`. Where this note already differs from `before`, its old digest is kept.
     fn updated(&self, before: &Self, mut after: Self) -> Self {
         for (property, noted) in &self.properties {
             if before.properties.get(property) != Some(noted) {

@@ -1,4 +1,4 @@
-//! How large bones are: factors of meshes, translations of frames, and distances between joints.
+//! The sizes of bones: scale factors of meshes, translations of frames, and distances between joints.
 
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,7 +14,7 @@ use crate::model::fault::NeedsAnswer;
 use crate::model::names::Side;
 use crate::xml::{ElementId, opensim_text};
 
-/// Three numbers along x, y and z of each mesh or frame of each body, as in [`Anatomy`](crate::model::anatomy::Anatomy).
+/// Three numbers along x, y and z for each mesh or frame of each body, as in [`Anatomy`](crate::model::anatomy::Anatomy).
 pub type TriplesByBody = BTreeMap<String, BTreeMap<String, [f64; 3]>>;
 
 pub(crate) fn mesh_factors(components: &Components) -> TriplesByBody {
@@ -25,7 +25,7 @@ pub(crate) fn mesh_factors(components: &Components) -> TriplesByBody {
     factors
 }
 
-/// The translations of the offset frames and joints on each body, m.
+/// The translations, m, of the offset frames and joint frames on each body.
 pub(crate) fn frame_offsets(components: &Components) -> TriplesByBody {
     let mut offsets = TriplesByBody::new();
     for (id, _) in components.tree.iter() {
@@ -40,13 +40,13 @@ pub(crate) fn frame_offsets(components: &Components) -> TriplesByBody {
     offsets
 }
 
-/// Adds an offset frame that is fixed to a body directly: OpenSim scales its translation by the factors of that body.
+/// Adds the translation of an offset frame that is fixed directly to a body. OpenSim scales it by the factors of the body.
 fn read_frame(offsets: &mut TriplesByBody, components: &Components, frame: ComponentId) {
     let Some((body, translation)) = offset_on_body(components, frame) else { return };
     offsets.entry(body).or_default().insert(components.tree.path(frame), translation);
 }
 
-/// Adds the offsets of a joint's frames under the name of the joint, so that documents of versions 3 and 4 have the same keys.
+/// Adds the translations of a joint's frames under the name of the joint. Documents of versions 3 and 4 then have the same keys.
 fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
     for end in ["parent", "child"] {
         let frame = components
@@ -61,7 +61,7 @@ fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: Compo
     }
 }
 
-/// Documents of version 3: the joint inside the child body holds both translations.
+/// Adds the translations of a joint in a document of version 3, where the joint is inside its child body.
 fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: ComponentId) {
     let document = components.doc(joint);
     let element = components.element(joint);
@@ -84,7 +84,7 @@ fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: C
     }
 }
 
-/// Documents before this version list the file names of meshes alone, without a `<GeometrySet>`.
+/// The first document version with a `<GeometrySet>`. Older documents list only the file names of meshes.
 pub(crate) const FIRST_WITH_GEOMETRY_SETS: u32 = 20101;
 
 pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
@@ -98,7 +98,7 @@ pub(crate) fn mesh_scale(document: &Document, element: ElementId) -> [f64; 3] {
     document.triple(element, "scale_factors").unwrap_or([if missing { 1.0 } else { f64::NAN }; 3])
 }
 
-/// The meshes of `body`: file (numbered where it repeats) and scale factors along x, y and z.
+/// The meshes of `body` by file name (numbered if it repeats), each with its scale factors along x, y and z.
 fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 3]> {
     let document = components.doc(body);
     let tree = document.tree();
@@ -137,7 +137,7 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
     meshes
 }
 
-/// The body an offset frame is fixed to directly, and where it is there.
+/// The body to which an offset frame is fixed directly, and the frame's translation on it.
 fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String, [f64; 3])> {
     let parent = components.connectee(frame, "parent", &["parent_frame"])?;
     let body =
@@ -149,25 +149,27 @@ fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String
 
 // Distances between the joints of a body, and spheres that are larger than these.
 
-/// The outermost joints of a body whose distances from all others are compared: more than a body has.
+/// The number of outermost joints of a body whose distances from all others are compared: more than real bodies have.
 const MOST_OUTERMOST_JOINTS: usize = 32;
-/// The length of a long bone over the radius of a sphere, where nothing else is known: a shank of 0.43 m, a radius of 0.032 m.
+/// The usual length of a long bone over the radius of a contact sphere: a shank of 0.43 m, a radius of 0.032 m. Used for spheres without an
+/// old radius.
 const BONE_LENGTH_IN_RADII: f64 = 13.0;
 
-/// How far apart the joints of each body are, from [`Model::joint_distances`](crate::model::Model::joint_distances): a measure of how large the bones around a sphere are.
+/// The distances between the joints of each body, a measure of the size of bones: from
+/// [`Model::joint_distances`](crate::model::Model::joint_distances).
 #[derive(Debug, Clone, Default)]
 pub struct JointDistances {
-    /// The longest distance between two joints of one body, m: of the body of this name and of those that it is joined to.
+    /// The longest distance between two joints on one body, m: on the named body or a body that is joined to it.
     around_m: BTreeMap<String, f64>,
-    /// The longest distance between two joints of the body of this name alone, m.
+    /// The longest distance between two joints of the named body alone, m.
     by_body_m: BTreeMap<String, f64>,
-    /// The longest distance in the body of this name and in those above it on its limb, m.
+    /// The longest distance between two joints on one body, m: on the named body or a body above it on its limb.
     by_limb_m: HashMap<String, Option<f64>>,
     longest_of_all_m: Option<f64>,
 }
 
 impl JointDistances {
-    /// The distances between these joints of bodies, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
+    /// The distances between `joints`, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
     pub(crate) fn from_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
         let mut places: BTreeMap<String, Vec<DVec3>> = BTreeMap::new();
@@ -177,7 +179,7 @@ impl JointDistances {
             neighbours.entry(joint.parent.clone()).or_default().insert(joint.child.clone());
             neighbours.entry(joint.child.clone()).or_default().insert(joint.parent.clone());
         }
-        let longest = |(body, places): (String, Vec<DVec3>)| Some((body, longest_m(&places)?));
+        let longest = |(body, places): (String, Vec<DVec3>)| Some((body, longest_distance_m(&places)?));
         let longest_m: BTreeMap<String, f64> = places.into_iter().filter_map(longest).collect();
         let around = |(body, next_to): (&String, &BTreeSet<String>)| {
             let near = next_to.iter().chain([body]).filter_map(|body| longest_m.get(body));
@@ -191,19 +193,19 @@ impl JointDistances {
         }
     }
 
-    /// The longest distance between two joints of `body`; `None` if it has no two that are apart.
+    /// The longest distance between two joints of `body`, m; `None` if it has no two joints at different places.
     pub fn longest_in_body(&self, body: &str) -> Option<f64> {
         self.by_body_m.get(body).copied()
     }
 
-    /// The longest bone of the limb: the longest distance between two joints of `body`, or of one above it up to where the limb
-    /// leaves the trunk. `None` if none of these has two joints that are apart.
+    /// The longest bone of the limb, m: the longest distance between two joints of `body` or of a body above it, up to the trunk. `None` if
+    /// none of these bodies has two joints at different places.
     pub fn longest_in_limb(&self, body: &str) -> Option<f64> {
         self.by_limb_m.get(body).copied().flatten()
     }
 
-    /// The longest distance between two joints of one body: of the body that carries `sphere` and of those that it is joined to.
-    /// If none of these has two joints that are apart, all bodies count; `None` if no body has any.
+    /// The longest distance between two joints on one body, m: on the body that carries `sphere` or a body joined to it. If these have no
+    /// such joints, on any body of the model; `None` if no body has such joints.
     fn longest_around_sphere(&self, sphere: &Sphere) -> Option<f64> {
         self.longest_around_body(sphere.body.as_ref()?)
     }
@@ -212,8 +214,8 @@ impl JointDistances {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
 
-    /// The question about `radius_m` if `sphere` would be larger than the bones around it. `is_given_length`: whether the caller gave the
-    /// radius as a length, perhaps in another unit.
+    /// A question to the caller if `radius_m` makes `sphere` larger than the bones around it. `is_given_length`: the caller gave the radius
+    /// as a length, perhaps in another unit.
     pub fn implausible_radius(
         &self,
         sphere: &Sphere,
@@ -233,8 +235,8 @@ impl JointDistances {
     }
 }
 
-/// The longest bone of the limb of each body that has a parent or a child; each joint is visited once. A limb ends where the names above it
-/// are not of its side.
+/// The longest bone of the limb of each joined body. Each joint is visited once. A limb ends below the first body without a side in its
+/// name, or of the other side.
 fn longest_by_limb(
     joints: &[AnatomyJoint],
     by_body_m: &BTreeMap<String, f64>,
@@ -262,10 +264,11 @@ fn longest_by_limb(
     by_limb_m
 }
 
-/// The longest distance between two of `places`. Where very many are about equally far from their middle (joints on a circle), only
-/// pairs with one of the [`MOST_OUTERMOST_JOINTS`] are looked at. What is found is then at least 0.57 (1/√3) of the longest: the outermost place is
-/// as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far out.
-fn longest_m(places: &[DVec3]) -> Option<f64> {
+/// The longest distance between two of `places`. If very many places are about equally far from their middle (joints on a circle), only
+/// pairs with one of the [`MOST_OUTERMOST_JOINTS`] are compared. The result is then at least 0.57 (1/√3) of the longest distance: the
+/// outermost place is as far out along some axis as 1/√3 of half the longest, and on the other side of the middle there is a place as far
+/// out.
+fn longest_distance_m(places: &[DVec3]) -> Option<f64> {
     let mut places: Vec<DVec3> = places.iter().copied().filter(|place| place.is_finite()).collect();
     places.sort_unstable_by(|a, b| {
         let (a, b) = (a.to_array(), b.to_array());

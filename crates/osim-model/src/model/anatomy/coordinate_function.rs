@@ -1,21 +1,21 @@
-//! The functions by which joints move, SIMM's cubic spline among them.
+//! The functions that describe how coordinates move joints, such as SIMM's cubic spline.
 
 use crate::model::document::Document;
 use crate::xml::{ElementId, opensim_text};
 
-/// A function of one coordinate (or of time), read from a file.
+/// A function of one coordinate or of time, read from a model file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoordinateFunction(FunctionKind);
 
 #[derive(Debug, Clone, PartialEq)]
 enum FunctionKind {
-    /// The coefficients of a polynomial, that of the highest power first; a constant is one.
+    /// The coefficients of a polynomial, beginning with the highest power. A constant has one coefficient.
     Polynomial(Vec<f64>),
-    /// Another function times a number.
+    /// A factor, and the function that it multiplies.
     Scaled(f64, Box<FunctionKind>),
-    /// Straight lines between points: their x, and their y.
+    /// Straight lines between points: the x values and the y values of the points.
     PiecewiseLinear(Vec<f64>, Vec<f64>),
-    /// A cubic spline by SIMM's rule.
+    /// A cubic spline as the program SIMM defines it.
     Spline(SimmSpline),
 }
 
@@ -104,7 +104,7 @@ pub(crate) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Optio
     opensim_text::numbers(&text).filter(|values| values.iter().all(|value| value.is_finite()))
 }
 
-/// The points of a curve: at least one, x rising.
+/// The points of a curve: at least one, with rising x.
 fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>)> {
     let (xs, ys) = (numbers(document, function, "x")?, numbers(document, function, "y")?);
     (xs.len() == ys.len() && xs.is_sorted_by(|a, b| a < b)).then_some((xs, ys))
@@ -112,21 +112,21 @@ fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>
 
 // SIMM's cubic spline, as OpenSim evaluates it.
 
-/// A cubic spline through points; beyond its ends it is straight.
+/// A cubic spline through points; outside its points it continues as a straight line.
 #[derive(Debug, Clone, PartialEq)]
 struct SimmSpline {
     xs: Vec<f64>,
     ys: Vec<f64>,
-    /// The width of each piece in x.
+    /// The width in x of each interval between two points.
     widths: Vec<f64>,
-    /// The slope of the chord of each piece.
+    /// The slope of the straight line across each interval.
     chord_slopes: Vec<f64>,
-    /// A sixth of the second derivative at each knot; empty where there are fewer than three.
+    /// A sixth of the second derivative at each point; empty for fewer than three points.
     curvature_sixths: Vec<f64>,
 }
 
 impl SimmSpline {
-    /// The spline through points with rising `xs`.
+    /// The spline through the points; `xs` have to rise.
     fn new(xs: Vec<f64>, ys: Vec<f64>) -> Self {
         let widths: Vec<f64> = xs.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let chord_slopes: Vec<f64> =
@@ -165,8 +165,8 @@ impl SimmSpline {
     }
 }
 
-/// A sixth of the second derivative at each knot of the spline of Forsythe, Malcolm and Moler, Computer Methods for Mathematical
-/// Computations (1977), chapter 4: at both ends, the third derivative is that of the cubic through the four nearest knots.
+/// A sixth of the second derivative at each point of the spline of Forsythe, Malcolm and Moler, Computer Methods for Mathematical
+/// Computations (1977), chapter 4: at both ends, the third derivative is that of the cubic through the four nearest points.
 #[allow(
     clippy::indexing_slicing,
     reason = "all indices are below the number of knots, which are three or more"
@@ -199,13 +199,13 @@ fn curvature_sixths(xs: &[f64], widths: &[f64], chord_slopes: &[f64]) -> Vec<f64
     right
 }
 
-/// The piece of a curve in which `x` is; the first or the last one outside.
+/// The index of the interval that contains `x`; outside all intervals, the first or the last one.
 fn piece_index(xs: &[f64], x: f64) -> usize {
     let after = xs.partition_point(|&knot| knot <= x);
     after.saturating_sub(1).min(xs.len().saturating_sub(2))
 }
 
-/// Value and slope of straight lines between points, of which the outer ones have no end.
+/// Value and slope of straight lines between points. The outer lines continue without end.
 fn piecewise_linear(xs: &[f64], ys: &[f64], x: f64) -> (f64, f64) {
     let k = piece_index(xs, x);
     let (Some([x0, x1]), Some([y0, y1])) = (xs.get(k..k + 2), ys.get(k..k + 2)) else {
@@ -264,7 +264,7 @@ mod tests {
         assert_eq!(spline_through(1).value_and_slope(7.0).0, 0.2);
     }
 
-    /// A slope is the difference quotient of the values on both sides, at knots and beyond the ends, too.
+    /// A slope equals the difference quotient of neighbouring values, also at points and outside the first and last point.
     #[test]
     fn spline_slopes_are_differences_of_values() {
         let (spline, step) = (spline_through(5), 1e-6);

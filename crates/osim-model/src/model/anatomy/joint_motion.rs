@@ -1,4 +1,4 @@
-//! Where the child frame of a joint is in its parent frame at given values of its coordinates, and how it moves there.
+//! The placement of a joint's child frame in its parent frame at given values of the coordinates, and the velocity of the child frame.
 
 use glam::DVec3;
 
@@ -7,27 +7,27 @@ use crate::model::document::Document;
 use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::xml::{ElementId, opensim_text};
 
-/// How the coordinates of a joint change, one number for each; 0 where there are fewer.
+/// The rates of change of a joint's coordinates, one number for each. Missing numbers count as 0.
 ///
-/// The two differ for the three angles of a BallJoint, FreeJoint and EllipsoidJoint alone: there, OpenSim's speeds (the `speed` columns
-/// of its states) are the child's angular velocity in the parent's frame.
+/// Rates and generalized speeds differ only for the three angles of a BallJoint, FreeJoint or EllipsoidJoint. There, OpenSim's speeds (the
+/// `speed` columns of its states) are the child's angular velocity in the parent's frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Speeds<'s> {
-    /// Derivatives of the values, rad/s or m/s.
+    /// Time derivatives of the coordinates' values, rad/s or m/s.
     Rates(&'s [f64]),
-    /// The speeds that OpenSim calls generalized.
+    /// The quantities that OpenSim calls generalized speeds.
     Generalized(&'s [f64]),
 }
 
 impl Speeds<'_> {
-    pub(crate) fn get(&self, index: usize) -> f64 {
+    pub(crate) fn speed_at(&self, index: usize) -> f64 {
         let (Self::Rates(all) | Self::Generalized(all)) = self;
         all.get(index).copied().unwrap_or(0.0)
     }
 
-    /// The angular velocity of a frame that is turned by the first three of `values`, rad/s.
+    /// The angular velocity of a frame whose rotation is given by the first three of `values`, rad/s.
     pub(crate) fn angular_velocity(&self, values: &[f64]) -> DVec3 {
-        let first = [self.get(0), self.get(1), self.get(2)];
+        let first = [self.speed_at(0), self.speed_at(1), self.speed_at(2)];
         match self {
             Self::Rates(_) => {
                 let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
@@ -38,11 +38,11 @@ impl Speeds<'_> {
     }
 }
 
-/// Three axes of rotation and three of translation, in the order in which OpenSim applies them.
+/// Names of the three rotation axes, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
-/// The effect of a joint's coordinates on the frame of its child, read from the file once.
+/// How the coordinates of a joint move its child frame. Read from the file once.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum JointMotion {
     Weld,
@@ -50,11 +50,11 @@ pub(crate) enum JointMotion {
     Slider,
     Universal,
     Gimbal,
-    /// Three angles, whose speeds are an angular velocity in OpenSim.
+    /// Three rotation angles. Their speeds in OpenSim are an angular velocity.
     Ball,
     Planar,
     Free,
-    /// Three angles, and the radii of the ellipsoid that the child glides on, m.
+    /// Three angles, and the radii, m, of the ellipsoid on whose surface the child glides.
     Ellipsoid(DVec3),
     /// The axes of a `<SpatialTransform>`.
     Spatial(Vec<TransformAxis>),
@@ -62,18 +62,18 @@ pub(crate) enum JointMotion {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TransformAxis {
-    /// Whether the child rotates about the axis; else it moves along it.
+    /// Whether the child rotates about this axis; if not, it moves along the axis.
     rotates: bool,
     direction: DVec3,
-    /// The index of the joint's coordinate that moves this axis; `None` if none does.
+    /// The index of the joint's coordinate that drives this axis; `None` if no coordinate does.
     coordinate: Option<usize>,
     function: CoordinateFunction,
-    /// Whether the function is a `LinearFunction` of slope 1 or -1: the coordinate is an angle or a length.
+    /// Whether the function is a `LinearFunction` of slope 1 or -1. The coordinate is then the angle or the distance itself.
     is_pure: bool,
 }
 
 impl JointMotion {
-    /// Reads the motion of the joint at `element` with the coordinates of these names; `None` for a class or function that is not known.
+    /// Reads the motion of the joint at `element`, which has the named `coordinates`; `None` for an unsupported class or function.
     pub(crate) fn read(document: &Document, element: ElementId, coordinates: &[&str]) -> Option<Self> {
         Some(match document.tree().name(element) {
             "WeldJoint" => Self::Weld,
@@ -90,7 +90,7 @@ impl JointMotion {
         })
     }
 
-    /// The child's frame of the joint in its parent's where its coordinates have `values`; 0 where there are fewer.
+    /// The placement of the child frame in the parent frame if the coordinates have `values`. Missing values count as 0.
     pub(crate) fn placement(&self, values: &[f64]) -> Placement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
         let [first, second, third] = [value(0), value(1), value(2)];
@@ -121,14 +121,14 @@ impl JointMotion {
 }
 
 impl JointMotion {
-    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along one,
-    /// `None` if it is neither. The last axis counts, as in OpenSim.
+    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along an
+    /// axis, `None` if it is neither. If the coordinate drives several axes, the last one counts, as in OpenSim.
     pub(crate) fn is_pure_rotation(&self, index: usize) -> Option<bool> {
         let Self::Spatial(axes) = self else { return None };
         axes.iter().rfind(|axis| axis.coordinate == Some(index) && axis.is_pure).map(|axis| axis.rotates)
     }
 
-    /// Whether the coordinate number `index` is an angle, else a length; `None` if it is neither.
+    /// Whether coordinate number `index` is an angle; `false` for a length, `None` if it is neither.
     pub(crate) fn is_angle(&self, index: usize) -> Option<bool> {
         match self {
             Self::Weld => None,
@@ -140,10 +140,10 @@ impl JointMotion {
         }
     }
 
-    /// The child's frame of the joint in its parent's where its coordinates have `values` and change with `speeds`.
+    /// The placement of the child frame in the parent frame, and its velocity, if the coordinates have `values` and change with `speeds`.
     pub(crate) fn placement_and_velocity(&self, values: &[f64], speeds: Speeds<'_>) -> MovingPlacement {
         let value = |index: usize| values.get(index).copied().unwrap_or(0.0);
-        let speed = |index: usize| speeds.get(index);
+        let speed = |index: usize| speeds.speed_at(index);
         let [first, second, third] = [speed(0), speed(1), speed(2)];
         let at = self.placement(values);
         let still = MovingPlacement::still(at);
@@ -186,7 +186,7 @@ impl JointMotion {
 }
 
 impl TransformAxis {
-    /// `moving`, turned or shifted further, while its coordinate changes.
+    /// Adds the rotation or translation of this axis, and its velocity, to the placement `moving`.
     fn applied_to_moving(
         &self,
         mut moving: MovingPlacement,
@@ -209,7 +209,8 @@ impl TransformAxis {
         moving
     }
 
-    /// `placement`, turned or shifted further: rotations come one after the other, each in the frame that those before have turned.
+    /// Adds the rotation or translation of this axis to `placement`. Each rotation is made in the frame that the rotations before it have
+    /// turned.
     fn applied_to(&self, mut placement: Placement, value_of: impl Fn(usize) -> f64) -> Placement {
         let value = self.function.value(self.coordinate.map_or(0.0, value_of));
         if self.rotates {
@@ -224,7 +225,7 @@ impl TransformAxis {
     }
 }
 
-/// The axes of a joint's `<SpatialTransform>`, in the order in which they are applied.
+/// The axes of a joint's `<SpatialTransform>`, in the order in which OpenSim applies them.
 fn transform_axes(document: &Document, joint: ElementId, coordinates: &[&str]) -> Option<Vec<TransformAxis>> {
     let tree = document.tree();
     let Some(transform) = tree.child(joint, "SpatialTransform") else { return Some(Vec::new()) };
@@ -239,7 +240,7 @@ fn transform_axes(document: &Document, joint: ElementId, coordinates: &[&str]) -
     tree.children(transform).enumerate().map(read).collect()
 }
 
-/// The index of the coordinate that moves one axis, the function of it, and whether that is linear with slope 1 or -1.
+/// The index of the coordinate that drives one axis, the function of the coordinate, and whether the function is linear with slope 1 or -1.
 fn axis_function(
     document: &Document,
     axis: ElementId,
@@ -274,7 +275,7 @@ mod tests {
     use crate::model::anatomy::Anatomy;
     use crate::model::typed_model::Model;
 
-    /// A chain of bodies: calcn, mid, fore; each joint says what stands between its frames.
+    /// A chain of the bodies calcn, mid and fore. `middle` and `end` are XML that goes between the frames of the two joints.
     fn anatomy_of_chain(middle: &str, end: &str) -> Anatomy {
         let body = |name: &str| format!("<Body name=\"{name}\"><mass>1</mass></Body>");
         let frame = |name: &str, at: &str, turned: &str, body: &str| {
@@ -324,7 +325,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_is_found_through_bodies_between() {
+    fn a_joint_is_seen_from_a_body_above_other_bodies() {
         // 0.1 to the joint, 0.02 down to the middle body's origin, then 0.05 on.
         assert_place(&anatomy_of_chain("WeldJoint:", "0.05 0 0"), [0.15, -0.02, 0.0]);
         let anatomy = anatomy_of_chain("WeldJoint:", "0.05 0 0");
@@ -373,7 +374,7 @@ mod tests {
     }
 
     #[test]
-    fn a_joint_far_down_a_chain_says_nothing_about_a_body() {
+    fn a_joint_far_down_a_chain_is_not_seen_from_a_body() {
         // Body number n is joined to number n - 1, 0.1 m along x.
         let joint = |n: usize| {
             format!(

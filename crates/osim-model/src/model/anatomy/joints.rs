@@ -1,4 +1,4 @@
-//! Joints between bodies: where they are on both, and how the bodies are placed to each other at the default pose.
+//! The joints of a model: their places on both bodies, and the relative placement of the bodies at the default pose.
 
 use std::sync::OnceLock;
 
@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::model::anatomy::coordinate_function::numbers;
 use crate::model::anatomy::joint_motion::{JointMotion, Speeds};
-use crate::model::components::{ComponentId, Components, MAX_FRAME_CHAIN};
+use crate::model::components::{ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::model::placement::{MovingPlacement, Placement};
@@ -20,20 +20,20 @@ pub struct AnatomyJoint {
     pub child: String,
     pub in_parent_m: DVec3,
     pub in_child_m: DVec3,
-    /// Whether it is a WeldJoint: then both bodies are one bone.
+    /// Whether the joint is a WeldJoint, which makes one bone of both bodies.
     pub is_weld: bool,
-    /// The child's frame in the parent's at the default pose; `None` where a function of the joint is not understood.
+    /// The child frame of the joint in the parent body at the default pose; `None` if a function of the joint is not supported.
     placement: Option<Placement>,
 }
 
 impl AnatomyJoint {
-    /// A point of the child, seen from the parent at the default pose, m.
+    /// Converts a point of the child body to the frame of the parent body at the default pose, m.
     pub(crate) fn point_in_parent(&self, point_m: DVec3) -> Option<DVec3> {
         Some(self.placement?.point(point_m))
     }
 }
 
-/// A joint, between bodies or to ground, that can compute where its child is in its parent.
+/// A joint between two bodies, or between a body and ground. It can compute the placement of its child.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ModelJoint {
     pub name: String,
@@ -48,25 +48,25 @@ pub struct ModelJoint {
     element: ElementId,
     in_parent: Placement,
     in_child: Placement,
-    /// Whether its element is inside that of its child, as in documents before version 4.
+    /// Whether the joint's element is inside its child body, as in documents before version 4.
     in_body: bool,
-    /// Whether the child moves the parent, which joints before version 4 may say.
+    /// Whether the joint's child moves the parent, an option of joints before version 4.
     reversed: bool,
-    /// The effect of the joint's coordinates, read when the joint is first placed; `None` inside if it is not understood.
+    /// How the coordinates move the joint, read at first use; `None` inside if the joint is not supported.
     motion: OnceLock<Option<JointMotion>>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointCoordinate {
     pub name: String,
-    /// Element of the coordinate in the joint's file; the joint itself if only OpenSim makes the coordinate.
+    /// Element of the coordinate in the joint's file. It is the joint's element if the file leaves the coordinate to OpenSim.
     pub element: ElementId,
-    /// `default_value`, rad or m; `None` where it is not a number.
+    /// `default_value`, rad or m; `None` if it is not a number.
     pub default: Option<f64>,
 }
 
 impl ModelJoint {
-    /// Place of the joint on its parent (or in ground), m.
+    /// Place of the joint on its parent body or in ground, m.
     pub fn in_parent_m(&self) -> DVec3 {
         self.in_parent.translation_m
     }
@@ -97,7 +97,7 @@ impl ModelJoint {
         self.motion.get_or_init(read).as_ref()
     }
 
-    /// The joint as OpenSim converts it: the frames of a joint before version 4 are rounded to six digits.
+    /// The joint after OpenSim's conversion of old documents: frames of joints before version 4 are rounded to six digits.
     pub(crate) fn converted(mut self) -> Self {
         if self.in_body {
             self.in_parent = self.in_parent.in_six_digits();
@@ -107,7 +107,7 @@ impl ModelJoint {
     }
 }
 
-/// The joints of a model, read once, when they are first asked for.
+/// The joints of a model, read at first use.
 #[derive(Debug, Default)]
 pub(crate) struct Joints {
     all: OnceLock<Vec<(ComponentId, ModelJoint)>>,
@@ -116,14 +116,14 @@ pub(crate) struct Joints {
 }
 
 impl Joints {
-    /// All joints of the files. One whose frames lead nowhere is left out: nothing is known of its limb then.
+    /// All joints in the files. A joint whose frames refer to no body is left out; limbs beyond it are then unknown.
     pub(crate) fn read(&self, components: &Components) -> &[(ComponentId, ModelJoint)] {
         let joints = components.tree.iter().filter(|(id, _)| components.tag(*id).ends_with("Joint"));
         self.all
             .get_or_init(|| joints.filter_map(|(id, _)| Some((id, read_joint(components, id)?))).collect())
     }
 
-    /// All joints but those that are `ignored`, with their frames as OpenSim converts them.
+    /// All joints except the `ignored` ones, with their frames as OpenSim converts them.
     pub(crate) fn converted(&self, components: &Components, ignored: &[ComponentId]) -> &[ModelJoint] {
         self.converted.get_or_init(|| {
             let ignored: HashSet<&ComponentId> = ignored.iter().collect();
@@ -193,7 +193,7 @@ fn read_joint(components: &Components, joint: ComponentId) -> Option<ModelJoint>
     })
 }
 
-/// The coordinates of a joint that are not in the file: OpenSim makes them by itself, all at 0, before the joint has its name.
+/// The coordinates that OpenSim itself makes for a joint without coordinates in the file: all are 0, named before the joint has its name.
 fn default_coordinates(components: &Components, joint: ComponentId) -> Vec<JointCoordinate> {
     let count = match components.tag(joint) {
         "PinJoint" | "SliderJoint" => 1,
@@ -208,7 +208,7 @@ fn default_coordinates(components: &Components, joint: ComponentId) -> Vec<Joint
     (0..count).map(coordinate).collect()
 }
 
-/// The coordinates that the file has for a joint; `None` if it has no list of them.
+/// The coordinates that the file lists for a joint; `None` if the file has no list.
 fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordinate>> {
     let tree = document.tree();
     let old = || tree.child(tree.child(joint, "CoordinateSet")?, "objects");
@@ -229,7 +229,7 @@ fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordin
     Some(coordinates)
 }
 
-/// The body at one end of a joint (`None` is ground), and the joint's frame on it.
+/// The body at one end of a joint (`None` is ground), and the joint's frame on this body.
 fn joint_end(
     components: &Components,
     joint: ComponentId,
@@ -241,13 +241,13 @@ fn joint_end(
     Some((body.map(|body| components.name(body).into_owned()), placement))
 }
 
-/// The body that carries a frame (`None` is ground), and the frame on it; outer `None` if the frame leads nowhere.
+/// The body that carries a frame (`None` is ground), and the placement of the frame on it; outer `None` if the frame refers to no body.
 pub(crate) fn placement_on_base(
     components: &Components,
     frame: Option<ComponentId>,
 ) -> Option<(Option<ComponentId>, Placement)> {
     let (mut at, mut placement) = (frame, Placement::IDENTITY);
-    for _ in 0..=MAX_FRAME_CHAIN {
+    for _ in 0..=MOST_FRAMES_IN_CHAIN {
         let Some(frame) = at else { return Some((None, placement)) };
         match components.tag(frame) {
             "Body" => return Some(((!components.is_ground(frame)).then_some(frame), placement)),

@@ -1,4 +1,4 @@
-//! The parts of a model that scaling changes: mesh scale factors, joint offsets, and contact spheres.
+//! The parts of a model that OpenSim's scaling changes or should change: scale factors of meshes, offsets of joints, and contact spheres.
 
 pub(crate) mod bone_sizes;
 mod coordinate_function;
@@ -10,7 +10,7 @@ use std::collections::{self, BTreeMap};
 use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
-use crate::model::components::MAX_FRAME_CHAIN;
+use crate::model::components::MOST_FRAMES_IN_CHAIN;
 use crate::model::fault::Fault;
 use crate::model::placement::{MovingPlacement, Placement, Rotation};
 use crate::model::typed_model::Model;
@@ -18,29 +18,29 @@ pub use coordinate_function::CoordinateFunction;
 pub use joint_motion::Speeds;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};
 
-/// The part of a model that scaling changes (or should have changed), by body name.
+/// The parts of a model that scaling changes or should change, by the names of the bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Anatomy {
     /// Names of the bodies, in file order.
     pub bodies: Vec<String>,
-    /// Per body: mesh file (numbered where it repeats) and its scale factors along x, y and z; NaN where they are not numbers.
+    /// For each body, its mesh files (numbered if they repeat) with scale factors along x, y and z; NaN if they are not numbers.
     pub meshes: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
-    /// Per body: translations of frames that are fixed to it, m, by the name of the joint or frame.
+    /// For each body, the translations, m, of frames that are fixed to it, by the name of the joint or frame.
     pub offsets: BTreeMap<String, BTreeMap<String, [f64; 3]>>,
     pub spheres: Vec<AnatomySphere>,
-    /// Joints between bodies of the files, in file order; those to ground are not among them.
+    /// Joints between two bodies, in file order. Joints to ground are left out.
     pub joints: Vec<AnatomyJoint>,
-    /// Whether the model has some bodies of a larger model, too few to recognise scaled copies of that model.
+    /// Whether the model is only a part of a larger model: it has too few bodies to recognise scaled copies of the larger model.
     pub is_fragment: bool,
     index: AnatomyIndex,
 }
 
-/// Indices of bodies, spheres and joints by name: of several of one name the first.
+/// Indices of bodies, spheres and joints by name. Of several with one name, the first counts.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct AnatomyIndex {
     bodies: HashSet<String>,
     spheres: HashMap<String, usize>,
-    /// Names that several spheres have.
+    /// Names that more than one sphere has.
     repeated_spheres: HashSet<String>,
     joints: HashMap<String, usize>,
     joints_by_child: HashMap<String, usize>,
@@ -67,18 +67,18 @@ impl AnatomyIndex {
 #[derive(Debug, Clone, PartialEq)]
 pub struct AnatomySphere {
     pub name: String,
-    /// Body that carries it; `None` is ground.
+    /// Body that carries the sphere; `None` is ground.
     pub body: Option<String>,
-    /// Location of its centre in its frame, m.
+    /// Location of the sphere's centre in its frame, m.
     pub location_m: [f64; 3],
     pub radius_m: f64,
     pub rotation: Rotation,
-    /// Places that differ by no more than this from `location_m` are the same, because the file has them with so few digits, m.
+    /// The largest error of `location_m` from rounding in the file, m: places that differ by no more are equal.
     pub(crate) rounding_m: f64,
 }
 
 impl AnatomySphere {
-    /// A sphere called `name` with its centre and radius, m, in a frame that is turned by `rotation` in `body`.
+    /// A sphere with its centre and radius, m. Its frame is turned by `rotation` in `body`.
     pub fn new(
         name: String,
         body: Option<String>,
@@ -89,18 +89,18 @@ impl AnatomySphere {
     }
 }
 
-/// Places that are written with a number of decimals in this range may be rounded: to 1 mm or to 0.01 mm. With more decimals rounding
-/// is not seen, and with fewer a place is rather a round number.
-const DECIMALS_OF_ROUNDING: std::ops::RangeInclusive<i32> = 3..=5;
+/// Numbers of decimals that indicate rounded places, to 1 mm or 0.01 mm. With more decimals rounding does not matter; with fewer, a place
+/// is probably meant as a round number.
+const DECIMALS_OF_ROUNDED_PLACES: std::ops::RangeInclusive<i32> = 3..=5;
 
-/// Half of the last digit that any of the places has, m; 0 if they have so many digits, or so few, that they are not rounded.
+/// Half a unit of the last decimal of the places, m; 0 if the number of decimals does not indicate rounding.
 pub fn rounding_of_places_m(places: impl Iterator<Item = [f64; 3]>) -> f64 {
     let decimals = |value: f64| {
         let text = value.to_string();
         text.split_once('.').map_or(0, |(_, decimals)| i32::try_from(decimals.len()).unwrap_or(i32::MAX))
     };
     let most = places.flatten().map(decimals).max().unwrap_or_default();
-    if DECIMALS_OF_ROUNDING.contains(&most) { 0.500_001 * 10_f64.powi(-most) } else { 0.0 }
+    if DECIMALS_OF_ROUNDED_PLACES.contains(&most) { 0.500_001 * 10_f64.powi(-most) } else { 0.0 }
 }
 
 impl Anatomy {
@@ -133,7 +133,7 @@ impl Anatomy {
     /// Reads the anatomy of `model`.
     ///
     /// # Errors
-    /// A frame that leads nowhere, or a radius that cannot be scaled.
+    /// A frame refers to no body, or a radius cannot be scaled.
     pub fn of(model: &Model) -> Result<Self, Fault> {
         let mut anatomy = Self {
             offsets: model.body_facts.frame_offsets(model.components()).clone(),
@@ -175,17 +175,17 @@ impl Anatomy {
         self.index.bodies.contains(name)
     }
 
-    /// The place of `joint`, seen from the origin of `body` at the default pose, m; `None` unless it lies below that body, with at most 64
-    /// joints between: each joint of a long chain would walk all of it.
+    /// The place of `joint`, seen from the origin of `body` at the default pose, m. `None` unless the joint is below the body with at most
+    /// 64 joints between: the limit avoids long walks along a chain.
     pub(crate) fn joint_place_seen_from(&self, body: &str, joint: &AnatomyJoint) -> Option<DVec3> {
         self.point_seen_from(body, &joint.parent, joint.in_parent_m)
     }
 
-    /// A point of the body `from`, seen from the body `above` at the default pose, m; `None` unless `from` is below that body in the joint tree, with
-    /// at most 64 joints between.
+    /// A point of the body `from`, seen from the body `above` at the default pose, m. `None` unless `from` is below `above` in the joint
+    /// tree, with at most 64 joints between.
     pub fn point_seen_from(&self, above: &str, from: &str, point_m: impl Into<DVec3>) -> Option<DVec3> {
         let (mut at, mut point) = (from, point_m.into());
-        for _ in 0..=MAX_FRAME_CHAIN {
+        for _ in 0..=MOST_FRAMES_IN_CHAIN {
             if at == above {
                 return Some(point);
             }
@@ -223,20 +223,20 @@ impl Anatomy {
         self.spheres.get(*self.index.spheres.get(name)?)
     }
 
-    /// Whether several spheres are called `name`.
+    /// Whether more than one sphere is called `name`.
     pub(crate) fn has_several_spheres(&self, name: &str) -> bool {
         self.index.repeated_spheres.contains(name)
     }
 }
 
 impl Model {
-    /// All joints whose frames lead to bodies or to ground, in file order, without those that OpenSim ignores. Frames of joints in
-    /// bodies are as OpenSim converts them, with six digits.
+    /// All joints whose frames refer to bodies or to ground, in file order, without joints that OpenSim ignores. Joints inside bodies have
+    /// frames with six digits, as OpenSim converts them.
     pub fn joints(&self) -> &[ModelJoint] {
         self.body_facts.joints.converted(self.components(), self.skeleton().ignored_joints())
     }
 
-    /// Whether each coordinate, by name, is an angle (else it is a length); `None` where it is neither. Of several of one name the first
+    /// Whether each coordinate, by name, is an angle; `false` for a length, `None` if it is neither. Of several with one name, the first
     /// counts.
     pub(crate) fn coordinates_are_angles(&self) -> collections::HashMap<&str, Option<bool>> {
         let mut are_angles = collections::HashMap::new();
@@ -252,13 +252,13 @@ impl Model {
 }
 
 impl ModelJoint {
-    /// The child's frame in the parent's where the coordinates have these `values` (rad, m; 0 where there are fewer); `None`
-    /// where a function of the joint, or the joint itself, is not understood.
+    /// The placement of the child frame in the parent frame if the coordinates have these `values` (rad, m; missing values count as 0);
+    /// `None` if the joint or one of its functions is not supported.
     pub fn placement(&self, model: &Model, values: &[f64]) -> Option<Placement> {
         self.placement_at(model.components(), values)
     }
 
-    /// As [`placement`](Self::placement), with the velocity of the child's frame while the coordinates change with these `speeds`.
+    /// As [`placement`](Self::placement), with the velocity of the child frame while the coordinates change with these `speeds`.
     pub fn placement_and_velocity(
         &self,
         model: &Model,
@@ -268,8 +268,8 @@ impl ModelJoint {
         self.placement_and_velocity_at(model.components(), values, speeds)
     }
 
-    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along one,
-    /// `None` if it is neither.
+    /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along an
+    /// axis, `None` if it is neither.
     pub fn is_pure_rotation(&self, model: &Model, index: usize) -> Option<bool> {
         self.motion(model.components())?.is_pure_rotation(index)
     }

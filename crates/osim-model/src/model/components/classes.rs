@@ -1,4 +1,4 @@
-//! The component classes OpenSim knows, and which sets of a model count beside one that stands alone.
+//! The component classes that OpenSim knows; and the sets of a model that are read if another set is given as a separate file.
 
 /// Subclasses of `Component` in the Python package `opensim` 4.6, sorted.
 const COMPONENT_CLASSES: &[&str] = &[
@@ -191,21 +191,22 @@ pub(super) fn is_component_class(tag: &str) -> bool {
     COMPONENT_CLASSES.binary_search(&tag).is_ok()
 }
 
-/// Which sets of a model file count: sets in files of their own replace those of the model file.
+/// Which sets of a model file are read. A set that is given as a separate file replaces the model's own set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum CountedSets {
     All,
-    /// Only the contact geometry: of a model that is given for its spheres, beside another with masses and joints.
+    /// Only the contact geometry: the file is given for its spheres, and another model has masses and joints.
     Geometry,
-    /// All classes but forces, which are in the set that stands alone.
+    /// Everything except forces: the separate set has the forces.
     AllButForces,
-    /// All classes but forces and contact geometry, which other files have.
+    /// Everything except forces and contact geometry: other files have these.
     Bodies,
 }
 
 impl CountedSets {
-    /// The classes of file number `index` of the `count` files that are given beside a set: first comes the geometry, then the model.
-    pub(super) fn beside_set(index: usize, count: usize) -> Self {
+    /// The sets that are read from file number `index` of the `count` files given with a separate set. The geometry comes first, then the
+    /// model.
+    pub(super) fn of_file_beside_set(index: usize, count: usize) -> Self {
         match (index, count) {
             (0, 1) => Self::AllButForces,
             (0, _) => Self::Geometry,
@@ -213,7 +214,7 @@ impl CountedSets {
         }
     }
 
-    /// Whether this set of a model counts.
+    /// Whether `set` is read from the file.
     pub(super) fn includes(self, set: &str) -> bool {
         match self {
             Self::All => true,

@@ -1,7 +1,7 @@
-//! The files that make up one model, and what sockets mean: read as one tree of components.
+//! The files that form one model, read as one tree of components; and the components to which sockets refer.
 //!
-//! Usually one file makes up a model. A model whose sets are in other files (`file="…"`), or a `ForceSet` with the
-//! `ContactGeometrySet` and the model it belongs to, are several, read as one tree.
+//! Usually a model is one file. A model whose sets are in other files (`file="…"`), or a `ForceSet` given with its `ContactGeometrySet` and
+//! its model, has several files, which are read as one tree.
 
 mod classes;
 mod tree;
@@ -14,13 +14,13 @@ use crate::model::fault::{Fault, FaultKind, FileId};
 use crate::xml::ElementId;
 pub use tree::{Component, ComponentId, ComponentTree};
 
-/// A file that belongs to the model beside its main one, for [`Model::read_with`](crate::model::Model::read_with).
+/// A file that belongs to a model in addition to its main file, for [`Model::read_with`](crate::model::Model::read_with).
 ///
-/// [`ModelFiles`](crate::model::files::ModelFiles) finds and reads them.
+/// [`ModelFiles`](crate::model::files::ModelFiles) finds and reads these files.
 #[derive(Debug, Clone)]
 pub struct Companion {
     pub document: Document,
-    /// The element of the main file whose `file="…"` names it; `None` for a set or model given beside a set.
+    /// The element of the main file whose `file="…"` names this file; `None` for a set or model that the caller gave with a separate set.
     pub included_by: Option<ElementId>,
 }
 
@@ -31,12 +31,12 @@ pub struct Components {
     pub tree: ComponentTree,
 }
 
-/// The text of a socket, and where it is.
+/// The text of a socket, and its place in the file.
 #[derive(Debug, Clone)]
 pub(crate) struct Connectee {
     pub text: String,
     pub element: ElementId,
-    /// Whether the socket is spelled as in documents that name bodies instead of giving paths.
+    /// Whether the socket has the old form that names a body instead of giving a path.
     pub legacy: bool,
 }
 
@@ -44,24 +44,24 @@ pub(crate) struct Connectee {
 pub(crate) enum Base {
     Ground,
     Body(ComponentId),
-    /// The body is in a file that was not given (standalone sets only).
+    /// The body is in a file that was not given. Possible only for sets in separate files.
     Unknown,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct FoundFrame {
-    /// `None` is ground, which no file spells out.
+    /// The component; `None` is ground, which has no element in any file.
     pub component: Option<ComponentId>,
-    /// Whether the path as written led nowhere, so that the only component with that last segment was taken.
+    /// Whether the written path leads to no component, and the only component with its last name was taken instead.
     pub by_name: bool,
 }
 
-/// The first version that keeps ground out of the BodySet: a body there that is called so is one like others.
+/// The first version in which ground is not a member of the BodySet. From then on, a body called `ground` there is an ordinary body.
 const FIRST_WITHOUT_GROUND: u32 = 30505;
-/// The ending of a socket's tag in older spellings.
+/// The ending of a socket's tag in old documents.
 const CONNECTEE_NAME: &str = "_connectee_name";
-/// Offset frames on offset frames, at most; deeper is a cycle.
-pub(crate) const MAX_FRAME_CHAIN: usize = 64;
+/// The longest chain of offset frames on offset frames. A longer chain must be a cycle.
+pub(crate) const MOST_FRAMES_IN_CHAIN: usize = 64;
 
 impl Components {
     pub(crate) fn new(main: Document, companions: Vec<Companion>) -> Self {
@@ -72,7 +72,7 @@ impl Components {
             let mount = companion.included_by.and_then(|element| component_above(&main, &tree, element));
             let counted = match companion.included_by {
                 Some(_) => CountedSets::All,
-                None => CountedSets::beside_set(index, beside),
+                None => CountedSets::of_file_beside_set(index, beside),
             };
             tree.add(FileId::companion(index), &companion.document, mount, counted);
         }
@@ -87,7 +87,7 @@ impl Components {
         &self.companions
     }
 
-    /// The file of the model itself: beside a set, the last one that is a model, because geometry comes first.
+    /// The file of the model itself. If a separate set is given, the last file that is a model: the geometry comes first.
     pub(crate) fn model_file(&self) -> Option<FileId> {
         if self.main.is_model() {
             return Some(FileId::MAIN);
@@ -96,7 +96,7 @@ impl Components {
         self.companions.iter().rposition(is_model).map(FileId::companion)
     }
 
-    /// The document of a file of the model; the main one where the handle is another model's.
+    /// The document of a file of this model. A handle of another model gives the main document.
     pub fn document(&self, file: FileId) -> &Document {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
         companion.map_or(&self.main, |companion| &companion.document)
@@ -126,7 +126,7 @@ impl Components {
         self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
 
-    /// The text of a socket of `owner`, in any spelling of any document version, else that in `<defaults>`.
+    /// The text of a socket of `owner`, in the spelling of any document version. Without an element of its own, the text in `<defaults>`.
     pub(crate) fn connectee(&self, owner: ComponentId, socket: &str, legacy: &[&str]) -> Option<Connectee> {
         let document = self.doc(owner);
         let owner_element = self.element(owner);
@@ -135,7 +135,7 @@ impl Components {
     }
 
     /// # Errors
-    /// The text of a socket, or of a place, with something in the middle of it, which OpenSim refuses.
+    /// A socket or a location contains an element or comment in its text; OpenSim refuses such a text.
     pub(crate) fn refuse_broken_texts(&self) -> Result<(), Fault> {
         let is_checked = |tag: &str| {
             ["socket_", "connector_"].iter().any(|spelling| tag.starts_with(spelling))
@@ -189,7 +189,7 @@ impl Components {
         (!text.is_empty()).then_some(Connectee { text, element: found, legacy })
     }
 
-    /// Finds the component that `text` means, seen from `owner`: by path, else as the only one with that name.
+    /// Finds the component to which `text` refers, seen from `owner`: by its path, else the only component with this name.
     pub(crate) fn resolve(
         &self,
         owner: ComponentId,
@@ -228,18 +228,18 @@ impl Components {
         Some(FoundFrame { component: Some(component), by_name: by_name && !connectee.legacy })
     }
 
-    /// Whether `body` is the one that older documents have for ground.
+    /// Whether `body` is the body that stands for ground in old documents.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
         self.doc(body).version() < FIRST_WITHOUT_GROUND && self.name(body) == "ground"
     }
 
-    /// The body (or ground) that carries a frame, through any number of offset frames.
+    /// The body (or ground) that carries a frame, through any number of offset frames between them.
     ///
     /// # Errors
-    /// An offset frame whose parent is missing, or whose chain of parents leads back to it.
+    /// An offset frame has no parent, or its chain of parents returns to itself.
     pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Base, Fault> {
         let mut at = frame;
-        for _ in 0..MAX_FRAME_CHAIN {
+        for _ in 0..MOST_FRAMES_IN_CHAIN {
             let Some(id) = at else { return Ok(Base::Ground) };
             match self.tag(id) {
                 "Ground" => return Ok(Base::Ground),

@@ -1,7 +1,8 @@
-//! The components of a model and their paths: which elements OpenSim turns into objects, and what they are called.
+//! The components of a model and their paths: the elements that OpenSim makes into objects, and the names of these objects.
 //!
-//! One pass over the elements in file order gives every element its role. Components are the items of `<objects>`,
-//! `<components>`, `<frames>` and of a Body's `<Joint>`, sets, and ground; everything else is a property. `<defaults>` of the data root is left out: its objects are not part of the model.
+//! One pass in file order decides for each element what it is. Components are the members of `<objects>`, `<components>`, `<frames>` and of
+//! a Body's `<Joint>`, also sets and ground; every other element is a property. `<defaults>` of the data root is left out: its objects are
+//! not part of the model.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -14,15 +15,15 @@ use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::ElementId;
 
-/// Sets of a model that may hold contacts or what they are attached to; markers, muscles' path points and the like are
-/// skipped, which keeps large models fast.
+/// Sets of a model that may hold contacts, or bodies and frames for them. Other sets, such as markers, are skipped, so that large models
+/// are read fast.
 const MODEL_SETS: [&str; 6] =
     ["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "ConstraintSet", "ComponentSet"];
 /// Names of the sets of parameters inside a contact force.
 const CONTACT_PARAMETERS_SETS: [&str; 2] =
     ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
-/// Index of an object among all files read together.
+/// Index of an object among the objects of all files of a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ComponentId(u32);
 
@@ -33,59 +34,60 @@ pub struct Component {
     pub element: ElementId,
     /// The object that contains this one.
     pub parent: Option<ComponentId>,
-    /// Last segment of the path: OpenSim's name of it, numbered where siblings share a name.
+    /// Last part of the object's path: its name in OpenSim, with a number if siblings have the same name.
     pub segment: Arc<str>,
-    /// The name without the number, where siblings share a name.
+    /// The name without the added number; `None` if no number was added.
     pub unnumbered_name: Option<Arc<str>>,
-    /// Whether the component is in `<components>`, which OpenSim reads before all other properties.
+    /// Whether the component is in `<components>`, which OpenSim reads before other properties.
     is_member: bool,
     children: ChildList,
     next: Option<ComponentId>,
 }
 
-/// The children of a component, in the order of the files.
+/// The children of a component, in file order.
 #[derive(Debug, Clone, Copy, Default)]
 struct ChildList {
     count: u32,
     first: Option<ComponentId>,
     last: Option<ComponentId>,
-    /// Whether these children are in [`ComponentTree::by_parent`].
+    /// Whether the children are entered in [`ComponentTree::by_parent`].
     are_listed: bool,
 }
 
-/// Up to so many children are looked through for one of them; more of them are looked up.
-const FEW_CHILDREN: u32 = 12;
-/// The depth of most objects below the root, to allocate paths at once.
+/// Up to this number of children are searched one by one; for more, a map is made.
+const MOST_CHILDREN_WITHOUT_MAP: u32 = 12;
+/// The usual depth of objects below the root, for allocating paths in one step.
 const USUAL_DEPTH: usize = 4;
 
-/// All components of the files read together, with look-up by path and by name.
+/// All components in the files of a model, with search by path and by name.
 #[derive(Debug, Default)]
 pub struct ComponentTree {
     list: Vec<Component>,
     roots: Vec<ComponentId>,
-    /// The children, by their segments, of objects that have many or whose children are numbered.
+    /// Children by name, for components with many children or with numbered children.
     by_parent: HashMap<ComponentId, HashMap<Arc<str>, ComponentId>>,
-    /// All components by their names without numbers, made at the first look-up by name.
+    /// All components by their names without numbers. Made at the first search by name.
     by_name: OnceLock<HashMap<Arc<str>, Vec<ComponentId>>>,
-    /// Objects of which two children share a name, so that these have to be numbered.
+    /// Components with two children of one name, whose children have to be numbered.
     with_repeated_names: HashSet<ComponentId>,
-    /// Members of `<components>` of a class that OpenSim does not know: file and element.
+    /// Members of `<components>` whose class OpenSim does not know, with file and element.
     pub skipped: Vec<(FileId, ElementId)>,
 }
 
 #[derive(Clone, Copy)]
 enum ElementRole {
-    /// No element below this one is an object.
+    /// The element contains no objects.
     Nothing,
     Object(ComponentId),
-    /// The children of this element are objects that belong to this one.
+    /// The children of this element are objects that belong to this component.
     Items(ComponentId),
-    /// Items of a set; a class that OpenSim does not know is skipped.
+    /// The children are members of a set of this component. Members whose class OpenSim does not know are skipped.
     Components(ComponentId),
 }
 
 impl ComponentTree {
-    /// Adds all objects of `document` that count. The objects of a file other than the model become children of `mount`, the object that includes it.
+    /// Adds the objects of `document` that are read. Objects of a file other than the main file become children of `mount`, the component
+    /// that includes the file.
     pub(super) fn add(
         &mut self,
         file: FileId,
@@ -227,13 +229,13 @@ impl ComponentTree {
         id
     }
 
-    /// Makes `id` the last child of `owner`.
+    /// Adds `id` as the last child of `owner`.
     fn append_child(&mut self, owner: ComponentId, id: ComponentId) {
         let Some(Component { children, .. }) = self.list.get_mut(owner.0 as usize) else { return };
         let last = children.last.replace(id);
         children.first = children.first.or(Some(id));
         children.count += 1;
-        let (were_listed, are_many) = (children.are_listed, children.count >= FEW_CHILDREN);
+        let (were_listed, are_many) = (children.are_listed, children.count >= MOST_CHILDREN_WITHOUT_MAP);
         children.are_listed = were_listed || are_many;
         if let Some(last) = last.and_then(|last| self.list.get_mut(last.0 as usize)) {
             last.next = Some(id);
@@ -257,7 +259,8 @@ impl ComponentTree {
         ids.filter_map(|id| Some((id, self.get(id)?)))
     }
 
-    /// OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it reads them.
+    /// Gives numbers to siblings of one name. OpenSim calls the second of two siblings `f` `f_0`, the third `f_1`, in the order in which it
+    /// reads them.
     fn number_siblings(&mut self) {
         let with_repeated_names = std::mem::take(&mut self.with_repeated_names);
         if with_repeated_names.is_empty() {
@@ -268,12 +271,12 @@ impl ComponentTree {
                 self.children(owner).map(|(id, object)| (!object.is_member, id)).collect();
             children.sort_by_key(|(is_later, _)| *is_later);
             let children: Vec<ComponentId> = children.into_iter().map(|(_, id)| id).collect();
-            self.number(owner, &children);
+            self.number_children(owner, &children);
         }
     }
 
-    /// Numbers the `children` of `owner`, which OpenSim reads in this order.
-    fn number(&mut self, owner: ComponentId, children: &[ComponentId]) {
+    /// Gives numbers to those `children` of `owner` that share a name. OpenSim reads the children in this order.
+    fn number_children(&mut self, owner: ComponentId, children: &[ComponentId]) {
         // Hundreds of equal names are a mistake, not a model: no need to number them all.
         const MOST_EQUAL_NAMES: usize = 64;
         let mut tried: HashMap<Arc<str>, usize> = HashMap::new();
@@ -306,13 +309,13 @@ impl ComponentTree {
         self.list.get(id.0 as usize)
     }
 
-    /// All components: file by file, in the order of their elements.
+    /// All components, file by file, in the order of their elements.
     pub fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
         #[expect(clippy::cast_possible_truncation, reason = "see push")]
         self.list.iter().enumerate().map(|(index, object)| (ComponentId(index as u32), object))
     }
 
-    /// The object that is written as `element` of `file`.
+    /// The component that is written as `element` of `file`.
     pub(crate) fn component_at(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
         // Components of one file are in element order.
         let start = self.list.partition_point(|object| object.file < file);
@@ -322,7 +325,7 @@ impl ComponentTree {
         u32::try_from(start + at).ok().map(ComponentId)
     }
 
-    /// The absolute path, as OpenSim prints it.
+    /// The absolute path of a component, as OpenSim prints it.
     pub fn path(&self, id: ComponentId) -> String {
         let mut segments = Vec::with_capacity(USUAL_DEPTH);
         let mut next = Some(id);
@@ -341,7 +344,7 @@ impl ComponentTree {
         if path.is_empty() { "/".to_owned() } else { path }
     }
 
-    /// The data root of the model.
+    /// The component of the main file's data root.
     pub(crate) fn data_root(&self) -> Option<ComponentId> {
         (!self.list.is_empty()).then_some(ComponentId(0))
     }
@@ -362,7 +365,7 @@ impl ComponentTree {
         self.children(parent).find(|(_, object)| *object.segment == *segment).map(|(id, _)| id)
     }
 
-    /// Follows `path`, absolute or relative to `owner`, exactly as OpenSim does.
+    /// Finds the component at `path`, absolute or relative to `owner`, exactly as OpenSim does.
     pub(crate) fn at_path(&self, owner: ComponentId, path: &str) -> Option<ComponentId> {
         match path.strip_prefix('/') {
             Some(absolute) => self.roots.iter().find_map(|&root| self.below_root(root, absolute)),
@@ -387,7 +390,7 @@ impl ComponentTree {
         }
     }
 
-    /// The absolute path that `path` means, seen from `owner`; it need not lead anywhere.
+    /// The absolute form of `path`, seen from `owner`. A component at this path need not exist.
     pub(crate) fn absolute_path(&self, owner: ComponentId, path: &str) -> Option<String> {
         if path.starts_with('/') {
             return Some(path.to_owned());
@@ -404,7 +407,7 @@ impl ComponentTree {
         Some(format!("/{}", segments.join("/")))
     }
 
-    /// Follows a relative path as OpenSim does: a step and the `..` after it cancel, whether the step leads anywhere or not.
+    /// Follows a relative path as OpenSim does: a name and the `..` after it cancel, even if no component has the name.
     fn walk(&self, from: ComponentId, path: &str) -> Option<ComponentId> {
         let segments = || path.split('/').filter(|segment| !segment.is_empty() && *segment != ".");
         if !path.as_bytes().windows(2).any(|pair| pair == b"..") {
@@ -421,7 +424,7 @@ impl ComponentTree {
         down.into_iter().try_fold(at, |at, segment| self.child(at, segment))
     }
 
-    /// All objects with this last segment that pass `accept`.
+    /// All components with this last name of the path for which `accept` is true.
     pub(crate) fn with_name<'s>(
         &'s self,
         name: &str,
@@ -439,7 +442,7 @@ impl ComponentTree {
     }
 }
 
-/// The name of an element as paths have it: of documents before version 3.5, OpenSim takes the blanks out of names.
+/// The name of an element as it appears in paths. In documents before version 3.5, OpenSim removes blanks from names.
 fn name_in_paths(document: &Document, id: ElementId) -> Cow<'_, str> {
     const FIRST_WITH_BLANKS: u32 = 30500;
     let name = document.tree().attribute(id, "name").unwrap_or_default();

@@ -45,18 +45,18 @@ impl SetId {
     }
 }
 
-/// The place of a property's text in a file, or the object to which the property would be added.
+/// The place in a file of a property's text. If the text is missing, the object to which the property would be added.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     pub file: FileId,
     /// The object that has the property.
     pub object: ElementId,
-    /// Class of the force, which says the order of its elements.
+    /// Class of the object, which determines the order of its elements.
     pub class: Class,
     pub tag: &'static str,
-    /// The bytes of its text; `None` where the object has no such element.
+    /// The bytes of the property's text; `None` if the object has no such element.
     pub span: Option<Range<usize>>,
-    /// First byte to point at, from 0: the text, or the object that lacks it.
+    /// First byte to show in an error, from 0: that of the text, or of the object without the text.
     pub offset: usize,
 }
 
@@ -66,14 +66,14 @@ pub struct Sphere {
     pub id: SphereId,
     pub name: String,
     pub path: String,
-    /// Effective radius, m, as OpenSim reads it; [`Sphere::radius_m`] checks it.
+    /// Effective radius, m, as OpenSim reads it. [`Sphere::radius_m`] checks it.
     pub radius: Value,
-    /// Location of the centre in `frame`, m.
+    /// Location of the sphere's centre in its `frame`, m.
     pub location_m: [f64; 3],
     pub frame: String,
-    /// Name of the body that carries the frame; `None` is ground or a body in a file that was not given.
+    /// Name of the body that carries the sphere; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Whether the sphere is on ground or on a body welded to ground: such a sphere counts in nothing and is never changed.
+    /// Whether the sphere is on ground or on a body welded to ground. Such a sphere is left out of all calculations and never changed.
     pub fixed: bool,
     /// Line of the sphere's element, from 1.
     pub line: usize,
@@ -83,17 +83,17 @@ pub struct Sphere {
     pub(super) start: usize,
     pub(crate) base: Base,
     pub(super) spelling: SphereSpelling,
-    /// The frame itself; `None` is ground or a frame in a file that was not given.
+    /// The component of the sphere's frame; `None` is ground or a frame in a file that was not given.
     pub(crate) frame_component: Option<ComponentId>,
-    /// The bytes of the location, where the sphere has one of its own.
+    /// The bytes of the location's text; `None` if the sphere has no location of its own.
     pub(super) location_span: Option<Range<usize>>,
 }
 
 impl Sphere {
-    /// The radius in m, if it is one plain number above 0.
+    /// The radius in m, if its text is one plain number above 0.
     ///
     /// # Errors
-    /// A text that is not a plain number, or a number outside its domain, with its place.
+    /// The text is not a plain number, or the number is not above 0. The error has the place in the file.
     pub fn radius_m(&self) -> Result<f64, Fault> {
         self.radius.checked().map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
@@ -123,9 +123,9 @@ impl Sphere {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum SphereSpelling {
-    /// A `ContactSphere` with a `radius`.
+    /// A `ContactSphere` with a `radius` element.
     ContactSphere,
-    /// Moco 0.1 to 0.3: `contact_sphere_radius` inside the force.
+    /// A sphere inside a force of Moco 0.1 to 0.3, with `contact_sphere_radius`.
     InsideForce,
 }
 
@@ -189,16 +189,16 @@ pub struct Force {
 #[derive(Debug, Clone)]
 pub struct ParameterSet {
     pub id: SetId,
-    /// Number of the `ContactParameters` for reports, from 0; `None` for a `SmoothSphereHalfSpaceForce`, which has one set.
+    /// Index of the `ContactParameters` for reports, from 0; `None` for a `SmoothSphereHalfSpaceForce`, which has only one set.
     pub number: Option<usize>,
     pub spheres: Vec<SphereId>,
-    /// Number of half-spaces among the surfaces.
+    /// Number of half-spaces among the surfaces of the set.
     pub half_spaces: usize,
-    /// Number of surfaces that are neither sphere nor half-space (meshes and others).
+    /// Number of surfaces of the set that are neither spheres nor half-spaces, such as meshes.
     pub other_surfaces: usize,
-    /// Effective values, in OpenSim's order; `transition_velocity` among them for a `SmoothSphereHalfSpaceForce`.
+    /// Effective values of the properties, in OpenSim's order. For a `SmoothSphereHalfSpaceForce`, `transition_velocity` is one of them.
     pub values: Vec<Value>,
-    /// Whether the whole set is in `<defaults>`, where other forces find it too.
+    /// Whether the whole set is in `<defaults>`, so that several forces share it.
     pub inherited: bool,
     /// Line of the set's element, from 1.
     pub line: usize,
@@ -206,7 +206,7 @@ pub struct ParameterSet {
     pub(crate) class: Class,
     pub(crate) half_space_bases: Vec<Base>,
     pub(crate) half_space_components: Vec<ComponentId>,
-    /// The force, where it keeps its half-space inside itself (Moco 0.1 to 0.3).
+    /// The force, if it contains its half-space (Moco 0.1 to 0.3).
     pub(crate) half_space_inside: Option<ComponentId>,
 }
 
@@ -217,8 +217,8 @@ impl ParameterSet {
     }
 }
 
-/// Up to so many spheres of a force are compared with each other.
-const FEW_SPHERES: usize = 16;
+/// Up to this number of spheres, duplicates are found by comparing all pairs.
+const MOST_SPHERES_COMPARED: usize = 16;
 
 impl Force {
     pub const fn element(&self) -> ElementId {
@@ -228,7 +228,7 @@ impl Force {
     /// All spheres of the force, each once, in order.
     pub fn spheres(&self) -> Vec<SphereId> {
         let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
-        if all().take(FEW_SPHERES + 1).count() > FEW_SPHERES {
+        if all().take(MOST_SPHERES_COMPARED + 1).count() > MOST_SPHERES_COMPARED {
             let mut seen = HashSet::new();
             return all().filter(|&sphere| seen.insert(sphere)).collect();
         }
@@ -241,25 +241,25 @@ impl Force {
         spheres
     }
 
-    /// A parameter set; `None` if there is none: then the handle is another force's.
+    /// The parameter set `set`; `None` if the handle belongs to another force.
     pub fn set(&self, set: SetId) -> Option<&ParameterSet> {
         self.sets.get(set.0)
     }
 
-    /// The value of `property` in parameter set `set`, or of the force itself; `None` where the class has no such property.
+    /// The value of `property` in parameter set `set`, or of the force itself; `None` if the class has no such property.
     pub fn value(&self, set: SetId, property: Property) -> Option<&Value> {
         self.set(set)
             .and_then(|set| set.value(property))
             .or_else(|| (self.transition_velocity.property == property).then_some(&self.transition_velocity))
     }
 
-    /// The number of `property` in its own unit, if it can be scaled; `None` where the class has no such property.
+    /// The number of `property` in its own unit, if it can be scaled; `None` if the class has no such property.
     pub fn checked(&self, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         let Some(value) = self.value(set, property) else { return Ok(None) };
         value.checked().map(Some).map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
-    /// The place in the file of `property` of parameter set `set`, or of the force itself; `None` where the class has no such property.
+    /// The place in the file of `property` of parameter set `set`, or of the force itself; `None` if the class has no such property.
     pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
         let in_set = self.set(set).and_then(|set| Some((set, set.value(property)?)));
         let (value, object, class) = match in_set {

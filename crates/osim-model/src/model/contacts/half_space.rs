@@ -1,4 +1,4 @@
-//! Half-spaces: the floor, and other planes that spheres meet; and how files say that they are turned.
+//! Half-spaces, such as the floor, and their orientations in the files.
 
 use glam::DVec3;
 
@@ -9,28 +9,28 @@ use crate::model::placement::Rotation;
 use crate::model::property::Class;
 use crate::xml::ElementId;
 
-/// Components of a unit vector below this are what rounding left.
+/// Components of a unit vector below this are rounding errors.
 const ROUNDING_OF_NORMAL: f64 = 1e-12;
 
 #[derive(Debug, Clone)]
 pub struct HalfSpace {
     pub name: String,
     pub path: String,
-    /// Component path of the half-space's frame.
+    /// Component path of the frame on which the half-space is.
     pub frame_path: String,
-    /// Place of the half-space in its frame, m; `None` where a number cannot be read.
+    /// Location of the half-space in its frame, m; `None` if a number cannot be read.
     pub location_m: Option<[f64; 3]>,
-    /// Whether its frame is ground, or fixed to ground by offset frames.
+    /// Whether the half-space's frame is ground, or offset frames fix it to ground.
     pub on_ground: bool,
-    /// Name of the body that carries its frame; `None` is ground or a body in a file that was not given.
+    /// Name of the body that carries the half-space; `None` is ground or a body in a file that was not given.
     pub body: Option<String>,
-    /// Outward normal in the frame of ground or of the body that carries the half-space; `None` where a number cannot be read.
+    /// Outward normal in the frame of ground or of the body that carries the half-space; `None` if a number cannot be read.
     pub normal: Option<DVec3>,
-    /// A point of the plane in the same frame, m; `None` where a number cannot be read.
+    /// A point of the plane in the frame of ground or of that body, m; `None` if a number cannot be read.
     pub point_m: Option<DVec3>,
-    /// How its frame is turned in ground or in that body; `None` where the frame leads nowhere.
+    /// Rotation of the half-space's frame in ground or in the body that carries it; `None` if the frame refers to no body.
     pub frame_rotation: Option<Rotation>,
-    /// The orientations that turn it: its own, then those of the offset frames between it and ground or its body.
+    /// The orientations that turn the half-space: its own, then those of the offset frames between it and ground or its body.
     pub orientations: Vec<Orientation>,
     /// The property that names the half-space's frame.
     pub frame: FrameProperty,
@@ -38,7 +38,7 @@ pub struct HalfSpace {
     /// Line of the half-space's element, from 1.
     pub line: usize,
     pub element: ElementId,
-    /// The slot of the half-space's place in that file.
+    /// The place of the half-space's location in its file.
     pub(crate) location_slot: Slot,
     component: ComponentId,
 }
@@ -54,8 +54,8 @@ pub struct FrameProperty {
 }
 
 impl HalfSpace {
-    /// Reads the half-space that the component `id` is, or has inside itself. The names are those of its socket, its location and its
-    /// orientation; `default_angles` (rad) count if it has no orientation.
+    /// Reads the half-space that the component `id` is or contains. The names are the tags of its socket, its location and its orientation.
+    /// Without an orientation, `default_angles` (rad) count.
     pub(super) fn read(
         components: &Components,
         id: ComponentId,
@@ -109,12 +109,12 @@ impl HalfSpace {
 }
 
 impl HalfSpace {
-    /// The slot of the half-space's place in the file.
+    /// The place of the half-space's location in its file.
     pub fn location_slot(&self) -> Slot {
         self.location_slot.clone()
     }
 
-    /// Place of the half-space in its frame (m) if it moves by `up_m` along its normal; `None` where its place cannot be read.
+    /// The half-space's location in its frame, m, after a move by `up_m` along its normal; `None` if the location cannot be read.
     pub fn location_moved_up(&self, up_m: f64) -> Option<[f64; 3]> {
         let (place, normal) = (self.location_m?, self.normal?);
         let in_frame = self.frame_rotation?.inverse().to_body(normal);
@@ -122,7 +122,7 @@ impl HalfSpace {
         Some((DVec3::from(place) + up_m * in_frame.map(without_rounding)).to_array())
     }
 
-    /// The orientation of the half-space, rad, at which its normal has this `direction` in ground or in the body that carries it.
+    /// The orientation of the half-space, rad, that gives its normal this `direction` in ground or in the body that carries it.
     pub(crate) fn orientation_facing(&self, direction: DVec3) -> Option<[f64; 3]> {
         let in_frame = self.frame_rotation?.inverse().to_body(direction);
         // What rounding left would turn it about y by any angle.
@@ -134,7 +134,8 @@ fn without_rounding(part: f64) -> f64 {
     if part.abs() < ROUNDING_OF_NORMAL { 0.0 } else { part }
 }
 
-/// The slot of a half-space's place, or of the object that would get it: the half-space, or the force that keeps it inside.
+/// The place in the file of a half-space's location. Without such an element, the object that would get it: the half-space, or the force
+/// that contains it.
 fn location_slot(components: &Components, id: ComponentId, tag: &'static str) -> Slot {
     let (document, object) = (components.doc(id), components.element(id));
     let tree = document.tree();
@@ -151,7 +152,7 @@ fn location_slot(components: &Components, id: ComponentId, tag: &'static str) ->
 }
 
 impl PartialEq for HalfSpace {
-    /// Whether both are the same half-space of a model.
+    /// Whether both are the same half-space of one model.
     fn eq(&self, other: &Self) -> bool {
         self.component == other.component
     }
@@ -161,27 +162,27 @@ impl PartialEq for HalfSpace {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Orientation {
-    /// Component path of the half-space, or of the frame that has it.
+    /// Component path of the half-space or frame that has this orientation.
     pub path: String,
     pub tag: &'static str,
     /// Line of the property, or of the object where it has none, from 1.
     pub line: usize,
     pub file: FileId,
-    /// Body-fixed angles of the half-space about x, y and z, rad; `None` where a number cannot be read.
+    /// Body-fixed angles about x, y and z, rad; `None` if a number cannot be read.
     pub angles_rad: Option<[f64; 3]>,
 }
 
-/// An angle beyond this, rad, is in degrees. OpenSim itself writes no angle beyond π.
-const LARGEST_RADIANS: f64 = std::f64::consts::TAU + 0.01;
+/// An angle larger than this, rad, is probably in degrees. OpenSim itself writes no angle beyond π.
+const LARGEST_ANGLE_RAD: f64 = std::f64::consts::TAU + 0.01;
 
 impl Orientation {
-    /// Whether its angles are degrees: one of them is more than a whole turn in radians.
+    /// Whether the angles are probably degrees: one is larger than a whole turn in radians.
     pub fn is_in_degrees(&self) -> bool {
-        self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > LARGEST_RADIANS))
+        self.angles_rad.is_some_and(|angles| angles.iter().any(|angle| angle.abs() > LARGEST_ANGLE_RAD))
     }
 
-    /// The angles of a half-space whose surface faces `direction` (of length 1) of its frame: a turn about y, then one about z. Its
-    /// solid side is the +x of its own frame, and R x̂ = (cos β cos γ, sin γ, −sin β cos γ) is to be −`direction`.
+    /// The angles of a half-space whose surface faces `direction` (of length 1) in its frame: a rotation about y, then one about z. The
+    /// solid side of a half-space is the +x side of its own frame, so R x̂ = (cos β cos γ, sin γ, −sin β cos γ) must be −`direction`.
     pub fn facing([x, y, z]: [f64; 3]) -> [f64; 3] {
         let level = libm::sqrt(x * x + z * z);
         let about_y = if level > 0.0 { libm::atan2(z, -x) } else { 0.0 };

@@ -1,5 +1,5 @@
-//! Contact spheres and contact forces: every spelling of them becomes the same typed values, with the contact of each sphere as the
-//! contact laws need it.
+//! Contact spheres and contact forces. All their spellings in files become the same types; [`loaded_spheres`] gives the data for contact
+//! laws.
 
 mod force;
 mod half_space;
@@ -20,7 +20,7 @@ pub use planes::GroundPlane;
 pub(crate) use read::ContactReader;
 pub use read::Irregularity;
 
-/// One sphere under load, with what the contact laws need to know of it: from [`loaded_spheres`].
+/// One sphere that a force presses on a surface, with the data for the contact laws: from [`loaded_spheres`].
 ///
 /// ```
 /// use osim_model::{Model, Selection};
@@ -45,13 +45,12 @@ pub struct LoadedSphere {
     /// Parameter set of the sphere in the force.
     pub set: SetId,
     pub radius_m: f64,
-    /// E₁* (N/m²) of two equal surfaces that are as stiff together as sphere and plane are (A.3, A.4), α (s/m), and the
-    /// smoothing where the class has it.
+    /// The contact of two equal surfaces that are together as stiff as sphere and plane (A.3, A.4): E₁* (N/m²), α (s/m), and smoothing
+    /// parameters if the class has them.
     pub contact: Contact,
 }
 
-/// Every moving sphere that an applied force among `forces` presses on a half-space; one that two forces press appears
-/// twice.
+/// Every moving sphere that a switched-on force among `forces` presses on a half-space. A sphere under two forces appears twice.
 pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
     let mut loaded = Vec::new();
     for &id in forces {
@@ -74,12 +73,12 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
 /// The contact of the spheres of parameter set `set` with the force's plane.
 ///
 /// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
+/// A value is not a plain number or is outside its domain. The error has the place in the file.
 pub fn contact_of_set(force: &Force, surfaces: &Surfaces, set: SetId) -> Result<Contact, Fault> {
     contact_of_values(force, surfaces.with_plane(set)?, set)
 }
 
-/// The contact with a plane that has its own parameters in the set `plane`.
+/// The contact of parameter set `set` with a plane in the set `plane`, which has its own parameters.
 pub fn contact_of_pair(
     force: &Force,
     surfaces: &Surfaces,
@@ -108,7 +107,7 @@ fn contact_of_values(force: &Force, values: SurfaceValues, set: SetId) -> Result
 
 // Surfaces with parameters of their own, and their mixture (A.3).
 
-/// Parameter sets that hold moving spheres, with those spheres.
+/// The parameter sets of `force` that contain moving spheres, with these spheres.
 pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> {
     let moving = |sphere: &SphereId| model.sphere(*sphere).is_some_and(|sphere| !sphere.fixed);
     let sets = force.sets.iter();
@@ -117,10 +116,10 @@ pub fn sphere_sets(model: &Model, force: &Force) -> Vec<(SetId, Vec<SphereId>)> 
         .collect()
 }
 
-/// Modulus and dissipation of every parameter set of a force, and which of them the plane belongs to.
+/// Modulus and dissipation of every parameter set of a force, and the set that contains the plane.
 pub struct Surfaces {
     sets: Vec<SurfaceValues>,
-    /// The set that the first plane belongs to.
+    /// The parameter set that contains the first plane.
     plane: Option<SetId>,
 }
 
@@ -136,12 +135,12 @@ impl Surfaces {
         Ok(Self { sets, plane: force.sets.iter().find(|set| set.half_spaces > 0).map(|set| set.id) })
     }
 
-    /// E₁* and α of parameter set `set` on the plane, as if both surfaces were alike: (A.3), (A.4).
+    /// E₁* and α of the contact between parameter set `set` and the plane, as values of two equal surfaces: (A.3), (A.4).
     pub fn with_plane(&self, set: SetId) -> Result<SurfaceValues, Fault> {
         self.mixed(set, self.plane.unwrap_or(set))
     }
 
-    /// The values of two equal surfaces that would touch as those of the sets `set` and `plane` do; (A.3), (A.4).
+    /// E₁* and α of two equal surfaces that touch like the surfaces of the sets `set` and `plane`: (A.3), (A.4).
     pub fn mixed(&self, set: SetId, plane: SetId) -> Result<SurfaceValues, Fault> {
         const NO_SURFACE: SurfaceValues = SurfaceValues { plane_strain_modulus: f64::NAN, dissipation: 0.0 };
         let surface = self.sets.get(set.index()).copied().unwrap_or(NO_SURFACE);
@@ -160,7 +159,7 @@ impl Surfaces {
 
 // Spheres that move, and their radii.
 
-/// Root of the mean of squared radii; exactly the common value where all are equal.
+/// Root of the mean of the squared radii; exactly the common radius if all are equal.
 pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
     let mut others = radii.clone();
     match others.next() {
@@ -174,8 +173,8 @@ pub fn root_mean_square(radii: impl Iterator<Item = f64> + Clone) -> f64 {
     }
 }
 
-/// The spheres of `forces` that are neither on ground nor on a body welded to it, each once, in file order: those whose radii
-/// may change.
+/// The spheres of `forces` that are neither on ground nor on a body welded to ground, each once, in file order. Only their radii may
+/// change.
 pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
     let mut spheres: Vec<SphereId> =
         forces.iter().filter_map(|&id| model.force(id)).flat_map(Force::spheres).collect();
@@ -186,7 +185,7 @@ pub fn moving_spheres(model: &Model, forces: &[ForceId]) -> Vec<SphereId> {
 }
 
 impl Model {
-    /// Moving spheres that meet the ground through several forces that are switched on, with these forces, in file order.
+    /// The moving spheres that several switched-on forces press on ground, with these forces, in file order.
     pub fn spheres_in_several_forces(&self) -> Vec<(&Sphere, Vec<&Force>)> {
         let mut users: BTreeMap<SphereId, Vec<&Force>> = BTreeMap::new();
         for force in self.forces().iter().filter(|force| force.applies && self.meets_half_space(force)) {
@@ -204,7 +203,7 @@ impl Model {
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
 impl Model {
-    /// The forces of other contact classes whose geometry lists a sphere, by the sphere's name.
+    /// The forces of other contact classes that use a contact sphere, by the sphere's name.
     pub fn forces_of_other_classes(&self) -> HashMap<String, Vec<String>> {
         let components = self.components();
         let mut users: HashMap<String, Vec<String>> = HashMap::new();

@@ -1,11 +1,11 @@
-//! The planes of contacts: half-spaces and floors; and where the frames of spheres are on their bodies.
+//! The planes of contacts (half-spaces and floors), and the placement of sphere frames on their bodies.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::model::components::{Base, ComponentId, Components, MAX_FRAME_CHAIN};
+use crate::model::components::{Base, ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::OLD_CONSTANT_TAG;
@@ -14,7 +14,7 @@ use crate::model::fault::Fault;
 use crate::model::placement::{LevelAxis, Placement, Rotation};
 use crate::model::typed_model::Model;
 
-/// The orientation of a half-space inside a force that has no element for it: a floor, rad. The first version of the class, which had
+/// The orientation, rad, of a half-space inside a force without such an element: a level floor. The first version of the class, with
 /// another name for `constant_contact_force`, has zeros instead.
 const DEFAULT_INSIDE_ORIENTATION: [f64; 3] = [0.0, 0.0, -std::f64::consts::FRAC_PI_2];
 
@@ -24,7 +24,7 @@ impl Model {
         self.planes().values().map(|plane| HalfSpace::clone(plane)).collect()
     }
 
-    /// Half-spaces by component, read once: many forces press on one floor.
+    /// All half-spaces by their component. Read only once, because many forces use one floor.
     fn planes(&self) -> &BTreeMap<ComponentId, Arc<HalfSpace>> {
         self.half_spaces.get_or_init(|| {
             let components = self.components();
@@ -33,8 +33,8 @@ impl Model {
         })
     }
 
-    /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, and the one that a force of Moco
-    /// 0.1 to 0.3 keeps inside itself.
+    /// The half-spaces on which `force` presses its spheres, each once: those among its surfaces, or the one inside a force of Moco 0.1 to
+    /// 0.3.
     pub fn planes_of(&self, force: &Force) -> Vec<Arc<HalfSpace>> {
         let mut planes: Vec<Arc<HalfSpace>> = Vec::new();
         for set in &force.sets {
@@ -47,7 +47,7 @@ impl Model {
         planes
     }
 
-    /// The half-spaces among the surfaces of a parameter set, in its order, and the one that its force keeps inside itself.
+    /// The half-spaces among the surfaces of a parameter set, in file order, and the one inside its force.
     pub fn planes_of_set(&self, set: &ParameterSet) -> Vec<HalfSpace> {
         self.shared_planes_of_set(set).map(|plane| HalfSpace::clone(&plane)).collect()
     }
@@ -58,13 +58,13 @@ impl Model {
         listed.chain(inside.map(Arc::new))
     }
 
-    /// The half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, in file order.
+    /// The half-spaces inside forces of Moco 0.1 to 0.3, in file order.
     pub fn half_spaces_inside(&self) -> impl Iterator<Item = HalfSpace> + '_ {
         let sets = self.forces().iter().flat_map(|force| &force.sets);
         sets.filter_map(|set| half_space_inside(self.components(), set.half_space_inside?))
     }
 
-    /// The half-spaces among the surfaces of a parameter set, in its order; not one that its force keeps inside itself.
+    /// The half-spaces among the surfaces of a parameter set, in file order; without one inside its force.
     pub fn half_spaces_of(&self, set: &ParameterSet) -> Vec<HalfSpace> {
         let planes = set.half_space_components.iter().filter_map(|id| self.planes().get(id));
         planes.map(|plane| HalfSpace::clone(plane)).collect()
@@ -75,7 +75,7 @@ fn read_half_space(components: &Components, id: ComponentId) -> Option<HalfSpace
     HalfSpace::read(components, id, ("frame", &["body_name"]), ("location", "orientation", [0.0; 3]))
 }
 
-/// The half-space that a force of Moco 0.1 to 0.3 keeps inside itself.
+/// The half-space inside a force of Moco 0.1 to 0.3.
 fn half_space_inside(components: &Components, force: ComponentId) -> Option<HalfSpace> {
     let tree = components.doc(force).tree();
     let is_first = tree.child(components.element(force), OLD_CONSTANT_TAG).is_some();
@@ -86,17 +86,17 @@ fn half_space_inside(components: &Components, force: ComponentId) -> Option<Half
 
 // Half-spaces on ground: which of them is the floor.
 
-/// How far the normal of a floor may be from up (length of the difference of unit vectors).
+/// Largest difference between the normal of a floor and the direction up, as the length of the difference of unit vectors.
 const LEVEL_TOLERANCE: f64 = 1e-6;
 
 /// A half-space that is fixed to ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GroundPlane {
-    /// Name of the plane; in Moco 0.1 to 0.3 the name of the force that it is in.
+    /// Name of the plane. In Moco 0.1 to 0.3, the name of the force that contains the plane.
     pub name: String,
-    /// A point of its surface in ground, m.
+    /// A point of the plane's surface in ground, m.
     pub point_m: DVec3,
-    /// Normal of the plane in ground, out of what is solid: −x of its own frame.
+    /// Outward normal of the plane in ground, away from the solid side: −x of the half-space's own frame.
     pub normal: DVec3,
 }
 
@@ -112,7 +112,7 @@ impl Model {
             .collect()
     }
 
-    /// The floors: half-spaces on ground whose normal points up, against gravity.
+    /// The floors: half-spaces on ground with a normal that points up, opposite to gravity.
     pub fn floors(&self) -> Vec<GroundPlane> {
         let up = self.up();
         let is_level =
@@ -120,7 +120,7 @@ impl Model {
         self.ground_planes().into_iter().filter(is_level).collect()
     }
 
-    /// The direction against gravity in ground, of length 1; y without gravity.
+    /// The direction opposite to gravity in ground, of length 1; y if there is no gravity.
     pub fn up(&self) -> DVec3 {
         let gravity = DVec3::from(self.gravity_m_s2.unwrap_or_default());
         self.gravity().filter(|&length| length > 0.0).map_or(DVec3::Y, |length| -gravity / length)
@@ -130,7 +130,7 @@ impl Model {
 // Frames of contact spheres, seen from the body that carries them.
 
 impl Model {
-    /// Rotation of a sphere's frame in the body that carries it: the product of those of its chain of offset frames.
+    /// Rotation of a sphere's frame in the body that carries it, through all offset frames between them.
     pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
         let components = self.components();
         if !matches!(components.base(sphere.frame_component)?, Base::Body(_)) {
@@ -139,10 +139,10 @@ impl Model {
         Ok(components.rotation_to_base(sphere.frame_component).unwrap_or(Rotation::IDENTITY))
     }
 
-    /// The lowest point of a sphere in the frame of the body that carries it (or of ground), m: its centre, less the radius
-    /// along the body's axis that is nearest to −gravity, as when the body is not turned.
+    /// The lowest point of a sphere in the frame of its body (or ground), m: the centre minus the radius along the body's axis that is
+    /// nearest to up. This is exact if the body is upright.
     ///
-    /// `None` where the frame is in a file that was not given, a number is not finite or the radius not above 0.
+    /// `None` if the frame is in a file that was not given, a number is not finite, or the radius is not above 0.
     pub fn lowest_point_m(&self, sphere: SphereId) -> Option<DVec3> {
         let radius = &self.sphere(sphere)?.radius;
         let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
@@ -151,9 +151,9 @@ impl Model {
         Some(point)
     }
 
-    /// The centre of a sphere in the frame of the body that carries it (or of ground), m.
+    /// The centre of a sphere in the frame of its body (or ground), m.
     ///
-    /// `None` where the frame is in a file that was not given, or a number is not finite.
+    /// `None` if the frame is in a file that was not given, or a number is not finite.
     pub fn centre_m(&self, sphere: SphereId) -> Option<DVec3> {
         let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Base::Unknown))?;
         let point = self.components().point_in_body(sphere.frame_component, sphere.location_m)?;
@@ -167,7 +167,7 @@ impl Components {
         let mut frames = Vec::new();
         let mut at = frame;
         while let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground")
-            && frames.len() <= MAX_FRAME_CHAIN
+            && frames.len() <= MOST_FRAMES_IN_CHAIN
         {
             frames.push(id);
             at = self.parent_frame(id);
@@ -180,10 +180,10 @@ impl Components {
         self.frame(frame, &parent)?.component
     }
 
-    /// Rotation of a frame in the body (or ground) at the end of its chain of offset frames.
+    /// Rotation of a frame in the body (or ground) that carries it, through all offset frames.
     pub(crate) fn rotation_to_base(&self, frame: Option<ComponentId>) -> Option<Rotation> {
         let (mut rotation, mut at) = (Rotation::IDENTITY, frame);
-        for _ in 0..=MAX_FRAME_CHAIN {
+        for _ in 0..=MOST_FRAMES_IN_CHAIN {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(rotation);
             };
@@ -194,11 +194,11 @@ impl Components {
         None
     }
 
-    /// A point of a frame, seen from the body at the end of its chain of offset frames.
+    /// Converts a point of a frame to the body (or ground) that carries the frame, through all offset frames.
     pub(crate) fn point_in_body(&self, frame: Option<ComponentId>, point: [f64; 3]) -> Option<DVec3> {
         let (mut point, mut at) = (DVec3::from(point), frame);
         // Chains that close on themselves were refused when the model was read.
-        for _ in 0..=MAX_FRAME_CHAIN {
+        for _ in 0..=MOST_FRAMES_IN_CHAIN {
             let Some(id) = at.filter(|&id| self.tag(id) != "Body" && self.tag(id) != "Ground") else {
                 return Some(point);
             };

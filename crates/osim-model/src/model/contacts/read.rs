@@ -1,4 +1,4 @@
-//! Reading contacts: every spelling of spheres, forces and their connections becomes the same typed values.
+//! Reads contact spheres and contact forces from all spellings in model files.
 
 use crate::model::components::{Base, ComponentId, Components};
 use crate::model::contacts::force::{
@@ -11,7 +11,7 @@ use crate::model::skeleton::Skeleton;
 use crate::xml::ElementId;
 use crate::xml::opensim_text::{self, is_disabled};
 
-/// The frame a geometry is attached to.
+/// The frame to which a contact geometry is attached.
 struct Attachment {
     path: String,
     base: Base,
@@ -25,30 +25,30 @@ enum Surface {
     Other,
 }
 
-/// Something that was read although it is written wrongly: OpenSim may read something else.
+/// A part of the model that was read although it is written wrongly. OpenSim may read it differently.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Irregularity {
-    /// The path in `text` of the component `owner` leads nowhere: the only one of that name was taken.
+    /// The path `text` in the component `owner` leads to no component. The only component with its last name was taken instead.
     TakenByName {
-        /// Path of the component that names another one.
+        /// Component path of the object that contains the path.
         owner: String,
         /// The component path as the file writes it.
         text: String,
-        /// Path of the component that was taken.
+        /// Component path of the object that was taken.
         taken: String,
         line: usize,
     },
-    /// The parameter set of a force has a `name` that OpenSim does not look for.
+    /// The parameter set of a force has a `name` for which OpenSim does not look.
     MisnamedSet {
         /// Component path of the force.
         force: String,
-        /// Name of the object.
+        /// Name of the parameter set.
         name: String,
         line: usize,
     },
 }
 
-/// Reads spheres and forces of all components.
+/// Reads the contact spheres and forces of all components.
 pub(crate) struct ContactReader<'r> {
     pub components: &'r Components,
     pub skeleton: &'r Skeleton,
@@ -70,7 +70,7 @@ impl<'r> ContactReader<'r> {
         }
     }
 
-    /// All spheres first, then all forces, each in file order.
+    /// Reads all spheres, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<(), Fault> {
         self.components.refuse_broken_texts()?;
         for (id, _) in self.components.tree.iter() {
@@ -142,7 +142,7 @@ impl<'r> ContactReader<'r> {
         });
     }
 
-    /// The frame a geometry is attached to: its path and the body that carries it.
+    /// The frame to which a contact geometry is attached: its path and the body that carries it.
     fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<Attachment, Fault> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
@@ -157,14 +157,14 @@ impl<'r> ContactReader<'r> {
             };
         };
         if found.by_name {
-            self.record_by_name(id, &connectee.text, connectee.element, found.component);
+            self.record_component_taken_by_name(id, &connectee.text, connectee.element, found.component);
         }
         let path =
             found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
         Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
     }
 
-    fn record_by_name(
+    fn record_component_taken_by_name(
         &mut self,
         owner: ComponentId,
         text: &str,
@@ -182,7 +182,8 @@ impl<'r> ContactReader<'r> {
         });
     }
 
-    /// The surface that `text` of `force` means; `socket` is the class that it has to be of, `None` in a `<geometry>` list.
+    /// The contact geometry to which `text` of `force` refers. `socket` is the class that the geometry must have; `None` in a `<geometry>`
+    /// list.
     fn surface(
         &mut self,
         force: ComponentId,
@@ -202,7 +203,7 @@ impl<'r> ContactReader<'r> {
         .or_else(|| self.components.resolve(force, text, accept))
         .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
         if by_name {
-            self.record_by_name(force, text, element, Some(id));
+            self.record_component_taken_by_name(force, text, element, Some(id));
         }
         match self.components.tag(id) {
             "ContactSphere" => {
@@ -223,7 +224,8 @@ impl<'r> ContactReader<'r> {
         from_root.or_else(|| in_set().filter(|&id| accept(id)))
     }
 
-    /// Up to 30508 a force is switched off by `isDisabled`, too: the first of both elements counts. Later documents ignore it.
+    /// Whether a force is switched on. In documents up to 30508, `isDisabled` also switches a force off; the first of both elements counts.
+    /// Later documents ignore `isDisabled`.
     fn applies(&self, id: ComponentId) -> Result<bool, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let tree = document.tree();
@@ -269,7 +271,7 @@ impl<'r> ContactReader<'r> {
         self.push_force(id, ForceKind::SmoothSphereHalfSpace, vec![set], transition_velocity)
     }
 
-    /// The first version of the class had another name for `constant_contact_force`.
+    /// Reads `constant_contact_force` under the other name that it had in the first version of the class.
     fn read_old_constant(&self, set: &mut ParameterSet, document: &Document, element: ElementId) {
         let has = |tag: &str| document.tree().child(element, tag).is_some();
         let constant = Property::ConstantContactForce;
@@ -279,7 +281,7 @@ impl<'r> ContactReader<'r> {
         }
     }
 
-    /// Moco 0.1 to 0.3: the sphere's frame, radius and location are in the force.
+    /// Adds the sphere inside a force of Moco 0.1 to 0.3: its frame, radius and location are elements of the force.
     fn add_sphere_inside(&mut self, id: ComponentId) -> Result<SphereId, Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "sphere_frame", &[])?;
@@ -416,8 +418,8 @@ pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
-/// The list of parameter sets, in any of its three spellings. OpenSim prefers the wrapper `<contact_parameters>`, then
-/// the set of that name, then one without a name (documents of version 2), wherever they are.
+/// The list of parameter sets of a force, in any of its three spellings. OpenSim prefers the element `<contact_parameters>`, then the set
+/// with this name, then a set without a name (documents of version 2), in any order in the file.
 fn parameter_sets_of(document: &Document, force: ElementId) -> Option<ElementId> {
     let tree = document.tree();
     if let Some(wrapper) = tree.child(force, "contact_parameters") {
