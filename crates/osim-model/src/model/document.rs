@@ -1,4 +1,4 @@
-//! One file: its bytes, its tree, its version, its data root and its `<defaults>`.
+//! One OpenSim file: its bytes, its elements, its version, its data root and its `<defaults>`.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -10,7 +10,7 @@ use crate::model::property::{Class, Origin, Property, Value};
 use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 
-/// Sets of a model that OpenSim also reads from files of their own.
+/// Sets of a model that OpenSim also reads from separate files.
 const FILE_SETS: [&str; 9] = [
     "BodySet",
     "ComponentSet",
@@ -22,11 +22,11 @@ const FILE_SETS: [&str; 9] = [
     "MarkerSet",
     "ProbeSet",
 ];
-/// Sets of parameters in a contact force, which OpenSim also reads from files of their own.
+/// Sets of parameters inside a contact force that OpenSim also reads from separate files.
 const PARAMETER_FILE_SETS: [&str; 2] =
     ["HuntCrossleyForce::ContactParametersSet", "ElasticFoundationForce::ContactParametersSet"];
 
-/// A scanned OpenSim document, with its bytes.
+/// An OpenSim document that was scanned, with its bytes.
 ///
 /// ```
 /// let text = r#"<OpenSimDocument Version="40000"><Model name="walker"/></OpenSimDocument>"#;
@@ -42,18 +42,18 @@ pub struct Document {
     version: u32,
     data_root: ElementId,
     defaults: Option<ElementId>,
-    /// The first object of each class in `defaults`.
+    /// The first object of each class in `<defaults>`.
     by_class: HashMap<String, DefaultObject>,
     may_include: OnceLock<bool>,
-    /// Built when a line is first asked for.
+    /// Finds lines of byte offsets. Built when a line is first asked for.
     lines: OnceLock<LineIndex>,
 }
 
 impl Document {
-    /// Scans `bytes` and finds version, data root and defaults.
+    /// Scans `bytes` and finds the version, the data root and the defaults.
     ///
     /// # Errors
-    /// What is not one well-formed XML document, or not an OpenSim document, with its place.
+    /// The bytes are not one well-formed XML document or not an OpenSim document. The error has the place.
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {
         let tree = Tree::scan(bytes)?;
         let (version, data_root) =
@@ -71,7 +71,7 @@ impl Document {
         })
     }
 
-    /// The document of a file that is known to have no `file="…"` in it.
+    /// Marks the document as one that includes no other file by `file="…"`.
     pub(crate) fn known_to_include_nothing(self) -> Self {
         Self { may_include: OnceLock::from(false), ..self }
     }
@@ -81,12 +81,12 @@ impl Document {
         self.tree.bytes()
     }
 
-    /// Bytes of the file as it was read, without a copy.
+    /// Takes the bytes of the file, without a copy.
     pub fn into_bytes(self) -> Vec<u8> {
         self.tree.into_bytes()
     }
 
-    /// The elements of the file and the bytes that each spans.
+    /// The XML elements of the file, with the bytes of each.
     pub fn tree(&self) -> &Tree {
         &self.tree
     }
@@ -96,12 +96,12 @@ impl Document {
         self.version
     }
 
-    /// The element that holds everything: `Model`, `ForceSet` or `ContactGeometrySet`.
+    /// The element that contains all objects: `Model`, `ForceSet` or `ContactGeometrySet`.
     pub fn data_root(&self) -> ElementId {
         self.data_root
     }
 
-    /// Whether the document holds a whole model, and no set that stands alone.
+    /// Whether the document is a whole model, not a set in a separate file.
     pub fn is_model(&self) -> bool {
         self.tree.name(self.data_root()) == "Model"
     }
@@ -124,7 +124,8 @@ impl Document {
         self.lines().position(self.bytes(), offset)
     }
 
-    /// The effective value of `property`, spelled `tag`, of `object`: element, else `<defaults>`, else class default.
+    /// The effective value of `property` of `object`, from the element `tag`: the object's own element, else `<defaults>`, else the default
+    /// of the class.
     pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         if let Some(element) = self.tree.child(object, tag) {
             return self
@@ -179,7 +180,7 @@ impl Document {
         *self.may_include.get_or_init(|| may_include(self.bytes()))
     }
 
-    /// Elements whose contents are in another file, and that file as written: `<ForceSet file="x.xml"/>`.
+    /// The elements whose contents are in another file, with the name of that file as written: `<ForceSet file="x.xml"/>`.
     pub fn included_files(&self) -> Vec<(ElementId, String)> {
         if !self.may_include() {
             return Vec::new();
@@ -188,8 +189,8 @@ impl Document {
         elements.filter_map(|id| Some((id, self.file_of(id)?.into_owned()))).collect()
     }
 
-    /// The file in which OpenSim looks for the contents of `id`. It does so for sets that are a property of their object, the
-    /// first of each, and for members of `<components>` and `<frames>`; elsewhere it ignores `file`.
+    /// The name of the file from which OpenSim reads the contents of the element `id`. OpenSim does so for sets that are a property of
+    /// their object (the first of each), and for members of `<components>` and `<frames>`. Elsewhere it ignores `file`.
     pub(crate) fn file_of(&self, id: ElementId) -> Option<Cow<'_, str>> {
         if !self.may_include() {
             return None;
@@ -204,7 +205,7 @@ impl Document {
         (is_set && self.tree.child(parent, tag) == Some(id)).then_some(file)
     }
 
-    /// The class's object in `<defaults>`: the first of that class, whatever its name.
+    /// The first object of `class` in `<defaults>`, whatever its name.
     fn default_object(&self, class: &str) -> Option<&DefaultObject> {
         self.by_class.get(class)
     }
@@ -213,25 +214,25 @@ impl Document {
         self.default_object(class)?.properties.get(tag).copied()
     }
 
-    /// The element of a property: the object's own, else that of the class's object in `<defaults>`.
+    /// The element of a property: the object's own element, else the element in `<defaults>`.
     pub fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
         self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 
-    /// The element of a property in the class's object in `<defaults>`, if it is there.
+    /// The element of a property of the object's class in `<defaults>`, if there is one.
     pub(crate) fn inherited_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
         self.default_property(self.tree.name(object), tag)
     }
 
-    /// The class's object in `<defaults>` for `object`, if there is one.
+    /// The object in `<defaults>` that has the class of `object`, if there is one.
     pub(crate) fn defaults_of(&self, object: ElementId) -> Option<ElementId> {
         self.default_object(self.tree.name(object)).map(|default| default.element)
     }
 
-    /// The text of a list or path.
+    /// The whole text of a list or path.
     ///
     /// # Errors
-    /// Something in the middle of it, which OpenSim refuses.
+    /// Another element or comment interrupts the text; OpenSim refuses such a text.
     pub(crate) fn whole_text(&self, element: ElementId) -> Result<Cow<'_, str>, Fault> {
         self.tree.whole_text(element).ok_or_else(|| {
             let property = self.tree.name(element).to_owned();
@@ -239,13 +240,13 @@ impl Document {
         })
     }
 
-    /// The flag `tag` of `object` as OpenSim reads it, else what `<defaults>` say; `None` where neither is a flag.
+    /// The flag `tag` of `object` as OpenSim reads it, else the flag in `<defaults>`; `None` if neither is a flag.
     pub fn flag(&self, object: ElementId, tag: &str) -> Result<Option<bool>, Fault> {
         self.first_readable(object, tag, |element| Ok(flag(&self.whole_text(element)?)))
     }
 
-    /// The three numbers of `tag`, such as a location, as OpenSim reads them: from `<defaults>` where `object` has none; `None` where
-    /// neither can be read. They need not be finite.
+    /// The three numbers of `tag`, such as a location, as OpenSim reads them: those of `object`, else those in `<defaults>`; `None` if
+    /// neither can be read. The numbers may be infinite or NaN.
     pub fn triple(&self, object: ElementId, tag: &str) -> Option<[f64; 3]> {
         self.whole_triple(object, tag).ok()?
     }
@@ -254,7 +255,7 @@ impl Document {
         self.first_readable(object, tag, |element| Ok(triple(&self.whole_text(element)?)))
     }
 
-    /// The result of `read` for the property `tag` of `object`, else for that in `<defaults>`.
+    /// The result of `read` for the property `tag` of `object`; if there is none, for the property in `<defaults>`.
     fn first_readable<T>(
         &self,
         object: ElementId,
@@ -270,7 +271,7 @@ impl Document {
     }
 }
 
-/// An object in `<defaults>`, and the first of each of its properties: every object of its class asks for some of them.
+/// An object in `<defaults>`, with the first element of each of its properties. Kept, because every object of its class uses them.
 #[derive(Debug, Clone)]
 struct DefaultObject {
     element: ElementId,
@@ -317,9 +318,9 @@ fn version_and_data_root(tree: &Tree) -> Result<(u32, ElementId), Fault> {
     }
 }
 
-/// Whether `file="…"` may be somewhere in `bytes`: cheap, and never `false` if it is there.
+/// Whether `bytes` may contain `file="…"`: a quick test, which is never `false` if they do.
 ///
-/// Most models include nothing; finding that out must not cost a scan.
+/// Most models include no file; the test spares them a scan.
 pub(crate) fn may_include(bytes: &[u8]) -> bool {
     memchr::memmem::find_iter(bytes, b"file").any(|at| {
         let before = at.checked_sub(1).and_then(|at| bytes.get(at));

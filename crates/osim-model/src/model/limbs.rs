@@ -1,4 +1,5 @@
-//! Limbs: contact spheres grouped along the joint tree, split where a body has both left and right bodies below it.
+//! Finds the limbs of a model: contact spheres are grouped along the joint tree, which is split at bodies with both left and right bodies
+//! below them.
 
 use std::collections::BTreeMap;
 
@@ -11,10 +12,10 @@ use crate::model::names::Side;
 use crate::model::skeleton::Skeleton;
 use crate::model::typed_model::Model;
 
-/// A limb that stands on the ground, from [`Model::limbs`].
+/// A limb with contact spheres, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limb {
-    /// First body below the place where left and right separate.
+    /// Name of the first body of the limb, below the point where left and right separate.
     pub name: String,
     pub side: Side,
     /// Spheres of the limb, in file order.
@@ -38,9 +39,9 @@ pub struct Limb {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Limbs {
-    /// Limbs to exactly one of which every sphere belongs.
+    /// The limbs. Every sphere belongs to exactly one of them.
     Known(Vec<Limb>),
-    /// Why they are not known; the user is asked instead.
+    /// Why the limbs are not known. The caller is then asked.
     Unknown(Phrase),
 }
 
@@ -52,7 +53,7 @@ impl Limbs {
         }
     }
 
-    /// Why they are not known, where they are not.
+    /// Why the limbs are not known; `None` if they are.
     pub fn why_unknown(&self) -> Option<&Phrase> {
         match self {
             Self::Known(_) => None,
@@ -60,10 +61,10 @@ impl Limbs {
         }
     }
 
-    /// How many spheres each limb has, if all have equally many.
+    /// The number of spheres of each limb, if all limbs have the same number.
     ///
     /// # Errors
-    /// Why there is no such number: the limbs are not known, or differ.
+    /// The limbs are not known, or have different numbers of spheres.
     pub fn spheres_per_limb(&self) -> Result<usize, Phrase> {
         let limbs = match self {
             Self::Known(limbs) => limbs,
@@ -80,20 +81,20 @@ impl Limbs {
 }
 
 impl Model {
-    /// Groups the moving spheres of the applied forces among `forces` that meet a half-space.
+    /// Groups the spheres that switched-on forces among `forces` press on a half-space, by limb.
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
         let carriers = match self.carriers(forces) {
             Ok(carriers) => carriers,
             Err(why) => return Limbs::Unknown(why.into()),
         };
         let mut limbs = Vec::new();
-        match self.split(&carriers, &mut limbs) {
+        match self.add_limbs_of_carriers(&carriers, &mut limbs) {
             Ok(()) => Limbs::Known(limbs),
             Err(why) => Limbs::Unknown(why.into()),
         }
     }
 
-    /// Moving spheres that touch a half-space through an applied force among `forces`, each once.
+    /// Moving spheres that a switched-on force among `forces` presses on a half-space, each once.
     pub fn loaded_spheres(&self, forces: &[ForceId]) -> Vec<SphereId> {
         let mut seen = HashSet::new();
         let mut spheres: Vec<SphereId> = Vec::new();
@@ -108,8 +109,8 @@ impl Model {
         spheres
     }
 
-    /// The forces whose moving spheres are below the same topmost body of the joint tree as those of `forces`: a ball is joined
-    /// to its player only through ground.
+    /// The forces whose moving spheres are below the same topmost bodies of the joint tree as those of `forces`. For example, a ball is
+    /// joined to its player only through ground, so its forces are not among the player's.
     pub fn forces_of_same_body(&self, forces: &[ForceId]) -> Vec<ForceId> {
         let requested: HashSet<ForceId> = forces.iter().copied().collect();
         let tops = |id: ForceId| -> HashSet<ComponentId> {
@@ -126,7 +127,7 @@ impl Model {
         self.force_ids().into_iter().filter(same).collect()
     }
 
-    /// Whether a moving sphere of `force` can touch a half-space on another body.
+    /// Whether `force` can press a moving sphere on a half-space on another body.
     pub fn meets_half_space(&self, force: &Force) -> bool {
         let spheres = force.sets.iter().flat_map(|set| &set.spheres);
         spheres.filter_map(|&id| self.sphere(id)).any(|sphere| {
@@ -155,7 +156,7 @@ impl Model {
         Ok(bodies.into_iter().map(carrier).collect())
     }
 
-    /// The side of a body from its own name, else from the names of its spheres if they agree.
+    /// The side of a body: from its own name, else from the names of its spheres if they agree.
     fn side_of(&self, body: ComponentId, spheres: &[SphereId]) -> Option<Side> {
         Side::of_name(&self.components().name(body)).or_else(|| {
             let mut sides = spheres.iter().filter_map(|&s| self.sphere(s)).map(|s| Side::of_name(&s.name));
@@ -164,8 +165,8 @@ impl Model {
         })
     }
 
-    /// Splits the carriers from the top of the joint tree down until no group has both sides.
-    fn split(&self, carriers: &[SphereCarrier], limbs: &mut Vec<Limb>) -> Result<(), String> {
+    /// Splits the bodies with spheres, from the top of the joint tree downwards, until no group has both sides.
+    fn add_limbs_of_carriers(&self, carriers: &[SphereCarrier], limbs: &mut Vec<Limb>) -> Result<(), String> {
         let tree = CarrierTree::new(carriers, self.skeleton());
         if !tree.all_sides().are_both() {
             let top = carriers.first().map(|carrier| self.skeleton().top(carrier.body));
@@ -194,7 +195,7 @@ impl Model {
         Ok(())
     }
 
-    /// The limb of a `group`, called after the body on its top.
+    /// The limb of a `group` of bodies, with the name of its topmost body.
     fn limb(&self, group: &[&SphereCarrier], top: Option<ComponentId>) -> Result<Limb, String> {
         let mut spheres: Vec<SphereId> =
             group.iter().flat_map(|carrier| carrier.spheres.iter().copied()).collect();
@@ -223,7 +224,7 @@ struct SphereCarrier {
     pub spheres: Vec<SphereId>,
 }
 
-/// Which sides of the animal are present.
+/// Whether the right side and the left side occur in a group of bodies.
 #[derive(Debug, Clone, Copy, Default)]
 struct SidesPresent {
     right: bool,
@@ -247,11 +248,11 @@ impl From<Option<Side>> for SidesPresent {
     }
 }
 
-/// A body of the tree: its spheres, and its child bodies.
+/// A body in the tree, with its spheres and its child bodies.
 #[derive(Default)]
 struct CarrierNode {
     carrier: Option<usize>,
-    /// The sides of the body itself, if it carries spheres, and of all bodies below it that do.
+    /// The sides of all bodies with spheres, from this body downwards.
     sides: SidesPresent,
     children: Vec<ComponentId>,
 }
@@ -264,7 +265,7 @@ struct CarrierTree<'f> {
 }
 
 impl<'f> CarrierTree<'f> {
-    /// The tree above `carriers`, which are in the order of their bodies.
+    /// The tree of `carriers` (in file order) and all bodies above them.
     fn new(carriers: &'f [SphereCarrier], skeleton: &Skeleton) -> Self {
         let mut tree = Self { carriers, nodes: HashMap::new(), tops: Vec::new() };
         // Each body after the one above it.
@@ -299,12 +300,12 @@ impl<'f> CarrierTree<'f> {
         tree
     }
 
-    /// Bodies that have no parent body.
+    /// Bodies of the tree without a parent body.
     fn tops(&self) -> &[ComponentId] {
         &self.tops
     }
 
-    /// The sides of the carriers among `body` and the bodies below it.
+    /// The sides of all bodies with spheres, from `body` downwards.
     fn sides(&self, body: ComponentId) -> SidesPresent {
         self.nodes.get(&body).map(|node| node.sides).unwrap_or_default()
     }
@@ -325,7 +326,7 @@ impl<'f> CarrierTree<'f> {
         self.nodes.get(&body).map(|node| node.children.as_slice()).unwrap_or_default()
     }
 
-    /// The carriers among `body` and the bodies below it, in file order.
+    /// The bodies with spheres, from `body` downwards, in file order.
     fn below(&self, body: ComponentId) -> Vec<&'f SphereCarrier> {
         let mut below = BTreeMap::new();
         let mut waiting = vec![body];

@@ -1,4 +1,4 @@
-//! What the model weighs, the mass that its contacts were made for, and masses that look wrong.
+//! The mass of a model, the mass for which its contacts were made, and masses that look wrong.
 
 use std::collections::BTreeMap;
 
@@ -10,16 +10,17 @@ use crate::model::rules::{self, MassFromSource};
 use crate::model::skeleton::Body;
 use crate::model::typed_model::Model;
 
-/// Masses closer than this (relative) count as one body: a sensor, a belt or a prosthetic foot does not make another.
+/// Two masses count as one body if they differ by less than this (relative): a sensor, a belt or a prosthetic foot does not make another
+/// body.
 pub(crate) const SAME_MASS: f64 = 0.02;
 
-/// Contacts for a mass closer than this (relative) to the target are there already: a scale is not read better than to 0.1 %.
+/// Contacts need no scaling if their mass is nearer to the target mass than this (relative): no scale is read more exactly than 0.1 %.
 const AT_TARGET: f64 = 1e-3;
 
-/// Gravities closer than this (relative) count as one.
+/// Two gravities count as equal if they differ by less than this (relative).
 const SAME_GRAVITY: f64 = 1e-3;
 
-/// The masses that the caller gives, and which bodies to sum.
+/// The masses that the caller gives, and the bodies to sum.
 ///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../../tests/data/one_foot.osim").as_slice())?;
@@ -39,34 +40,34 @@ const SAME_GRAVITY: f64 = 1e-3;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MassRequest {
-    /// The mass that the contacts in the file were made for, kg.
+    /// The mass for which the contacts in the file were made, kg.
     pub contacts_mass_kg: Option<f64>,
-    /// What the model weighs, kg.
+    /// The mass of the model, kg.
     pub model_kg: Option<f64>,
-    /// The mass that the contacts will be scaled to, kg. A source that says this mass is no reason for a warning: the bodies
-    /// are often scaled before the contacts.
+    /// The target mass of the contacts, kg. Another source with exactly this mass needs no warning: bodies are often scaled before their
+    /// contacts.
     pub target_mass_kg: Option<f64>,
-    /// Bodies that do not belong to the animal and are not summed.
+    /// Bodies that do not belong to the animal and are left out of the sum.
     pub exclude_bodies: Vec<Pattern>,
-    /// For a row of a table: the masses in the same columns of its other rows.
+    /// For a row of a table: for each input, the range of the masses in its other rows.
     pub other_rows: BTreeMap<Input, MassesOfOtherRows>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum MassSource {
-    /// The caller, of the contacts.
+    /// The caller gave the mass for which the contacts were made.
     ContactsMass,
     Note,
-    /// Published contacts, which the file has; how people cite them.
+    /// The contacts in the file are published for this mass; the text is how people cite them.
     Known(&'static str),
-    /// The caller, of the model.
+    /// The caller gave the mass of the model.
     Mass,
     /// The sum of the bodies, with their number.
     Bodies(usize),
     Preset(String),
-    /// The caller, of the reference.
+    /// The caller gave the mass of the reference.
     ReferenceMass,
-    /// A point of a grid.
+    /// A point of a grid of masses.
     Grid,
 }
 
@@ -84,12 +85,12 @@ impl MassSource {
         }
     }
 
-    /// Whether the source is about the contacts, and not only about the body that carries them.
+    /// Whether the source tells the mass for which the contacts were made, not only the mass of the body.
     pub const fn is_about_contacts(&self) -> bool {
         !matches!(self, Self::Mass | Self::Bodies(_))
     }
 
-    /// In words: `sum of 21 bodies`.
+    /// The source in words, such as `sum of 21 bodies`.
     pub fn describe(&self) -> Phrase {
         match self {
             Self::ContactsMass => Input::ContactsMass.into(),
@@ -112,7 +113,7 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// This mass as the one that contacts were made for, in words; "taken as" if its source is not about the contacts.
+    /// A phrase with this mass as the mass for which contacts were made. It says "taken as" if the source tells only the mass of the body.
     pub fn contacts_made_for(&self) -> Phrase {
         let taken =
             if self.source.is_about_contacts() { "contacts made for" } else { "contacts taken as made for" };
@@ -121,18 +122,18 @@ impl Mass {
 }
 
 impl MassRequest {
-    /// Patterns of excluded bodies that match no body of `model`, probably by a mistake.
+    /// Patterns of excluded bodies that match no body of `model`, probably by mistake.
     pub fn unmatched_patterns<'p>(&'p self, model: &Model) -> impl Iterator<Item = &'p Pattern> {
         let matches_nothing =
             |pattern: &Pattern| !model.bodies().iter().any(|body| pattern.matches(&body.name));
         self.exclude_bodies.iter().filter(move |pattern| matches_nothing(pattern))
     }
 
-    /// What the model weighs: as the caller gave it, else the sum of its bodies ([`Body::excluded_from_mass`] says which do not count), left to right in file order.
+    /// The mass of the model: as the caller gave it, else the sum of its bodies in file order. [`Body::excluded_from_mass`] tells the
+    /// bodies that are left out.
     ///
     /// # Errors
-    /// A body without a mass, no body at all, a sum that is not above 0, or a loop of joints in which OpenSim counts a body
-    /// twice.
+    /// A body has no mass, there is no body, the sum is not above 0, or joints form a loop in which OpenSim counts a body twice.
     pub fn model_mass(&self, model: &Model) -> Result<Mass, Fault> {
         if let Some(kg) = self.model_kg {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
@@ -154,11 +155,11 @@ impl MassRequest {
         Err(Fault::new(Needed::ModelMass { bodies, kg }))
     }
 
-    /// The mass that the contacts were made for, of contacts that nobody published: as the caller gave it, else the note, else what the
-    /// model weighs; and a warning for each other source that disagrees with it.
+    /// The mass for which contacts were made that are not published ones: as the caller gave it, else from the note, else the mass of the
+    /// model. Also a warning for each other source that gives another mass.
     ///
     /// # Errors
-    /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
+    /// The note no longer fits the file, or an error of [`MassRequest::model_mass`].
     pub fn contacts_mass(&self, model: &Model) -> Result<(Mass, Vec<Finding>), Fault> {
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let mass = if let Some(kg) = self.contacts_mass_kg {
@@ -174,14 +175,14 @@ impl MassRequest {
         Ok((mass, findings))
     }
 
-    /// A warning for each other source that disagrees with the mass that was `taken`.
+    /// A warning for each other source whose mass differs from the mass `taken`.
     pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let noted = noted.filter(|_| taken.source != MassSource::Note);
         self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))
     }
 
-    /// A warning where the note in `model` can be relied on and gives another mass than the caller.
+    /// A warning if the note in `model` is not in doubt and its mass differs from the mass that the caller gave.
     pub fn disagreement_with_note(&self, model: &Model) -> Option<Finding> {
         let kg = self.contacts_mass_kg?;
         let noted = self.disagreeing_note_kg(model)?;
@@ -192,15 +193,15 @@ impl MassRequest {
         ))
     }
 
-    /// What the note in `model` gives, kg, where it can be relied on and the caller gave another mass.
+    /// The mass in the note of `model`, kg, if the note is not in doubt and its mass differs from the mass that the caller gave.
     pub fn disagreeing_note_kg(&self, model: &Model) -> Option<f64> {
         let given_kg = self.contacts_mass_kg?;
         let noted_kg = model.note.as_ref().and_then(|note| note.contacts_mass_kg)?;
         (!same_mass(noted_kg, given_kg) && model.doubt_about_note().is_none()).then_some(noted_kg)
     }
 
-    /// A warning for each other source of the model's mass that disagrees with `taken`. The note is not asked, because the model gets
-    /// other contacts.
+    /// A warning for each other source of the model's mass that differs from `taken`. The note is ignored, because the model gets other
+    /// contacts.
     pub fn weight_disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         self.disagreements_with(model, taken, None)
     }
@@ -235,22 +236,22 @@ impl MassRequest {
     }
 }
 
-/// Whether contacts for `contacts_kg` need no scaling to be for `target_kg`.
+/// Whether contacts for `contacts_kg` can be used for `target_kg` without scaling.
 pub fn is_at_target(contacts_kg: f64, target_kg: f64) -> bool {
     (target_kg - contacts_kg).abs() <= AT_TARGET * contacts_kg.abs()
 }
 
-/// Whether two masses count as one: `a` is within `SAME_MASS` of `b` (relative to `b`).
+/// Whether two masses count as equal: `a` is within `SAME_MASS` of `b` (relative to `b`).
 pub fn same_mass(a: f64, b: f64) -> bool {
     (a - b).abs() <= SAME_MASS * b.abs()
 }
 
-/// Whether two gravities count as one: `noted` is within a thousandth of `own`.
+/// Whether two gravities count as equal: `noted` is within a thousandth of `own`.
 pub fn same_gravity(noted: f64, own: f64) -> bool {
     (noted - own).abs() <= SAME_GRAVITY * own
 }
 
-/// Checks that `kg` is a mass; the refusal names `input`, by which the caller gave it.
+/// Checks that `kg` is a finite number above 0. The error names `input`, by which the caller gave the mass.
 pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
     if kg.is_finite() && kg > 0.0 {
         return Ok(kg);
@@ -260,26 +261,28 @@ pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
 
 // Masses that look wrong: in another unit, or with a digit too many or too few.
 
-/// A ratio of masses that is as near to 1000 or 1/1000 as this (relative) counts as that factor.
+/// A ratio of masses counts as 1000 or 1/1000 if it is at least as near as this (relative).
 const NEAR_THOUSAND: f64 = 0.15;
-/// If a mass differs by no more than this (relative) from that of the bodies in pounds, the program asks: only rounding lies between.
+/// The program asks whether a mass is in pounds if it differs by at most this (relative) from the bodies' mass in pounds.
 const NEAR_POUNDS: f64 = 0.01;
-/// As near to the mass in pounds as this (relative), the program remarks on it: such a mass may also be that of a heavy person.
+/// The program remarks that a mass may be in pounds if it differs by at most this (relative) from the bodies' mass in pounds: it may also
+/// be the mass of a heavy person.
 const PERHAPS_POUNDS: f64 = 0.15;
-/// Lighter than any animal that contacts are made for, kg: 1 mg.
+/// The lightest mass of an animal with contacts, kg: 1 mg.
 const LIGHTEST_KG: f64 = 1e-6;
-/// Heavier than any: 200 t, kg.
+/// The heaviest mass of an animal with contacts, kg: 200 t.
 const HEAVIEST_KG: f64 = 200e3;
-/// A target mass that is so many times the mass of the bodies looks like grams: 1000 times, for a body within a factor of 5.
+/// A target mass looks like grams if it is this many times the mass of the bodies: 1000 times, for bodies of different size up to a factor
+/// of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
-/// The question about the mass `kg` that the caller gave as `input`, if it looks wrong for a model whose bodies weigh `bodies_kg`
-/// together.
+/// A question about the mass `kg`, which the caller gave as `input`, if it looks wrong for bodies of `bodies_kg` together.
 pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
     suspicious_mass(input, kg, bodies_kg, NEAR_POUNDS)
 }
 
-/// The question about a mass that looks wrong. It counts as in pounds if it is as near to that as `near_pounds` (relative).
+/// A question about a mass that looks wrong. The mass counts as pounds if it is as near as `near_pounds` (relative) to the bodies' mass in
+/// pounds.
 fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsAnswer> {
     // What the bodies weigh is the right unit.
     if is_mass_of_bodies(input, kg, bodies_kg) {
@@ -293,8 +296,8 @@ fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f
     Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: None, mistake })
 }
 
-/// The question about the mass in a row of a table, whose other rows have the masses `other_rows`: many bodies of half the size or twice are
-/// meant, one is not.
+/// A question about the mass in a row of a table whose other rows have the masses `other_rows`. A mass is compared with the other rows, not
+/// with the bodies: if the masses of all rows differ from the bodies, this is intended.
 fn suspicious_mass_in_table(
     input: Input,
     kg: f64,
@@ -315,7 +318,7 @@ fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
     input == Input::TargetMass && bodies_kg.is_some_and(|bodies| same_mass(kg, bodies))
 }
 
-/// Grams, tonnes, or a mass that no animal has.
+/// Whether the mass looks like grams or tonnes, or is impossible for an animal.
 fn gross_mistake(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassMistake> {
     let grams_of_target = input == Input::TargetMass
         && bodies_kg.is_some_and(|bodies| GRAMS_OF_A_TARGET.contains(&(kg / bodies)));
@@ -330,19 +333,19 @@ fn gross_mistake(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassMi
 }
 
 impl MassRequest {
-    /// The sum of the bodies, whatever the caller says that the model weighs; `None` where it is not known.
+    /// The sum of the bodies, even if the caller gives another mass of the model; `None` if it is not known.
     pub fn bodies_kg(&self, model: &Model) -> Option<f64> {
         let bodies = Self { model_kg: None, ..self.clone() };
         bodies.model_mass(model).ok().map(|mass| mass.kg)
     }
 
-    /// The questions about the given masses that look wrong for this model. A mass that its note confirms is right; and a caller who gives
-    /// the target mass in the unit of the bodies gives the other masses in it, too.
+    /// Questions about given masses that look wrong for this model. A mass that the note in the model confirms is right. If the target mass
+    /// equals the bodies' mass, the other given masses are in the same unit, too.
     pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsAnswer> {
         self.suspicious_masses(model, NEAR_POUNDS)
     }
 
-    /// The given masses that may be in pounds, but are too far from that for a question. Rows of a table are compared with each other
+    /// The given masses that may be in pounds, but not so probably that the program asks. Rows of a table are compared with each other
     /// instead.
     pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
         let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);

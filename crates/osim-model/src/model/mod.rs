@@ -1,21 +1,22 @@
-//! What is in an OpenSim model: bodies, limbs, contact spheres and contact forces, typed, each value with its place.
+//! The contents of an OpenSim model as typed data: bodies, limbs, contact spheres and contact forces, each value with its place in the
+//! file.
 //!
-//! The reading direction never turns back: bytes → [`Document`] (exact spans) → [`Model`] (typed, effective values).
-//! Nothing is decoded and encoded again; a [`Slot`] says where a property stands, for code that changes it
-//! (the crate `osim-patch` does).
+//! Reading goes in one direction: bytes → [`Document`] (exact places) → [`Model`] (typed, effective values). No file is decoded and encoded
+//! again: a [`Slot`] is the place of a property, for code that changes it (the crate `osim-patch`).
 //!
 //! # Where to begin
 //!
-//! - [`Model::parse`] reads one file, [`crate::model::files::ModelFiles`] one with the files that belong to it.
-//! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force); each number is a [`Value`], which says where it comes
-//!   from and whether its text is what it looks like.
+//! - [`Model::parse`] reads a model from one file, [`crate::model::files::ModelFiles`] a model from several files.
+//! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force). Each number is a [`Value`], with its origin and the fault of its
+//!   text, if there is one.
 //! - [`Selection`] chooses forces, [`MassRequest`] finds masses, [`Model::limbs`] finds limbs.
-//! - What is wrong is a [`Fault`], what is odd a [`Finding`], what only the caller can know is [`Needed`].
+//! - A [`Fault`] is an error, a [`Finding`] an unusual property of a model, [`Needed`] a fact that only the caller knows.
 //!
 //! # What it will not do
 //!
-//! It knows no file system (only [`crate::model::files::Files`]), no terminal and no options: what the caller can say is in messages as
-//! a [`Input`](crate::messages::Input). It reads what a model says, not what OpenSim would make of a file it cannot load.
+//! This module knows no file system (only [`crate::model::files::Files`]), no terminal and no options: inputs in messages are data, an
+//! [`Input`](crate::messages::Input). It reads the contents of a model; it does not predict what OpenSim would do with a file that OpenSim
+//! cannot load.
 
 mod anatomy;
 mod body_sizes;

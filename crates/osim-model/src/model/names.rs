@@ -1,4 +1,4 @@
-//! Names of objects: those that OpenSim takes, patterns of them, and the side of the body that they say.
+//! Names of objects: names that OpenSim accepts, patterns of names, and the side of the body in a name.
 
 use std::borrow::Cow;
 use std::fmt;
@@ -9,12 +9,12 @@ use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 use crate::messages::is_visible;
 use crate::model::fault::Fault;
 
-/// Letters with which OpenSim refuses a whole model.
+/// Letters in a name for which OpenSim refuses a whole model.
 const REFUSED_LETTERS: &str = "\\*+/ \t\r\n\u{b}\u{c}";
-/// The advice after each refusal of a name.
+/// The advice at the end of each error about a name.
 const NAME_ADVICE: &str = "choose letters, digits, '_' or '-'";
 
-/// Refuses a name that OpenSim would, and one with letters that nobody sees.
+/// Refuses a name that OpenSim would refuse, and a name with invisible letters.
 ///
 /// ```
 /// assert!(osim_model::refuse_name("heel_r").is_ok());
@@ -23,7 +23,7 @@ const NAME_ADVICE: &str = "choose letters, digits, '_' or '-'";
 /// ```
 ///
 /// # Errors
-/// An empty name, one that is a step in OpenSim's paths, or one with a letter that OpenSim or XML refuses or that is not seen.
+/// The name is empty, is a step in OpenSim's paths (such as `..`), or has a letter that OpenSim or XML refuses or that is invisible.
 pub fn refuse_name(name: &str) -> Result<(), Fault> {
     refuse_name_in_paths(name)?;
     match name.chars().find(|&letter| !is_visible(letter)) {
@@ -35,7 +35,7 @@ pub fn refuse_name(name: &str) -> Result<(), Fault> {
     }
 }
 
-/// Refuses a name that cannot be in a path of OpenSim.
+/// Refuses a name that cannot be part of a path in OpenSim.
 pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     if name.is_empty() {
         return Err(Fault::refused(
@@ -61,8 +61,8 @@ pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     }
 }
 
-/// A pattern of names: `*` is anything, `?` one letter, `[rl]` one of some, `{heel,toe}*` one of several. Upper and lower case
-/// differ.
+/// A pattern of names: `*` stands for any text, `?` for one letter, `[rl]` for one of these letters, `{heel,toe}*` for one of these words.
+/// Upper and lower case differ.
 ///
 /// ```
 /// use osim_model::Pattern;
@@ -129,7 +129,7 @@ impl Eq for Pattern {}
 
 // Left and right in names.
 
-/// Side of the body, read from names.
+/// A side of the body, as read from names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
     /// The right side: `_r`, `right`, …
@@ -153,7 +153,7 @@ impl Side {
         }
     }
 
-    /// Reads a side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` where it has none or both.
+    /// Reads the side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` if the name has no side or both.
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = in_lower_case(name);
         let word = |long: &str, short: &str| {
@@ -184,19 +184,19 @@ fn last_two(name: &str) -> Option<[char; 2]> {
     Some([letters.next()?, last])
 }
 
-/// `name` in lower case, without a copy if it is so already.
+/// `name` in lower case; not copied if it already is.
 fn in_lower_case(name: &str) -> Cow<'_, str> {
     let stays = |byte: u8| byte.is_ascii() && !byte.is_ascii_uppercase();
     if name.bytes().all(stays) { Cow::Borrowed(name) } else { Cow::Owned(name.to_lowercase()) }
 }
 
-/// Whether `word` is in `text`: quicker than `contains`, which prepares itself for long texts.
+/// Whether `word` is in `text`. Faster than `contains` for short texts.
 fn contains_word(text: &str, word: &str) -> bool {
     let (text, word) = (text.as_bytes(), word.as_bytes());
     text.windows(word.len()).any(|part| part.first() == word.first() && part == word)
 }
 
-/// The name with everything that says left or right made equal.
+/// The name with all marks of left and right replaced by the same mark.
 ///
 /// ```
 /// use osim_model::without_side;

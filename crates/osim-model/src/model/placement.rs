@@ -1,8 +1,8 @@
-//! Where a frame is in another one: turned, moved, and moving.
+//! Placements of frames in other frames: rotation, translation, and their velocities.
 
 use glam::{DMat3, DVec3};
 
-/// Rotation of a frame in its body.
+/// Rotation of a frame relative to its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rotation(DMat3);
 
@@ -25,8 +25,8 @@ impl Rotation {
         ])
     }
 
-    /// The angular velocity (rad/s) of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates` (rad/s), seen from
-    /// the body.
+    /// The angular velocity (rad/s), in axes of the body, of a frame whose body-fixed `angles` about x, y and z (rad) change at `rates`
+    /// (rad/s).
     pub(crate) fn body_fixed_velocity([x, y, _]: [f64; 3], rates: [f64; 3]) -> DVec3 {
         let (sx, cx) = (libm::sin(x), libm::cos(x));
         let (sy, cy) = (libm::sin(y), libm::cos(y));
@@ -34,25 +34,25 @@ impl Rotation {
         DVec3::new(about_x + sy * about_z, cx * about_y - sx * cy * about_z, sx * about_y + cx * cy * about_z)
     }
 
-    /// The angles about x, then y, then z (rad) that make this rotation, as OpenSim's `orientation` has them.
+    /// The angles about x, then y, then z (rad) of this rotation, as in OpenSim's `orientation`.
     pub(crate) fn to_body_fixed_xyz(self) -> [f64; 3] {
         let [[xx, xy, xz], [_, _, yz], [_, _, zz]] = self.inverse().0.to_cols_array_2d();
         let cosine = libm::sqrt(xx * xx + xy * xy);
         [libm::atan2(-yz, zz), libm::atan2(xz, cosine), libm::atan2(-xy, xx)]
     }
 
-    /// `first`, then this rotation: the product of their matrices.
+    /// The rotation `first`, followed by this rotation: the product of their matrices.
     pub fn after(&self, first: &Self) -> Self {
         Self(self.0 * first.0)
     }
 
-    /// R v: a vector of the frame, seen from the body.
+    /// R v: converts a vector from the frame to the body.
     pub fn to_body(&self, vector: impl Into<DVec3>) -> DVec3 {
         self.0 * vector.into()
     }
 
-    /// Rotation by `angle` (rad) about `axis`, which need not have length 1: Rodrigues' formula, R v = v cos a + (u × v) sin a +
-    /// u (u · v)(1 − cos a) with u = axis/|axis|. An axis without length or an angle of 0 turns nothing.
+    /// Rotation by `angle` (rad) about `axis`, which may have any length: Rodrigues' formula, R v = v cos a + (u × v) sin a + u (u · v)(1 −
+    /// cos a) with u = axis/|axis|. With an axis of length 0 or an angle of 0, nothing is turned.
     pub fn about(axis: impl Into<DVec3>, angle: f64) -> Self {
         let axis = axis.into();
         let length = axis.length();
@@ -69,7 +69,7 @@ impl Rotation {
         ])
     }
 
-    /// Rᵀ: back from the body to the frame.
+    /// Rᵀ: the rotation that converts from the body to the frame.
     pub fn inverse(&self) -> Self {
         Self(self.0.transpose())
     }
@@ -84,7 +84,7 @@ impl Rotation {
     }
 }
 
-/// Two axes this close to up (difference of their cosines) are equally near.
+/// Two axes are equally near to up if their cosines differ by at most this.
 const AXIS_TIE: f64 = 1e-9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -101,8 +101,7 @@ impl Axis {
         self as usize
     }
 
-    /// The axis with the largest component of `vector` (without its sign). `preferred` wins a tie: another axis has to be larger by
-    /// more than `tie`.
+    /// The axis with the largest component of `vector`, whatever its sign. Another axis than `preferred` must be larger by more than `tie`.
     fn largest(vector: DVec3, preferred: Self, tie: f64) -> Self {
         let size = |axis: Self| vector[axis.index()].abs();
         Self::ALL
@@ -111,7 +110,7 @@ impl Axis {
     }
 }
 
-/// The direction away from the ground, foot flat.
+/// The axis that points away from the ground when the foot lies flat.
 ///
 /// ```
 /// use osim_model::{Axis, LevelAxis};
@@ -126,22 +125,22 @@ impl Axis {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LevelAxis {
     pub axis: Axis,
-    /// Whether the axis points down: then away from the ground is its negative direction.
+    /// Whether the axis points down. Its negative direction then points away from the ground.
     pub down: bool,
-    /// Whether the axis is one of the body: then in each sphere's frame the nearest axis is taken. Otherwise it is an axis of every
-    /// sphere's own frame.
+    /// Whether this is an axis of the body; each sphere's frame then uses its own axis that is nearest to it. Otherwise it is an axis of
+    /// each sphere's own frame.
     pub of_body: bool,
 }
 
 impl LevelAxis {
-    /// The axis of the body nearest to −`gravity` (m/s², in ground); y where a model has no gravity.
+    /// The axis of the body that is nearest to the direction opposite to `gravity` (m/s², in ground); y if a model has no gravity.
     pub fn of_gravity(gravity: Option<[f64; 3]>) -> Self {
         let gravity = gravity.unwrap_or([0.0, -1.0, 0.0]);
         let axis = Axis::largest(gravity.into(), Axis::Y, 0.0);
         Self { axis, down: gravity[axis.index()] > 0.0, of_body: true }
     }
 
-    /// The axis in a frame that is turned by `rotation` in its body.
+    /// The nearest axis of a frame that is turned by `rotation` in its body.
     pub fn in_frame(self, rotation: &Rotation) -> Self {
         if !self.of_body {
             return self;
@@ -159,8 +158,8 @@ impl LevelAxis {
         up
     }
 
-    /// Where the centre goes (m) so that the bottom stays on the sole: the bottom point is `scaled` with the body, and the new
-    /// radius is added again. All lengths are in m, all places in the sphere's frame.
+    /// The new centre (m) of a sphere whose bottom stays on the sole. The function `scaled` moves the bottom with the body; the new radius
+    /// is then added upwards. All places are in the sphere's frame, m.
     pub fn levelled_centre(
         self,
         centre: [f64; 3],
@@ -176,7 +175,7 @@ impl LevelAxis {
 
 // Where a frame is in another one, and how it moves there.
 
-/// A frame in another one.
+/// The placement of a frame in another frame: rotation and translation.
 ///
 /// ```
 /// use osim_model::{DVec3, Placement, Rotation};
@@ -196,17 +195,17 @@ pub struct Placement {
 impl Placement {
     pub const IDENTITY: Self = Self { rotation: Rotation::IDENTITY, translation_m: DVec3::ZERO };
 
-    /// The placement of OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
+    /// The placement from OpenSim's `orientation` (body-fixed angles about x, y, z, rad) and `translation` (m).
     pub(crate) fn from_triples(orientation: [f64; 3], translation_m: [f64; 3]) -> Self {
         Self { rotation: Rotation::body_fixed_xyz(orientation), translation_m: translation_m.into() }
     }
 
-    /// A point of the frame, seen from the other one, m.
+    /// Converts a point of the frame to the other frame, m.
     pub fn point(&self, point_m: impl Into<DVec3>) -> DVec3 {
         self.translation_m + self.rotation.to_body(point_m)
     }
 
-    /// A frame in this one, seen from where this one is seen.
+    /// The placement of a frame `inner`, whose placement in this frame is given, in the other frame.
     pub fn then(&self, inner: &Self) -> Self {
         Self {
             rotation: self.rotation.after(&inner.rotation),
@@ -214,25 +213,25 @@ impl Placement {
         }
     }
 
-    /// The rotation back: from this frame to the other.
+    /// The placement of the other frame in this frame.
     pub fn inverse(&self) -> Self {
         let rotation = self.rotation.inverse();
         Self { rotation, translation_m: -rotation.to_body(self.translation_m) }
     }
 
-    /// The frame as OpenSim has it after it converted an old document, through text: its angles and its place with six digits.
+    /// The placement after OpenSim's conversion of an old document, which writes angles and places with six digits.
     pub(crate) fn in_six_digits(&self) -> Self {
         let turned = self.rotation.to_body_fixed_xyz().map(six_digits);
         Self::from_triples(turned, self.translation_m.to_array().map(six_digits))
     }
 }
 
-/// A number as a C++ stream writes it.
+/// A number with six significant digits, as a C++ stream writes it.
 pub(crate) fn six_digits(value: f64) -> f64 {
     format!("{value:.5e}").parse().unwrap_or(value)
 }
 
-/// A frame that moves in another one.
+/// The placement of a frame in another frame, and its velocity.
 ///
 /// ```
 /// use osim_model::{DVec3, MovingPlacement, Placement, Rotation};
@@ -247,34 +246,34 @@ pub(crate) fn six_digits(value: f64) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MovingPlacement {
     pub at: Placement,
-    /// Angular velocity of the frame, rad/s, seen from the other one.
+    /// Angular velocity of the frame, rad/s, in axes of the other frame.
     pub angular_velocity: DVec3,
-    /// How its origin moves, m/s, seen from the other one.
+    /// Velocity of the frame's origin, m/s, in axes of the other frame.
     pub velocity_m_s: DVec3,
 }
 
 impl MovingPlacement {
-    /// The frame at `at`, without velocity.
+    /// The placement `at` with a velocity of 0.
     pub const fn still(at: Placement) -> Self {
         Self { at, angular_velocity: DVec3::ZERO, velocity_m_s: DVec3::ZERO }
     }
 
-    /// How a point of the frame moves, m/s, seen from the other one.
+    /// Velocity of a point of the frame, m/s, in axes of the other frame.
     pub fn velocity_of(&self, point_m: impl Into<DVec3>) -> DVec3 {
         self.velocity_at_offset(self.at.rotation.to_body(point_m))
     }
 
-    /// How a point of the frame moves (m/s) that is now at `point_m` of the other one.
+    /// Velocity (m/s) of the frame's point that is now at `point_m` of the other frame.
     pub fn velocity_at(&self, point_m: DVec3) -> DVec3 {
         self.velocity_at_offset(point_m - self.at.translation_m)
     }
 
-    /// How a point of the frame moves (m/s) that is `offset_m` away from its origin, along axes of the other one.
+    /// Velocity (m/s) of the frame's point that is `offset_m` away from its origin, along axes of the other frame.
     fn velocity_at_offset(&self, offset_m: DVec3) -> DVec3 {
         self.velocity_m_s + self.angular_velocity.cross(offset_m)
     }
 
-    /// A frame that moves in this one, seen from where this one is seen.
+    /// The placement and velocity in the other frame of a frame `inner`, which moves in this frame.
     pub fn then(&self, inner: &Self) -> Self {
         let rotation = self.at.rotation;
         Self {
@@ -284,7 +283,7 @@ impl MovingPlacement {
         }
     }
 
-    /// The placement of the other frame in this one.
+    /// The placement and velocity of the other frame in this frame.
     pub fn inverse(&self) -> Self {
         let back = self.at.rotation.inverse();
         // d/dt(-Rt p) = Rt (w x p - v).
@@ -366,7 +365,7 @@ mod tests {
         assert_eq!(given.in_frame(&about_z), given);
     }
 
-    /// A frame that turns and moves, at a time.
+    /// A frame that turns and moves, at a given time.
     fn placement_at(time_s: f64) -> Placement {
         Placement {
             rotation: Rotation::body_fixed_xyz([0.3 + 0.5 * time_s, -0.7 * time_s, 1.1 - 0.2 * time_s]),
@@ -374,7 +373,7 @@ mod tests {
         }
     }
 
-    /// A moving frame with its velocities at time 0, by the rates of its angles.
+    /// The frame at time 0, with velocities from the rates of its angles and places.
     fn moving_frame() -> MovingPlacement {
         let angular_velocity = Rotation::body_fixed_velocity([0.3, 0.0, 1.1], [0.5, -0.7, -0.2]);
         MovingPlacement { at: placement_at(0.0), angular_velocity, velocity_m_s: DVec3::new(1.0, -2.0, -0.3) }
@@ -385,7 +384,7 @@ mod tests {
         assert!(value.abs_diff_eq(expected, 1e-8), "{value:?} {expected:?}");
     }
 
-    /// How a point that `place` gives at a time moves at time 0.
+    /// The velocity at time 0 of a point, as a difference quotient. `place` gives the point's place at a time.
     fn difference_quotient(place: impl Fn(f64) -> DVec3) -> DVec3 {
         let step = 1e-5;
         (place(step) - place(-step)) / (2.0 * step)

@@ -1,4 +1,4 @@
-//! The properties that are read and written, the OpenSim classes that have them, and their effective values.
+//! The properties of contacts that are read and changed, the OpenSim classes that have them, and their effective values.
 
 use std::fmt;
 use std::ops::Range;
@@ -74,7 +74,7 @@ impl Property {
         }
     }
 
-    /// SI unit, for tables, spelled as in all of them: `N/m2`.
+    /// SI unit of the property, in the spelling of tables: `N/m2`.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Stiffness => "N/m2",
@@ -88,7 +88,7 @@ impl Property {
         }
     }
 
-    /// Whether `value` is in the domain in which the contact laws hold; checked before anything is scaled.
+    /// Whether `value` is in the domain in which the contact laws hold. Checked before any scaling.
     pub fn allows(self, value: f64) -> bool {
         value.is_finite() && if self.may_be_zero() { value >= 0.0 } else { value > 0.0 }
     }
@@ -132,11 +132,11 @@ impl FromStr for Property {
     }
 }
 
-/// Names that were probably meant by `text`: those spelled almost like it, else those that it is a part of, or that end as it does.
+/// Names that the caller probably meant by `text`: names with nearly the same spelling, else names that contain it or have the same ending.
 fn probable_names(text: &str) -> Vec<&'static str> {
-    /// A name spelled with at most so many wrong letters is meant.
+    /// Most wrong letters in a misspelled name.
     const MOST_TYPING_ERRORS: usize = 2;
-    /// A part of a name counts if it has at least so many letters.
+    /// Fewest letters in a part of a name.
     const SHORTEST_PART: usize = 5;
 
     let flat = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
@@ -158,7 +158,7 @@ fn probable_names(text: &str) -> Vec<&'static str> {
 
 // The OpenSim classes whose numbers are read and written: their defaults, and the order of their elements.
 
-/// An OpenSim class whose numbers are read.
+/// An OpenSim class of which this program reads numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Class {
     HuntCrossleyForce,
@@ -182,7 +182,7 @@ impl Class {
         }
     }
 
-    /// The value that OpenSim uses where neither the element nor `<defaults>` says anything (seen in OpenSim 4.6).
+    /// The value that OpenSim 4.6 uses if neither the object nor `<defaults>` has the property.
     pub const fn default(self, property: Property) -> f64 {
         match (self, property) {
             (Self::SmoothSphereHalfSpaceForce, Property::Stiffness) => 1.0,
@@ -195,7 +195,7 @@ impl Class {
         }
     }
 
-    /// All child elements in the order in which OpenSim writes them; an absent one is inserted at its place.
+    /// The names of all child elements in the order in which OpenSim writes them. A missing element is inserted in this order.
     pub const fn element_order(self) -> &'static [&'static str] {
         match self {
             Self::HuntCrossleyForce => &[
@@ -297,9 +297,9 @@ impl Class {
 pub enum Origin {
     /// The property's own element in the object.
     Element,
-    /// The class's object in the document's `<defaults>`.
+    /// The object of the same class in the document's `<defaults>`.
     Defaults,
-    /// The default of OpenSim's class.
+    /// The default of the OpenSim class.
     ClassDefault,
 }
 
@@ -313,7 +313,7 @@ impl Origin {
     }
 }
 
-/// An effective number: what OpenSim uses, where it is and whether its text is one plain number.
+/// An effective number of a property: the number that OpenSim uses, its place, and whether its text is one plain number.
 ///
 /// ```
 /// use osim_model::{Model, Origin, Property, SetId};
@@ -336,18 +336,18 @@ pub struct Value {
     /// The number that OpenSim reads, in the unit of `property`.
     pub number: f64,
     pub origin: Origin,
-    /// The number's bytes in its file, where the object's own element has it.
+    /// The bytes of the number in its file; `None` if the object has no such element.
     pub span: Option<Range<usize>>,
-    /// Why the text is not a plain number, if it is not; then `number` is still what OpenSim reads.
+    /// Why the text is not a plain number; `None` if it is. `number` is still what OpenSim reads.
     pub fault: Option<NumberFault>,
-    /// The number as written (empty for a class default).
+    /// The number as the file writes it; empty for the default of a class.
     pub text: String,
-    /// First byte to point at, from 0: the number, or the object that lacks it.
+    /// First byte to show in an error, from 0: that of the number, or of the object without the number.
     pub offset: usize,
 }
 
 impl Value {
-    /// The number, if it can be scaled: one plain number within its domain.
+    /// The number, if it can be scaled: one plain number in its domain.
     pub fn checked(&self) -> Result<f64, Fault> {
         let at_value = |kind: FaultKind| match &self.span {
             Some(span) => Fault::at_span(kind, span.clone()),

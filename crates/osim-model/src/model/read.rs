@@ -1,4 +1,4 @@
-//! Documents → [`Model`], and models with other numbers of their contacts.
+//! Makes a [`Model`] from documents, and from another model with new numbers.
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,10 +21,10 @@ impl Model {
         Self::read_with(document, vec![])
     }
 
-    /// Reads a model from its main file and the companions that belong to it.
+    /// Reads a model from its main file and the other files that belong to it.
     ///
     /// # Errors
-    /// A document that is not a model and no force set with its geometry, or a connection that leads nowhere.
+    /// The document is neither a model nor a force set with its geometry, or a connection refers to no component.
     pub fn read_with(document: Document, companions: Vec<Companion>) -> Result<Self, Fault> {
         check_data_root(&document, companions.is_empty()).map_err(|fault| fault.located(document.bytes()))?;
         let components = Components::new(document, companions);
@@ -76,8 +76,7 @@ impl Model {
         Ok(model)
     }
 
-    /// Reads the model again after a change: from new `bytes` of its main file, and of the `others`. Files that are not among
-    /// these are as they were.
+    /// Reads the model again after a change, from new `bytes` of its main file and of the files in `others`. Other files are unchanged.
     pub fn read_again(&self, bytes: Vec<u8>, others: &[(FileId, Vec<u8>)]) -> Result<Self, Fault> {
         let document = Document::parse(bytes)?;
         let mut named = document.included_files().into_iter();
@@ -93,7 +92,7 @@ impl Model {
         Self::read_with(document, companions)
     }
 
-    /// A force set and a geometry set that were written together carry the same digest.
+    /// Compares the notes of a force set and a geometry set. If both were written together, they have the same digest.
     fn compare_notes(&mut self) {
         let ours = self.note.as_ref().map(|note| note.digest.as_str());
         let is_beside =
@@ -122,10 +121,10 @@ fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
 // A model with other numbers of its contacts, made without bytes, so that a change can be judged before it is written.
 
 impl Model {
-    /// The model that reading its file would give once it has these numbers: `changed` gives the new value of those that change, and `note`
-    /// is its new note. Lines and other places in the file are those of the file as it is now, and new numbers have no text.
+    /// The model as it would be read after a change of numbers, without writing a file. `changed` gives the new values, and `note` is the
+    /// new note. Places in the file are those before the change, and new numbers have no text.
     ///
-    /// `None` where this cannot be known without a file: other files belong to the model, or an earlier note goes or cannot be read.
+    /// `None` if the result cannot be known without a file: the model has several files, or an earlier note is removed or cannot be read.
     pub fn with_contact_numbers(
         &self,
         changed: impl Fn(ValueKey) -> Option<f64>,
@@ -178,7 +177,7 @@ impl Model {
 }
 
 impl Value {
-    /// Becomes the value that would be read if `number` were written. It gets no text.
+    /// Sets the number as if it had been read from the object's own element, without a text.
     fn set_number(&mut self, number: f64) {
         (self.number, self.origin, self.fault) = (number, Origin::Element, None);
         self.text.clear();

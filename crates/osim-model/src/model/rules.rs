@@ -1,4 +1,4 @@
-//! Rules that changes raise, too, or that two sources show. What one model shows is in `osim-inspect`, what only a change shows in
+//! Rules that also apply to changes, or that compare two sources. Rules about one model are in `osim-inspect`, rules about changes alone in
 //! `osim-patch` and `osim-planning`.
 
 use crate::messages::{Phrase, phrase, readable};
@@ -27,13 +27,13 @@ static MASS_SOURCES_DISAGREE: Rule = Rule {
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 };
 
-/// A mass, and its source in words.
+/// A mass with its source in words.
 pub(crate) struct MassFromSource {
     pub(crate) kg: f64,
     pub(crate) source: Phrase,
 }
 
-/// The finding that another source gives a mass other than the one that was taken.
+/// The finding that another source gives another mass than the source that was used.
 pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSource) -> Finding {
     let message = phrase![
         format!("contacts are taken as made for {} kg (", readable(taken.kg)),
@@ -45,7 +45,7 @@ pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSour
     Finding::new(&MASS_SOURCES_DISAGREE, message)
 }
 
-/// The remark that the bodies do not have the mass yet that the caller says, and that the contacts are for.
+/// The remark that the bodies do not yet have the mass that the caller gave and for which the contacts are made.
 pub(crate) fn bodies_not_scaled(bodies_kg: f64, contacts_kg: f64) -> Finding {
     let message = format!(
         "the bodies weigh {} kg, and the contacts are for {} kg: scale the bodies, too, before you simulate",
@@ -56,7 +56,7 @@ pub(crate) fn bodies_not_scaled(bodies_kg: f64, contacts_kg: f64) -> Finding {
 }
 
 impl Model {
-    /// Remarks on `forces` that are special without being wrong, in the order of the codes.
+    /// Remarks on `forces` with special but permitted properties, in the order of the codes.
     pub fn remarks_on(&self, forces: &[ForceId]) -> Vec<Finding> {
         let forces = || forces.iter().filter_map(|&id| self.force(id));
         let mut remarks: Vec<Finding> = forces().filter_map(|force| find_mixed_radii(self, force)).collect();
@@ -115,7 +115,7 @@ static MIXED_RADII: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
 };
 
-/// Finds one set of parameters for spheres of different radii.
+/// The remark that one set of parameters is for spheres of different radii.
 fn find_mixed_radii(model: &Model, force: &Force) -> Option<Finding> {
     let set = force.sets.iter().find(|set| {
         let spheres = set.spheres.iter().filter_map(|&id| model.sphere(id));
@@ -157,7 +157,7 @@ static FACTORS_DISAGREE: Rule = Rule {
     },
 };
 
-/// Sources that say different sizes, in words.
+/// The finding that two sources give different scale factors; `message` has the details.
 pub(crate) fn factors_disagree(message: String) -> Finding {
     Finding::new(&FACTORS_DISAGREE, message)
 }
@@ -176,11 +176,11 @@ static NOT_A_SCALED_COPY: Rule = Rule {
     },
 };
 
-/// The consequence of a difference between models, for the end of its message.
+/// The consequence if models are different, for the end of the message.
 const NO_COPY: &str = "no factors per body and axis lead from the reference to this model; factors are those of the same bone's \
                        mesh, or ratios of distances between joints";
 
-/// `message` says what differs.
+/// The finding that the model is not a scaled copy; `message` says what differs.
 pub(crate) fn not_a_scaled_copy(mut message: Phrase) -> Finding {
     message.push(NO_COPY);
     Finding::new(&NOT_A_SCALED_COPY, message)

@@ -1,4 +1,4 @@
-//! The user's choice of forces, and which forces a change is about.
+//! The user's choice of forces, and the forces that a change affects.
 
 use std::borrow::Cow;
 
@@ -13,7 +13,7 @@ use crate::model::typed_model::Model;
 
 /// The user's choice of forces, by name.
 ///
-/// Say what is chosen and take the rest from [`Selection::default`]: fields may be added.
+/// Set the wanted fields and take the others from [`Selection::default`]: fields may be added.
 ///
 /// ```
 /// # let model = osim_model::Model::parse(include_bytes!("../../tests/data/one_foot.osim").as_slice())?;
@@ -31,11 +31,11 @@ use crate::model::typed_model::Model;
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Selection {
-    /// Only forces whose name matches one of these; empty for the default choice.
+    /// Choose only forces whose name matches one of these patterns. Empty: the default choice.
     pub select: Vec<Pattern>,
-    /// Patterns of names of forces that are left out.
+    /// Leave out forces whose name matches one of these patterns.
     pub exclude: Vec<Pattern>,
-    /// Whether forces that are switched off are left out.
+    /// Leave out forces that are switched off.
     pub skip_disabled: bool,
 }
 
@@ -44,7 +44,7 @@ pub struct Selection {
 pub struct Selected {
     /// Handles of the selected forces, in file order.
     pub forces: Vec<ForceId>,
-    /// Whether the choice has every force of the default one.
+    /// Whether the choice contains every force of the default choice.
     pub complete: bool,
 }
 
@@ -59,7 +59,7 @@ impl Selection {
     /// Applies the choice to `model`: by default every force in which a moving sphere meets a half-space.
     ///
     /// # Errors
-    /// No force at all, no force that matches, or forces of several animals and no choice among them.
+    /// The model has no force, no force matches, or the forces belong to several animals and the caller made no choice.
     pub fn apply(&self, model: &Model) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
         let candidates = match explicit {
@@ -73,13 +73,12 @@ impl Selection {
         Ok(selected)
     }
 
-    /// Applies the choice to all contact forces of `model`, whatever meets in them: for changes that are the same for every
-    /// animal.
+    /// Applies the choice to all contact forces of `model`, whatever they connect: for changes that are the same for every animal.
     pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
         self.choose_among(model, &force_ids_where(model, |_| true))
     }
 
-    /// Patterns that match no contact force of `model`, probably by a mistake, each with the input that gave it.
+    /// Patterns that match no contact force of `model`, probably by mistake, each with its input.
     pub fn unmatched_patterns(&self, model: &Model) -> Vec<(Input, &Pattern)> {
         let selected = self.select.iter().map(|pattern| (Input::Select, pattern));
         let patterns = selected.chain(self.exclude.iter().map(|pattern| (Input::Exclude, pattern)));
@@ -88,7 +87,7 @@ impl Selection {
         patterns.filter(|(_, pattern)| matches_nothing(pattern)).collect()
     }
 
-    /// Applies the choice to those of `candidates`: they are known, so nothing is asked about several animals.
+    /// Applies the choice to the forces in `candidates`. No question about several animals is asked, because the candidates are known.
     pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
         self.choose_among(model, candidates)
     }
@@ -119,14 +118,14 @@ fn force_ids_where(model: &Model, wanted: impl Fn(&Force) -> bool) -> Vec<ForceI
     model.forces().iter().filter(|force| wanted(force)).map(|force| force.id).collect()
 }
 
-/// Whether every force of the default choice is among `forces`.
+/// Whether `forces` contains every force of the default choice.
 fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
     let mut default = model.forces().iter().filter(|force| model.meets_half_space(force));
     default.all(|force| forces.binary_search(&force.id).is_ok())
 }
 
 impl Model {
-    /// Up to six names of forces, so that a message stays readable.
+    /// The first names of forces, at most six, so that a message stays readable.
     pub fn short_force_names(&self, forces: &[ForceId]) -> String {
         const MOST_NAMES_SHOWN: usize = 6;
         let named: Vec<&str> =
@@ -155,7 +154,7 @@ fn no_contacts(model: &Model) -> Fault {
     Fault::new(FaultKind::NoContacts { detail })
 }
 
-/// Asks which forces are meant if their bodies are joined only through ground, such as player and ball.
+/// Asks the caller to choose forces if their bodies are joined only through ground, such as a player and a ball.
 fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> {
     let mut trees: Vec<(String, Vec<ForceId>)> = Vec::new();
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();

@@ -1,4 +1,4 @@
-//! Bodies and the joints between them, in the spelling of every document version; and loops of joints.
+//! Bodies and the joints between them, in all document versions; and loops of joints.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
@@ -8,18 +8,19 @@ use crate::model::fault::{Fault, FaultKind, FileId, Needed};
 use crate::model::names::Side;
 use crate::model::property::{Class, Origin, Property, Value};
 
-/// A body of the model; ground is none.
+/// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]
 pub struct Body {
     pub name: String,
     pub path: String,
-    /// `mass` in kg; NaN where the file gives none. [`Body::mass_kg`] checks it.
+    /// `mass` in kg; NaN if the file gives none. [`Body::mass_kg`] checks it.
     pub mass: Value,
     pub file: FileId,
-    /// Whether only WeldJoints are between it and ground: spheres on it count in nothing.
+    /// Whether only WeldJoints connect the body to ground. Spheres on such a body are left out of all calculations.
     pub fixed: bool,
-    /// Whether the body does not count in the mass of the model: it is fixed, and has no child body, such as a platform. A body joined to
-    /// it by a joint along which it can move away does not count as its child. Nor do the bodies of a plate count that carries a floor.
+    /// Whether the body is left out of the mass of the model. This is so for a fixed body without child bodies, such as a platform; a body
+    /// that can move away from it, by its joint, is not a child in this sense. It is also so for the bodies of a plate that carries a
+    /// floor.
     pub excluded_from_mass: bool,
 }
 
@@ -39,34 +40,34 @@ impl Body {
     }
 }
 
-/// The joint tree: the parent of each body.
+/// The joint tree: the bodies, and the parent of each body.
 #[derive(Debug)]
 pub struct Skeleton {
     pub(crate) bodies: Vec<Body>,
     joined: JointRelations,
 }
 
-/// The parent of each component, by the joints.
+/// The parents of bodies, and other facts that follow from the joints.
 #[derive(Debug, Default)]
 struct JointRelations {
     parents: HashMap<ComponentId, Base>,
     loops: Loops,
-    /// Joints that OpenSim does not read: all but the first of a body in documents that have joints in bodies.
+    /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
     ignored_joints: Vec<ComponentId>,
-    /// The body on top of the joint tree of each body that is joined to another one.
+    /// For each joined body, the topmost body of its joint tree.
     tops: HashMap<ComponentId, ComponentId>,
-    /// Bodies welded to ground, directly or through others.
+    /// Bodies that are welded to ground, directly or through other bodies.
     welded: HashSet<ComponentId>,
-    /// Bodies welded to ground that have no child body.
+    /// Bodies that are welded to ground and have no child body.
     excluded_from_mass: HashSet<ComponentId>,
 }
 
-/// Joints along which a body moves away from the other one.
+/// Joints by which a body can move away from another body.
 const SEPARATING_JOINTS: [&str; 3] = ["FreeJoint", "PlanarJoint", "SliderJoint"];
 
 impl Skeleton {
-    /// Reads all bodies and joints. A joint whose frames lead nowhere is left out: only limbs need it, and a body
-    /// without a joint to a parent stands on ground.
+    /// Reads all bodies and joints. A joint whose frames refer to no body is left out: only limbs need it, and a body without a joint to a
+    /// parent counts as standing on ground.
     pub(crate) fn read(components: &Components) -> Self {
         let joined = JointRelations::read(components);
         let bodies = components.tree.iter().filter(|(id, _)| components.tag(*id) == "Body");
@@ -81,8 +82,8 @@ impl Skeleton {
         Self { bodies: bodies.collect(), joined }
     }
 
-    /// Takes the bodies of plates out of the mass of the model: those of joint trees without sides that carry the floor of moving spheres, and
-    /// no such sphere.
+    /// Leaves the bodies of plates out of the mass of the model. A plate is a joint tree without left and right that carries the floor of
+    /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
         let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
         let top = |base: &Base| match base {
@@ -116,7 +117,7 @@ impl Skeleton {
         &self.joined.loops
     }
 
-    /// Joints that OpenSim does not read.
+    /// Joints that OpenSim ignores.
     pub fn ignored_joints(&self) -> &[ComponentId] {
         &self.joined.ignored_joints
     }
@@ -125,12 +126,12 @@ impl Skeleton {
         self.joined.parent(body)
     }
 
-    /// The body above `body` that is joined to ground: `body` itself if no other body is above it.
+    /// The topmost body of the joint tree of `body`, which is joined to ground; `body` itself if no other body is above it.
     pub(crate) fn top(&self, body: ComponentId) -> ComponentId {
         self.joined.tops.get(&body).copied().unwrap_or(body)
     }
 
-    /// Whether `base` is ground or a body welded to ground.
+    /// Whether `base` is ground or a body that is welded to ground.
     pub(crate) fn is_fixed(&self, base: Base) -> bool {
         match base {
             Base::Ground => true,
@@ -163,8 +164,8 @@ impl JointRelations {
         joined
     }
 
-    /// Finds the top of each body; each link is visited once. Joints that form a loop have no top:
-    /// the loop is cut above the body that comes first in the files.
+    /// Finds the topmost body of each joint tree. Each body is visited once. A loop of joints is cut above its body that comes first in the
+    /// files.
     fn find_tops(&mut self) {
         let mut joined: Vec<ComponentId> = self.parents.keys().copied().collect();
         joined.sort_unstable();
@@ -187,7 +188,7 @@ impl JointRelations {
         }
     }
 
-    /// Cuts the loop of joints in which `body` is; its new top.
+    /// Cuts the loop of joints that contains `body`. Returns the new topmost body.
     fn cut_loop(&mut self, body: ComponentId) -> ComponentId {
         let (mut top, mut at) = (body, self.parent(body));
         while let Some(id) = at.filter(|&id| id != body) {
@@ -232,7 +233,7 @@ impl JointRelations {
     }
 }
 
-/// The bodies between which and one of `from` are only WeldJoints and bodies, whichever end each joint is written from.
+/// The bodies that WeldJoints connect with a member of `from`, directly or through other bodies, whatever the direction of each joint.
 fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     let mut at: HashMap<Base, Vec<Base>> = HashMap::new();
     for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
@@ -252,8 +253,8 @@ fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     welded
 }
 
-/// The bodies welded to ground that have no child body, directly or through others. A body with others on it is part of the animal, such
-/// as a pelvis that is welded to ground.
+/// The bodies welded to ground without a child body, direct or indirect. A fixed body that carries others is part of the animal, such as a
+/// pelvis that is welded to ground.
 fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
     let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
     let is_free = |end: &Base| matches!(end, Base::Body(body) if !welded.contains(body));
@@ -269,15 +270,15 @@ fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> Has
 
 // Loops of joints, and joints that OpenSim ignores: where a body has more than one.
 
-/// A joint between two bodies, or a body and ground.
+/// A joint between two bodies, or between a body and ground.
 #[derive(Debug, Clone, Copy)]
 struct JointLink {
     pub joint: ComponentId,
     pub ends: [Base; 2],
     pub weld: bool,
-    /// Whether the joint is a WeldJoint or a FreeJoint: with one of these in a loop, OpenSim counts a body twice.
+    /// Whether the joint is a WeldJoint or a FreeJoint. If a loop contains such a joint, OpenSim counts a body twice.
     pub counts_twice: bool,
-    /// Whether what it joins moves away from each other, as an animal from the ground that it walks on.
+    /// Whether the joint lets its bodies move away from each other, as an animal moves over the ground.
     pub moves_away: bool,
 }
 
@@ -287,17 +288,18 @@ impl JointLink {
     }
 }
 
-/// Loops of joints, which OpenSim does not read as a tree.
+/// Loops of joints. OpenSim has to break them, because it needs a tree.
 #[derive(Debug, Default)]
 pub struct Loops {
-    /// Joints of loops, or between two of them, in file order.
+    /// Joints in loops, or between two loops, in file order.
     pub joints: Vec<ComponentId>,
-    /// Whether the masses of the bodies are not what OpenSim sums.
+    /// Whether OpenSim sums other masses than those of the bodies.
     pub mass_is_in_doubt: bool,
 }
 
 impl Loops {
-    /// Bodies at which only one joint is left are taken away, one after the other: those that stay are joined in loops.
+    /// Finds the joints in loops: bodies with only one remaining joint are removed again and again; the remaining bodies are joined in
+    /// loops.
     fn of(links: &[JointLink]) -> Self {
         let mut at: HashMap<Base, Vec<usize>> = HashMap::new();
         for (index, link) in links.iter().enumerate() {

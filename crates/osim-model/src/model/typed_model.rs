@@ -1,4 +1,4 @@
-//! The typed view of a model: bodies, limbs, contact spheres and contact forces with their effective values.
+//! The type [`Model`]: bodies, limbs, contact spheres and contact forces with their effective values.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -27,30 +27,30 @@ use crate::xml::ElementId;
 /// ```
 #[derive(Debug)]
 pub struct Model {
-    /// Shared with models that have other numbers of the contacts.
+    /// The components, shared with copies of this model that have other numbers of contacts.
     pub(crate) components: Arc<Components>,
     pub(crate) skeleton: Arc<Skeleton>,
     pub(crate) body_facts: Arc<BodyFacts>,
     pub(crate) half_spaces: OnceLock<BTreeMap<ComponentId, Arc<HalfSpace>>>,
     pub(crate) spheres: Vec<Sphere>,
     pub(crate) forces: Vec<Force>,
-    /// A comment that begins like the note and cannot be read, or a pair whose notes differ.
+    /// Why the note is in doubt: a comment begins like a note and cannot be read, or the notes of two sets differ.
     pub(crate) note_fault: Option<NoteDoubt>,
-    /// The `file="…"` that names each companion, where one does.
+    /// For each companion file, the text of the `file="…"` that includes it; `None` if the caller gave the file.
     pub(crate) included: Vec<Option<String>>,
     pub name: String,
-    /// Gravity vector, m/s²; `None` where its text is not three numbers.
+    /// Gravity vector, m/s²; `None` if its text is not three numbers.
     pub gravity_m_s2: Option<[f64; 3]>,
     /// The note that an earlier change left in the file.
     pub note: Option<Note>,
     /// Elements that were read although they are written wrongly, in the order of reading.
     pub irregularities: Vec<Irregularity>,
-    /// The findings of all rules about one model, once they were tried.
+    /// The findings of all rules about one model. Computed once.
     pub(crate) findings: OnceLock<Vec<Finding>>,
 }
 
 impl Model {
-    /// OpenSim's `gravity` where a model gives none, m/s².
+    /// Gravity that OpenSim uses if a model gives none, m/s².
     pub const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
     /// Contact spheres, in file order.
@@ -63,22 +63,22 @@ impl Model {
         &self.forces
     }
 
-    /// A contact sphere; `None` where there is none: the handle is another model's.
+    /// The contact sphere `id`; `None` if the handle belongs to another model.
     pub fn sphere(&self, id: SphereId) -> Option<&Sphere> {
         self.spheres.get(id.index())
     }
 
-    /// A contact force; `None` where there is none: the handle is another model's.
+    /// The contact force `id`; `None` if the handle belongs to another model.
     pub fn force(&self, id: ForceId) -> Option<&Force> {
         self.forces.get(id.index())
     }
 
-    /// The effective value of a force's property, where it can be scaled; `None` where the class has none.
+    /// The effective value of a force's property, if it can be scaled; `None` if the class has no such property.
     pub fn parameter(&self, force: ForceId, set: SetId, property: Property) -> Result<Option<f64>, Fault> {
         self.force(force).map_or(Ok(None), |force| force.checked(set, property))
     }
 
-    /// The effective radius of a sphere, m, where it can be scaled.
+    /// The effective radius of a sphere, m, if it can be scaled.
     pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
         match self.sphere(sphere) {
             Some(sphere) => sphere.radius_m(),
@@ -86,12 +86,12 @@ impl Model {
         }
     }
 
-    /// The findings of `find`, which tries all rules about one model. They are tried once.
+    /// The findings of all rules about one model. `find` computes them at the first call.
     pub fn findings(&self, find: impl FnOnce(&Self) -> Vec<Finding>) -> &[Finding] {
         self.findings.get_or_init(|| find(self))
     }
 
-    /// How far apart the joints of each body are.
+    /// The distances between the joints of each body, a measure of the size of bones.
     pub fn joint_distances(&self) -> &JointDistances {
         self.body_facts.joint_distances(&self.components)
     }
@@ -101,13 +101,13 @@ impl Model {
         self.body_facts.joints.between_bodies(&self.components)
     }
 
-    /// The factors of the meshes of each body, by their files.
+    /// The scale factors of the meshes of each body, by mesh file.
     pub fn mesh_factors(&self) -> &TriplesByBody {
         self.body_facts.mesh_factors(&self.components)
     }
 
-    /// The value that `make` derives from this model. It is made once for each type, and shared with the models that differ in numbers of
-    /// contacts only: so it must depend on bodies, joints and constraints alone.
+    /// The value that `make` computes from this model. It is computed once for each type, and shared with models that differ only in
+    /// numbers of contacts. It must therefore depend only on bodies, joints and constraints.
     pub fn derived_from_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
         self.body_facts.derived.get_or_make(|| make(self))
     }
@@ -117,7 +117,7 @@ impl Model {
         self.forces.iter().map(|force| force.id).collect()
     }
 
-    /// The name under which the model includes `file`, if it does.
+    /// The name under which the model includes `file`; `None` if it does not include it.
     pub fn included_file(&self, file: FileId) -> Option<&str> {
         self.included.get(file.companion_index()?)?.as_deref()
     }
@@ -126,41 +126,41 @@ impl Model {
         self.components.main()
     }
 
-    /// The document of a file of the model; the main one where the handle is another model's.
+    /// The document of a file of this model. A handle of another model gives the main document.
     pub fn file(&self, file: FileId) -> &Document {
         self.components.document(file)
     }
 
-    /// The files beside the main one, with their handles.
+    /// The files beside the main file, with their handles.
     pub fn companions(&self) -> impl Iterator<Item = (FileId, &Companion)> {
         let companions = self.components.companions().iter().enumerate();
         companions.map(|(index, companion)| (FileId::companion(index), companion))
     }
 
-    /// Bodies in file order, ground left out.
+    /// Bodies in file order, without ground.
     pub fn bodies(&self) -> &[Body] {
         &self.skeleton.bodies
     }
 
-    /// The object that has the model's `gravity`, and the file that it is in; `None` for sets that stand alone.
+    /// The object that has the model's `gravity`, and its file; `None` for sets in separate files.
     pub fn gravity_object(&self) -> Option<(FileId, ElementId)> {
         let file = self.components.model_file()?;
         Some((file, self.file(file).data_root()))
     }
 
-    /// Line of `gravity` in its file, from 1; `None` where OpenSim's default counts.
+    /// Line of `gravity` in its file, from 1; `None` if the file has no gravity and OpenSim's default is used.
     pub fn gravity_line(&self) -> Option<usize> {
         let (file, object) = self.gravity_object()?;
         let document = self.file(file);
         Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
     }
 
-    /// Magnitude of gravity, m/s², where it is a number; 0 or `None` makes figures by body weight meaningless.
+    /// Magnitude of gravity, m/s²; `None` if it is no number. Without gravity, or with 0, forces cannot be given in body weights.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
     }
 
-    /// Gravity that the contacts were made for, m/s²: the note's, else the model's.
+    /// Gravity for which the contacts were made, m/s²: from the note, else that of the model.
     pub fn contacts_gravity(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
@@ -169,7 +169,7 @@ impl Model {
         &self.skeleton
     }
 
-    /// The objects of all files of the model.
+    /// The components in all files of the model.
     pub fn components(&self) -> &Components {
         &self.components
     }
@@ -177,14 +177,14 @@ impl Model {
 
 // Facts about bodies and joints, which do not depend on the numbers of contacts.
 
-/// Facts about the bodies of a model, each computed once, when it is first asked for.
+/// Facts about the bodies of a model, each computed once, at its first use.
 #[derive(Debug, Default)]
 pub(crate) struct BodyFacts {
     pub(crate) joints: Joints,
     mesh_factors: OnceLock<TriplesByBody>,
     frame_offsets: OnceLock<TriplesByBody>,
     distances: OnceLock<JointDistances>,
-    /// Values that other modules derived from bodies and joints.
+    /// Values that other modules computed from bodies and joints.
     derived: DerivedValues,
 }
 
@@ -202,7 +202,7 @@ impl BodyFacts {
     }
 }
 
-/// A linked list of values of different types. None is ever removed, so that references to them live as long as the list.
+/// A linked list of values of different types. Values are never removed, so references to them stay valid as long as the list.
 #[derive(Debug, Default)]
 struct DerivedValues(OnceLock<Box<DerivedValue>>);
 
@@ -213,7 +213,7 @@ struct DerivedValue {
 }
 
 impl DerivedValues {
-    /// The value of type `T`, made if there is none yet. Two threads may both make one; the first counts.
+    /// The value of type `T`, computed by `make` if there is none yet. If two threads compute one, the first is kept.
     fn get_or_make<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
         if let Some(value) = self.get() {
             return value;

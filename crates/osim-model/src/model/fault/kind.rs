@@ -1,4 +1,4 @@
-//! The kinds of fault.
+//! The kinds of errors about models and requests.
 
 use crate::messages::{Input, Phrase, Verb, phrase, readable};
 use crate::xml::SyntaxFault;
@@ -8,7 +8,7 @@ use contact_scaling::{DomainError, limits};
 use super::needed::Needed;
 use super::needs_answer::NeedsAnswer;
 
-/// Kinds of fault, each with what a program needs to know of it.
+/// The kinds of errors, each with the data that a program needs.
 ///
 /// ```
 /// use osim_model::{FaultKind, Model, NumberFault, Property, SetId};
@@ -27,28 +27,28 @@ use super::needs_answer::NeedsAnswer;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum FaultKind {
-    /// The file is not one well-formed document.
+    /// The file is not one well-formed XML document.
     Syntax(SyntaxFault),
-    /// XML, but not an OpenSim document.
+    /// The file is XML, but not an OpenSim document.
     NotOpenSim {
         root: String,
     },
-    /// The `Version` attribute is missing or no number.
+    /// The `Version` attribute is missing or is no number.
     NoVersion {
         found: String,
     },
-    /// An OpenSim document of another kind.
+    /// The file is an OpenSim document, but not a model or a set of contacts.
     WrongDataRoot {
         tag: String,
     },
-    /// A number that a strict reader and OpenSim do not read alike.
+    /// A number that OpenSim reads differently from a person or a strict program.
     Number {
         /// OpenSim's name of the property.
         property: String,
         text: String,
         fault: NumberFault,
     },
-    /// A text that OpenSim refuses because something is in the middle of it.
+    /// A text that OpenSim refuses because another element or comment interrupts it.
     BrokenText {
         property: String,
     },
@@ -60,44 +60,44 @@ pub enum FaultKind {
         value: f64,
         expected: &'static str,
     },
-    /// A number that would be written, and is not finite or outside the domain in which the equations hold.
+    /// A new number that is not finite, or outside the domain in which the equations hold.
     NewValue {
         /// OpenSim's name of the property.
         property: String,
-        /// The new value, which is refused.
+        /// The new value, which is not written.
         value: f64,
         /// The values that are allowed, in words.
         expected: &'static str,
-        /// The computation of the value: the value before, the factor, the equation.
+        /// How the value was computed: old value, factor, equation.
         origin: String,
     },
     ZeroConstantContactForce,
     NoContacts {
-        /// Names the missing part as the beginning of a sentence.
+        /// What is missing, as the beginning of a sentence.
         detail: String,
     },
-    /// A path or name that leads nowhere.
+    /// A path or name to which no component belongs.
     Unresolved {
         owner: String,
-        /// The path or name of the connectee as the file writes it.
+        /// The path or name of the component, as the file writes it.
         connectee: String,
         wanted: &'static str,
     },
-    /// A fact that the caller has to give.
+    /// The caller has to give a missing fact.
     Needed(Needed),
-    /// A number that looks wrong, and is used only if the caller confirms it.
+    /// A number that looks wrong. It is used only if the caller confirms it.
     NeedsAnswer(NeedsAnswer),
-    /// A model that is to get contacts has some.
+    /// Contacts are to be added to a model that already has some.
     ContactsExist {
         forces: String,
     },
-    /// Bodies that carry spheres in the reference and are not in the model.
+    /// Bodies that carry spheres in the reference do not exist in the model.
     MissingCarriers {
         bodies: Vec<String>,
-        /// The forces of the reference whose spheres are on other bodies, if one pattern fits their names alone.
+        /// A pattern that matches exactly the names of the reference's other forces, if there is one.
         others: Option<&'static str>,
     },
-    /// The element to change is in another file, which the model names.
+    /// The element to change is in another file that the model includes.
     IncludedFile {
         /// Component path of the element.
         path: String,
@@ -110,7 +110,7 @@ pub enum FaultKind {
     BadInput {
         input: Input,
         value: f64,
-        /// The values that are allowed, in words.
+        /// The allowed values, in words.
         expected: &'static str,
     },
     UnknownBody {
@@ -127,28 +127,28 @@ pub enum FaultKind {
     NothingSelected {
         forces: String,
     },
-    /// A warning of a change that the caller wants refused (`strict`).
+    /// The change has a warning, and the caller wants no change with warnings (`strict`).
     StrictlyRefused {
         text: String,
     },
-    /// A force that cannot be changed in this way, but can be left out.
+    /// The change is not possible for this force; the caller can leave the force out.
     ForceCannotChange {
         text: String,
         force: String,
-        /// Another way out, where there is one: a clause.
+        /// Further advice as a clause, if there is any; else empty.
         otherwise: &'static str,
     },
-    /// A request that makes no sense for this model. The text names no input.
+    /// The request makes no sense for this model. The text names no input.
     Refused(String),
-    /// A quantity given by the caller is outside its domain.
+    /// A quantity that the caller gave is outside its domain.
     Quantity(DomainError),
-    /// A force that keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and that is to get the contacts of others.
+    /// The force contains its sphere, as Moco 0.1 to 0.3 wrote it, and cannot get the contacts of other forces.
     SphereInsideForce {
         force: String,
     },
-    /// Edits that overlap: a defect of this program, never of the file.
+    /// Edits of one file overlap: an error of this program, never of the file.
     OverlappingEdits {
-        /// First byte of the second edit, or of the one that reaches past the end.
+        /// First byte of the second edit, or of an edit that goes beyond the end of the file.
         at: usize,
     },
 }
@@ -272,7 +272,7 @@ impl FaultKind {
         }
     }
 
-    /// The text of a fault that names nothing that the caller can say.
+    /// The text of an error that names no input.
     fn without_inputs(&self) -> String {
         match self {
             Self::Syntax(fault) => fault.to_string(),

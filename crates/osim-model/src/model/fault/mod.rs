@@ -1,8 +1,8 @@
-//! What can be wrong with a model or a request: data first, text second.
+//! Errors in a model or a request. Each is data, from which the message is made.
 //!
-//! Messages follow one pattern: lower case, no full stop, what is wrong, what was expected, and a way out where there is
-//! one. They never name a file: the code that opened it adds that. They name no option either: what the reader can say is in
-//! them as an [`Input`](crate::messages::Input), which each front end spells.
+//! All messages follow one pattern: lower case, no full stop, what is wrong, what was expected, and advice if there is any. They never name
+//! a file: the code that opened the file adds its name. They name no option either: an [`Input`](crate::messages::Input) in the message is
+//! data, which each front end writes in its own way.
 
 mod kind;
 mod needed;
@@ -20,7 +20,7 @@ pub(crate) use needs_answer::POUND_KG;
 pub use needs_answer::{MassMistake, MassesOfOtherRows, NeedsAnswer, Question, probable_units};
 pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
 
-/// An error in a model or a request, with its place.
+/// An error in a model or a request, with its place in a file.
 ///
 /// ```
 /// let fault = osim_model::Document::parse("<OpenSimDocument>").unwrap_err();
@@ -31,21 +31,21 @@ pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
 #[must_use]
 pub struct Fault {
     pub kind: FaultKind,
-    /// First byte of the place, from 0, in the file `file`.
+    /// First byte of the place in the file `file`, from 0.
     pub offset: Option<usize>,
     /// Bytes to underline, in the file `file`.
     pub span: Option<Range<usize>>,
-    /// Line and column of `offset`, once [`Fault::located`] has seen the bytes.
+    /// Line and column of `offset`, after [`Fault::located`].
     pub position: Option<Position>,
-    /// The line of text around the place, once [`Fault::located`] has seen the bytes.
+    /// The line of text around the place, after [`Fault::located`].
     pub excerpt: Option<Excerpt>,
-    /// Component path or tag of the element concerned.
+    /// Component path or tag of the element in question.
     pub element: Option<String>,
-    /// Which of the files that make up the model.
+    /// The file of the model in which the place is.
     pub file: FileId,
 }
 
-/// One of the files that make up a model: the model itself, or one that it includes or that was given beside it.
+/// A handle of one of the files that form a model: the main file, a file that it includes, or a file that the caller gave with it.
 ///
 /// Handles of the other files come from [`Model::companions`](crate::model::Model::companions) and
 /// [`ModelFiles::companions`](crate::model::files::ModelFiles::companions).
@@ -55,12 +55,12 @@ pub struct FileId(usize);
 impl FileId {
     pub const MAIN: Self = Self(0);
 
-    /// Companion number `index`, from 0, in the order in which they were given.
+    /// The handle of companion file number `index`, from 0, in the order in which the files were given.
     pub(crate) const fn companion(index: usize) -> Self {
         Self(index + 1)
     }
 
-    /// Which companion it is, from 0; `None` for the model itself.
+    /// The number of the companion file, from 0; `None` for the main file.
     pub(crate) const fn companion_index(self) -> Option<usize> {
         self.0.checked_sub(1)
     }
@@ -89,7 +89,7 @@ impl Fault {
         Self { offset: Some(span.start), span: Some(span), ..Self::new(kind) }
     }
 
-    /// A request that makes no sense for this model. `text` names no input.
+    /// An error for a request that makes no sense for this model. `text` names no input.
     pub fn refused(text: impl Into<String>) -> Self {
         Self::new(FaultKind::Refused(text.into()))
     }
@@ -104,7 +104,7 @@ impl Fault {
         self
     }
 
-    /// Fills in line, column and the line's text from the bytes the fault is about.
+    /// Adds line, column and the text of the line, from the `bytes` of the file.
     pub fn located(mut self, bytes: &[u8]) -> Self {
         if self.position.is_none() {
             self.position = self.offset.map(|offset| LineIndex::new(bytes).position(bytes, offset));
@@ -114,7 +114,7 @@ impl Fault {
         self
     }
 
-    /// Fills in line and column from the bytes of the file that the fault is about.
+    /// Adds line and column, from the bytes of the file in which the error is.
     pub(crate) fn located_in<'b>(self, bytes_of: impl FnOnce(FileId) -> &'b [u8]) -> Self {
         let file = self.file;
         self.located(bytes_of(file))
@@ -125,7 +125,7 @@ impl Fault {
         self.kind.code()
     }
 
-    /// The message of the fault; inputs in it are data, for a spelling.
+    /// The message of the error. Inputs in it are data for a front end.
     pub fn phrase(&self) -> Phrase {
         self.kind.phrase()
     }
@@ -139,20 +139,20 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// Bytes of a long line that are shown before a place and after it.
+/// Bytes of a long line that a message shows before and after the marked place.
 const CONTEXT_BYTES: usize = 200;
 
-/// A line of a file, and what to underline in it; of a long line the part around that.
+/// A line of a file and the place to underline in it. A long line is shortened to the part around the place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt {
     pub line: usize,
-    /// The line, without its end and without a byte order mark.
+    /// The text of the line, without line end and byte order mark.
     pub text: String,
     pub marked: Range<usize>,
 }
 
 impl Excerpt {
-    /// The line of `span` in `bytes`; `None` where there is nothing to show: no text (UTF-16, an image), or only white space.
+    /// The line of `span` in `bytes`; `None` if there is no text to show (UTF-16, an image, only white space).
     pub fn of(bytes: &[u8], span: Range<usize>) -> Option<Self> {
         let start = bytes.get(..span.start)?.iter().rposition(|&byte| byte == b'\n').map_or(0, |at| at + 1);
         let end = bytes
@@ -173,7 +173,7 @@ impl Excerpt {
         Some(Self::cut_around(number, text, from..to))
     }
 
-    /// The part of a long line that is around the mark: some models have megabytes in one line.
+    /// The part of a long line around the mark: some models have megabytes in one line.
     fn cut_around(line: usize, text: &str, marked: Range<usize>) -> Self {
         let start = letter_at(text, marked.start.saturating_sub(CONTEXT_BYTES));
         let end = marked.end.min(marked.start + CONTEXT_BYTES) + CONTEXT_BYTES;
@@ -185,7 +185,7 @@ impl Excerpt {
     }
 }
 
-/// The first byte of the letter that byte `at` belongs to.
+/// The index of the first byte of the letter to which byte `at` belongs.
 fn letter_at(text: &str, at: usize) -> usize {
     (0..=at.min(text.len())).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0)
 }
@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_text_is_not_shown() {
+    fn bytes_that_are_no_text_are_not_shown() {
         assert_eq!(Excerpt::of(b"\xFF\xFEa\0", 0..0), None);
         assert_eq!(Excerpt::of(b"  \n<a>", 0..0), None);
     }

@@ -1,4 +1,4 @@
-//! Facts that are not in the files: the caller has to give them.
+//! Facts that the caller has to give, because the files do not contain them.
 
 use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::reasons::{
@@ -6,12 +6,12 @@ use crate::model::fault::reasons::{
     shared_sphere,
 };
 
-/// Advice where a verb takes no standalone set.
+/// Advice for a set in a separate file, given to a verb that needs a whole model.
 const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on whole models";
 
-/// A fact that the caller has to give, because it is not in the files.
+/// A fact that the caller has to give, because the files do not contain it.
 ///
-/// Each variant says what is not known; [`Needed::inputs`] are the fields that answer it.
+/// Each variant is one unknown fact. [`Needed::inputs`] are the fields with which the caller can give it.
 ///
 /// ```
 /// use osim_model::messages::Input;
@@ -32,109 +32,109 @@ pub enum Needed {
     BodyMass {
         body: String,
     },
-    /// The mass of the model, whose bodies have no total mass.
+    /// The mass of the model: the masses of its bodies have no usable sum.
     ModelMass {
         bodies: usize,
         kg: f64,
     },
-    /// The mass of the model: OpenSim counts a body in a loop of joints twice.
+    /// The mass of the model: OpenSim counts a body in a loop of joints twice, so the sum is in doubt.
     MassOfLoop,
-    /// The mass that the contacts were made for: the note in the file cannot be relied on.
+    /// The mass for which the contacts were made: the note in the file is in doubt.
     ContactsMass {
         noted_kg: Option<f64>,
         doubt: NoteDoubt,
-        /// The field that answers it: [`Input::ReferenceMass`] for contacts that others are made from.
+        /// The field for the answer: [`Input::ReferenceMass`] for a reference, from which other contacts are made.
         input: Input,
     },
-    /// The gravity that the contacts were made for: the note in the file cannot be relied on.
+    /// The gravity for which the contacts were made: the note in the file is in doubt.
     ContactsGravity {
         doubt: NoteDoubt,
     },
-    /// Which forces are meant: they belong to several animals.
+    /// The choice of forces: the forces belong to several animals.
     Selection {
         /// Forces of each animal.
         trees: Vec<ForcesOfAnimal>,
-        /// The field that answers it: the model's own choice of forces, or that of a reference.
+        /// The field for the answer: the choice of forces of the model, or of a reference.
         input: Input,
     },
-    /// How many spheres share the weight.
+    /// The number of spheres that share the weight.
     SphereCount {
         of: CountedSpheres,
         why: Phrase,
     },
-    /// Which forces are meant: a sphere is used by forces that change and by others that stay.
+    /// The choice of forces: some of the chosen forces share a sphere with forces that are not chosen.
     SharedSphere {
         sphere: String,
-        /// Names of the forces that change, shortened.
+        /// Names of the chosen forces, shortened.
         changed: String,
-        /// Names of the forces that stay.
+        /// Names of the other forces that use the sphere.
         left: Vec<String>,
-        /// Whether all of those can be chosen, too.
+        /// Whether the caller can also choose all of the other forces.
         can_choose: bool,
-        /// Why its radius would change.
+        /// Why the radius or centre of the sphere would change.
         radius: RadiusChangeReason,
     },
     ReferenceContact {
         reference: String,
-        /// Spheres without one of the same name there.
+        /// Spheres of the model without a sphere of the same name in the reference.
         unmatched: Vec<String>,
     },
-    /// Whose contact to take for one force: its spheres have different ones in the reference.
+    /// The sphere in the reference whose contact one force gets: the spheres of the force have different contacts there.
     ReferenceContactOfForce {
         force: String,
     },
-    /// The radius: those of the reference differ.
+    /// The radius: the spheres of the reference have different radii.
     ReferenceRadius {
         reference: String,
-        /// Spheres without one of the same name there.
+        /// Spheres of the model without a sphere of the same name in the reference.
         unmatched: Vec<String>,
     },
-    /// How a body was scaled.
+    /// The scale factors of a body.
     BodyFactors {
         body: String,
-        /// Axes whose factor is not known.
+        /// Axes without a known factor.
         axes: Vec<&'static str>,
     },
-    /// How large a body is against that of another model.
+    /// The size of a body relative to the body of another model.
     Factors(FactorQuestion),
     MovedSpheres {
         model: String,
         spheres: Vec<String>,
     },
-    /// Whether a factor should be applied once more.
+    /// Whether a factor should be applied a second time.
     Repetition {
         operation: String,
     },
-    /// The ScaleSet has to be left out: by the note, spheres followed their bodies already.
+    /// A ScaleSet was given, but the note says that the spheres already followed their bodies.
     AlreadyFollowed,
-    /// The geometry set that belongs to a force set without a model.
+    /// The file of the geometry set, for a force set without a model.
     Geometry,
-    /// The force set that belongs to a geometry set without a model.
+    /// The file of the force set, for a geometry set without a model.
     ForceSet,
-    /// The load that an indentation is about.
+    /// The load at which an indentation is wanted.
     Load,
     /// The gravity, which the file does not give.
     Gravity {
         purpose: GravityFor,
     },
-    /// The mass that the contacts were made for: they are known contacts, made for another mass than the bodies weigh.
+    /// The mass for which the contacts were made: they are published contacts for another mass than that of the bodies.
     KnownContactsMass {
         title: String,
         made_for_kg: f64,
         bodies_kg: f64,
         input: Input,
     },
-    /// How bodies were scaled, which the note was to say: it has no sizes, or spheres were moved since.
+    /// The scale factors of bodies, which the note cannot give: it has no sizes, or spheres were moved later.
     NotedSizes,
-    /// The ratio of heights that PredSim's rule is about.
+    /// The ratio of body heights, for the scaling rule of PredSim.
     HeightRatio,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ForcesOfAnimal {
-    /// Name of the body that is joined to ground.
+    /// Name of the topmost body of the animal, which is joined to ground.
     pub top: String,
-    /// Names of its forces, shortened.
+    /// Names of the animal's forces, shortened.
     pub forces: String,
 }
 
@@ -179,7 +179,7 @@ impl Needed {
         }
     }
 
-    /// The fields that answer it, the usual one first.
+    /// The fields with which the caller can give the fact, the usual one first.
     pub fn inputs(&self) -> Vec<Input> {
         match self {
             // The message begins with what was asked for.
@@ -319,7 +319,7 @@ impl Needed {
         }
     }
 
-    /// Questions about the request, and about what belongs to it.
+    /// The questions about facts of the request and about files given with it.
     fn about_request(&self) -> Phrase {
         match self {
             Self::Repetition { operation } => phrase![

@@ -8,39 +8,39 @@ use crate::messages::{Input, Phrase, four_significant, phrase, readable};
 /// Mass of one pound, by its definition of 1959.
 pub(crate) const POUND_KG: f64 = 0.453_592_37;
 
-/// The mistake that a mass looks like.
+/// The probable mistake behind a mass that looks wrong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MassMistake {
-    /// The mass has about 1000 times the number of the bodies' kilograms: perhaps grams.
+    /// The mass is about 1000 times the bodies' kilograms: perhaps grams.
     Grams,
-    /// The mass has about 1/1000 of the number of the bodies' kilograms: perhaps tonnes.
+    /// The mass is about 1/1000 of the bodies' kilograms: perhaps tonnes.
     Tonnes,
-    /// The mass has about 2.2 times the number of the bodies' kilograms: perhaps pounds.
+    /// The mass is about 2.2 times the bodies' kilograms: perhaps pounds.
     Pounds,
-    /// The bodies of the model may be in pounds.
+    /// The masses of the model's bodies may be in pounds.
     BodiesInPounds,
-    /// The masses in the other rows of its table may be in pounds.
+    /// The masses in the other rows of the table may be in pounds.
     OthersInPounds,
-    /// The mass is about ten times the masses in the other rows of its table.
+    /// The mass is about ten times the masses in the other rows of the table.
     TenTimes,
-    /// The mass is about a tenth of the masses in the other rows of its table.
+    /// The mass is about a tenth of the masses in the other rows of the table.
     Tenth,
-    /// No animal weighs so little or so much.
+    /// No animal is so light or so heavy.
     NoAnimal,
 }
 
 // A mass among those of the other rows of its table.
 
-/// The least number of other rows with whose masses a mass is compared.
+/// A mass in a table is compared with other rows only if there are at least this many.
 const FEWEST_ROWS: usize = 3;
-/// A mass that is lighter or heavier than all others by more than this factor looks wrong.
+/// A mass looks wrong if it is lighter or heavier than all others by more than this factor.
 const USUAL_MARGIN: f64 = 1.3;
-/// If the lightest and the heaviest body differ by more than this factor, they are of several kinds, and masses are not compared.
+/// Masses of a table are not compared if the heaviest is more than this many times the lightest: the animals are then of several kinds.
 const LARGEST_SPREAD: f64 = 5.0;
-/// Among this many rows or more, the lightest and the heaviest twentieth are left out: they may be wrong, too.
+/// From this number of rows on, the lightest and the heaviest twentieth are left out, because they may be wrong, too.
 const MANY_ROWS: usize = 20;
 
-/// The masses that other rows of a table have in the same column.
+/// The range of the masses that the other rows of a table have in the same column.
 ///
 /// ```
 /// use osim_model::{MassMistake, MassesOfOtherRows};
@@ -61,8 +61,8 @@ pub struct MassesOfOtherRows {
 }
 
 impl MassesOfOtherRows {
-    /// The range of the masses of a column, which are `sorted` in kg, without the one of the row itself, `own_kg`. `None` if the others
-    /// are too few, or of several kinds.
+    /// The range of the masses of a column, without the mass of the row itself, `own_kg`. `sorted` has all masses of the column, kg, in
+    /// rising order. `None` if there are too few other masses, or masses of several kinds of animals.
     pub fn without(sorted: &[f64], own_kg: f64) -> Option<Self> {
         let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST_ROWS)?;
         let own = sorted.partition_point(|&kg| kg < own_kg);
@@ -72,7 +72,7 @@ impl MassesOfOtherRows {
         (heaviest_kg <= lightest_kg * LARGEST_SPREAD).then_some(Self { lightest_kg, heaviest_kg })
     }
 
-    /// The mistake that explains `kg`, if it is out of the range of the other rows.
+    /// The mistake that explains `kg`, if this mass is outside the range of the other rows.
     pub fn mistake(&self, kg: f64) -> Option<MassMistake> {
         let usual = self.lightest_kg..=self.heaviest_kg;
         if (self.lightest_kg / USUAL_MARGIN..=self.heaviest_kg * USUAL_MARGIN).contains(&kg) {
@@ -90,25 +90,25 @@ impl MassesOfOtherRows {
     }
 }
 
-/// A question that is answered with yes, by its code.
+/// A question that the caller answers with yes, by the question's code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Question {
-    /// A mass that may be in grams or tonnes, or has a digit too many or too few.
+    /// Is the mass right? It may be in grams or tonnes, or have a digit too many or too few.
     ImplausibleMass,
     MassInPounds,
-    /// A mass for many models that contradicts the note in one of them.
+    /// Is the mass for many models right? It contradicts the note in one of the models.
     AgainstNote,
-    /// A sphere that is larger than the bones around it.
+    /// Is the radius right? The sphere would be larger than the bones around it.
     ImplausibleRadius,
-    /// A place or a sole that is far from the bones.
+    /// Is the place right? A sphere or a sole would be far from the bones.
     ImplausiblePlace,
-    /// Scale factors that no two animals differ by.
+    /// Are the scale factors right? No two animals differ so much.
     ImplausibleScale,
-    /// A foot that does not lie flat at the default pose.
+    /// May spheres be placed under a foot that does not lie flat at the default pose?
     TiltedFoot,
-    /// Feet that are not posed alike: what is laid under them would differ.
+    /// May spheres be placed under feet with different poses? Left and right would differ.
     UnequalFeet,
-    /// A change after which the contacts are wrong.
+    /// Should the change be made? The contacts would be wrong afterwards.
     WrongAfterwards,
     ManyModels,
 }
@@ -127,7 +127,7 @@ impl Question {
         Self::ManyModels,
     ];
 
-    /// Stable short name of the question, which also answers it.
+    /// Stable short name of the question. The caller repeats it to answer yes.
     pub fn code(&self) -> &'static str {
         match self {
             Self::ImplausibleMass => "implausible-mass",
@@ -165,7 +165,7 @@ impl FromStr for Question {
     }
 }
 
-/// A number that looks wrong, and that the caller has to confirm.
+/// A question about a number that looks wrong. The caller has to confirm the number.
 ///
 /// ```
 /// use osim_model::{Fault, FaultKind, MassMistake, NeedsAnswer};
@@ -182,7 +182,7 @@ pub enum NeedsAnswer {
         kg: f64,
         /// Mass of all bodies of the model together, kg, if known.
         bodies_kg: Option<f64>,
-        /// The masses of the other rows of its table, if it is out of their range.
+        /// The range of the masses in the other rows of the table, if the mass is outside this range.
         other_rows: Option<MassesOfOtherRows>,
         /// The mistake that probably led to the mass.
         mistake: MassMistake,
@@ -190,13 +190,13 @@ pub enum NeedsAnswer {
     Radius {
         sphere: String,
         radius_m: f64,
-        /// The longest distance between the joints of its body and of those next to it, m.
+        /// The longest distance between joints on the sphere's body or a neighbouring body, m.
         longest_m: f64,
-        /// The radius in the file, else the one that follows from the bones, m. `None` unless the caller gave the new radius as a
+        /// The usual radius, m: that in the file, else one that follows from the bones. `None` unless the caller gave the new radius as a
         /// length, perhaps in another unit.
         usual_m: Option<f64>,
     },
-    /// Something else, in words.
+    /// Another question, with its text.
     Other {
         question: Question,
         /// The doubt: what looks wrong, and what was probably meant.
@@ -233,7 +233,7 @@ impl NeedsAnswer {
         }
     }
 
-    /// The question, and how to say that it is right.
+    /// The doubt, and the answer with which the caller confirms the number.
     pub fn phrase(&self) -> Phrase {
         let mut text = self.doubt();
         text.push("; if it is meant, say ");
@@ -290,7 +290,7 @@ fn doubt_about_mass(
     phrase![input.with_value(readable(kg)), format!(" is {why}")]
 }
 
-/// The units in which a length was probably given that is `times` as long as usual, and how many of each are a metre.
+/// The units in which a length was probably given, if it is `times` as long as usual; each with the number of units in a metre.
 ///
 /// ```
 /// use osim_model::probable_units;

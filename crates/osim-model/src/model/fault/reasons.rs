@@ -1,22 +1,22 @@
-//! Reasons why the caller has to give a fact: what a gravity is needed for, why a note is doubtful, what is unknown of factors.
+//! Reasons why the caller has to give a fact: the use of gravity, doubts about a note, unknown factors of bodies.
 
 use crate::messages::{Input, Part, Phrase, Verb, phrase, readable};
 
-/// The purpose for which gravity is needed that the file does not give.
+/// The use of gravity in a request, if the file gives no gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum GravityFor {
     Weight,
     Load,
-    /// The speed with which contacts begin.
+    /// For the impact speed at the beginning of a contact.
     ImpactSpeed,
-    /// Contacts that were made for it, and are scaled to another.
+    /// For contacts that are scaled to another gravity: the gravity for which they were made.
     Contacts,
     Reference,
-    /// The model that gets the contacts of another gravity.
+    /// For the model that gets contacts made for another gravity.
     Target,
-    /// The weight of a body that a drop is compared with.
+    /// For the weight of a body with which a drop is compared.
     Compared,
-    /// Figures under body weight, which were not asked for.
+    /// For forces in body weights, in figures that the caller did not ask for.
     Figures,
 }
 
@@ -32,7 +32,7 @@ impl GravityFor {
         Self::Figures,
     ];
 
-    /// The inputs that answer the question, with placeholders for their values; empty if only the file can answer it.
+    /// The inputs with which the caller can give the gravity, with placeholders for their values; empty if only the file can give it.
     const fn answers(self) -> &'static [(Input, &'static str)] {
         match self {
             Self::Weight => &[(Input::Gravity, "G")],
@@ -59,10 +59,10 @@ impl GravityFor {
     }
 }
 
-/// The end of the sentence that begins with "the model" or "the reference".
+/// The end of a sentence that begins with "the model" or "the reference".
 const NO_GRAVITY: &str = " has no gravity";
 
-/// Why the radius or the centre of a sphere would change, which decides how it can stay.
+/// Why the radius or the centre of a sphere would change. The advice on keeping it depends on this.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RadiusChangeReason {
     Rule,
@@ -70,9 +70,9 @@ pub enum RadiusChangeReason {
     Bodies,
     ContactStiffness,
     Assignment,
-    /// The foot, whose bottoms are made level: the centre changes then, and not the radius.
+    /// The bottoms of a foot are made level: the centre changes, not the radius.
     Level,
-    /// A fit that moves spheres: the centre changes, and not the radius.
+    /// A fit moves spheres: the centre changes, not the radius.
     Fit,
 }
 
@@ -89,7 +89,8 @@ impl RadiusChangeReason {
     }
 }
 
-/// The question about a sphere that `changed` forces use and `left` ones too, up to how its radius stays.
+/// The beginning of the question about a sphere that both `changed` forces and `left` forces use. The end, how its radius can stay, is
+/// added later.
 pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_choose: bool) -> Phrase {
     let stays = if left.len() == 1 { "which stays as it is" } else { "which stay as they are" };
     let left = left.join(", ");
@@ -105,7 +106,7 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
     text
 }
 
-/// Asks what contacts with a doubtful note were made for: the model's own, or those of a reference.
+/// The question about the mass for which contacts were made, if the note is in doubt: the model's own contacts, or those of a reference.
 pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
     let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
     phrase![
@@ -117,7 +118,7 @@ pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Inpu
     ]
 }
 
-/// Asks what known contacts were made for, under bodies of another mass.
+/// The question about the mass for which published contacts were made, on bodies of another mass.
 pub(super) fn known_contacts_mass(title: &str, made_for_kg: f64, bodies_kg: f64, input: Input) -> Phrase {
     let (made_for, bodies) = (readable(made_for_kg), readable(bodies_kg));
     let contacts = contacts_are(input);
@@ -145,20 +146,20 @@ fn contacts_are(input: Input) -> &'static str {
     }
 }
 
-/// Why the note in a file no longer describes its contacts.
+/// Why the note in a file may not describe its contacts any more.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoteDoubt {
-    /// The model has no note, and the sum of its bodies is not the mass: they were scaled.
+    /// The model has no note, and the sum of its bodies differs from the known mass: the bodies were scaled.
     Absent,
     Unreadable,
-    /// Force set and geometry set carry notes of different runs.
+    /// Force set and geometry set have notes from different changes.
     MixedPair,
     ValuesChanged,
-    /// The run that left it changed only some values.
+    /// The change that wrote the note affected only some values.
     Partial,
     /// The note says that the mass is not known.
     MassUnknown,
-    /// The note gives no mass, as the mass of the bodies was taken, and the bodies were scaled since.
+    /// The note has no mass because the mass of the bodies was taken, and the bodies were scaled later.
     BodiesScaled,
 }
 
@@ -178,42 +179,43 @@ impl NoteDoubt {
     }
 }
 
-/// A question about the factors of a body.
+/// A question about the scale factors of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FactorQuestion {
     /// Two meshes of one body have different factors.
     Meshes {
         body: String,
-        /// The meshes, and what each says along x, y and z.
+        /// The two meshes, with their factors along x, y and z.
         meshes: [(String, [f64; 3]); 2],
     },
-    /// Left and right have different factors in models that are not scaled copies of each other.
+    /// Left and right have different factors, in models that are not scaled copies of each other.
     Sides {
         bodies: [String; 2],
-        /// Factors by both sources along x, y and z; NaN where one is not known.
+        /// Factors of both sides along x, y and z; NaN for unknown ones.
         factors: [[f64; 3]; 2],
     },
-    /// A mesh of one name shows another animal's bone: what its factors say of a distance, and the distance itself, are far apart.
+    /// A mesh has the name of the bone but probably belongs to another animal: its factors do not agree with the measured distance of a
+    /// joint.
     OtherBone {
         body: String,
         joint: String,
-        /// The distance against the reference's, by the mesh and by the joint.
+        /// The ratio of a joint's distance to the reference's: by the factors of the mesh, and as measured.
         ratios: [f64; 2],
     },
-    /// Two different models have nothing in common that says how large a body is.
+    /// Two different models have no mesh or joint in common that gives the size of a body.
     NoSource { body: String },
     /// The factors of the Scale Tool's file do not lead from the reference to the model.
     OtherReference {
         body: String,
-        /// A joint on it that is somewhere else.
+        /// A joint on the body whose place disagrees with the file.
         joint: String,
-        /// Distance of the joint from where the file puts it, m.
+        /// Distance between the joint and the place that the file's factors give, m.
         apart_m: f64,
     },
 }
 
 impl FactorQuestion {
-    /// The unknown factors, and how to say them.
+    /// The question: which factors are unknown, and how the caller can give them.
     pub(super) fn phrase(&self) -> Phrase {
         let one = |factor: f64| if factor.is_nan() { "unknown".to_owned() } else { format!("{factor:.4}") };
         let three = |factors: &[f64; 3]| factors.map(one).join(", ");
@@ -260,7 +262,7 @@ impl FactorQuestion {
     }
 }
 
-/// Advice on a verb that takes the factors of `bodies`.
+/// Advice for a verb that takes the scale factors of `bodies`.
 fn body_scale_hint(how: &'static str, bodies: &[&String]) -> Part {
     let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();

@@ -1,4 +1,4 @@
-//! Files that a model or a request names, wherever they are: on a disk, in memory, in a browser.
+//! The files that a model or a request names, on a disk, in memory or in a browser.
 
 mod source;
 
@@ -12,25 +12,25 @@ use crate::model::typed_model::Model;
 use crate::xml::ElementId;
 pub use source::{FileError, FileName, Files, InMemory};
 
-/// Why a model, or a file that it needs, could not be read or changed.
+/// Why a model or one of its files could not be read or changed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Failure {
     pub model: FileName,
     /// Stable short name, as in the JSON `code`.
     pub code: &'static str,
-    /// The message: what is wrong, what was expected, and a way out.
+    /// The message: what is wrong, what was expected, and advice.
     pub message: Phrase,
     /// Line of the place, from 1.
     pub line: Option<usize>,
     /// Column of the place in characters, from 1.
     pub column: Option<usize>,
     pub excerpt: Option<Excerpt>,
-    /// Whether the call would succeed if the caller gave a fact that must not be guessed.
+    /// Whether the call would succeed if the caller gave a fact that the program must not guess.
     pub needs_answer: bool,
 }
 
 impl Failure {
-    /// `fault` in the file `model`, with the place that it has once it is [`located`](Fault::located).
+    /// A failure for `fault` in the file `model`, with the place of the fault after [`located`](Fault::located).
     pub fn from_fault(model: impl Into<FileName>, fault: Fault) -> Self {
         Self {
             model: model.into(),
@@ -43,7 +43,7 @@ impl Failure {
         }
     }
 
-    /// A failure that is not in the contents of the file: folders, permissions, other files.
+    /// A failure outside the contents of the file: folders, permissions, other files.
     pub fn outside(model: impl Into<FileName>, code: &'static str, message: impl Into<Phrase>) -> Self {
         Self {
             model: model.into(),
@@ -57,16 +57,16 @@ impl Failure {
     }
 }
 
-/// Files that belong to a standalone set and are given beside it.
+/// Files that belong to a set in a separate file. The caller gives them with the set.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct CompanionPaths<'p> {
-    /// The geometry set (or model) that holds the spheres.
+    /// The geometry set (or model) that contains the spheres.
     pub geometry: Option<&'p Path>,
-    /// The model that has masses and joints.
+    /// The model that contains masses and joints.
     pub model: Option<&'p Path>,
 }
 
-/// Bytes of a model and of the files that belong to it.
+/// The bytes of a model and of all files that belong to it.
 ///
 /// ```
 /// use std::path::Path;
@@ -95,11 +95,11 @@ pub struct ModelFiles {
     companions: Vec<CompanionFile>,
 }
 
-/// The model itself: parsed only where that was needed to know what it includes.
+/// The main file of a model. It is parsed only if its include statements have to be found.
 #[derive(Debug, Clone)]
 enum MainFile {
     Bytes(Vec<u8>),
-    /// The bytes of a model that includes no file.
+    /// The bytes of a model that includes no other file.
     WithoutIncludes(Vec<u8>),
     Parsed(Box<Document>),
 }
@@ -109,15 +109,15 @@ struct CompanionFile {
     path: PathBuf,
     bytes: Vec<u8>,
     included_by: Option<ElementId>,
-    /// Name of the file in the model's `file="..."`.
+    /// Name of the file in the model's `file="…"`.
     include_name: Option<String>,
 }
 
 impl ModelFiles {
-    /// The model at `path`, whose bytes are known, with the files that it includes (beside `path`) and those given.
+    /// The model at `path`, whose bytes are known, with the files that it includes (beside `path`) and the `given` files.
     ///
     /// # Errors
-    /// A file that cannot be read, or a model that includes files and is not a document.
+    /// A file cannot be read, or a model that includes files is not an OpenSim document.
     pub fn read(
         path: &Path,
         bytes: Vec<u8>,
@@ -165,7 +165,7 @@ impl ModelFiles {
         Self { name: name.into(), ..self }
     }
 
-    /// Bytes of the model's own file.
+    /// Bytes of the model's main file.
     pub fn bytes(&self) -> &[u8] {
         match &self.main {
             MainFile::Bytes(bytes) | MainFile::WithoutIncludes(bytes) => bytes,
@@ -173,24 +173,24 @@ impl ModelFiles {
         }
     }
 
-    /// Handles, names and bytes of the other files: first those given beside a set, then those that the model includes, in
-    /// file order.
+    /// Handles, names and bytes of the files beside the main file: first those that the caller gave with a set, then those that the model
+    /// includes, in file order.
     pub fn companions(&self) -> impl Iterator<Item = (FileId, &Path, &[u8])> {
         let companions = self.companions.iter().enumerate();
         companions.map(|(index, file)| (FileId::companion(index), file.path.as_path(), file.bytes.as_slice()))
     }
 
-    /// The files that the model includes, as it names them.
+    /// The names of the files that the model includes, as it writes them.
     pub fn included(&self) -> impl Iterator<Item = &str> {
         self.companions.iter().filter_map(|companion| companion.include_name.as_deref())
     }
 
-    /// The files with other bytes of the model's own; included files stay.
+    /// The same files with other `bytes` of the main file.
     pub fn with_bytes(&self, bytes: Vec<u8>) -> Self {
         Self { name: self.name.clone(), main: MainFile::Bytes(bytes), companions: self.companions.clone() }
     }
 
-    /// Gives one of the other files other bytes; nothing changes for [`FileId::MAIN`].
+    /// Replaces the bytes of one of the files beside the main file; does nothing for [`FileId::MAIN`].
     pub fn replace_companion(&mut self, file: FileId, bytes: Vec<u8>) {
         if let Some(companion) = file.companion_index().and_then(|index| self.companions.get_mut(index)) {
             companion.bytes = bytes;
@@ -264,7 +264,7 @@ impl OpenModel {
         &self.names.main
     }
 
-    /// All files by name, the model first.
+    /// The names and bytes of all files, the main file first.
     pub fn files(&self) -> impl Iterator<Item = (&str, &[u8])> {
         let companions = self.model.companions().map(|(file, _)| file);
         let all = std::iter::once(FileId::MAIN).chain(companions);
@@ -275,7 +275,7 @@ impl OpenModel {
         self.names.name(file)
     }
 
-    /// `fault`, which is about this model, with the name of its file and its place.
+    /// A failure for `fault` in this model, with the name of its file and its place.
     pub fn failure(&self, fault: Fault) -> Failure {
         let located = fault.located_in(|file| self.model.file(file).bytes());
         Failure::from_fault(self.names.name(located.file), located)

@@ -1,4 +1,4 @@
-//! Reading of bytes from a source, and the names of files.
+//! Reading the bytes of files from any source; and the names of files.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -7,9 +7,9 @@ use std::path::{Component, Path, PathBuf};
 
 use crate::messages::shown_whole;
 
-/// A file as it was named: text, and the bytes of the name if it is not UTF-8 and the text only an approximation.
+/// A file name as the caller wrote it. If the name is not UTF-8, its bytes are kept and the text is only similar.
 ///
-/// It prints on one line, with what cannot be seen escaped; [`Deref`] gives the text itself.
+/// Prints on one line, with invisible letters escaped. [`Deref`] gives the text unchanged.
 ///
 /// ```
 /// use osim_model::files::FileName;
@@ -24,17 +24,17 @@ pub struct FileName {
 }
 
 impl FileName {
-    /// The bytes of the name as the system has them, where they are not UTF-8.
+    /// The bytes of the name, if they are not UTF-8.
     pub fn bytes(&self) -> Option<&[u8]> {
         self.bytes.as_deref()
     }
 
-    /// The name with the bytes that [`into_parts`](Self::into_parts) gave.
+    /// The name from the parts that [`into_parts`](Self::into_parts) returned.
     pub fn from_parts(text: String, bytes: Option<Vec<u8>>) -> Self {
         Self { text, bytes: bytes.map(Into::into) }
     }
 
-    /// The name as the system has it, where the system has names of bytes; elsewhere the text.
+    /// The name as a path. If the name is not UTF-8, systems whose file names are bytes get the exact bytes.
     pub fn to_path(&self) -> PathBuf {
         #[cfg(unix)]
         if let Some(bytes) = &self.bytes {
@@ -43,7 +43,7 @@ impl FileName {
         PathBuf::from(&self.text)
     }
 
-    /// The text, and the bytes where they are not UTF-8: as JSON has them, side by side.
+    /// The text, and the bytes if they are not UTF-8: two fields in JSON.
     pub fn into_parts(self) -> (String, Option<Vec<u8>>) {
         (self.text, self.bytes.map(Into::into))
     }
@@ -94,9 +94,9 @@ impl From<&Self> for FileName {
     }
 }
 
-/// Reads files by the names that models and requests give them.
+/// Reads files by their names in models and requests.
 ///
-/// The libraries read nothing by themselves. A front end hands them what it has: the command a disk, a page the files that
+/// The libraries of this project read no file directly. Each front end gives them a source: the command a disk, a web page the files that
 /// were dropped on it ([`InMemory`]). For a folder:
 ///
 /// ```
@@ -123,22 +123,21 @@ pub trait Files {
     /// The bytes of a file.
     ///
     /// # Errors
-    /// It is not there or cannot be read.
+    /// The file does not exist or cannot be read.
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError>;
 
-    /// The bytes of a file that another file names, such as a model that includes it. Who wrote that other file should not decide
-    /// what else is opened: where the world has pipes and devices, this reads ordinary files only.
+    /// The bytes of a file that another file names, such as a model that includes it. On a system with pipes and devices, only ordinary
+    /// files are read: the author of a model should not decide which devices are opened.
     ///
-    /// # Errors
-    /// Those of [`read`](Self::read), or it is not an ordinary file.
+    /// As for [`read`](Self::read), or the file is not an ordinary file.
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
         self.read(path)
     }
 
-    /// Whether there is such a file. A name without a file may be that of a preset.
+    /// Whether the file exists. A name without a file may be the name of a preset.
     fn exists(&self, path: &Path) -> bool;
 
-    /// Today's date, as `2026-11-25`, for the notes in changed files; `None` if it is not known.
+    /// Today's date, such as `2026-11-25`, for notes in changed files; `None` if it is not known.
     fn today(&self) -> Option<String> {
         None
     }
@@ -149,7 +148,7 @@ pub trait Files {
 pub struct FileError(String);
 
 impl FileError {
-    /// The reason in words, without the name of the file.
+    /// An error with its reason in words, without the name of the file.
     pub fn new(why: impl Into<String>) -> Self {
         Self(why.into())
     }
@@ -159,7 +158,7 @@ impl FileError {
     }
 }
 
-/// Files in memory, by name.
+/// Files in memory, by their names.
 ///
 /// ```
 /// use std::path::Path;
@@ -178,17 +177,17 @@ pub struct InMemory {
 }
 
 impl InMemory {
-    /// Adds a file, or replaces the one of that name.
+    /// Adds a file, or replaces the file of this name.
     pub fn add(&mut self, path: impl Into<PathBuf>, bytes: impl Into<Vec<u8>>) {
         self.files.insert(without_dots(&path.into()), bytes.into());
     }
 
-    /// Takes a file away, if it is there.
+    /// Removes a file, if it exists.
     pub fn remove(&mut self, path: &Path) {
         self.files.remove(&without_dots(path));
     }
 
-    /// Sets the date of [`Files::today`], as `2026-11-25`. Without it there is none.
+    /// Sets the date that [`Files::today`] returns, such as `2026-11-25`. Without a call, the date is not known.
     pub fn set_today(&mut self, date: &str) {
         self.today = Some(date.to_owned());
     }
@@ -215,7 +214,7 @@ impl Files for InMemory {
     }
 }
 
-/// A path without `.` and `..`, as models write them to name files in folders beside their own.
+/// The path without `.` and `..`. Models use these to name files in other folders.
 fn without_dots(path: &Path) -> PathBuf {
     let mut plain = PathBuf::new();
     for component in path.components() {

@@ -1,17 +1,17 @@
-//! The codes of all rules, in the order of the docs; how bad a finding is, and which verdict it belongs to.
+//! The codes of all rules, in the order of the documentation; the severity of findings, and the verdicts to which rules belong.
 
 use std::fmt;
 
 macro_rules! codes {
     ($($variant:ident = $code:literal,)+) => {
-        /// Kinds of finding, about models and about changes. What each means is in its [`Rule`](crate::model::finding::Rule).
+        /// The kinds of findings, about models and about changes. [`Rule`](crate::model::finding::Rule) describes each.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum FindingCode {
             $(#[doc = $code] $variant,)+
         }
 
         impl FindingCode {
-            /// Every code. Findings that are equally bad are listed in this order.
+            /// Every code. Findings of equal severity are listed in this order.
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
             /// Stable short name, as in the JSON `code`.
@@ -115,21 +115,21 @@ impl fmt::Display for FindingCode {
     }
 }
 
-/// How bad something is, from harmless to harmful.
+/// The severity of a finding, from harmless to harmful.
 ///
-/// Exhaustive: the JSON of a finding promises these three.
+/// Exhaustive: the JSON of a finding promises exactly these three.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
-    /// What may be meant, such as a pose or a damped contact.
+    /// Possibly intended, such as a pose or a damped contact.
     Remark,
-    /// Outside a limit, or OpenSim loads it but presses nothing there, or elsewhere than the file seems to say.
+    /// A value is outside a limit; or OpenSim loads the model, but a contact does not act, or acts elsewhere than the file suggests.
     Warning,
-    /// OpenSim 4.6 refuses it or reads another number than is written, or no reading makes it right.
+    /// OpenSim 4.6 refuses the model or reads another number than is written; or the model is certainly wrong.
     Error,
 }
 
 impl Severity {
-    /// Name of the verdict in the JSON and on the command line.
+    /// Name of the severity in JSON and on the command line.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Remark => "remark",
@@ -139,9 +139,9 @@ impl Severity {
     }
 }
 
-/// The subject of a verdict. Each rule about a model belongs to one of them, or to none.
+/// The topic of a verdict. Each rule about a model belongs to one topic, or to none.
 ///
-/// Exhaustive: there are six, and one more where a recording is given.
+/// Exhaustive: six topics for every model, and one more for a recording.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum VerdictOn {
     /// Whether the floor is level and on ground, and gravity points down.
@@ -161,7 +161,7 @@ pub enum VerdictOn {
 }
 
 impl VerdictOn {
-    /// Verdicts of every model, in the order in which they are shown.
+    /// The topics of every model, in the order in which they are shown.
     pub const ALL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 

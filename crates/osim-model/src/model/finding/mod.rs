@@ -1,4 +1,4 @@
-//! Rules, and findings: cases of rules in a model or a change.
+//! Rules about models and changes, and findings: cases in which a rule applies.
 
 mod code;
 
@@ -7,7 +7,7 @@ use contact_scaling::limits;
 use crate::messages::{Dialect, Phrase};
 pub use code::{FindingCode, Severity, VerdictOn};
 
-/// One case of a rule in a model or in a change, with its place and message.
+/// One case in which a rule applies to a model or a change, with its place and message.
 ///
 /// ```
 /// use osim_model::{FindingCode, Model, Severity};
@@ -27,32 +27,32 @@ pub use code::{FindingCode, Severity, VerdictOn};
 #[must_use]
 pub struct Finding {
     pub rule: &'static Rule,
-    /// The severity of the rule; lower for the published state of known contacts.
+    /// The severity of the rule, or a lower one for the published state of known contacts.
     pub severity: Severity,
     pub message: Phrase,
     pub why: Phrase,
-    /// Advice about the finding, from the rule.
+    /// Advice on this finding, by default that of the rule.
     pub advice: Phrase,
-    /// Component path of the force, sphere or body concerned, where it is one; of the worst where it is several.
+    /// Component path of the force, sphere or body in question; of the worst one if there are several. `None` if no component is meant.
     pub place: Option<String>,
-    /// Names of all spheres concerned, where it is about spheres.
+    /// Names of all spheres in question; empty if the finding is not about spheres.
     pub spheres: Vec<String>,
-    /// Line in the model, from 1, where there is one.
+    /// Line in the model, from 1; `None` if there is no single line.
     pub line: Option<usize>,
-    /// Of the result of a change: whether the model before it, or the reference, has this finding, too.
+    /// For the result of a change: whether the model before the change, or the reference, already has this finding.
     pub had_before: bool,
-    /// A sentence for each element that it is about, where there is more to say than its name.
+    /// A sentence for each component in question, if there is more to say than its name.
     pub details: Vec<String>,
-    /// How bad it is, to compare it with the same finding in other models.
+    /// The size of the problem, for comparing the finding with the same finding in other models.
     pub measure: Option<Measure>,
 }
 
-/// How bad a finding is.
+/// The size of the problem in a finding.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Measure {
-    /// The larger, the worse.
+    /// The size as a number: larger is worse.
     pub size: f64,
-    /// In a few words, with the unit; may be empty.
+    /// The size in a few words, with its unit; may be empty.
     pub text: String,
 }
 
@@ -113,7 +113,7 @@ impl Finding {
         Self { severity, ..self }
     }
 
-    /// Spells its texts in the words of a front end.
+    /// Converts the texts of the finding to the `dialect` of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         for phrase in [&mut self.message, &mut self.why, &mut self.advice] {
             phrase.spell(dialect);
@@ -121,38 +121,38 @@ impl Finding {
     }
 }
 
-/// A kind of finding: its code, its texts and an example. In the texts, inputs and calls are in backticks, see
-/// [`Phrase::template`], and numbers of limits are in braces.
+/// A rule: the kind of a finding, with its code, its texts and an example. In the texts, inputs and calls are in backticks, see
+/// [`Phrase::template`], and names of limits are in braces.
 #[derive(Debug, PartialEq, Eq)]
 #[expect(clippy::exhaustive_structs, reason = "every rule is written out in full")]
 pub struct Rule {
     pub code: FindingCode,
     pub severity: Severity,
-    /// The verdict that it decides, if one.
+    /// The topic of the verdict to which the rule contributes, if any.
     pub verdict: Option<VerdictOn>,
     pub what: &'static str,
     pub why: &'static str,
     pub advice: &'static str,
-    /// The command that repairs the model, or why no command does.
+    /// What a proposed command does to repair the model, or why there is no command.
     pub repair: Repair,
     pub example: Example,
 }
 
-/// Whether a command can be proposed that puts a finding right.
+/// Whether a command can be proposed that removes the reason of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Repair {
-    /// Yes, if the model can be changed: what the command does.
+    /// A command exists; the text says what it does to the model.
     Command(&'static str),
-    /// No request repairs it; the text says why.
+    /// No command repairs the model; the text says why.
     NotPossible(&'static str),
-    /// No, and why: only a change raises the finding, not a model.
+    /// No command, because only a change can have this finding, not a model; the text explains.
     OnlyInChange(&'static str),
 }
 
-/// An example that raises a finding, and one that does not. Models are those of `fixtures/`.
+/// An example that has the finding, and one that does not. Models are those of `fixtures/`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Example {
-    /// A piece of a model: it has `good`, and raises the finding with `bad` in its place.
+    /// A piece of a model: with `good` in it there is no finding, with `bad` in its place there is one.
     Piece {
         model: &'static str,
         good: &'static str,
@@ -162,12 +162,12 @@ pub enum Example {
         good: &'static str,
         bad: &'static str,
     },
-    /// A request, as JSON, that raises the finding.
+    /// A request, as JSON, whose result has the finding.
     Request {
         good: &'static str,
         bad: &'static str,
     },
-    /// Files beside each other, in words: a test of its own makes them.
+    /// A description of files that have the finding together. A separate test makes the files.
     InWords {
         good: &'static str,
         bad: &'static str,
@@ -198,7 +198,7 @@ impl Repair {
     }
 }
 
-/// The phrase of a template in which the limits of contact-scaling have names in braces.
+/// The phrase of a template in which names in braces are replaced by limits of the crate contact-scaling.
 fn with_limits(text: &str) -> Phrase {
     if !text.contains('{') {
         return Phrase::template(text.trim_ascii());

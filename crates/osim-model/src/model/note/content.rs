@@ -1,20 +1,20 @@
-//! The content of a note: masses, sizes, steps, and a record of the contacts.
+//! The contents of a note: masses, sizes, changes (steps), and digests that record the contacts.
 
 use std::collections::BTreeMap;
 
 use crate::messages::{Verb, readable};
 use crate::model::property::Property;
 
-/// Whether all contacts are made for one mass.
+/// Whether all contacts of a model were made for one mass.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// All contacts are made for the mass that the note gives, or, if it gives none, for what the bodies weighed.
+    /// All contacts were made for the mass in the note or, if the note has none, for the mass of the bodies at that time.
     All,
-    /// Some contacts were left as they were, or it is not known.
+    /// Some contacts were not changed, or it is not known.
     Partial,
 }
 
-/// The contents of a note: what its contacts were made for, written into the file when they were changed.
+/// The contents of a note, which a change writes into the file: the mass and gravity for which the contacts were made, and more.
 ///
 /// ```
 /// use osim_model::{Document, Note, Scope};
@@ -32,30 +32,30 @@ pub enum Scope {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
     pub version: String,
-    /// Mass the contacts were made for, kg; `None` where nobody knew.
+    /// Mass for which the contacts were made, kg; `None` if it was not known.
     pub contacts_mass_kg: Option<f64>,
-    /// Gravity the contacts were made for, m/s²; `None` where the model has none.
+    /// Gravity for which the contacts were made, m/s²; `None` if the model has none.
     pub gravity_m_s2: Option<f64>,
     pub scope: Scope,
-    /// Steps of change of the contacts, the oldest first: at least one.
+    /// The changes of the contacts, the oldest first: at least one.
     pub steps: Vec<Step>,
-    /// Limbs that share the body weight, where somebody said how many.
+    /// Number of limbs that share the body weight; `None` if the caller did not give it.
     pub stance_limbs: Option<f64>,
-    /// Mass of all bodies together when the note was written, kg; `None` where no mass is known, or the note before could not be read.
+    /// Mass of all bodies together when the note was written, kg; `None` if it was not known, or the earlier note could not be read.
     pub weighed_kg: Option<f64>,
-    /// Mesh scale factors of the bodies that carried spheres when it was written.
+    /// Mesh scale factors of the bodies with spheres when the note was written.
     pub sizes: Vec<BodySize>,
-    /// Digest of all contact values as written: the first 16 digits of their SHA-256.
+    /// Digest of all contact values when the note was written: the first 16 digits of their SHA-256.
     pub digest: String,
-    /// Digest of the radii alone: the first 8 digits.
+    /// Digest of the radii alone: its first 8 digits.
     pub radii: String,
     /// Names of the contacts and digests of their properties.
     pub parts: NotedParts,
-    /// The first 8 digits of a digest of the spheres' locations; `None` where the note before could not be read.
+    /// The first 8 digits of a digest of the spheres' locations; `None` if the earlier note could not be read.
     pub places: Option<String>,
-    /// A letter for each thing that was added to the file, so that it can be removed with the contacts; `-` for nothing.
+    /// A letter for each thing that was added to the file, so that it can be removed together with the contacts; `-` for nothing.
     pub added_to_file: String,
-    /// Names of the forces that were added beside others, as [`Note::operation_text`] has them; none where all were added.
+    /// Names of the forces that were added to existing ones, as [`Note::operation_text`] writes them; empty if all forces were added.
     pub added_forces: Vec<String>,
 }
 
@@ -73,7 +73,7 @@ pub struct BodySize {
     pub factors: [f64; 3],
 }
 
-/// A text begins like a note, but cannot be read as one.
+/// An error: the text begins like a note, but cannot be read as a note.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct UnreadableNote;
 
@@ -81,27 +81,27 @@ pub(crate) struct UnreadableNote;
 //
 // `by transfer radius=x2 with level=true from 62 kg of reference falisse2022.osim 0123456789abcdef on 2026-11-25`
 
-/// The words of a step before the options that mattered.
+/// The text in a step before the options of the change.
 const BEFORE_OPTIONS: &str = " with ";
-/// The word of a step before the mass that the contacts were made for until then.
+/// The text in a step before the mass for which the contacts were made earlier.
 const BEFORE_OLD_MASS: &str = " from ";
-/// The words of a step before the name and the digest of the reference.
+/// The text in a step before the name and the digest of the reference.
 const BEFORE_REFERENCE: &str = " of reference ";
-/// The word of a step before the date.
+/// The text in a step before the date.
 const BEFORE_DATE: &str = " on ";
 
-/// A change of the contacts, as the note records it.
+/// A change of the contacts, as a note records it.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Step {
-    /// The operation of the step, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
+    /// The kind of change, for example `rescale` or `set stiffness=x2`: from [`Note::operation_text`].
     pub operation: String,
-    /// Options that mattered, for example `level=true only=radius`; empty where there were none.
+    /// Options that influenced the change, for example `level=true only=radius`; empty if there were none.
     pub options: String,
-    /// Mass the contacts were made for before, kg, where another was known.
+    /// Mass for which the contacts were made before the change, kg, if it was known and different.
     pub from_mass_kg: Option<f64>,
-    /// Source of the contacts that the step took.
+    /// The model or preset from which the change took contacts.
     pub reference: Option<Source>,
-    /// Date of the step, for example `2026-11-25`.
+    /// Date of the change, for example `2026-11-25`.
     pub date: Option<String>,
 }
 
@@ -110,22 +110,22 @@ pub struct Step {
 pub struct Source {
     /// Name of the file, without folders and blanks.
     pub name: String,
-    /// The first 16 digits of the SHA-256 of its file; `None` of a preset.
+    /// The first 16 digits of the SHA-256 of the file; `None` for a preset.
     pub digest: Option<String>,
 }
 
 impl Step {
-    /// A step of which nothing else is known.
+    /// A step with the operation alone.
     pub fn new(operation: &str) -> Self {
         Self { operation: in_note_letters(operation), ..Self::default() }
     }
 
-    /// The verb that made the step.
+    /// The verb that made the change.
     pub fn verb(&self) -> Option<Verb> {
         Verb::named(self.operation.split(' ').next()?)
     }
 
-    /// The source as text of a note, without `by`.
+    /// The text of the step in a note, without `by`.
     pub(super) fn text(&self) -> String {
         let mut text = in_note_letters(&self.operation);
         if !self.options.is_empty() {
@@ -143,7 +143,7 @@ impl Step {
         text
     }
 
-    /// Reads a step. Its parts are taken from the end; what is none of them belongs to the operation.
+    /// Reads a step. Its parts are separated from the end; the remaining text is the operation.
     pub(super) fn parse(text: &str) -> Self {
         let (rest, date) = split(text, BEFORE_DATE, |date| is_date(date).then(|| date.to_owned()));
         let (rest, reference) = split(rest, BEFORE_REFERENCE, Source::parse);
@@ -172,7 +172,7 @@ impl Source {
     }
 }
 
-/// Splits `text` at the last `mark`, if `read` can read what follows it.
+/// Splits `text` at the last `mark`, if `read` accepts the text behind it.
 fn split<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
     let parts = text.rsplit_once(mark).and_then(|(before, part)| Some((before, read(part)?)));
     parts.map_or((text, None), |(before, part)| (before, Some(part)))
@@ -191,9 +191,9 @@ fn is_date(text: &str) -> bool {
 //
 // `12:01234567 6:89abcdef 0123.4567.-.-.-.-.-.-.-`: spheres, forces, and the properties of forces in their order.
 
-/// The digest of a property that no force has, or of places that are not known.
-pub(super) const NOTHING: &str = "-";
-/// Digits of what only names the difference that the digest of all numbers found.
+/// The text in a note for a value that does not exist or is not known, such as the digest of a property that no force has.
+pub(super) const NO_ENTRY: &str = "-";
+/// Digits of the digest of one property. It only names the changed property, after the digest of all numbers has found a change.
 const PROPERTY_DIGITS: usize = 4;
 
 /// Names of the contacts and digests of their properties.
@@ -209,23 +209,23 @@ pub struct NotedParts {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedNames {
     pub count: usize,
-    /// The first 8 digits of the SHA-256 of their names.
+    /// The first 8 digits of the SHA-256 of the names.
     pub digest: String,
 }
 
 impl NotedParts {
     pub(super) fn text(&self) -> String {
-        let digest = |property| self.properties.get(&property).map_or(NOTHING, String::as_str);
+        let digest = |property| self.properties.get(&property).map_or(NO_ENTRY, String::as_str);
         let digests: Vec<&str> = properties_of_forces().map(digest).collect();
         format!("{} {} {}", self.spheres.text(), self.forces.text(), digests.join("."))
     }
 
-    /// Reads the parts from `words`, none of which may be left over.
+    /// Reads the names and digests from `words`, all of which must be used.
     pub(super) fn parse<'t>(mut words: impl Iterator<Item = &'t str>) -> Option<Self> {
         let (spheres, forces) = (NotedNames::parse(words.next()?)?, NotedNames::parse(words.next()?)?);
         let digests: Vec<&str> = words.next()?.split('.').collect();
         let is_whole = words.next().is_none() && digests.len() == properties_of_forces().count();
-        let recorded = properties_of_forces().zip(digests).filter(|(_, digest)| *digest != NOTHING);
+        let recorded = properties_of_forces().zip(digests).filter(|(_, digest)| *digest != NO_ENTRY);
         let recorded = recorded.map(|(property, text)| Some((property, digest(text, PROPERTY_DIGITS)?)));
         let properties = recorded.collect::<Option<_>>()?;
         is_whole.then_some(Self { spheres, forces, properties })
@@ -249,14 +249,14 @@ impl NotedNames {
 
 // How words and numbers are spelled in a note.
 
-/// The word of a note for a mass or gravity that was not known.
+/// The text for a mass or gravity that was not known.
 pub(super) const UNKNOWN: &str = "unknown";
-/// Digits of the digest of all numbers, and of that of a reference.
+/// Digits of the digest of all numbers, and of the digest of a reference file.
 pub(super) const DIGEST_DIGITS: usize = 16;
 /// Digits of the digests of radii, places and names.
 pub(super) const PART_DIGITS: usize = 8;
 
-/// `unknown`, or a mass above 0 with its unit; the outer `None` for anything else.
+/// Reads `unknown`, or a mass above 0 with its unit. The outer `None` means another text.
 #[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
 pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
     if text == UNKNOWN {
@@ -265,12 +265,12 @@ pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
     positive(text.strip_suffix(" kg")?).map(Some)
 }
 
-/// `text` as a number above 0.
+/// Reads `text` as a number above 0.
 pub(super) fn positive(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0)
 }
 
-/// `unknown`, or a gravity of at least 0 with its unit; the outer `None` for anything else.
+/// Reads `unknown`, or a gravity of at least 0 with its unit. The outer `None` means another text.
 #[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
 pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
     if text == UNKNOWN {
@@ -280,19 +280,18 @@ pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
     (gravity.is_finite() && gravity >= 0.0).then_some(Some(gravity))
 }
 
-/// `text`, if it is so many hexadecimal digits.
+/// `text`, if it consists of exactly this many hexadecimal digits.
 pub(super) fn digest(text: &str, digits: usize) -> Option<String> {
     let is_digest = text.len() == digits && text.bytes().all(|byte| byte.is_ascii_hexdigit());
     is_digest.then(|| text.to_owned())
 }
 
-/// Whether a note, inside a field, can hold `letter`. `-` is among the letters, but two of them would end a comment: see
-/// [`plain`].
+/// Whether a field of a note can contain `letter`. `-` is allowed, but two of them would end an XML comment: see [`plain`].
 pub(super) fn is_note_letter(letter: char) -> bool {
     letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
 }
 
-/// `text` with `_` for every letter that a note cannot hold, and single blanks.
+/// `text` with `_` for every letter that a note cannot contain, and with single blanks.
 pub(super) fn in_note_letters(text: &str) -> String {
     let words = text.split_ascii_whitespace().map(|word| {
         let letters = word.chars().map(|letter| if is_note_letter(letter) { letter } else { '_' });
@@ -332,7 +331,7 @@ mod tests {
     }
 
     #[test]
-    fn other_words_belong_to_the_operation() {
+    fn unknown_words_belong_to_the_operation() {
         for operation in ["ladder step 1 of 2", "transfer from a file on Monday", "set a=1 + set b=2"] {
             assert_eq!(Step::parse(operation).date, None);
             assert_eq!(Step::parse(operation).from_mass_kg, None);

@@ -1,29 +1,29 @@
-//! How a note is spelled: printable ASCII with single blanks, because OpenSim condenses white space and re-encodes the rest.
+//! The text form of a note: printable ASCII with single blanks, because OpenSim changes white space and other letters.
 //!
 //! `[contacts made for 62 kg at 9.81 m/s2 (osim-contact-scale 0.1.0; all; by rescale from 70 kg on 2026-11-25; stance limbs 2;
 //! weighed 62 kg; sizes calcn_r=1 calcn_l=0.9,1,1; record 0123456789abcdef 01234567 01234567 6:01234567 6:01234567
 //! 0123.4567.-.-.-.-.-.-.-; made -)]`
 //!
-//! Each step has its own `by`, the oldest first. What nobody said is left out. The record is for programs: digests of all numbers,
-//! of radii, of places, of the names of spheres and forces, and of each property.
+//! Each step has its own `by`, the oldest step first. Facts that nobody gave are left out. The record is for programs: digests of all
+//! numbers, of radii, of places, of the names of spheres and forces, and of each property.
 
 use crate::messages::{readable, shortest};
 use crate::model::note::content::{
-    BodySize, DIGEST_DIGITS, NOTHING, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
+    BodySize, DIGEST_DIGITS, NO_ENTRY, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
     gravity_m_s2, in_note_letters, is_note_letter, mass_kg, positive,
 };
 
 pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
-/// The text after mass and gravity in every note; text in square brackets without it is not a note.
+/// The text behind mass and gravity in every note. Text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
-/// The word of a note before each step.
+/// The text in a note before each step.
 const BEFORE_STEP: &str = "by ";
 const STANCE: &str = "stance limbs ";
 const BEFORE_WEIGHT: &str = "weighed ";
 const RECORD: &str = "record ";
-/// The word of a note before the names of forces that were added beside others, where there are some.
+/// The text in a note before the names of forces that were added to existing ones.
 const BEFORE_ADDED_FORCES: &str = "added ";
 
 impl Note {
@@ -51,14 +51,14 @@ impl Note {
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
             self.radii,
-            self.places.as_deref().unwrap_or(NOTHING),
+            self.places.as_deref().unwrap_or(NO_ENTRY),
             self.parts.text(),
             self.added_to_file,
             optional(BEFORE_ADDED_FORCES, added),
         )
     }
 
-    /// Reads a note that is all of `text`, with single blanks.
+    /// Reads a note from `text`, which contains nothing else and has single blanks.
     pub(super) fn parse(text: &str) -> Option<Self> {
         let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
         let (made_for, fields) = text.split_once(PROGRAM_MARK)?;
@@ -79,7 +79,7 @@ impl Note {
         let all = digest(record.next()?, DIGEST_DIGITS)?;
         let radii = digest(record.next()?, PART_DIGITS)?;
         let places = match record.next()? {
-            NOTHING => None,
+            NO_ENTRY => None,
             text => Some(digest(text, PART_DIGITS)?),
         };
         let parts = NotedParts::parse(record)?;
@@ -87,7 +87,7 @@ impl Note {
             return None;
         }
         let added_to_file = fields.next()?.strip_prefix("made ")?.to_owned();
-        if added_to_file != NOTHING && !added_to_file.chars().all(|letter| letter.is_ascii_alphabetic()) {
+        if added_to_file != NO_ENTRY && !added_to_file.chars().all(|letter| letter.is_ascii_alphabetic()) {
             return None;
         }
         let note = Self {
@@ -110,35 +110,36 @@ impl Note {
         fields.next().is_none().then_some(note)
     }
 
-    /// `operation` in the letters that a note can hold: what would end a field, or is written otherwise when OpenSim saves the
-    /// file, becomes `_`.
+    /// `operation` in letters that a note can contain. Letters that would end a field, or that OpenSim would change when it saves the file,
+    /// become `_`.
     pub fn operation_text(operation: &str) -> String {
         in_note_letters(operation)
     }
 
-    /// The letter among those of `made` that says that all spheres were placed with their bodies.
+    /// The letter in `made` which says that all spheres were placed by the scaling of their bodies.
     pub const PLACED: char = 'p';
 
-    /// Whether all spheres were placed with their bodies when it was written, or before and not moved since.
+    /// Whether all spheres were placed by the scaling of their bodies when the note was written, or earlier and not moved later.
     pub fn has_placed_spheres(&self) -> bool {
         self.added_to_file.contains(Self::PLACED)
     }
 
-    /// The letter among those of `made` that says that all contacts of the model were added.
+    /// The letter in `made` which says that all contacts of the model were added.
     pub const ALL_ADDED: char = 'n';
 
-    /// Whether `force` is one of those that were added, by its name.
+    /// Whether the force called `force` was added by a change.
     pub fn has_added_force(&self, force: &str) -> bool {
         self.added_forces.contains(&in_note_letters(force))
     }
 
     pub fn nothing_added() -> String {
-        NOTHING.to_owned()
+        NO_ENTRY.to_owned()
     }
 }
 
 impl BodySize {
-    /// `calcn_r=0.9,1,1`, or `calcn_r=0.9` where all three are equal. Eight digits: sizes that differ by less are one size.
+    /// The text for a body, such as `calcn_r=0.9,1,1`, or `calcn_r=0.9` if all three factors are equal. Eight digits: sizes that differ by
+    /// less count as equal.
     fn text(&self) -> String {
         let [x, y, z] = self.factors.map(readable);
         let factors = if x == y && y == z { x } else { [x, y, z].join(",") };
@@ -159,7 +160,7 @@ impl BodySize {
         numbers.next().is_none().then(|| Self { body: body.to_owned(), factors })
     }
 
-    /// Whether a note can hold the name of the body.
+    /// Whether a note can contain the name of the body.
     pub(crate) fn can_name(body: &str) -> bool {
         body.chars().all(|letter| is_note_letter(letter) && !"=,".contains(letter))
     }
@@ -172,7 +173,7 @@ fn sizes(text: &str) -> Option<Vec<BodySize>> {
     text.split(' ').map(BodySize::parse).collect()
 }
 
-/// Names of added forces in a text such as `added heel toe`.
+/// Reads names of added forces from a text such as `added heel toe`.
 fn names(text: &str) -> Option<Vec<String>> {
     Some(text.strip_prefix(BEFORE_ADDED_FORCES)?.split(' ').map(str::to_owned).collect())
 }
@@ -246,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn what_a_note_cannot_hold_is_replaced() {
+    fn letters_that_a_note_cannot_contain_are_replaced() {
         for (operation, expected) in [
             ("rescale radius=x2", "rescale radius=x2"),
             (

@@ -1,7 +1,7 @@
-//! The note that the program leaves in a model: the mass that its contacts were made for, the size of its bones, and the steps taken.
+//! The note that this program writes into a model: the mass for which the contacts were made, the sizes of bones, and the changes.
 //!
-//! A model keeps it in `<credits>`, which every OpenSim from 1.9 to 4.6 copies when it saves or scales a model; comments are
-//! lost then. Standalone sets have no credits and keep a comment.
+//! The note of a model is in `<credits>`, which every OpenSim from 1.9 to 4.6 keeps when it saves or scales a model; comments are lost
+//! then. Sets in separate files have no credits: their note is a comment.
 
 pub(super) mod content;
 mod grammar;
@@ -20,30 +20,28 @@ use crate::xml::{ElementId, PieceKind};
 
 pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 
-/// The separator between what was there and the note, and between authors.
+/// The separator between other text in the credits and the note, and between authors.
 const SEPARATOR: &str = "; ";
 const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 
-/// The `<credits>` of a model, where its note is, and its text: what comes in front of comments after it, without the white space
-/// around it.
+/// The `<credits>` of a model with their text, up to the first comment behind it, without white space around it. The note is part of this
+/// text.
 ///
-/// OpenSim takes one text or one CDATA section there, with comments before or after it, and refuses the model otherwise.
+/// OpenSim reads one text or one CDATA section here, with comments before or after it; it refuses a model with other contents.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Credits<'d> {
     pub element: ElementId,
-    /// Bytes of the credits' text; empty where there is none. Of an element `<credits/>` the place after it.
+    /// Bytes of the text in the credits; empty if there is no text. For an element `<credits/>`, the place behind the element.
     pub span: Range<usize>,
     raw: &'d str,
-    /// The credits as OpenSim reads them: entities resolved, white space condensed.
+    /// The text as OpenSim reads it: entities resolved, white space reduced to single blanks.
     text: String,
 }
 
 impl<'d> Credits<'d> {
-    /// The first `<credits>` of a model; `None` where it has none, or the document is not a model. Those of `<defaults>` do not
-    /// count.
+    /// The first `<credits>` of a model; `None` if it has none, or the document is not a model. Those in `<defaults>` are ignored.
     ///
-    /// # Errors
-    /// Text, CDATA and comments in a mixture that OpenSim refuses ([`FaultKind::BrokenText`]).
+    /// Text, CDATA and comments are mixed in a way that OpenSim refuses ([`FaultKind::BrokenText`]).
     pub fn of(document: &'d Document) -> Result<Option<Self>, Fault> {
         let (tree, root) = (document.tree(), document.data_root());
         if tree.name(root) != "Model" {
@@ -69,20 +67,20 @@ impl<'d> Credits<'d> {
         Ok(Some(Self { element, span, raw, text }))
     }
 
-    /// The text as OpenSim reads it: entities resolved, white space condensed.
+    /// The text as OpenSim reads it: entities resolved, white space reduced to single blanks.
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// The note that ends the text, if something in it begins like one.
+    /// The note at the end of the text, if the text contains the beginning of a note.
     fn note(&self) -> Option<Result<Note, UnreadableNote>> {
         let at = self.text.rfind(BEGINS)?;
         let note = self.text.get(at..)?;
         note.contains(PROGRAM_MARK).then(|| Note::parse(note).ok_or(UnreadableNote))
     }
 
-    /// The bytes to replace, each with its text, so that `note` ends the credits instead of the note that is there. What
-    /// others wrote is not among them, because its bytes need not be UTF-8.
+    /// The edits after which the credits end with `note` instead of the old note. The text of other authors is not touched, because its
+    /// bytes need not be UTF-8.
     pub fn edits(&self, note: Option<&Note>) -> Vec<(Range<usize>, String)> {
         let mut edits = Vec::new();
         let mut end = self.span.start;
@@ -99,13 +97,13 @@ impl<'d> Credits<'d> {
         edits
     }
 
-    /// Edits after which `note` comes after everything that is there, another note too.
+    /// The edits after which `note` is behind all existing text, including another note.
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
         let and = if self.raw.is_empty() { "" } else { SEPARATOR };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
     }
 
-    /// Whether nothing is left of the text without the note.
+    /// Whether the credits contain nothing except the note.
     pub fn is_note_only(&self) -> bool {
         self.text_around_note().is_empty()
     }
@@ -132,13 +130,13 @@ impl<'d> Credits<'d> {
 }
 
 impl Note {
-    /// The note that is read where this one was written; `None` if it would not be read as one.
+    /// The note as a program would read it after writing; `None` if it could not be read.
     pub(crate) fn read_back(&self) -> Option<Self> {
         Self::parse(&condensed(&self.text()))
     }
 }
 
-/// Whether `text` begins like a note, with any white space where the note has a blank. No more of it is read than that takes.
+/// Whether `text` begins like a note, with any white space in place of its blanks. Only the beginning of the text is read.
 fn begins_a_note(text: &str) -> bool {
     let behind = BEGINS.chars().try_fold(text, |rest, letter| {
         if letter != ' ' {
@@ -150,7 +148,7 @@ fn begins_a_note(text: &str) -> bool {
     behind.is_some_and(|behind| !behind.is_empty())
 }
 
-/// A text with single blanks, as OpenSim reads and writes it.
+/// `text` with single blanks, as OpenSim reads and writes it.
 fn condensed(text: &str) -> String {
     words(text).collect::<Vec<_>>().join(" ")
 }
@@ -158,18 +156,18 @@ fn condensed(text: &str) -> String {
 // Where a note is: in the credits of a model, in a comment of a set.
 
 impl Note {
-    /// The comment that holds the note in a document without credits: one line, no `--` inside.
+    /// The XML comment with the note, for a document without credits: one line, no `--` inside.
     pub fn comment(&self) -> String {
         format!("<!-- {} -->", self.text())
     }
 
-    /// The note of `document`: of a model in its credits, else in a comment before the first child of the data root. `None` where
-    /// there is none or it cannot be read.
+    /// The note of `document`: in the credits of a model; in a set, in a comment before the first child of the data root. `None` if there
+    /// is none or it cannot be read.
     pub fn find(document: &Document) -> Option<Self> {
         Self::find_or_unreadable(document).ok()??.ok()
     }
 
-    /// The credits with a note, with `Err` where something begins like a note and cannot be read, or does not end the credits.
+    /// The note of `document`. `Err` inside if a text begins like a note and cannot be read, or if the credits do not end with it.
     pub(crate) fn find_or_unreadable(
         document: &Document,
     ) -> Result<Option<Result<Self, UnreadableNote>>, Fault> {
@@ -180,8 +178,8 @@ impl Note {
         Ok(comment.map(|span| Self::parse(inner(document.tree().slice(span))).ok_or(UnreadableNote)))
     }
 
-    /// The bytes of the comments of a set that begin like a note, before the first child of the data root: the first counts. A model
-    /// has none.
+    /// The bytes of the comments in a set that begin like a note, before the first child of the data root. The first one is the note. A
+    /// model has none.
     pub fn comment_spans(document: &Document) -> impl Iterator<Item = Range<usize>> + '_ {
         let tree = document.tree();
         let root = document.data_root();
@@ -201,41 +199,41 @@ fn inner(comment: &str) -> &str {
     text.strip_suffix("-->").unwrap_or(text).trim_ascii()
 }
 
-/// Differences between a model and its note.
+/// The differences between a model and its note.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedSinceNote {
-    /// How the contacts themselves differ from the note.
+    /// The differences of the contacts.
     pub contacts: ChangedContacts,
-    /// Whether bodies that carry spheres have other mesh factors.
+    /// Whether the mesh factors of bodies with spheres changed.
     pub sizes: bool,
-    /// Mass of all bodies together when the note was written, and now, kg.
+    /// Mass of all bodies together when the note was written, and now, kg, if they differ.
     pub weight_kg: Option<(f64, f64)>,
 }
 
-/// Differences of contacts: as much as the note's record can show.
+/// The differences between contacts and their record in a note.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedContacts {
-    /// How many spheres there were and are, where that is different. Then nothing else can be compared.
+    /// The recorded and the present number of spheres, if they differ. Then nothing else is compared.
     pub sphere_count: Option<(usize, usize)>,
     pub force_count: Option<(usize, usize)>,
     pub sphere_names: bool,
     pub force_names: bool,
     pub radii: bool,
-    /// Whether spheres have other places or bodies.
+    /// Whether places or bodies of spheres changed.
     pub places: bool,
-    /// Properties of forces with other values.
+    /// Properties of forces whose values changed.
     pub properties: Vec<Property>,
-    /// Whether all numbers are still there, at other contacts.
+    /// Whether all values still exist, but at other contacts.
     pub exchanged: bool,
 }
 
 impl Model {
-    /// Limbs that share the body weight, where the note says how many.
+    /// The number of limbs that share the body weight, if the note has it.
     pub fn noted_stance_limbs(&self) -> Option<f64> {
         self.note.as_ref().and_then(|note| note.stance_limbs)
     }
 
-    /// Differences since the note was written; nothing where there is no note.
+    /// The differences between the model and its note; no differences without a note.
     pub fn changed_since_note(&self) -> ChangedSinceNote {
         let Some(note) = &self.note else { return ChangedSinceNote::default() };
         let weighs = MassRequest::default().bodies_kg(self);
@@ -272,7 +270,7 @@ impl Model {
     }
 }
 
-/// Properties with other values, and those that only one of the two has.
+/// Properties with different values, and properties that only one of the two records has.
 fn differing_properties(then: &NotedParts, now: &NotedParts) -> Vec<Property> {
     let differs = |property: &Property| then.properties.get(property) != now.properties.get(property);
     Property::ALL.into_iter().filter(differs).collect()
@@ -291,7 +289,7 @@ mod tests {
         Document::parse(text).unwrap()
     }
 
-    /// The text of the credits after the same note is written for 70 kg.
+    /// The text of the credits after a note for 70 kg was written into them.
     fn with_70_kg(credits: &str) -> String {
         let document = document_with_credits(credits);
         let found = Credits::of(&document).unwrap().unwrap();
@@ -326,7 +324,7 @@ mod tests {
     }
 
     #[test]
-    fn a_note_takes_the_place_of_the_last() {
+    fn a_new_note_replaces_the_old_one() {
         for (before, after) in [
             (format!("<credits>{NOTE}</credits>"), "<credits>NOTE</credits>"),
             (format!("<credits>A &amp; B; {NOTE} </credits>"), "<credits>A &amp; B; NOTE </credits>"),

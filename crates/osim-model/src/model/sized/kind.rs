@@ -1,4 +1,4 @@
-//! The kinds of numbers that follow the size of a body, and which properties of which classes have them.
+//! The kinds of numbers that change with body size, and the properties of OpenSim classes that have these kinds.
 
 use self::SizedKind::{
     ActivationTime, ActuatorForce, ActuatorTime, ActuatorTorque, BushingDamping, BushingRotationalDamping,
@@ -26,7 +26,7 @@ const fn powers(mass: i8, length: i8, time: i8) -> Dimension {
 
 macro_rules! kinds {
     ($($(#[$doc:meta])* $name:ident, $code:literal, $words:literal, $unit:literal, $mass:literal $length:literal $time:literal;)*) => {
-        /// The kind of a number that follows size, in the order in which lists have them.
+        /// A kind of number that changes with body size. Lists use this order.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum SizedKind {
             $($(#[$doc])* $name,)*
@@ -134,12 +134,12 @@ kinds! {
 }
 
 impl SizedKind {
-    /// Whether the kind is a bound of a Moco problem, which is in a file beside the model.
+    /// Whether the kind is a bound in a Moco problem, which is in a separate file.
     pub(crate) const fn is_of_moco(self) -> bool {
         matches!(self, Self::MocoTime | Self::MocoTranslation | Self::MocoSpeed | Self::MocoAngularSpeed)
     }
 
-    /// Index of the kind in lists, which sorts them.
+    /// Index of the kind in lists, for sorting.
     pub const fn order(self) -> usize {
         self as usize
     }
@@ -152,17 +152,17 @@ impl SizedKind {
 #[derive(Debug, Clone, Copy)]
 pub(super) enum KindRule {
     Always(SizedKind),
-    /// A property of an object that acts on a coordinate: its kind where that is an angle (`None` is without dimension), and where it is a
-    /// translation.
+    /// A property of a force on a coordinate. The first kind is for a coordinate that is an angle (`None`: the number has no dimension),
+    /// the second for a translation.
     ByCoordinate(Option<SizedKind>, SizedKind),
 }
 
-/// A property of an OpenSim class that has a size.
+/// A property of an OpenSim class whose value changes with body size.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SizedProperty {
     pub(super) tag: &'static str,
     pub(super) kind: KindRule,
-    /// The value that OpenSim takes where the file has none.
+    /// The value that OpenSim uses if the file has none.
     pub(super) default: f64,
     pub(super) count: usize,
 }
@@ -263,7 +263,7 @@ const ACTIVATED_ACTUATOR: &[SizedProperty] = &[
 const FORCE_ACTUATOR: &[SizedProperty] = &[one_number("optimal_force", ActuatorForce, 1.0)];
 const TORQUE_ACTUATOR: &[SizedProperty] = &[one_number("optimal_force", ActuatorTorque, 1.0)];
 
-/// The properties of `class` that are listed.
+/// The properties of `class` that change with body size.
 pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {
     match class {
         "Thelen2003Muscle" => THELEN,

@@ -1,5 +1,5 @@
-//! Numbers of a model that have mass, length or time in their unit, beside those of its contacts: of muscles, ligaments, springs,
-//! bushings, actuators and bodies.
+//! Numbers of a model with mass, length or time in their unit, without those of contacts: muscles, ligaments, springs, bushings, actuators
+//! and bodies.
 
 mod kind;
 
@@ -15,25 +15,25 @@ pub use kind::{Dimension, SizedKind};
 #[derive(Debug, Clone, PartialEq)]
 pub struct SizedValue {
     pub kind: SizedKind,
-    /// The name of the object that has it.
+    /// The name of the object that has the number.
     pub owner: String,
-    /// Which number of the object it is, where it has several of this kind: the property, and the place in it.
+    /// The property of the object and the index in the property, for an object with several numbers of one kind.
     pub part: (&'static str, usize),
-    /// The number, in the unit of its kind; finite.
+    /// The number in the unit of its kind; finite.
     pub value: f64,
 }
 
 impl SizedValue {
-    /// A number of a file beside the model.
+    /// A number from another file than the model.
     pub const fn new(kind: SizedKind, owner: String, part: (&'static str, usize), value: f64) -> Self {
         Self { kind, owner, part, value }
     }
 }
 
-/// Objects of one class with numbers that are not read.
+/// Objects of one class whose numbers are not read.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotRead {
-    /// OpenSim's class, or the part of a file.
+    /// The OpenSim class, or a part of a file.
     pub class: String,
     pub count: usize,
     pub why: &'static str,
@@ -45,7 +45,7 @@ impl NotRead {
     }
 }
 
-/// All numbers of a model that have mass, length or time in their unit, except those of contacts.
+/// All numbers of a model with mass, length or time in their unit, except those of contacts.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SizedValues {
     pub values: Vec<SizedValue>,
@@ -53,8 +53,8 @@ pub struct SizedValues {
 }
 
 impl SizedValues {
-    /// The values of `model` that follow size, as OpenSim takes them: from the object, else `<defaults>`, else the class. A number that is
-    /// not finite is left out.
+    /// The numbers of `model` that change with body size, as OpenSim reads them: from the object, else `<defaults>`, else the default of
+    /// the class. Numbers that are not finite are left out.
     ///
     /// ```
     /// use osim_model::{Model, SizedKind, SizedValues};
@@ -85,7 +85,7 @@ const UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an an
 
 struct Reader<'m> {
     model: &'m Model,
-    /// Whether each coordinate is an angle, read when the first force acts on one.
+    /// Whether each coordinate is an angle. Read when the first force on a coordinate is found.
     angles: Option<HashMap<&'m str, Option<bool>>>,
     not_read: BTreeMap<(String, &'static str), usize>,
 }
@@ -113,7 +113,7 @@ impl Reader<'_> {
         }
         let owner = components.name(id).into_owned();
         for property in properties {
-            let Some(kind) = kind_for(property.kind, is_angle) else { continue };
+            let Some(kind) = kind_of_property(property.kind, is_angle) else { continue };
             let found = numbers(document, element, property).into_iter().enumerate();
             for (place, value) in found.filter(|(_, value)| value.is_finite()) {
                 values.push(SizedValue::new(kind, owner.clone(), (property.tag, place), value));
@@ -121,7 +121,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Whether the coordinate on which a force acts is an angle; `None` if it is not known, or neither angle nor length.
+    /// Whether the coordinate of a force is an angle; `None` if it is not known, or is neither an angle nor a length.
     fn is_angle(&mut self, document: &Document, force: ElementId) -> Option<bool> {
         let named = document.tree().text_of(document.property_element(force, "coordinate")?);
         let name = opensim_text::trimmed(&named).rsplit('/').next()?;
@@ -131,7 +131,7 @@ impl Reader<'_> {
     }
 }
 
-fn kind_for(rule: KindRule, is_angle: Option<bool>) -> Option<SizedKind> {
+fn kind_of_property(rule: KindRule, is_angle: Option<bool>) -> Option<SizedKind> {
     match rule {
         KindRule::Always(kind) => Some(kind),
         KindRule::ByCoordinate(turning, shifting) => {
@@ -153,7 +153,7 @@ fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
     })
 }
 
-/// The numbers of a property, as many as it has.
+/// The numbers of a property, up to the number that it should have.
 fn numbers(document: &Document, object: ElementId, property: &SizedProperty) -> Vec<f64> {
     let tree = document.tree();
     let read = |element| {
