@@ -1,6 +1,6 @@
-//! Reads OpenSim models: from bytes to bodies, feet and contacts, each value with its place in the file.
+//! Reads OpenSim models: from bytes to bodies, feet and contacts. Each value has its place in the file.
 //!
-//! Three floors, each of which knows only those below it:
+//! The crate has three layers. Each uses only the layers before it:
 //!
 //! 1. [`xml`]: bytes as a tree of exact spans; [`messages`]: sentences, with what the caller can say as data.
 //! 2. the model: [`Model`] and what it consists of, at the root of this crate.
@@ -31,7 +31,7 @@ pub mod xml;
 pub use glam::{DVec2, DVec3};
 pub use model::*;
 
-/// The example of the README compiles.
+/// Compiles the example in the README.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,8 +1,8 @@
-//! XML as a flat tree of exact byte spans over the untouched bytes.
+//! XML as a flat tree of elements. Each element knows its exact bytes in the file, which are never changed.
 //!
-//! Nothing here knows what is in a model. [`Tree::scan`] cuts the bytes into gap-free [`Piece`]s, links them into elements, and
-//! refuses what is not one well-formed document; [`RawText`] is the text of a leaf, and [`opensim_text`] knows what OpenSim reads
-//! from it.
+//! This module knows nothing about models. [`Tree::scan`] cuts the bytes into [`Piece`]s without gaps, connects these into elements, and
+//! refuses bytes that are not one well-formed document. [`RawText`] is the text of an element without child elements, and [`opensim_text`]
+//! reads values from such texts as OpenSim does.
 //!
 //! ```
 //! use osim_model::xml::{ElementId, Tree};
@@ -17,7 +17,7 @@
 //!
 //! # What it will not do
 //!
-//! It decodes and encodes nothing as a whole, knows no namespaces and no DTD, and reads no other file.
+//! This module decodes and encodes no document as a whole, supports no namespaces and no DTD, and reads no other file.
 
 pub mod opensim_text;
 mod plain_scan;
@@ -31,27 +31,27 @@ pub use tree::{Children, ElementId, Piece, PieceKind, Tree};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Position {
-    /// Number of bytes before this place.
+    /// Number of bytes before the place.
     pub offset: usize,
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
 }
 
-/// Finds lines of byte offsets: it counts the line ends before each block of a file once, and those within a block at each look-up.
+/// Finds the line of a byte offset. The line ends before each block of a file are counted once, those inside a block at each search.
 ///
-/// Counting is far cheaper than remembering every line end, and few places are ever asked for.
+/// Counting is much cheaper than storing every line end, because lines are asked for at few places only.
 #[derive(Debug, Clone)]
 pub struct LineIndex {
-    /// How many lines end before each block.
+    /// Number of line ends before each block.
     before: Vec<usize>,
 }
 
-/// Bytes of a block: a look-up counts half of one in the mean.
+/// Bytes of a block. A search counts the line ends of half a block on average.
 const BLOCK_BYTES: usize = 1 << 11;
 
 impl LineIndex {
-    /// Counts the line ends of `bytes` (LF and CRLF alike; a lone CR does not end a line).
+    /// Counts the line ends of `bytes`. LF and CRLF end a line, CR alone does not.
     pub fn new(bytes: &[u8]) -> Self {
         let mut lines = 0;
         let counted = bytes.chunks(BLOCK_BYTES).map(|block| {
@@ -62,7 +62,7 @@ impl LineIndex {
         Self { before: counted.collect() }
     }
 
-    /// The line (from 1) on which byte `offset` of `bytes` stands, the same bytes this index was built from.
+    /// The line (from 1) that contains byte `offset` of `bytes`. These must be the bytes for which the index was built.
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
         let offset = offset.min(bytes.len());
         // The end of a file of whole blocks is in none of them.
@@ -71,7 +71,7 @@ impl LineIndex {
         before + line_ends(bytes.get(block * BLOCK_BYTES..offset).unwrap_or_default()) + 1
     }
 
-    /// Line and column of byte `offset` of `bytes`, the same bytes this index was built from.
+    /// Line and column of byte `offset` of `bytes`. These must be the bytes for which the index was built.
     pub fn position(&self, bytes: &[u8], offset: usize) -> Position {
         let offset = offset.min(bytes.len());
         let line = self.line(bytes, offset);

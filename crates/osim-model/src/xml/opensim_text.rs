@@ -1,6 +1,6 @@
-//! Values as OpenSim 4.6 reads their text: the one place that knows white space, numbers, flags, lists and names.
+//! Reads values from texts as OpenSim 4.6 does. Only this module knows OpenSim's rules for white space, numbers, flags, lists and names.
 //!
-//! Everything here was seen in the real OpenSim; `tests/oracle/test_words.py` asks it again.
+//! All rules were observed in OpenSim itself; `tests/oracle/test_words.py` checks them again.
 //!
 //! | text | what OpenSim makes of it |
 //! |---|---|
@@ -19,7 +19,7 @@
 use super::raw_text::{RawText, is_white_byte};
 pub use super::raw_text::{is_white, trimmed};
 
-/// Whole numbers of so many digits are exact as doubles.
+/// Whole numbers with at most this many digits are exact as doubles.
 const EXACT_DIGITS: usize = 15;
 /// Powers of ten that are exact as doubles.
 const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
@@ -36,12 +36,12 @@ pub enum NumberFault {
     Prefix {
         opensim_reads: f64,
     },
-    /// OpenSim cannot read the text either and silently takes its default.
+    /// OpenSim cannot read a number from the text and uses its default without a message.
     Unreadable,
     Interrupted,
 }
 
-/// The words of `text`, with white space between them.
+/// The words of `text`, which white space separates.
 pub fn words(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
@@ -54,8 +54,8 @@ pub fn words(text: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The words of a value that may be several. There are none if white space from CDATA or a reference ends the text, which spoils
-/// it.
+/// The words of a value that may be a list. There are none if the text ends with white space from CDATA or a reference, because OpenSim
+/// then cannot read the value.
 ///
 /// ```
 /// use osim_model::xml::opensim_text::list_words;
@@ -67,7 +67,7 @@ pub fn list_words(text: &str) -> impl Iterator<Item = &str> {
     words(if text.ends_with(is_white) { "" } else { text })
 }
 
-/// Reads one number strictly; where OpenSim reads something else, says what.
+/// Reads one plain number. The error says what OpenSim reads from another text.
 pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
     if !raw.in_one_piece {
         return Err(NumberFault::Interrupted);
@@ -91,14 +91,14 @@ pub fn number(raw: &RawText) -> Result<f64, NumberFault> {
     if alone && length == token.len() { Ok(value) } else { Err(NumberFault::Prefix { opensim_reads: value }) }
 }
 
-/// All numbers of `text`; `None` where OpenSim can read none and takes its default.
+/// All numbers in `text`; `None` if OpenSim can read none and uses its default.
 pub fn numbers(text: &str) -> Option<Vec<f64>> {
     let all: Vec<f64> =
         list_words(text).map(|word| number_at_start(word).map(|(value, _)| value)).collect::<Option<_>>()?;
     (!all.is_empty()).then_some(all)
 }
 
-/// A vector of three numbers, which need not be finite; `None` where OpenSim can read none and takes its default.
+/// Three numbers, which may be infinite or NaN; `None` if OpenSim cannot read them and uses its default.
 ///
 /// ```
 /// use osim_model::xml::opensim_text::triple;
@@ -120,7 +120,7 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
     (count > 0 && count % 3 == 0).then_some(first)
 }
 
-/// Whether a text is three numbers, and OpenSim reads those that people see. Commas after the first two do no harm.
+/// Whether a text is three numbers that a person and OpenSim read alike. Commas behind the first two numbers are harmless.
 ///
 /// ```
 /// use osim_model::xml::opensim_text::is_plain_triple;
@@ -137,7 +137,7 @@ pub fn is_plain_triple(text: &str) -> bool {
     matches!(all[..], [x, y, z] if before_comma(x) && before_comma(y) && is_number(z))
 }
 
-/// A flag; `None` where OpenSim cannot read it and takes its default.
+/// A flag, true or false; `None` if OpenSim cannot read it and uses its default.
 ///
 /// ```
 /// use osim_model::xml::opensim_text::flag;
@@ -161,7 +161,7 @@ fn flag_of_word(word: &str) -> Option<bool> {
     }
 }
 
-/// Whether `isDisabled` of documents up to 30508 is true. OpenSim reads it by a rule of its own.
+/// Whether `isDisabled`, an element of documents up to 30508, is true. OpenSim has a special rule for it.
 pub(crate) fn is_disabled(text: &str) -> bool {
     let text = trimmed(text);
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
@@ -172,7 +172,7 @@ fn spelled_flag(word: &str) -> Option<bool> {
     if is("true") { Some(true) } else { is("false").then_some(false) }
 }
 
-/// The digits at the start of `word`, after a sign, without zeros in front of them: none are left of 0.
+/// The digits at the start of `word`, behind a sign, without leading zeros. For 0, the result is empty.
 fn whole_number_at_start(word: &str) -> Option<&str> {
     let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
     let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());
@@ -180,9 +180,9 @@ fn whole_number_at_start(word: &str) -> Option<&str> {
     Some(digits.trim_start_matches('0'))
 }
 
-/// The number that a C++ stream reads from the start of `token`, and how many bytes of it.
+/// The number that a C++ stream reads from the start of `token`, and the number of bytes that it has.
 ///
-/// `None` where the stream fails (no digits, an exponent without digits, out of the range of a double).
+/// `None` if the stream fails: there are no digits, an exponent has no digits, or the number is beyond the range of a double.
 pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {
     let bytes = token.as_bytes();
     let sign = usize::from(matches!(bytes.first(), Some(b'+' | b'-')));
@@ -216,9 +216,8 @@ pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {
     value.is_finite().then_some((value, end))
 }
 
-/// The number of at most [`EXACT_DIGITS`] digits, `fraction` of them after the point. Both parts of the quotient are exact, so it is the
-/// double that is nearest to the text, as the parser of all numbers finds it: most numbers of models are that short, and there are
-/// hundreds in each.
+/// A number with at most [`EXACT_DIGITS`] digits, `fraction` of them after the decimal point. It is the quotient of two exact numbers, and
+/// so the double nearest to the text. This is faster than a general parser; models contain hundreds of such short numbers.
 fn short_number(text: &[u8], fraction: usize) -> Option<f64> {
     let digits = text.iter().filter(|byte| byte.is_ascii_digit());
     let whole = digits.fold(0_u64, |sum, digit| sum * 10 + u64::from(digit - b'0'));
@@ -227,7 +226,7 @@ fn short_number(text: &[u8], fraction: usize) -> Option<f64> {
     Some(if text.first() == Some(&b'-') { -size } else { size })
 }
 
-/// `nan` and `inf`, in any case; of these only infinity may have a sign.
+/// Reads `nan` and `inf`, in upper or lower case. Only infinity may have a sign.
 fn spelled_number(token: &str) -> Option<f64> {
     if token.eq_ignore_ascii_case("nan") {
         return Some(f64::NAN);
@@ -277,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn where_opensim_reads_something_else_the_text_is_refused() {
+    fn a_text_that_opensim_reads_as_another_number_is_refused() {
         for (text, value) in [("1,5e6", 1.0), ("2e6N", 2e6), (" 3e6 4e6 ", 3e6), ("1d6", 1.0), ("0x10", 0.0)]
         {
             assert_number(text, &Err(NumberFault::Prefix { opensim_reads: value }));
@@ -320,7 +319,7 @@ mod tests {
         assert_number("12\u{a0}", &Err(NumberFault::Prefix { opensim_reads: 12.0 }));
     }
 
-    /// Numbers of few digits are not read as others are: each as the standard library reads it, to the last bit.
+    /// Short numbers have their own parser: it must agree with the standard library to the last bit.
     #[test]
     fn short_numbers_are_read_exactly() {
         let mut seed = 1_u64;

@@ -1,22 +1,22 @@
-//! A fast scan for files of plain tags, attributes in quotes, text and comments: nearly every model is one.
+//! A fast scan for files with only plain tags, quoted attributes, text and comments: nearly every model is such a file.
 //!
-//! It is several times as fast as a full parser, because it stops at anything else (`&`, CDATA, DOCTYPE, names with odd
-//! letters, tags that do not match) and leaves the whole file to [`scan`](super::scan), which knows all of XML
-//! and says what is wrong. Where this scan finishes, both find the same pieces and elements: a test over all fixtures
-//! and real models and a fuzz target hold them to it.
+//! The fast scan is several times as fast as a full parser. It stops at anything else (`&`, CDATA, DOCTYPE, names with unusual letters,
+//! tags that do not match) and leaves the whole file to [`scan`](super::scan), which supports all of XML and reports errors. If the fast
+//! scan finishes, both scans give the same pieces and elements: tests with all fixtures and real models, and a fuzz target, compare them.
 
 use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space};
 
-/// The number of attributes on one tag above which the full scan compares them.
-const FEW_ATTRIBUTES: usize = 8;
-/// Bytes per piece and per element in dense models; what is reserved beyond need is never touched.
+/// With more attributes than this on a tag, the file is left to the full scan, which finds repeated names.
+const MOST_PLAIN_ATTRIBUTES: usize = 8;
+/// The fewest bytes per piece and per element in dense models. Used to reserve memory; reserved memory that is not needed costs nothing.
 const BYTES_PER_PIECE: usize = 8;
 const BYTES_PER_ELEMENT: usize = 20;
-/// Texts up to this many bytes are searched eight by eight; longer ones by memchr.
-const SHORT_TEXT: usize = 16;
-const EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
+/// Texts up to this number of bytes are searched in steps of eight bytes, longer texts by memchr.
+const MOST_SHORT_TEXT_BYTES: usize = 16;
+const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
-/// Pieces and elements of `text` from byte `base` (after a byte order mark) on; `None` for anything that is not plain.
+/// The pieces and elements of `text`, whose first byte is byte `base` of the file (behind a byte order mark). `None` if the file is not
+/// plain.
 pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
     let length = text.len();
     let mut scan = Scan {
@@ -42,7 +42,7 @@ struct Scan<'t> {
     at: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,
-    /// Elements that are still open, outermost first.
+    /// Indices of the elements that are still open, the outermost first.
     open: Vec<u32>,
 }
 
@@ -106,7 +106,7 @@ impl Scan<'_> {
         Some(())
     }
 
-    /// `</name>` of the element that is open.
+    /// Reads the end tag `</name>` of the innermost open element.
     #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn close(&mut self) -> Option<()> {
         let id = self.open.pop()? as usize;
@@ -156,9 +156,9 @@ impl Scan<'_> {
         rest.first().filter(|&&first| first.is_ascii_alphabetic() || first == b'_').map(|_| length)
     }
 
-    /// The end of the attributes that begin at `at`: at `>` or `/`.
+    /// The end of the attributes that begin at `at`: the index of `>` or `/`.
     fn attributes(&self, mut at: usize) -> Option<usize> {
-        let mut keys: [&[u8]; FEW_ATTRIBUTES] = [&[]; FEW_ATTRIBUTES];
+        let mut keys: [&[u8]; MOST_PLAIN_ATTRIBUTES] = [&[]; MOST_PLAIN_ATTRIBUTES];
         let mut count = 0;
         loop {
             let blanks = self.bytes.get(at..)?.iter().position(|&byte| !is_space(byte))?;
@@ -177,7 +177,7 @@ impl Scan<'_> {
         }
     }
 
-    /// The offset after an attribute's `="value"`.
+    /// The index behind an attribute's `="value"`.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {
@@ -189,16 +189,16 @@ impl Scan<'_> {
     }
 }
 
-/// The length of the text at the start of `rest`, up to `<` or `&`. Most texts are a line end with tabs, or one number: for these the
-/// search eight by eight is quicker than memchr.
+/// The length of the text at the start of `rest`, up to `<` or `&`. Most texts are a line end with tabs, or one number. For these, a search
+/// in steps of eight bytes is faster than memchr.
 fn text_length(rest: &[u8]) -> usize {
     let mut length = 0;
     while let Some(eight) = rest.get(length..).and_then(|rest| rest.first_chunk::<8>()) {
-        if length == SHORT_TEXT {
+        if length == MOST_SHORT_TEXT_BYTES {
             break;
         }
         let word = u64::from_le_bytes(*eight);
-        let are = |letter: u8| zero_byte_bits(word ^ (EACH_BYTE * u64::from(letter)));
+        let are = |letter: u8| zero_byte_bits(word ^ (ONE_IN_EACH_BYTE * u64::from(letter)));
         let ends = are(b'<') | are(b'&');
         if ends != 0 {
             return length + ends.trailing_zeros() as usize / 8;
@@ -209,9 +209,9 @@ fn text_length(rest: &[u8]) -> usize {
     memchr::memchr2(b'<', b'&', behind).map_or(rest.len(), |at| length + at)
 }
 
-/// Sets the highest bit of the lowest byte of `word` that is 0. Bits above that one are not reliable.
+/// Sets the highest bit of the lowest zero byte of `word`. Higher bits of the result have no meaning.
 const fn zero_byte_bits(word: u64) -> u64 {
-    word.wrapping_sub(EACH_BYTE) & !word & (EACH_BYTE << 7)
+    word.wrapping_sub(ONE_IN_EACH_BYTE) & !word & (ONE_IN_EACH_BYTE << 7)
 }
 
 #[cfg(test)]
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn everything_else_is_left_to_the_full_scan() {
+    fn files_with_special_xml_are_left_to_the_full_scan() {
         for text in [
             "",
             " ",

@@ -1,21 +1,20 @@
-//! The text of a leaf element, and the white space around it.
+//! The text of an element without child elements, and the white space around the text.
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use super::tree::{ElementId, PieceKind, Tree, decode};
 
-/// The text between an element's tags.
+/// The text between the tags of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RawText {
-    /// Entities and CDATA resolved, comments left out, and the white space around it, as OpenSim does: white space that comes from
-    /// CDATA or a reference stays.
+    /// The text with entities and CDATA resolved, without comments, and without the white space around it, as OpenSim reads it. White space
+    /// from CDATA or a reference is kept.
     pub text: String,
-    /// The bytes that hold the text without the white space around it; what an edit replaces.
-    /// Empty (at the place where text would start) when there is none.
+    /// The bytes of the text in the file, without the white space around it: an edit replaces these bytes. Empty, at the place where text
+    /// would begin, if there is no text.
     pub span: Range<usize>,
-    /// Whether the text is in one piece. With a comment, an element or a second section of CDATA in it, OpenSim reads the value
-    /// as an error.
+    /// Whether the text is in one piece. If a comment, an element or a second CDATA section interrupts the text, OpenSim reports an error.
     pub in_one_piece: bool,
 }
 
@@ -75,7 +74,7 @@ impl Tree {
         raw
     }
 
-    /// The text of `id` and its bytes, where nothing but character data is between its tags.
+    /// The text of `id` and its bytes, if there is nothing but character data between the tags.
     fn plain_text(&self, id: ElementId) -> Option<(&str, Range<usize>)> {
         let mut content = self.content(id);
         let piece = content.next();
@@ -98,13 +97,13 @@ impl Tree {
         Some((inner, start..start + inner.len()))
     }
 
-    /// The text of `id`; for names and paths.
+    /// The text of `id`, for names and paths.
     pub fn text_of(&self, id: ElementId) -> Cow<'_, str> {
         self.plain_text(id)
             .map_or_else(|| Cow::Owned(self.raw_text(id).text), |(text, _)| Cow::Borrowed(text))
     }
 
-    /// The text of `id` without a copy where that is possible; `None` if it is not in one piece.
+    /// The text of `id`, not copied if possible; `None` if it is not in one piece.
     pub(crate) fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
         if let Some((text, _)) = self.plain_text(id) {
             return Some(Cow::Borrowed(text));
@@ -116,12 +115,12 @@ impl Tree {
 
 // White space as C has it, which models are read with.
 
-/// Whether C calls `letter` white space.
+/// Whether the language C counts `letter` as white space.
 pub const fn is_white(letter: char) -> bool {
     matches!(letter, ' ' | '\t'..='\r')
 }
 
-/// White space of XML is ASCII, so that what lies between its bytes are whole letters.
+/// Whether a byte is white space in XML. This white space is ASCII, so text between such bytes consists of whole letters.
 pub(super) const fn is_white_byte(byte: u8) -> bool {
     is_white(byte as char)
 }
@@ -141,7 +140,7 @@ mod tests {
     use crate::xml::tree::Tree;
 
     #[test]
-    fn the_span_is_the_number_without_its_surroundings() {
+    fn the_span_is_the_text_without_the_white_space_around_it() {
         for (xml, number) in [
             ("<a>  1e6 </a>", "1e6"),
             ("<a><!--x--> <![CDATA[2]]> </a>", "<![CDATA[2]]>"),

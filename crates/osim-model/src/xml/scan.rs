@@ -1,4 +1,4 @@
-//! Bytes → [`Tree`], or the first place where the bytes are not one well-formed document.
+//! Makes a [`Tree`] from bytes, or finds the first place at which the bytes are not one well-formed document.
 
 use std::collections::HashSet;
 
@@ -11,25 +11,25 @@ use super::tree::{FileText, PieceKind, StoredElement, StoredPiece, Tree};
 /// Why a file is not one well-formed XML document.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum SyntaxFault {
-    /// No element at all, or text before the first one.
+    /// There is no element, or text before the first element.
     #[error(
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
     Empty,
-    /// UTF-16 (or something else with two bytes a character).
+    /// The file is UTF-16, or another encoding with two bytes a letter.
     #[error("the file is UTF-16, which OpenSim cannot read: save it as UTF-8")]
     Utf16,
-    /// Two byte order marks in a row.
+    /// The file begins with two byte order marks.
     #[error("the file starts with two byte order marks, expected one at most: remove the second")]
     SecondByteOrderMark,
-    /// A DOCTYPE with declarations of its own, `<!DOCTYPE x […]>`.
+    /// The file has a DOCTYPE with its own declarations, `<!DOCTYPE x […]>`.
     #[error("the DOCTYPE has an internal subset [...], which OpenSim cannot read: remove it")]
     DoctypeSubset,
     #[error("a second outermost element starts here, expected the end of the file")]
     SecondRoot,
-    /// Text before or after the root element.
+    /// There is text before or after the root element.
     #[error("text outside the outermost element, expected the end of the file")]
     TextOutsideRoot,
     /// The file ends before an element is closed.
@@ -38,15 +38,15 @@ pub enum SyntaxFault {
         /// Tag of the innermost open element.
         tag: String,
     },
-    /// The end tag has another name than the start tag.
+    /// An end tag has another name than its start tag.
     #[error("</{found}> closes <{expected}>, expected </{expected}>")]
     MismatchedEnd { expected: String, found: String },
-    /// An end tag without a start tag.
+    /// There is an end tag without a start tag.
     #[error("</{found}> closes nothing")]
     UnexpectedEnd { found: String },
     #[error("<{tag}>: {what}")]
     Attribute { tag: String, what: String },
-    /// Anything else that the parser refuses.
+    /// Any other error that the parser reports.
     #[error("{what}")]
     Malformed { what: String },
     /// The file ends inside a tag, comment or instruction.
@@ -59,13 +59,13 @@ pub enum SyntaxFault {
     TooLarge,
 }
 
-/// A file that is not one well-formed document, and the first place where that shows.
+/// The error that a file is not one well-formed document, and its first place.
 #[derive(Debug)]
 pub struct SyntaxError {
     pub fault: SyntaxFault,
     /// Offset of the place in the file, in bytes.
     pub offset: usize,
-    /// The file, for code that shows the place.
+    /// The text of the file, for messages that show the place.
     pub(crate) file: FileText,
 }
 
@@ -80,16 +80,16 @@ impl SyntaxError {
 // have `<!--` inside a comment.
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-/// Up to this many attributes are compared pairwise; more go through a hash set.
-const FEW_ATTRIBUTES: usize = 8;
+/// Up to this number of attributes, repeated names are found by comparing all pairs; more attributes go through a hash set.
+const MOST_ATTRIBUTES_IN_PAIRS: usize = 8;
 
 type Fault = (SyntaxFault, usize);
 
 impl Tree {
-    /// Scans the bytes of a file, whatever they mean.
+    /// Scans the bytes of a file. The meaning of elements does not matter.
     ///
     /// # Errors
-    /// What is not one well-formed document, with the byte at which it was noticed.
+    /// The bytes are not one well-formed document. The error has the byte at which this was noticed.
     pub fn scan(bytes: impl Into<Vec<u8>>) -> Result<Self, SyntaxError> {
         scan(bytes.into())
     }
@@ -136,11 +136,11 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
 
 struct Scanner<'t> {
     text: &'t str,
-    /// Length of the byte order mark, which quick-xml does not get.
+    /// Length of the byte order mark. The parser quick-xml gets the text behind it.
     base: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,
-    /// Elements that are still open, outermost first.
+    /// Indices of the elements that are still open, the outermost first.
     open: Vec<u32>,
 }
 
@@ -272,7 +272,7 @@ impl<'t> Scanner<'t> {
     }
 }
 
-/// quick-xml counts in `u64`; a position never exceeds the length of the slice it reads.
+/// Converts a position of quick-xml from `u64`. It never exceeds the length of the bytes.
 fn offset(position: u64) -> usize {
     usize::try_from(position).unwrap_or(usize::MAX)
 }
@@ -282,7 +282,7 @@ fn tag_name(tag: &str) -> String {
     tag.get(1..end).unwrap_or_default().to_owned()
 }
 
-/// Checks that every attribute can be parsed and is there once; linear also for absurdly many.
+/// Checks that every attribute can be parsed and that no name is repeated. The time is linear even for a very large number of attributes.
 fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
     let name = tag.name();
     if tag.len() == name.as_ref().len() {
@@ -297,7 +297,7 @@ fn check_attributes(tag: &BytesStart<'_>, start: usize) -> Result<(), Fault> {
             (SyntaxFault::Attribute { tag: name.as_ref().to_owned(), what: error.to_string() }, start)
         })?;
         let key = attribute.key.into_inner();
-        let seen = if few.len() < FEW_ATTRIBUTES {
+        let seen = if few.len() < MOST_ATTRIBUTES_IN_PAIRS {
             let seen = few.contains(&key);
             few.push(key);
             seen
@@ -351,7 +351,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_one_document_is_refused_where_it_goes_wrong() {
+    fn bytes_that_are_not_one_document_are_refused_at_the_first_error() {
         assert_eq!(fault_of_xml(b""), (SyntaxFault::Empty, 0));
         assert_eq!(fault_of_xml(b" \r\n"), (SyntaxFault::Empty, 0));
         assert_eq!(fault_of_xml(b"mass 62"), (SyntaxFault::NotXml, 0));
@@ -366,7 +366,7 @@ mod tests {
         assert!(matches!(fault_of_xml(b"<a><b"), (SyntaxFault::Truncated { .. }, 3)));
     }
 
-    /// Models with one byte changed: both scans agree on all of them, or the plain one leaves the file to the other.
+    /// Models with one changed byte: either both scans agree, or the plain scan leaves the file to the full scan.
     #[test]
     fn the_plain_scan_finds_what_the_full_scan_finds() {
         let text = "\u{feff}<?xml version='1.0'?>\r\n<a x='1' y=\"2 > 1\">t<!-- <!-- -->&amp;<b/>\n<c d='é' ><e>\
@@ -399,7 +399,7 @@ mod tests {
     }
 
     #[test]
-    fn depth_and_attribute_count_cost_linear_time() {
+    fn deep_elements_and_many_attributes_take_linear_time() {
         let deep = "<a>".repeat(100_000) + &"</a>".repeat(100_000);
         assert_eq!(scan(deep.into_bytes()).unwrap().element_count(), 100_000);
         let wide: String = (0..100_000).map(|i| format!(" a{i}='1'")).collect();

@@ -1,4 +1,4 @@
-//! The flat tree: pieces that tile the file, and elements that point into them.
+//! A flat tree of a file: pieces without gaps between them, and elements that refer to the pieces.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -23,52 +23,53 @@ pub enum PieceKind {
     Other,
 }
 
-/// A piece of the file; pieces tile it without gaps or overlaps.
+/// A piece of a file. The pieces of a file cover it without gaps or overlaps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Piece<'t> {
     pub kind: PieceKind,
     /// Bytes of the piece in the file, from 0.
     pub span: Range<usize>,
-    /// Text of the piece; a byte that is not UTF-8 is a `?` in it.
+    /// Text of the piece. A byte that is not UTF-8 is replaced by `?`.
     pub text: &'t str,
 }
 
-/// A piece as the tree stores it, without its end: it ends where the next one starts.
+/// A piece as the tree stores it. Its end is the start of the next piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct StoredPiece {
     pub(super) start: u32,
     pub(super) kind: PieceKind,
 }
 
-/// Handle of an element of a [`Tree`]. Elements are in file order, [`ElementId::ROOT`] is the first.
+/// Handle of an element in a [`Tree`]. Elements are in file order; [`ElementId::ROOT`] is the first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ElementId(u32);
 
 impl ElementId {
     pub const ROOT: Self = Self(0);
 
-    /// The number of the element among all of its file, from 0.
+    /// The index of the element in its file, from 0.
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 }
 
-/// An element as indices: its tags among the pieces, its parent and the end of its subtree among the elements.
+/// An element as the tree stores it: indices of its tags among the pieces, and of its parent and the end of its descendants among the
+/// elements.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct StoredElement {
-    /// Piece of the start tag (or of the empty-element tag).
+    /// Index of the piece that is the start tag (or the tag of an element without content).
     pub(super) open: u32,
-    /// Piece of the end tag; equal to `open` for `<tag/>`.
+    /// Index of the piece that is the end tag; equal to `open` for `<tag/>`.
     pub(super) close: u32,
-    /// Parent element; the root is its own parent.
+    /// Index of the parent element; the root is its own parent.
     pub(super) parent: u32,
-    /// First element after this one and all below it.
+    /// Index of the first element behind this element and all its descendants.
     pub(super) subtree_end: u32,
-    /// Length of the tag name, which starts one byte after the `<`.
+    /// Length of the tag name, which begins one byte behind the `<`.
     pub(super) name_len: u32,
 }
 
-/// A scanned file: its elements, and the pieces they are made of. All spans are bytes of the file, from 0.
+/// A file after the scan: its elements, and the pieces of which these consist. All spans are bytes of the file, from 0.
 ///
 /// ```
 /// use osim_model::xml::{ElementId, Tree};
@@ -98,7 +99,7 @@ impl Tree {
         self.text.bytes()
     }
 
-    /// Bytes of the file as it was read, without a copy.
+    /// Takes the bytes of the file, without a copy.
     pub fn into_bytes(self) -> Vec<u8> {
         self.text.into_bytes()
     }
@@ -108,7 +109,7 @@ impl Tree {
         (0..self.pieces.len()).filter_map(|index| self.piece(index))
     }
 
-    /// Pieces between the element's tags, without the tags; those of its child elements are among them.
+    /// Pieces between the tags of an element, including those of its child elements.
     pub fn content(&self, id: ElementId) -> impl DoubleEndedIterator<Item = Piece<'_>> {
         let element = self.element(id);
         let content = if element.open == element.close { 0..0 } else { element.open + 1..element.close };
@@ -131,14 +132,14 @@ impl Tree {
         self.elements.len()
     }
 
-    /// Bytes of piece `index`; empty past the end.
+    /// Bytes of piece `index`; empty if there is no such piece.
     fn piece_span(&self, index: usize) -> Range<usize> {
         let end = self.text.as_str().len();
         let start = self.pieces.get(index).map_or(end, |piece| piece.start as usize);
         start..self.pieces.get(index + 1).map_or(end, |next| next.start as usize)
     }
 
-    /// The text of the bytes `span`; empty where they do not begin and end with a character of the file.
+    /// The text of the bytes `span`; empty if they do not begin and end between two letters of the file.
     #[inline]
     pub fn slice(&self, span: Range<usize>) -> &str {
         self.text.as_str().get(span).unwrap_or_default()
@@ -166,12 +167,12 @@ impl Tree {
         self.piece_span(element.open as usize).start..self.piece_span(element.close as usize).end
     }
 
-    /// Bytes that an element's start tag spans.
+    /// Bytes of an element's start tag.
     pub fn open_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).open as usize)
     }
 
-    /// The end tag (the whole tag for `<tag/>`).
+    /// Bytes of an element's end tag (of the whole tag for `<tag/>`).
     pub fn close_span(&self, id: ElementId) -> Range<usize> {
         self.piece_span(self.element(id).close as usize)
     }
@@ -183,7 +184,7 @@ impl Tree {
         self.slice(start..start + element.name_len as usize)
     }
 
-    /// The decoded value of attribute `key`, if the start tag has it.
+    /// The decoded value of attribute `key`; `None` if the start tag does not have it.
     pub fn attribute(&self, id: ElementId, key: &str) -> Option<Cow<'_, str>> {
         let tag = self.slice(self.open_span(id));
         let name = self.name(id);
@@ -217,7 +218,8 @@ impl Tree {
         Children { tree: self, next: id.0.saturating_add(1), end: element.subtree_end }
     }
 
-    /// Visits `top` and the elements below it, in file order; `visit` says whether to go below an element.
+    /// Calls `visit` for `top` and the elements below it, in file order. The result of `visit` says whether the elements below an element
+    /// are visited, too.
     pub fn walk(&self, top: ElementId, mut visit: impl FnMut(ElementId) -> bool) {
         let (mut next, end) = (top.0, self.element(top).subtree_end);
         while next < end {
@@ -226,15 +228,15 @@ impl Tree {
         }
     }
 
-    /// The first child element with this tag name: OpenSim reads the first of duplicates.
+    /// The first child element with this tag name. OpenSim reads only the first of several.
     #[inline]
     pub fn child(&self, id: ElementId, name: &str) -> Option<ElementId> {
         self.children(id).find(|&child| self.name(child) == name)
     }
 }
 
-/// The value of `key` among attributes such as ` a="1" b='2'`, if it is among them; outer `None` where something else is between them, or
-/// a reference in the value.
+/// The value of `key` in attributes such as ` a="1" b='2'`; `None` inside if there is no `key`. The outer `None` means that the attributes
+/// are not plain: other text between them, or a reference in the value.
 fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>> {
     let mut rest = attributes;
     loop {
@@ -279,8 +281,8 @@ impl Iterator for Children<'_> {
     }
 }
 
-/// A file as UTF-8. Where it is not UTF-8, each offending byte is one `?` in the text, so that an offset means the same place
-/// in the text and in the file.
+/// The text of a file as UTF-8. If the file is not UTF-8, each wrong byte is one `?` in the text, so that offsets are the same in text and
+/// file.
 #[derive(Debug, Clone)]
 pub(crate) struct FileText {
     text: String,
@@ -289,7 +291,7 @@ pub(crate) struct FileText {
 }
 
 impl FileText {
-    /// Takes the bytes of a file; copies them only if they are not UTF-8.
+    /// Takes the bytes of a file. They are copied only if they are not UTF-8.
     pub(crate) fn new(bytes: Vec<u8>) -> Self {
         match String::from_utf8(bytes) {
             Ok(text) => Self { text, original: None },
@@ -314,13 +316,13 @@ impl FileText {
         self.original.as_deref().unwrap_or(self.text.as_bytes())
     }
 
-    /// Bytes of the file as it was read, without a copy.
+    /// Takes the bytes of the file, without a copy.
     pub(crate) fn into_bytes(self) -> Vec<u8> {
         self.original.unwrap_or(self.text.into_bytes())
     }
 }
 
-/// Resolves character and predefined entity references; an unknown one stays as it is written.
+/// Resolves references to letters and to XML's predefined entities. An unknown reference is not changed.
 pub(super) fn decode(raw: Cow<'_, str>) -> Cow<'_, str> {
     if !raw.contains('&') {
         return raw;
@@ -331,7 +333,7 @@ pub(super) fn decode(raw: Cow<'_, str>) -> Cow<'_, str> {
     }
 }
 
-/// Whether `byte` may be in the name of a tag or attribute that is ASCII.
+/// Whether `byte` may be in an ASCII name of a tag or attribute.
 pub(super) fn is_name_byte(byte: u8) -> bool {
     NAME_BYTES.get(byte as usize).is_some_and(|&plain| plain)
 }

@@ -1,4 +1,4 @@
-//! Bones of models: meshes with the factors and frames that the model gives them.
+//! Tests of bones: mesh files with the scale factors and frames that the model gives them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -23,7 +23,7 @@ fn points_of_mesh(name: &str) -> Vec<[f64; 3]> {
 }
 
 #[test]
-fn a_bone_without_factors_is_its_mesh() {
+fn a_bone_without_scale_factors_has_the_points_of_its_mesh() {
     for model in ["human_30000.osim", "human_40000.osim"] {
         let found = read_bones(model, &["calcn_r", "toes_r", "calcn_l"]);
         let said: Vec<(&str, &str)> = found.iter().map(|bone| (&*bone.body, &*bone.mesh)).collect();
@@ -39,9 +39,9 @@ fn a_bone_without_factors_is_its_mesh() {
     }
 }
 
-/// The bird's toes: factors 1.1, 1, 1.2, then a turn by 0.1 rad about y (x to -z), then 2 mm forward.
+/// The toes of the bird: factors 1.1, 1, 1.2, then a turn by 0.1 rad about y (x to -z), then 2 mm forward.
 #[test]
-fn factors_come_first_and_then_the_frame() {
+fn meshes_are_scaled_before_their_frame_moves_them() {
     let (s, c) = 0.1_f64.sin_cos();
     let expected: Vec<[f64; 3]> = points_of_mesh("r_bird_toes.vtp")
         .into_iter()
@@ -60,7 +60,7 @@ fn factors_come_first_and_then_the_frame() {
 }
 
 #[test]
-fn a_missing_mesh_says_where_it_was_looked_for() {
+fn an_error_about_a_missing_mesh_names_the_searched_folders() {
     let model = fixture_model("human_40000.osim");
     let folders = MeshFolders::of_model(Path::new("models/human.osim")).with_folder("bones");
     let fault = |bodies: &[&str], files: &InMemory| bones(&model, bodies, &folders, files).unwrap_err();

@@ -1,11 +1,11 @@
-//! Which bodies make feet, and where everything on them is.
+//! Tests of pictures of feet: which bodies form feet, and the places of everything on them.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::feet::{Bone, DefaultPose, FloorPlace, Foot, FootBodies, FootFrame};
 use osim_model::{Anatomy, DVec3, Model, Side, SphereId};
 
-/// A model of a pelvis with two legs of one body each (calcn_r, calcn_l) and toes on each; `joint` holds the pelvis to ground.
+/// A model of a pelvis with two legs of one body each (calcn_r, calcn_l), and toes on each leg; `joint` connects the pelvis with ground.
 /// Each foot is 0.1 m to its side and 0.9 m below the pelvis, its toes 0.2 m before it.
 fn model_of_walker(joint: &str, gravity: &str, spheres: &str) -> Model {
     let body = |name: &str| format!("<Body name=\"{name}\"><mass>1</mass></Body>");
@@ -38,7 +38,7 @@ fn model_of_walker(joint: &str, gravity: &str, spheres: &str) -> Model {
     Model::parse(text).unwrap()
 }
 
-/// A joint that slides along x, 1 m above ground, at `value`.
+/// A joint that slides along x, 1 m above ground, with its coordinate at `value`.
 fn slider_joint(value: &str) -> String {
     format!(
         "<SliderJoint name=\"root\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/pelvis\
@@ -118,7 +118,7 @@ fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
     assert_eq!(found[1].bodies, ["calcn_l", "toes_l"]);
 }
 
-/// A tail of `count` bodies, each 1 cm behind the one before, the first on ground by a joint of the class `root`.
+/// A chain of `count` bodies, each 1 cm behind the one before. The first is on ground by a joint of the class `root`.
 fn chain_of_bodies(count: usize, root: &str, spheres: &str) -> Model {
     let bodies: String =
         (0..count).map(|i| format!("<Body name=\"tail{i}_r\"><mass>1</mass></Body>")).collect();
@@ -166,7 +166,7 @@ fn bodies_of_a_long_chain_are_one_foot() {
 }
 
 #[test]
-fn a_pose_that_is_not_understood_leaves_the_frame_of_the_body() {
+fn an_unknown_pose_is_drawn_in_the_frame_of_the_body() {
     let joint = slider_joint("0").replace("SliderJoint", "ScapulothoracicJoint");
     let spheres =
         [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 0 0")].concat();
@@ -184,7 +184,7 @@ fn a_pose_that_is_not_understood_leaves_the_frame_of_the_body() {
 }
 
 #[test]
-fn where_gravity_points_along_z_up_is_z() {
+fn up_is_z_if_gravity_points_along_minus_z() {
     let Feet { feet, .. } =
         feet(&model_of_walker(&slider_joint("0"), "0 0 -9.81", &sphere_xml("heel_r", "calcn_r", "0 0 0.02")));
     assert_eq!(feet[0].axes.names(), ["x", "z", "−y"]);
@@ -194,7 +194,7 @@ fn where_gravity_points_along_z_up_is_z() {
 }
 
 #[test]
-fn bones_stand_where_their_bodies_do() {
+fn bones_are_drawn_at_the_places_of_their_bodies() {
     let spheres = sphere_xml("heel_r", "calcn_r", "0.05 0 0");
     let model = model_of_walker(&slider_joint("0.5"), "0 -9.81 0", &spheres);
     let Feet { anatomy, pose, found, mut feet } = feet(&model);

@@ -1,10 +1,11 @@
-//! Feet whose bottoms are made level, by numbers made by hand. The real OpenSim: `tests/oracle/test_level.py`.
+//! Tests of feet whose sphere bottoms are made level, with results computed by hand. `tests/oracle/test_level.py` compares with OpenSim
+//! itself.
 
 use osim_model::Model;
 use osim_model::feet::{LevelledSphere, NotLevelled, levelled_spheres};
 
-/// A foot 0.5 m up with a heel of 0.04 m whose bottom is at 0.44 m, and a toe of 0.03 m in a frame that is turned by a right angle about z
-/// (its x is the foot's y) whose bottom is at 0.5 m; the floor is turned by `slope` about z.
+/// A foot at 0.5 m with two spheres: a heel of radius 0.04 m with its bottom at 0.44 m, and a toe of radius 0.03 m with its bottom at 0.5
+/// m. The toe's frame is turned by a right angle about z (its x is the foot's y). The floor is turned by `slope` about z.
 fn foot_model(body: &str, slope: f64) -> Model {
     let turned = slope - std::f64::consts::FRAC_PI_2;
     let force = |sphere: &str| {
@@ -54,7 +55,7 @@ fn the_higher_sphere_comes_down_in_its_own_frame() {
 }
 
 #[test]
-fn on_a_slope_it_comes_down_along_the_normal() {
+fn on_a_slope_the_higher_sphere_comes_down_along_the_normal() {
     let (sin, cos) = (0.03_f64.sin(), 0.03_f64.cos());
     // Along n = (-sin, cos, 0) the heel is at 0.48 cos - 0.04 and the toe, which is at (0.2, 0.53), at 0.53 cos - 0.2 sin - 0.03; n is
     // (cos, sin, 0) in the frame.
@@ -63,7 +64,7 @@ fn on_a_slope_it_comes_down_along_the_normal() {
 }
 
 #[test]
-fn the_pose_decides_on_a_foot_that_leans() {
+fn a_foot_that_leans_is_not_made_level() {
     // 0.06 rad are 3.4 degrees.
     let Err(fault) = levelled(&foot_model("foot_r", 0.06)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::Leans { .. }));
@@ -75,7 +76,7 @@ fn the_pose_decides_on_a_foot_that_leans() {
 }
 
 #[test]
-fn without_limbs_nobody_knows_which_spheres_are_one_foot() {
+fn spheres_without_known_limbs_are_not_made_level() {
     let Err(fault) = levelled(&foot_model("block", 0.0)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::NoLimbs { .. }), "{fault}");
 }

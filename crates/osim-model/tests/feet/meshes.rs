@@ -1,4 +1,4 @@
-//! Mesh files in every coding, and those that must be refused.
+//! Tests of mesh files in every encoding, and of files that must be refused.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -24,16 +24,16 @@ fn names_of_files(folder: &str) -> BTreeSet<String> {
     files.map(|entry| entry.file_name().into_string().unwrap()).collect()
 }
 
-/// The points that `small` of make_feet.py writes: multiples of 2^-10, exact in single precision.
+/// The points that the function `small` of make_feet.py writes: multiples of 2^-10, exact in single precision.
 fn expected_points() -> Vec<[f64; 3]> {
     let step = 1.0 / 1024.0;
     let point = |k: i32| [step * f64::from(k), step * f64::from(k * k % 7), -step * f64::from(k * 5 % 11)];
     (0..23).map(point).collect()
 }
 
-/// VTK 9.5 reads the same points from each of these files.
+/// VTK 9.5 reads the same points from each of the tested files.
 #[test]
-fn every_coding_gives_the_same_points() {
+fn files_in_every_encoding_give_the_same_points() {
     let names = names_of_files("encodings");
     assert_eq!(names.len(), 14);
     for name in names {
@@ -85,9 +85,9 @@ fn broken_meshes_are_refused() {
     );
 }
 
-/// Each file cut off everywhere, and with each byte changed: an answer or a refusal, never a panic.
+/// Each file is cut off at every byte, and each byte is changed: the result is an answer or an error, never a panic.
 #[test]
-fn damaged_meshes_do_no_harm() {
+fn damaged_mesh_files_cause_no_panic() {
     for name in names_of_files("encodings") {
         let bytes = std::fs::read(fixtures("encodings").join(&name)).unwrap();
         for end in (0..bytes.len()).step_by(7) {
@@ -103,13 +103,13 @@ fn damaged_meshes_do_no_harm() {
     }
 }
 
-/// The corners of each triangle, whatever the order of the points.
+/// The corners of each triangle, sorted, so that the order of the points does not matter.
 fn corners_of_triangles(name: &str, bytes: &[u8]) -> Vec<[[f64; 3]; 3]> {
     let surface = mesh_surface(name, bytes).unwrap();
     surface.triangles.iter().map(|triangle| triangle.map(|at| surface.points[at as usize])).collect()
 }
 
-/// A tube of 96 points has 188 triangles, as make_feet.py counts them in the file.
+/// A tube of 96 points has 188 triangles, as make_feet.py counts in the file.
 #[test]
 fn the_triangles_of_a_bone_are_those_of_its_file() {
     for (name, triangles) in [("r_human_foot.vtp", 188), ("l_human_foot.vtp", 188)] {

@@ -1,4 +1,4 @@
-//! Planes and the spheres that press on them, and how bodies can move: numbers by hand.
+//! Tests of planes with the spheres that press on them, and of movements of bodies. The expected numbers were computed by hand.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -7,7 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use osim_model::feet::{ContactPlane, DefaultPose, Movements, PlaneSurface};
 use osim_model::{DVec3, Model, Rotation};
 
-/// A ball over a platform, each on a joint of its own: `platform` is that of the platform, `plane` and `forces` are the geometry.
+/// A ball over a platform, each on a joint of its own. `platform` is the XML of the platform's joint; `plane` and `forces` are the XML of
+/// the geometry.
 fn model_with_platform(platform: &str, plane: &str, forces: &str) -> Model {
     let text = format!(
         "<OpenSimDocument Version=\"40000\"><Model name=\"m\"><gravity>0 -10 0</gravity><BodySet><objects><Body name=\"platform\">\
@@ -38,7 +39,7 @@ fn half_space_xml(frame: &str, place: &str, orientation: &str) -> String {
     )
 }
 
-/// A pin about z, 2 m along x, at this angle, rad.
+/// A pin joint about z, 2 m along x, at this angle, rad.
 fn pin_joint(angle: &str) -> String {
     format!(
         "<PinJoint name=\"p\"><socket_parent_frame>f</socket_parent_frame><socket_child_frame>/bodyset/platform</socket_child_frame>\
@@ -48,8 +49,8 @@ fn pin_joint(angle: &str) -> String {
     )
 }
 
-/// A force between the floor and all three spheres.
-const ALL: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
+/// The XML of a force between the floor and all three spheres.
+const FORCE: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
                    <HuntCrossleyForce::ContactParameters><geometry>floor ball_s platform_s handle_s</geometry>\
                    <stiffness>1e6</stiffness></HuntCrossleyForce::ContactParameters></objects>\
                    </HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>";
@@ -59,7 +60,7 @@ fn planes_of_model(model: &Model) -> Vec<ContactPlane> {
 }
 
 #[track_caller]
-fn the_surface(model: &Model) -> PlaneSurface {
+fn surface_of_only_plane(model: &Model) -> PlaneSurface {
     let found = planes_of_model(model);
     let [one] = found.as_slice() else { panic!("{found:?}") };
     one.surface.unwrap()
@@ -77,9 +78,9 @@ fn a_floor_on_a_platform_turns_with_it() {
     let model = model_with_platform(
         &pin_joint("0.3"),
         &half_space_xml("/bodyset/platform", "0 0.5 0", "0 0 -1.5707963267948966"),
-        ALL,
+        FORCE,
     );
-    let surface = the_surface(&model);
+    let surface = surface_of_only_plane(&model);
     let (sine, cosine) = (0.3_f64.sin(), 0.3_f64.cos());
     assert_near(surface.normal, [-sine, cosine, 0.0]);
     assert_near(surface.point_m, [2.0 - 0.5 * sine, 0.5 * cosine, 0.0]);
@@ -91,7 +92,7 @@ fn a_floor_on_a_platform_turns_with_it() {
 }
 
 #[test]
-fn only_what_moves_against_a_plane_presses_on_it() {
+fn only_spheres_that_move_against_a_plane_press_on_it() {
     let names = |model: &Model| -> Vec<String> {
         let found = planes_of_model(model);
         let spheres = found.iter().flat_map(|plane| &plane.spheres);
@@ -100,18 +101,18 @@ fn only_what_moves_against_a_plane_presses_on_it() {
     let level = "0 0 -1.5707963267948966";
     // Neither the platform's own sphere nor that of the handle, which is welded to it.
     let carried =
-        model_with_platform(&pin_joint("0"), &half_space_xml("/bodyset/platform", "0 0 0", level), ALL);
+        model_with_platform(&pin_joint("0"), &half_space_xml("/bodyset/platform", "0 0 0", level), FORCE);
     assert_eq!(names(&carried), ["ball_s"]);
-    let on_ground = model_with_platform(&pin_joint("0"), &half_space_xml("/ground", "0 0 0", level), ALL);
+    let on_ground = model_with_platform(&pin_joint("0"), &half_space_xml("/ground", "0 0 0", level), FORCE);
     assert_eq!(names(&on_ground), ["ball_s", "platform_s", "handle_s"]);
     // A platform that is welded to ground, and what is welded to it, are terrain.
     let welded = "<WeldJoint name=\"p\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/platform\
                   </socket_child_frame></WeldJoint>";
     assert_eq!(
-        names(&model_with_platform(welded, &half_space_xml("/ground", "0 0 0", level), ALL)),
+        names(&model_with_platform(welded, &half_space_xml("/ground", "0 0 0", level), FORCE)),
         ["ball_s"]
     );
-    let off = ALL.replace(
+    let off = FORCE.replace(
         "<HuntCrossleyForce::ContactParametersSet",
         "<appliesForce>false</appliesForce><HuntCrossleyForce::ContactParametersSet",
     );
@@ -132,7 +133,7 @@ fn a_plane_inside_a_force_of_early_moco_is_a_plane() {
                  <contact_half_space_location>0 0.25 0</contact_half_space_location><contact_half_space_orientation>0 0 \
                  1.5707963267948966</contact_half_space_orientation><stiffness>1e6</stiffness></SmoothSphereHalfSpaceForce>";
     let model = model_with_platform(&pin_joint("0"), "", force);
-    let surface = the_surface(&model);
+    let surface = surface_of_only_plane(&model);
     // Upside down: the turn has the other sign.
     assert_near(surface.normal, [0.0, -1.0, 0.0]);
     assert_eq!((surface.point_m, surface.tilt_rad), (DVec3::new(0.0, 0.25, 0.0), PI));

@@ -1,11 +1,11 @@
-//! Joints that the default pose cannot place. Places of bodies are tested in `tests/oracle/test_feet.py`.
+//! Tests of joints that cannot be placed at the default pose. `tests/oracle/test_feet.py` tests the places of bodies.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::Model;
 use osim_model::feet::{DefaultPose, PoseFault};
 
-/// A document of the bodies a, b, c with `joints` and `constraints`.
+/// The default pose of a model with the bodies a, b and c, with `joints` and `constraints`.
 fn default_pose(joints: &str, constraints: &str) -> DefaultPose {
     let bodies: String =
         ["a", "b", "c"].map(|name| format!("<Body name=\"{name}\"><mass>1</mass></Body>")).concat();
@@ -51,7 +51,7 @@ fn bodies_are_found_through_joints_in_either_direction() {
 }
 
 #[test]
-fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
+fn an_unknown_joint_makes_the_bodies_that_it_moves_unknown() {
     let joints = [
         slider_joint("j", "ground", "a", "0.5"),
         joint_xml("PluginJoint", "k", "a", "b", "0"),
@@ -76,7 +76,7 @@ fn what_is_not_known_is_said_of_the_bodies_that_it_moves() {
     );
 }
 
-/// Loops that close at the default pose say nothing new; of those that are open, OpenSim would choose a place.
+/// Loops of joints that close at the default pose change nothing. For loops that do not close, OpenSim would choose a place.
 #[test]
 fn loops_of_joints_must_be_closed_in_the_default_pose() {
     let ring = |last: &str| {
@@ -105,12 +105,12 @@ fn constraints_other_than_couplers_are_not_computed() {
     assert_eq!(x_in_ground(&default_pose(&joints, &weld("<isEnforced>false</isEnforced>")), "a"), Ok(0.5));
 }
 
-/// Far more bodies than any animal has, each on the one before.
+/// A chain with far more bodies than any animal has.
 #[test]
 fn long_chains_of_joints_are_walked_once() {
-    const LENGTH: usize = 20_000;
-    let bodies: String = (0..LENGTH).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
-    let joints: String = (0..LENGTH)
+    const BODIES: usize = 20_000;
+    let bodies: String = (0..BODIES).map(|n| format!("<Body name=\"b{n}\"><mass>1</mass></Body>")).collect();
+    let joints: String = (0..BODIES)
         .map(|n| {
             let parent = if n == 0 { "ground".into() } else { format!("b{}", n - 1) };
             slider_joint(&format!("j{n}"), &parent, &format!("b{n}"), "0.001")

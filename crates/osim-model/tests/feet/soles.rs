@@ -1,4 +1,4 @@
-//! Spheres that stand on soles. `tests/oracle/test_feet.py` asks the same of NumPy, for these models and the corpus.
+//! Tests of spheres that stand on soles. `tests/oracle/test_feet.py` computes the same with NumPy, for these models and many others.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -28,12 +28,12 @@ fn soles_of_fixture(name: &str, bodies: &[&str], count: usize) -> Vec<Sole> {
     soles_in_text(&text_of_model(name), bodies, count).unwrap()
 }
 
-/// Along the ground, where up is y: forward and to the right.
+/// Coordinates along the ground, for a model in which up is y: forward and to the right.
 fn forward_and_right(place: DVec3) -> [f64; 2] {
     [place.x, place.z]
 }
 
-/// Whether a point is in a convex outline, wherever it begins and whichever way it goes.
+/// Whether a point is inside a convex outline, whatever its first corner and its direction.
 fn is_inside(outline: &[DVec3], point: [f64; 2]) -> bool {
     let outline: Vec<[f64; 2]> = outline.iter().map(|&corner| forward_and_right(corner)).collect();
     let turns = |index: usize| {
@@ -73,9 +73,10 @@ fn spheres_stand_in_the_outline_and_are_mirror_images() {
     }
 }
 
-/// The human's lowest point is under the heel's second ellipse: y 0.008 - 0.024 of the third one, -0.016, at 0.93 - 0.06 - 0.40 - 0.46.
+/// The heel's body is at a height of 0.93 - 0.06 - 0.40 - 0.46 m, and the lowest y in its mesh is 0.008 - 0.024 = -0.016 m.
+/// - 0.40 - 0.46.
 #[test]
-fn the_plane_is_a_pad_below_the_lowest_point() {
+fn the_plane_of_a_sole_is_below_the_lowest_point_by_the_pad() {
     let expected = -0.016 + (0.93 - 0.06 - 0.40 - 0.46) - 0.01;
     for sole in soles_of_fixture("human_40000.osim", HUMAN, 4) {
         assert!((sole.height_m - expected).abs() < 1e-12, "{}", sole.height_m);
@@ -95,7 +96,7 @@ fn a_human_stands_on_heel_toe_and_both_sides_of_the_forefoot() {
     assert!(outer[1] - inner[1] > 0.07 && outer[0].min(inner[0]) > heel[0] + 0.15);
 }
 
-/// Bodies below a listed body belong to it, whatever the order of the list; a body without a side is a foot of its own.
+/// Bodies below a listed body belong to the same foot, in any order of the list. A body without a side is a foot of its own.
 #[test]
 fn bodies_are_grouped_into_feet() {
     let soles = soles_of_fixture("human_40000.osim", &["toes_l", "calcn_r", "toes_r", "calcn_l"], 2);
@@ -106,7 +107,7 @@ fn bodies_are_grouped_into_feet() {
     assert_eq!((alone.len(), alone[0].side), (1, Some(Side::Right)));
 }
 
-/// The animal lies on its back: up is down.
+/// The animal lies on its back: up is opposite to its usual direction.
 #[test]
 fn up_is_opposite_to_gravity() {
     let turned = text_of_model("human_40000.osim")
@@ -140,7 +141,7 @@ fn requests_that_make_no_sense_are_refused() {
     assert_eq!(refused(4, 0.03, f64::NAN), "pad is NaN, expected a finite number of m");
 }
 
-/// A bone of 3 mm: five spheres do not fit, four do.
+/// On a bone of 3 mm, four spheres fit, five do not.
 #[test]
 fn bottoms_are_at_least_a_millimetre_apart() {
     let bone =
@@ -158,7 +159,7 @@ fn bottoms_are_at_least_a_millimetre_apart() {
     );
 }
 
-/// Two toes of one foot are separate bodies, joined to a body of that side that has no mesh; the other foot is far away.
+/// Two toes of one foot are separate bodies, joined to a body of the same side without a mesh. The other foot is far away.
 #[test]
 fn toes_of_one_foot_are_one_foot() {
     let body = |name: &str| {
@@ -199,10 +200,11 @@ fn toes_of_one_foot_are_one_foot() {
     assert!(expected[0].iter().all(|toe| soles[0].spheres.iter().any(|sphere| sphere.body == *toe)));
 }
 
-/// A box of 200 by 50 by 80 mm, with points each millimetre along its length and height, whose front is 15 degrees up. Near the ground
-/// is what is lower than a tenth N of its length seen from above: N/tan of its sole, and N tan of its back, which leans to the rear.
+/// A box of 200 by 50 by 80 mm with points at each millimetre of its length and height, whose front is raised by 15 degrees. Points are
+/// near the ground if they are lower than N, a tenth of the length seen from above: these are N/tan of the sole's length, and N tan of the
+/// back, which leans to the rear.
 #[test]
-fn a_tilted_box_covers_what_geometry_says() {
+fn the_footprint_of_a_tilted_box_is_as_computed_by_hand() {
     let tilt = 15_f64.to_radians();
     let model = format!(
         "<OpenSimDocument Version=\"40000\"><Model><gravity>0 -9.81 0</gravity><BodySet><objects><Body name=\"foot\">\

@@ -1,22 +1,23 @@
-//! Bodies on their floors, by numbers made by hand: (1) with E* = stiffness/2^(3/2) (A.4). The real OpenSim: `tests/oracle/test_standing.py`.
+//! Tests of bodies that stand on floors, computed by hand with (1) and E* = stiffness/2^(3/2) (A.4). `tests/oracle/test_standing.py`
+//! compares with OpenSim itself.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::feet::{Lift, NotLifted, RestLaw, RestOnFloor, Standing};
 use osim_model::{Model, SphereId};
 
-/// E* = 375,000 N/m2: a sphere of 0.04 m that is 0.01 m deep carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
+/// E* = 375,000 N/m2: a sphere of radius 0.04 m at a depth of 0.01 m carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
 const STIFFNESS: f64 = 375_000.0 * 2.0 * std::f64::consts::SQRT_2;
 
-/// A joint's part that moves a body against its parent along one axis.
-struct Moves<'c> {
+/// A coordinate of a joint that moves a body against its parent along one axis.
+struct Slider<'c> {
     coordinate: &'c str,
     axis: &'c str,
     more: &'c str,
 }
 
-const UP: Moves<'_> =
-    Moves { coordinate: "height", axis: "0 1 0", more: "<default_value>0.5</default_value>" };
+const UP: Slider<'_> =
+    Slider { coordinate: "height", axis: "0 1 0", more: "<default_value>0.5</default_value>" };
 
 fn body_xml(name: &str, mass: f64) -> String {
     format!("<Body name=\"{name}\"><mass>{mass}</mass></Body>")
@@ -26,7 +27,7 @@ fn frame(body: &str) -> String {
     if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") }
 }
 
-fn joint_xml(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
+fn joint_xml(parent: &str, child: &str, moves: &[Slider<'_>]) -> String {
     let coordinates =
         moves.iter().map(|one| format!("<Coordinate name=\"{}\">{}</Coordinate>", one.coordinate, one.more));
     let axes = moves.iter().enumerate().map(|(number, one)| {
@@ -46,7 +47,7 @@ fn joint_xml(parent: &str, child: &str, moves: &[Moves<'_>]) -> String {
     )
 }
 
-/// A sphere of 0.04 m at a height of its body.
+/// A sphere of radius 0.04 m at a height in its body.
 fn sphere_xml(name: &str, body: &str, height: f64) -> String {
     format!(
         "<ContactSphere name=\"{name}\"><socket_frame>{}</socket_frame><location>0 {height} 0</location><radius>0.04</radius>\
@@ -55,7 +56,7 @@ fn sphere_xml(name: &str, body: &str, height: f64) -> String {
     )
 }
 
-/// A floor through the origin of a body, its normal turned about z from up.
+/// A floor through the origin of a body. Its normal is turned about z from up by `slope`.
 fn floor_xml(name: &str, body: &str, slope: f64) -> String {
     let turned = slope - std::f64::consts::FRAC_PI_2;
     format!(
@@ -73,7 +74,7 @@ fn force_xml(name: &str, surfaces: &str) -> String {
     )
 }
 
-struct Parts {
+struct ModelParts {
     bodies: String,
     joints: String,
     surfaces: String,
@@ -81,7 +82,7 @@ struct Parts {
     constraints: String,
 }
 
-impl Parts {
+impl ModelParts {
     fn model(&self) -> Model {
         let Self { bodies, joints, surfaces, forces, constraints } = self;
         let text = format!(
@@ -105,12 +106,12 @@ impl Parts {
     }
 }
 
-/// A foot of some mass on spheres at these heights of it, joined to ground by `joint`.
-fn foot_on_spheres(mass: f64, heights: &[f64], joints: String) -> Parts {
+/// A foot with spheres at these heights in the foot, joined to ground by `joints`.
+fn foot_on_spheres(mass: f64, heights: &[f64], joints: String) -> ModelParts {
     let names: Vec<String> = (0..heights.len()).map(|number| format!("s{number}")).collect();
     let spheres: String =
         names.iter().zip(heights).map(|(name, height)| sphere_xml(name, "foot", *height)).collect();
-    Parts {
+    ModelParts {
         bodies: body_xml("foot", mass),
         joints,
         surfaces: spheres + &floor_xml("floor", "ground", 0.0),
@@ -119,7 +120,7 @@ fn foot_on_spheres(mass: f64, heights: &[f64], joints: String) -> Parts {
     }
 }
 
-fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> Parts {
+fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> ModelParts {
     foot_on_spheres(mass, heights, joint_xml("ground", "foot", &[UP]))
 }
 
@@ -149,7 +150,7 @@ fn one_sphere_carries_100_n_at_0_01_m() {
     assert!(is_close(standing.coordinate_at(standing.spheres[0].gap_m).unwrap(), 0.14));
 }
 
-/// x = 0.01 m and 0.0025 m: x^(3/2) is 1 and 0.125 thousandths, which carry 100 and 12.5 N.
+/// Depths of x = 0.01 m and 0.0025 m: x^(3/2) is 0.001 and 0.000125, which carry 100 and 12.5 N.
 #[test]
 fn the_lower_of_two_spheres_carries_more_weight() {
     let standing = foot_on_vertical_slider(11.25, &[-0.1, -0.1 + 0.0075]).only_standing();
@@ -179,14 +180,14 @@ fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
     assert!(is_close(hertz.down_m, alone.down_m));
 }
 
-/// Eight times the weight at x = 0.04 m, the radius: nothing carries it as a sphere.
+/// At a depth of 0.04 m, the radius, the sphere carries eight times the weight. No greater depth is allowed.
 #[test]
-fn a_sphere_that_is_in_up_to_its_centre_cannot_carry() {
+fn a_sphere_sunk_to_its_centre_cannot_carry_the_load() {
     assert!(!rest_on_all_spheres(&foot_on_vertical_slider(80.001, &[-0.1]).only_standing()).is_carried());
     assert!(rest_on_all_spheres(&foot_on_vertical_slider(79.999, &[-0.1]).only_standing()).is_carried());
 }
 
-/// The normal leans by 0.6 and 0.8: of 100 N it gets 80, and a metre of height is 0.8 m along it.
+/// The normal leans by 0.6 and 0.8: the weight of 100 N has the part 80 N along it, and 1 m of height is 0.8 m along it.
 #[test]
 fn on_a_slope_the_part_along_the_normal_counts() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
@@ -208,16 +209,16 @@ fn on_a_slope_the_part_along_the_normal_counts() {
 
 #[test]
 fn a_coordinate_that_points_down_is_raised_to_go_down() {
-    let down = Moves { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
+    let down = Slider { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
     let standing = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[down])).only_standing();
     assert_eq!(lift_of(&standing).rise, -1.0);
     assert!(is_close(standing.coordinate_at(rest_on_all_spheres(&standing).down_m).unwrap(), -0.13));
 }
 
-/// The cart stays above: the coordinate below it moves the foot alone.
+/// The coordinate below the cart moves only the foot; the cart stays above.
 #[test]
-fn only_what_the_coordinate_moves_is_carried() {
-    let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
+fn the_load_is_the_weight_of_the_bodies_that_the_coordinate_moves() {
+    let along = Slider { coordinate: "along", axis: "1 0 0", more: "" };
     let mut parts = foot_on_spheres(
         10.0,
         &[-0.1],
@@ -228,9 +229,9 @@ fn only_what_the_coordinate_moves_is_carried() {
     assert_eq!((standing.top.as_str(), standing.mass_kg), ("cart", Some(10.0)));
 }
 
-/// All bodies below the trunk count, also those below one of its branches: 1 + 2 + 4 + 8 + 16 kg.
+/// All bodies below the trunk count, also those on side branches: 1 + 2 + 4 + 8 + 16 kg.
 #[test]
-fn everything_below_the_joint_is_carried() {
+fn the_load_includes_all_bodies_below_the_joint() {
     let mut parts = foot_on_spheres(1.0, &[-0.1], String::new());
     parts.bodies = ["trunk 2", "arm 4", "leg 8", "head 16", "foot 1"]
         .map(|one| one.split_once(' ').map(|(name, mass)| body_xml(name, mass.parse().unwrap())).unwrap())
@@ -242,11 +243,11 @@ fn everything_below_the_joint_is_carried() {
     assert_eq!(parts.only_standing().mass_kg, Some(31.0));
 }
 
-/// Neither a locked nor a free platform is what lifts the foot from it; nor does its mass count.
+/// A platform, locked or free, does not lift the foot from itself, and its mass does not count.
 #[test]
-fn a_platform_is_not_what_stands() {
+fn a_platform_under_a_foot_does_not_count_as_standing() {
     for more in ["<locked>true</locked>", ""] {
-        let plate = Moves { coordinate: "plate_ty", axis: "0 1 0", more };
+        let plate = Slider { coordinate: "plate_ty", axis: "0 1 0", more };
         let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
         parts.bodies.push_str(&body_xml("plate", 300.0));
         parts.joints.push_str(&joint_xml("ground", "plate", &[plate]));
@@ -254,7 +255,7 @@ fn a_platform_is_not_what_stands() {
         let standing = parts.only_standing();
         assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
         // A foot that is joined to the platform, too.
-        parts.joints = joint_xml("ground", "plate", &[Moves { coordinate: "plate_ty", axis: "0 1 0", more }])
+        parts.joints = joint_xml("ground", "plate", &[Slider { coordinate: "plate_ty", axis: "0 1 0", more }])
             + &joint_xml("plate", "foot", &[UP]);
         let standing = parts.only_standing();
         assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
@@ -268,7 +269,7 @@ fn a_ball_stands_by_itself() {
     parts.joints.push_str(&joint_xml(
         "ground",
         "ball",
-        &[Moves { coordinate: "ball_ty", axis: "0 1 0", more: "" }],
+        &[Slider { coordinate: "ball_ty", axis: "0 1 0", more: "" }],
     ));
     parts.surfaces.push_str(&sphere_xml("ball_surface", "ball", 0.0));
     parts.forces.push_str(&force_xml("ball_contact", "ball_surface floor"));
@@ -288,11 +289,11 @@ fn a_body_that_no_coordinate_lifts_has_a_reason() {
     assert_eq!(why(weld.replace("Weld", "Pin")), NotLifted::Pinned);
     // Its axis is x.
     assert_eq!(why(weld.replace("Weld", "Slider")), NotLifted::Slides);
-    let held = |more| why(joint_xml("ground", "foot", &[Moves { more, ..UP }]));
+    let held = |more| why(joint_xml("ground", "foot", &[Slider { more, ..UP }]));
     assert_eq!(held("<locked>true</locked>"), NotLifted::Locked { coordinate: "height".into() });
     let prescribed = "<prescribed>true</prescribed><prescribed_function><Constant><value>0.5</value></Constant></prescribed_function>";
     assert_eq!(held(prescribed), NotLifted::Driven { coordinate: "height".into() });
-    let along = Moves { coordinate: "along", axis: "1 0 0", more: "" };
+    let along = Slider { coordinate: "along", axis: "1 0 0", more: "" };
     let mut coupled = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[UP, along]));
     coupled.constraints = "<CoordinateCouplerConstraint name=\"c\"><coupled_coordinates_function><LinearFunction><coefficients>1 0\
                            </coefficients></LinearFunction></coupled_coordinates_function><independent_coordinate_names>along\
@@ -302,9 +303,9 @@ fn a_body_that_no_coordinate_lifts_has_a_reason() {
     assert_eq!(coupled.only_standing().lift, Err(NotLifted::Driven { coordinate: "height".into() }));
 }
 
-/// OpenSim makes the coordinates of a FreeJoint that the file does not have: three that turn, then three that move.
+/// OpenSim makes the coordinates of a FreeJoint that the file does not contain: three that turn, then three that move.
 #[test]
-fn coordinates_need_not_be_written() {
+fn coordinates_missing_in_the_file_are_those_that_opensim_makes() {
     let free = "<FreeJoint name=\"free\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/foot\
                 </socket_child_frame></FreeJoint>";
     let standing = foot_on_spheres(10.0, &[-0.1], free.to_owned()).only_standing();
@@ -327,7 +328,7 @@ fn floors_of_two_directions_are_no_floor_to_stand_on_and_a_wall_is_none() {
     assert!(is_close(rest_on_all_spheres(&standing).spheres[0].relative_indentation, 0.25));
 }
 
-/// A sphere on two planes of one force, and on one of another: 100 N of each that it is 0.01 m in.
+/// A sphere on two planes of one force and on one plane of another. At a depth of 0.01 m, each plane carries 100 N.
 #[test]
 fn a_sphere_on_two_floors_is_carried_by_both() {
     let mut parts = foot_on_vertical_slider(20.0, &[-0.1]);
@@ -342,12 +343,12 @@ fn a_sphere_on_two_floors_is_carried_by_both() {
 }
 
 #[test]
-fn bodies_whose_place_is_not_known_are_no_standing() {
+fn a_body_at_an_unknown_place_is_an_error() {
     let model = foot_on_spheres(10.0, &[-0.1], String::new()).model();
     assert!(Standing::all(&model, &model.force_ids()).unwrap_err().to_string().contains("foot"));
 }
 
-/// A mass that cannot be read leaves the heights known, and the weight unknown.
+/// If a mass cannot be read, heights are known, and the weight is not.
 #[test]
 fn without_a_mass_there_is_no_weight() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);

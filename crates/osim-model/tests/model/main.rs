@@ -1,4 +1,4 @@
-//! The tests of `osim-model` from outside, in one program: each that is linked takes a second.
+//! The tests of `osim-model` from outside, in one program: linking each separate program would take a second.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 

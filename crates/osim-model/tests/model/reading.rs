@@ -1,17 +1,17 @@
-//! What is read: for each quirk of the format the values that OpenSim 4.6 uses, as `fixtures/README.md` says.
+//! Tests of reading: for each peculiarity of the file format, the values that OpenSim 4.6 uses, as `fixtures/README.md` describes them.
 //!
-//! The expected numbers are those the fixtures were written with (see `fixtures/quirks/`), checked against the real
-//! OpenSim by `tests/oracle`.
+//! The expected numbers are those with which the fixtures were written (see `fixtures/quirks/`). `tests/oracle` compared them with OpenSim
+//! itself.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{Companion, Document, Irregularity, Limbs, Model, Origin, Property, Selection, SetId};
 
-/// Numbers of the fixtures of `format/`: a foot of 61.5 kg on a sphere of 0.0325 m.
+/// The stiffness and radius in the fixtures of `format/`: a foot of 61.5 kg on a sphere of radius 0.0325 m.
 const STIFFNESS: f64 = 1_234_567.8;
 const RADIUS: f64 = 0.0325;
 
-/// Bytes of a file of `fixtures/`.
+/// Bytes of a file in `fixtures/`.
 #[track_caller]
 fn fixture(name: &str) -> Vec<u8> {
     let path = format!("{}/../../fixtures/{name}", env!("CARGO_MANIFEST_DIR"));
@@ -28,8 +28,8 @@ fn read<T>(file: &str, then: impl FnOnce(&Model) -> T) -> T {
     then(&fixture_model(&format!("format/{file}.osim")))
 }
 
-/// The effective value of the first force, or of its first sphere for a radius.
-fn first_value(model: &Model, property: Property) -> (f64, Origin) {
+/// The effective value of `property` in the first force; for a radius, in the first sphere of the force.
+fn value_in_first_force(model: &Model, property: Property) -> (f64, Origin) {
     let force = &model.forces()[0];
     let value = match property {
         Property::Radius => &model.sphere(force.spheres()[0]).unwrap().radius,
@@ -40,7 +40,7 @@ fn first_value(model: &Model, property: Property) -> (f64, Origin) {
 
 #[track_caller]
 fn assert_property(file: &str, property: Property, expected: f64, origin: Origin) {
-    let seen = read(file, |model| first_value(model, property));
+    let seen = read(file, |model| value_in_first_force(model, property));
     assert_eq!(seen, (expected, origin), "{property} of {file}");
 }
 
@@ -76,7 +76,7 @@ fn numbers_are_read_as_opensim_reads_them() {
 #[test]
 fn the_first_of_duplicate_elements_counts() {
     read("duplicate_radius_and_mass", |model| {
-        assert_eq!(first_value(model, Property::Radius).0, 0.041);
+        assert_eq!(value_in_first_force(model, Property::Radius).0, 0.041);
         assert_eq!(model.bodies()[0].mass.number, 62.25);
         assert_eq!(model.gravity(), Some(9.5));
     });
@@ -110,7 +110,7 @@ fn contact_parameters_are_found_in_all_their_spellings() {
 }
 
 #[test]
-fn defaults_give_what_is_left_out() {
+fn defaults_replace_missing_elements() {
     assert_property("defaults_smooth", Property::HertzSmoothing, 111.0, Origin::Defaults);
     assert_property("defaults_smooth", Property::Dissipation, 2.25, Origin::Element);
     assert_property("defaults_contact_parameters", Property::Stiffness, 765_432.1, Origin::Defaults);
@@ -136,8 +136,8 @@ fn defaults_give_surfaces_and_sockets_too() {
     ] {
         read(file, |model| {
             assert_eq!(model.forces().len(), 1, "{file}");
-            assert_eq!(first_value(model, Property::Stiffness).0, STIFFNESS, "{file}");
-            assert_eq!(first_value(model, Property::Radius).0, RADIUS, "{file}");
+            assert_eq!(value_in_first_force(model, Property::Stiffness).0, STIFFNESS, "{file}");
+            assert_eq!(value_in_first_force(model, Property::Radius).0, RADIUS, "{file}");
         });
     }
 }
@@ -286,9 +286,9 @@ fn a_location_is_three_numbers_or_the_origin() {
 }
 
 /// A limb as `(name, side, sphere names)`.
-type Found = (String, &'static str, Vec<String>);
+type LimbSummary = (String, &'static str, Vec<String>);
 
-fn limbs_of_model(model: &Model) -> Result<Vec<Found>, String> {
+fn limbs_of_model(model: &Model) -> Result<Vec<LimbSummary>, String> {
     let selected = Selection::default().apply(model).map_err(|fault| fault.to_string())?;
     match model.limbs(&selected.forces) {
         Limbs::Unknown(why) => Err(why.to_string()),
@@ -338,7 +338,7 @@ fn limbs_are_split_where_left_and_right_both_hang_below() {
 }
 
 #[test]
-fn where_limbs_are_not_known_it_says_why_and_guesses_nothing() {
+fn unknown_limbs_have_a_reason() {
     assert!(read("no_sides", limbs_of_model).unwrap_err().contains("calcn_a"));
     assert!(read("player_and_ball", limbs_of_model).unwrap_err().contains("joined only through ground"));
     assert!(read("all_disabled", limbs_of_model).is_err());
@@ -376,7 +376,7 @@ fn included_files_are_named() {
     assert_eq!(Document::parse(bytes).unwrap().included_files(), []);
 }
 
-/// The set of forces of a model as a file of its own.
+/// The force set of a model as a separate document.
 fn force_set_of(text: &str) -> Document {
     let (start, end) = (text.find("<ForceSet").unwrap(), text.find("</ForceSet>").unwrap());
     let set = &text[start..end];
@@ -385,7 +385,7 @@ fn force_set_of(text: &str) -> Document {
 }
 
 #[test]
-fn a_set_takes_the_place_of_that_of_the_model_beside_it() {
+fn a_separate_set_replaces_the_set_of_the_model() {
     for file in ["v40000", "floor_of_its_own", "frame_on_body", "connectee_relative"] {
         let text = String::from_utf8(fixture(&format!("format/{file}.osim"))).unwrap();
         let alone = Model::parse(text.as_str()).unwrap();

@@ -1,4 +1,4 @@
-//! Numbers of a model that have mass, length or time in their unit.
+//! Tests of numbers with mass, length or time in their unit.
 
 use osim_model::{Model, SizedKind, SizedValues};
 
@@ -13,7 +13,7 @@ fn sizes_of_model(version: u32, inside: &str) -> SizedValues {
 }
 
 #[test]
-fn an_object_counts_then_defaults_then_what_opensim_has() {
+fn numbers_come_from_the_object_then_defaults_then_the_class() {
     let found = sizes_of_model(
         40000,
         "<defaults><Thelen2003Muscle name='default'><activation_time_constant>0.02</activation_time_constant>
@@ -30,7 +30,7 @@ fn an_object_counts_then_defaults_then_what_opensim_has() {
 }
 
 #[test]
-fn what_a_force_on_a_coordinate_is_follows_from_the_coordinate() {
+fn the_kind_of_a_force_on_a_coordinate_depends_on_the_coordinate() {
     let found = sizes_of_model(
         40000,
         "<BodySet><objects><Body name='b'><mass>1</mass></Body></objects></BodySet>
@@ -76,7 +76,7 @@ fn bushings_have_three_numbers_and_expressions_are_not_read() {
 }
 
 #[test]
-fn old_documents_have_moments_of_inertia_one_by_one() {
+fn moments_of_inertia_in_separate_elements_are_read() {
     let found = sizes_of_model(
         30000,
         "<BodySet><objects><Body name='b'><mass>1</mass><inertia_xx>1</inertia_xx><inertia_yy>2</inertia_yy>

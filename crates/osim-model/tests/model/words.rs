@@ -1,4 +1,5 @@
-//! Texts that OpenSim reads in its own way. What it makes of each was seen in OpenSim 4.6; `tests/oracle/test_words.py` asks it again.
+//! Tests of texts that OpenSim reads by its own rules. The results were observed in OpenSim 4.6; `tests/oracle/test_words.py` checks them
+//! again.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -30,7 +31,7 @@ fn a_force_is_on_or_off_as_opensim_reads_the_flag() {
 }
 
 #[test]
-fn a_flag_with_a_comment_inside_is_refused_where_it_is() {
+fn a_flag_with_a_comment_inside_is_refused_with_its_line() {
     let text = foot_with("<appliesForce>fa<!-- x -->lse</appliesForce>");
     let fault = Model::parse(text.as_str()).unwrap_err();
     assert_eq!(fault.code(), "broken-text", "{fault}");
@@ -42,7 +43,7 @@ fn line_of(text: &str, part: &str) -> usize {
 }
 
 #[test]
-fn of_both_flags_the_first_counts_in_old_documents() {
+fn in_old_documents_the_first_of_both_flags_counts() {
     let both = |first: &str, second: &str| foot_with(&format!("{first}{second}")).replace("40000", "30505");
     let (on, off) = ("<appliesForce>true</appliesForce>", "<appliesForce>false</appliesForce>");
     let disabled = |text: &str| format!("<isDisabled>{text}</isDisabled>");
@@ -68,7 +69,7 @@ fn a_location_is_three_words() {
 }
 
 #[test]
-fn a_file_is_heeded_where_opensim_heeds_it() {
+fn file_attributes_are_used_where_opensim_uses_them() {
     let included = |inside: &str| {
         let text = format!(
             "<OpenSimDocument Version='40000' file='x'><Model file='x'>{inside}</Model></OpenSimDocument>"
@@ -91,7 +92,7 @@ fn a_file_is_heeded_where_opensim_heeds_it() {
     }
 }
 
-/// OpenSim 4.6 refuses each of these models ("is not a value element"), and reads a comment behind the text.
+/// OpenSim 4.6 refuses each of these models ("is not a value element"), but reads a comment behind the text.
 #[test]
 fn a_path_or_a_place_with_something_inside_is_refused() {
     let whole = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");

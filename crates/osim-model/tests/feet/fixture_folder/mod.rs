@@ -1,10 +1,10 @@
-//! Fixtures for several tests.
+//! The folder of fixtures, for several test files.
 
 use std::path::Path;
 
 use osim_model::files::{FileError, Files};
 
-/// The fixtures' folder as a disk has it.
+/// Reads the files in the folder of fixtures from the disk.
 pub(crate) struct Folder;
 
 impl Folder {
