@@ -2,10 +2,7 @@
 //!
 //! The crate has three layers. Each uses only the layers before it:
 //!
-//! 1. [`xml`]: bytes as a tree of exact spans; [`messages`]: sentences, with what the caller can say as data.
-//! 2. the model: [`Model`] and what it consists of, at the root of this crate.
-//! 3. [`feet`]: meshes, the default pose, soles; [`compare`]: two models beside each other.
-//!
+//! 1. [`xml`]: bytes as a tree of elements with exact places; [`messages`]: sentences in which inputs and calls are data.
 //! ```
 //! use osim_model::{MassRequest, Model, Property, Selection, SetId};
 //!

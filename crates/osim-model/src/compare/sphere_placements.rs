@@ -59,7 +59,7 @@ pub struct PlacedSphere {
     stayed: bool,
 }
 
-/// The scale factors between the bodies of both models.
+/// The scale factors of all bodies, from the `original` model to the `scaled` one.
 fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile>) -> Result<Factors, Fault> {
     Factors::find(scaled, original, file, &BTreeMap::new())
 }
@@ -228,7 +228,7 @@ fn placed_spheres(
     Ok((placed.collect(), unmatched(model, scaled, original), suits_level))
 }
 
-/// The relative difference of the y factor from √(x z).
+/// The relative difference of a body's y factor from √(x z).
 fn stretch([x, y, z]: [f64; 3]) -> f64 {
     (y / (x * z).sqrt() - 1.0).abs()
 }

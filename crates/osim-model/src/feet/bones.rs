@@ -12,7 +12,7 @@ use crate::messages::{shown, three_significant};
 use crate::model::files::Files;
 use crate::model::{AttachedMesh, Model, Side, probable_units};
 
-/// The points of one mesh that is attached to a body, in the body's frame.
+/// A mesh that is attached to a body, with its points in the body's frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bone {
     pub body: String,

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
-use super::default_pose::{DefaultPose, Welds};
+use super::default_pose::{DefaultPose, WeldedGroups};
 use crate::model::{ElementId, FileId, Force, ForceId, HalfSpace, Model, Placement, Sphere, SphereId};
 
 /// A plane that leans by more than this angle is a wall, rad: 45 degrees. The steepest published slope has 20.5 degrees; upright planes
@@ -56,7 +56,7 @@ impl ContactPlane {
     /// The planes on which switched-on forces among `forces` press moving spheres, in the order of the forces. A force presses its spheres
     /// on each of its planes, except planes on the sphere's own body or on a body welded to it.
     pub fn all(model: &Model, forces: &[ForceId], pose: &DefaultPose) -> Vec<Self> {
-        let welds = Welds::of(model.joints());
+        let welds = WeldedGroups::of(model.joints());
         let mut planes_with_spheres = PlanesWithSpheres::default();
         for force in forces.iter().filter_map(|&id| model.force(id)).filter(|force| force.applies) {
             let spheres: Vec<&Sphere> =

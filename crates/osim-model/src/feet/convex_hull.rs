@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_and_points_have_hulls_too() {
+    fn points_on_a_line_have_a_hull() {
         assert_eq!(convex_hull(&[DVec2::ONE]), [DVec2::ONE]);
         let line = places(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]);
         assert_eq!(convex_hull(&line), places(&[[0.0, 0.0], [2.0, 2.0]]));

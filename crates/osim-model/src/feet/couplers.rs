@@ -216,7 +216,7 @@ pub(crate) enum CoordinateState {
     Driven,
 }
 
-/// Finds the states of the coordinates of a model.
+/// Finds for each coordinate of a model whether it is free, locked or determined by something else.
 pub(crate) struct CoordinateStates<'m> {
     model: &'m Model,
     dependent: HashSet<String>,

@@ -188,13 +188,13 @@ pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
     walk
 }
 
-/// Bodies that WeldJoints hold together, directly or through others.
-pub(crate) struct Welds<'j> {
+/// Groups of bodies that WeldJoints connect, directly or through other bodies.
+pub(crate) struct WeldedGroups<'j> {
     /// For each body, another body of its welded group, closer to the group's first body. The first body has none. `None` is ground.
     leaders: HashMap<Option<&'j str>, Option<&'j str>>,
 }
 
-impl<'j> Welds<'j> {
+impl<'j> WeldedGroups<'j> {
     pub(crate) fn of(joints: &'j [ModelJoint]) -> Self {
         let mut welds = Self { leaders: HashMap::new() };
         for joint in joints.iter().filter(|joint| joint.class == "WeldJoint") {

@@ -157,7 +157,7 @@ fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
     ends
 }
 
-/// The coordinates of a model at the default pose.
+/// The coordinates of a model, with their values at the default pose.
 struct Coordinates<'m> {
     model: &'m Model,
     known: &'m CoordinateValues,

@@ -29,7 +29,7 @@ macro_rules! inputs {
                 }
             }
 
-            /// Label of the input for forms, a few words.
+            /// A few words that describe the input, for forms.
             pub const fn label(self) -> &'static str {
                 match self { $(Self::$variant => $label),+ }
             }
@@ -283,7 +283,7 @@ impl Verb {
 }
 
 impl Call {
-    /// Adds an input with a placeholder for its value.
+    /// Adds an input to the call, with a placeholder for its value.
     pub fn with_placeholder(mut self, input: Input, placeholder: &'static str) -> Self {
         self.inputs.push((input, Some(Example::Placeholder(placeholder.into()))));
         self
@@ -301,12 +301,12 @@ impl Call {
 }
 
 impl Input {
-    /// The input with a placeholder for its value: `--mass KG`.
+    /// This input with a placeholder for its value: `--mass KG`.
     pub const fn with_placeholder(self, placeholder: &'static str) -> Part {
         Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
     }
 
-    /// The input with a value: `--radius keep`.
+    /// This input with a value: `--radius keep`.
     pub fn with_value(self, value: impl Into<String>) -> Part {
         Part::Input(self, Some(Example::Value(value.into())))
     }

@@ -189,7 +189,7 @@ impl<T: IntoParts> From<T> for Phrase {
     }
 }
 
-/// A type from which parts of a [`Phrase`] can be made.
+/// A type that can be converted to parts of a [`Phrase`].
 pub trait IntoParts {
     fn into_parts(self) -> Vec<Part>;
 }

@@ -159,7 +159,7 @@ fn formatted(number: fmt::Arguments<'_>) -> String {
     text
 }
 
-/// A number for readers: exact if the exact text is short, else with eight significant digits.
+/// A number for readers: exact if the exact text is short, else with eight in_significant_digits digits.
 pub fn readable(value: f64) -> String {
     const SHORT_TEXT: usize = 10;
     let exact = shortest(value);
@@ -176,17 +176,17 @@ pub fn counted(count: impl Display, what: &str) -> String {
     format!("{count} {what}{ending}")
 }
 
-/// A number with four significant digits, for comparing by eye.
+/// A number with four in_significant_digits digits, for comparing by eye.
 pub fn four_significant(value: f64) -> String {
-    significant(value, 4)
+    in_significant_digits(value, 4)
 }
 
-/// A number with three significant digits, for narrow columns.
+/// A number with three in_significant_digits digits, for narrow columns.
 pub fn three_significant(value: f64) -> String {
-    significant(value, 3)
+    in_significant_digits(value, 3)
 }
 
-fn significant(value: f64, digits: usize) -> String {
+fn in_significant_digits(value: f64, digits: usize) -> String {
     let decimals = digits.saturating_sub(1);
     readable(rounded(value, decimals))
 }

@@ -61,7 +61,7 @@ impl PropertySet {
 
 /// A new value of a property, or a factor for its present value.
 ///
-/// Exhaustive: there is nothing between a value and a factor.
+/// Exhaustive: a number is set or multiplied, and nothing else.
 ///
 /// ```
 /// use osim_model::Assignment;
@@ -70,9 +70,9 @@ impl PropertySet {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Assignment {
-    /// A value in the unit of the property.
+    /// The new value in the unit of the property.
     Value(f64),
-    /// A factor of the present value.
+    /// The factor that multiplies the present value.
     Factor(f64),
 }
 
@@ -85,9 +85,9 @@ impl std::fmt::Display for Assignment {
     }
 }
 
-/// The rule for the radii of the moving spheres.
+/// The rule that gives moving spheres their new radii.
 ///
-/// Exhaustive: plans have a formula for each.
+/// Exhaustive: plans of changes have a formula for each rule.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RadiusRule {
     /// R ∝ M^{1/3}, like the linear dimensions of the body (8). In a transfer: as large relative to the body as in the reference.
@@ -101,13 +101,13 @@ pub enum RadiusRule {
 
 /// Whether the dissipation α changes with the radius or with the mass, (14).
 ///
-/// Exhaustive: plans have a factor for each.
+/// Exhaustive: plans of changes have a factor for each choice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DissipationBy {
-    /// α ∝ R^{−1/2}, as in the paper's Table 1.
+    /// α ∝ R^{−1/2}: dissipation changes with the radius, as in the paper's Table 1.
     #[default]
     Radius,
-    /// Dissipation by mass: α ∝ M^{−1/6}.
+    /// α ∝ M^{−1/6}: dissipation changes with the mass.
     Mass,
 }
 
@@ -117,7 +117,7 @@ pub enum RadiusAxis {
     X,
     Y,
     Z,
-    /// The cube root of the product of all three.
+    /// The cube root of the product of the three factors.
     #[default]
     GeometricMean,
     Min,

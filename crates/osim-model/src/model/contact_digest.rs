@@ -64,7 +64,7 @@ impl Model {
                 feed(0, Property::Radius, changed(key).unwrap_or(sphere.radius.number));
             }
         }
-        hash_digits(hash)
+        digest_of_usual_length(hash)
     }
 
     /// Digest of the radii of all spheres of contact forces, in any order. `changed` gives the new value of radii that a plan changes.
@@ -77,7 +77,7 @@ impl Model {
         radii.sort_unstable();
         let mut hash = Sha256::new();
         radii.into_iter().for_each(|radius| hash.update(radius.to_le_bytes()));
-        digits(hash, PART_DIGEST_BYTES)
+        digest_digits(hash, PART_DIGEST_BYTES)
     }
 
     /// Digest of the locations of all spheres of contact forces, in their frames, with the bodies that carry them, in any order. `moved`
@@ -97,7 +97,7 @@ impl Model {
             hash.update([0]);
             location.into_iter().for_each(|coordinate| hash.update(coordinate.to_le_bytes()));
         }
-        digits(hash, PART_DIGEST_BYTES)
+        digest_digits(hash, PART_DIGEST_BYTES)
     }
 
     fn spheres_of_forces(&self) -> impl Iterator<Item = &Sphere> {
@@ -142,14 +142,14 @@ impl Model {
 
 /// The first 16 digits of the SHA-256 of `bytes`, by which a note recognises a reference file.
 pub fn short_digest(bytes: &[u8]) -> String {
-    hash_digits(Sha256::new_with_prefix(bytes))
+    digest_of_usual_length(Sha256::new_with_prefix(bytes))
 }
 
-fn hash_digits(hash: Sha256) -> String {
-    digits(hash, DIGEST_BYTES)
+fn digest_of_usual_length(hash: Sha256) -> String {
+    digest_digits(hash, DIGEST_BYTES)
 }
 
-fn digits(hash: Sha256, bytes: usize) -> String {
+fn digest_digits(hash: Sha256, bytes: usize) -> String {
     let digits = hash.finalize().into_iter().take(bytes).flat_map(|byte| [byte >> 4, byte & 0xf]);
     digits.filter_map(|digit| char::from_digit(digit.into(), 16)).collect()
 }
@@ -191,7 +191,7 @@ impl Model {
             bits.sort_unstable();
             let mut hash = Sha256::new();
             bits.into_iter().for_each(|bits| hash.update(bits.to_le_bytes()));
-            digits(hash, PROPERTY_DIGEST_BYTES)
+            digest_digits(hash, PROPERTY_DIGEST_BYTES)
         };
         values.into_iter().map(|(property, bits)| (property, digest(bits))).collect()
     }
@@ -204,7 +204,7 @@ fn noted_names(mut names: Vec<&str>) -> NotedNames {
         hash.update(name.as_bytes());
         hash.update([0]);
     }
-    NotedNames { count: names.len(), digest: digits(hash, PART_DIGEST_BYTES) }
+    NotedNames { count: names.len(), digest: digest_digits(hash, PART_DIGEST_BYTES) }
 }
 
 // The record of a note after a change that removes contacts or converts them, and keeps the mass that they are made for.

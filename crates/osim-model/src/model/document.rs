@@ -91,7 +91,7 @@ impl Document {
         &self.tree
     }
 
-    /// `Version` of the document, for example 40000.
+    /// The attribute `Version` of the document, for example 40000.
     pub fn version(&self) -> u32 {
         self.version
     }

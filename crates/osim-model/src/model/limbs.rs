@@ -316,7 +316,7 @@ impl<'f> CarrierTree<'f> {
         all
     }
 
-    /// Whether `body` itself has spheres.
+    /// Whether `body` itself carries spheres.
     fn carries(&self, body: ComponentId) -> bool {
         self.nodes.get(&body).is_some_and(|node| node.carrier.is_some())
     }

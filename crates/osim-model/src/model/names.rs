@@ -161,7 +161,7 @@ impl Side {
                 || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
         };
         let camel = |letter: char| {
-            let (first, last) = (first_three(name), last_two(name));
+            let (first, last) = (first_three_letters(name), last_two_letters(name));
             let leading = first.is_some_and(|[a, b, c]| a == letter && b.is_uppercase() && c.is_lowercase());
             leading || last.is_some_and(|[a, b]| b == letter && a.is_lowercase())
         };
@@ -173,12 +173,12 @@ impl Side {
     }
 }
 
-fn first_three(name: &str) -> Option<[char; 3]> {
+fn first_three_letters(name: &str) -> Option<[char; 3]> {
     let mut letters = name.chars();
     Some([letters.next()?, letters.next()?, letters.next()?])
 }
 
-fn last_two(name: &str) -> Option<[char; 2]> {
+fn last_two_letters(name: &str) -> Option<[char; 2]> {
     let mut letters = name.chars().rev();
     let last = letters.next()?;
     Some([letters.next()?, last])
@@ -219,7 +219,7 @@ pub fn without_side(name: &str) -> String {
         joined.push_str(if token == "r" || token == "l" { "#" } else { token });
     }
     // LFoot and RFoot, footL and footR.
-    match (first_three(name), last_two(name)) {
+    match (first_three_letters(name), last_two_letters(name)) {
         (Some(['R' | 'L', second, third]), _) if second.is_uppercase() && third.is_lowercase() => {
             format!("#{}", joined.get(1..).unwrap_or_default())
         }

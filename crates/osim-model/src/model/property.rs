@@ -295,7 +295,7 @@ impl Class {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// The property's own element in the object.
+    /// The element of the property in the object itself.
     Element,
     /// The object of the same class in the document's `<defaults>`.
     Defaults,

@@ -39,10 +39,10 @@ pub struct Selection {
     pub skip_disabled: bool,
 }
 
-/// The forces chosen by [`Selection::apply`]; none by default.
+/// The forces that [`Selection::apply`] chose; empty by default.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Selected {
-    /// Handles of the selected forces, in file order.
+    /// Handles of the chosen forces, in file order.
     pub forces: Vec<ForceId>,
     /// Whether the choice contains every force of the default choice.
     pub complete: bool,

@@ -25,7 +25,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// The mass, if it is one plain number that is not negative.
+    /// The mass of the body, kg, if its text is one plain number of at least 0.
     pub fn mass_kg(&self) -> Result<f64, Fault> {
         let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {

@@ -41,7 +41,7 @@ pub struct Model {
     pub name: String,
     /// Gravity vector, m/s²; `None` if its text is not three numbers.
     pub gravity_m_s2: Option<[f64; 3]>,
-    /// The note that an earlier change left in the file.
+    /// The note that an earlier change wrote into the file.
     pub note: Option<Note>,
     /// Elements that were read although they are written wrongly, in the order of reading.
     pub irregularities: Vec<Irregularity>,
@@ -53,12 +53,12 @@ impl Model {
     /// Gravity that OpenSim uses if a model gives none, m/s².
     pub const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
-    /// Contact spheres, in file order.
+    /// The contact spheres, in file order.
     pub fn spheres(&self) -> &[Sphere] {
         &self.spheres
     }
 
-    /// Contact forces, in file order.
+    /// The contact forces, in file order.
     pub fn forces(&self) -> &[Force] {
         &self.forces
     }

@@ -25,7 +25,7 @@ const EXACT_DIGITS: usize = 15;
 const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
     [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
 
-/// Why a text is not one plain number.
+/// Why a text is not one plain number, or why OpenSim reads another number from it.
 ///
 /// Exhaustive: a text is empty, read in part, not read, or refused.
 #[derive(Debug, Clone, PartialEq)]

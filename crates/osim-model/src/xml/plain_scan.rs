@@ -19,7 +19,7 @@ const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 /// plain.
 pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
     let length = text.len();
-    let mut scan = Scan {
+    let mut scan = PlainScan {
         bytes: text.as_bytes(),
         at: base,
         pieces: Vec::with_capacity(length / BYTES_PER_PIECE + 2),
@@ -36,7 +36,7 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
     complete.then_some((scan.pieces, scan.elements))
 }
 
-struct Scan<'t> {
+struct PlainScan<'t> {
     bytes: &'t [u8],
     /// Offset of the next byte to read.
     at: usize,
@@ -46,7 +46,7 @@ struct Scan<'t> {
     open: Vec<u32>,
 }
 
-impl Scan<'_> {
+impl PlainScan<'_> {
     fn byte(&self, at: usize) -> u8 {
         // No tag or text continues after the end: 0 was refused before and matches nothing.
         self.bytes.get(at).copied().unwrap_or(0)

@@ -54,7 +54,7 @@ pub enum SyntaxFault {
     Truncated { what: String },
     #[error("a zero byte is here: the file is damaged or not text, copy it again from where it came")]
     Nul,
-    /// The file has more than 4 GiB.
+    /// The file has more than 4 GiB, the most that this program reads.
     #[error("the file is larger than 4 GiB")]
     TooLarge,
 }
@@ -63,7 +63,7 @@ pub enum SyntaxFault {
 #[derive(Debug)]
 pub struct SyntaxError {
     pub fault: SyntaxFault,
-    /// Offset of the place in the file, in bytes.
+    /// Byte offset of the error in the file, from 0.
     pub offset: usize,
     /// The text of the file, for messages that show the place.
     pub(crate) file: FileText,
@@ -184,12 +184,12 @@ impl<'t> Scanner<'t> {
                     if self.open.is_empty()
                         && let Some(at) = text.find(|c: char| !c.is_ascii_whitespace())
                     {
-                        return Err(self.stray_text(start + at));
+                        return Err(self.stray_text_fault(start + at));
                     }
                     self.push(start, PieceKind::Text);
                 }
                 Event::CData(_) | Event::GeneralRef(_) if self.open.is_empty() => {
-                    return Err(self.stray_text(start));
+                    return Err(self.stray_text_fault(start));
                 }
                 Event::CData(_) => self.push(start, PieceKind::CData),
                 Event::GeneralRef(_) => self.push(start, PieceKind::Reference),
@@ -251,7 +251,7 @@ impl<'t> Scanner<'t> {
         Ok((self.pieces, self.elements))
     }
 
-    fn stray_text(&self, at: usize) -> Fault {
+    fn stray_text_fault(&self, at: usize) -> Fault {
         let kind = if self.elements.is_empty() { SyntaxFault::NotXml } else { SyntaxFault::TextOutsideRoot };
         (kind, at)
     }

@@ -19,7 +19,7 @@ pub enum PieceKind {
     /// A reference such as `&name;`.
     Reference,
     Comment,
-    /// XML declaration, processing instruction or DOCTYPE.
+    /// An XML declaration, a processing instruction or a DOCTYPE.
     Other,
 }
 
@@ -259,7 +259,7 @@ fn plain_attribute<'t>(attributes: &'t str, key: &str) -> Option<Option<&'t str>
     }
 }
 
-/// Iterator over child elements in file order, from [`Tree::children`].
+/// Iterates over the child elements of an element in file order: from [`Tree::children`].
 #[derive(Debug, Clone)]
 pub struct Children<'t> {
     tree: &'t Tree,

@@ -182,7 +182,7 @@ fn forces_and_spheres_are_found_wherever_they_stand() {
 }
 
 #[test]
-fn surfaces_are_told_by_their_class_not_by_name_or_order() {
+fn surfaces_are_recognised_by_class_not_by_name_or_order() {
     for file in [
         "geometry_half_space_last",
         "geometry_half_space_called_platform",
@@ -285,7 +285,7 @@ fn a_location_is_three_numbers_or_the_origin() {
     }
 }
 
-/// A limb as `(name, side, sphere names)`.
+/// A limb as its name, its side and the names of its spheres.
 type LimbSummary = (String, &'static str, Vec<String>);
 
 fn limbs_of_model(model: &Model) -> Result<Vec<LimbSummary>, String> {

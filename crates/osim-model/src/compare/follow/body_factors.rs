@@ -15,7 +15,7 @@ pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 pub enum FactorSource {
     /// The caller gave the factor.
     Given,
-    /// The Scale Tool's applied ScaleSet.
+    /// The ScaleSet that the Scale Tool applied has the factor.
     ScaleFile,
     /// The ratio of the `scale_factors` of two meshes of one bone, both attached to the body.
     Mesh,
@@ -24,7 +24,7 @@ pub enum FactorSource {
     /// The ratio of the distances from the body's origin to a joint below the body. All three axes get this one factor. Only for two
     /// different models.
     Distance,
-    /// The factors of the parent body.
+    /// The body takes the factors of its parent body.
     Above,
 }
 

@@ -52,7 +52,7 @@ pub struct FollowRequest {
     pub own_radii: Option<OwnRadii>,
 }
 
-/// The new place and radius of one sphere: from [`Follow::sphere`].
+/// The new place and radius of one sphere that follows its body: from [`Follow::sphere`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FollowedSphere {
     /// Radius of the sphere in the reference model, m.
@@ -146,8 +146,8 @@ impl Follow {
     ) -> Result<Self, Fault> {
         let mut spheres = BTreeMap::new();
         let (mut logarithms, mut count) = (0.0, 0.0);
-        refuse_unmatched(model, wanted, generic)?;
-        refuse_moved(model, wanted, scaled, generic, request.moved)?;
+        refuse_unmatched_spheres(model, wanted, generic)?;
+        refuse_moved_spheres(model, wanted, scaled, generic, request.moved)?;
         for &id in wanted {
             let (Some(now), Some(own)) = (scaled.spheres.get(id.index()), model.sphere(id)) else {
                 continue;
@@ -218,7 +218,7 @@ impl AnatomySphere {
     }
 }
 
-fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
+fn refuse_unmatched_spheres(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Result<(), Fault> {
     let names = wanted.iter().filter_map(|&id| model.sphere(id)).map(|sphere| &sphere.name);
     if let Some(name) = names.into_iter().find(|name| generic.has_several_spheres(name)) {
         return Err(Fault::refused(format!("the reference has several spheres called {name}: expected one")));
@@ -240,7 +240,7 @@ fn refuse_unmatched(model: &Model, wanted: &[SphereId], generic: &Anatomy) -> Re
     )))
 }
 
-fn refuse_moved(
+fn refuse_moved_spheres(
     model: &Model,
     wanted: &[SphereId],
     scaled: &Anatomy,
@@ -291,7 +291,7 @@ fn refuse_moved(
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
-    /// Factors of bodies, in file order of the scaled model.
+    /// Scale factors of the bodies, in file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
     /// Warnings: the sources of a body with spheres disagree, by more than 1 % in a scaled copy or 5 % between different models; or the
     /// models are different.
@@ -379,7 +379,7 @@ impl Factors {
         }
     }
 
-    /// The factors of `body` along x, y and z.
+    /// The scale factors of `body` along x, y and z.
     ///
     /// # Errors
     /// - No source gives the factor of an axis ([`Needed::BodyFactors`]): the error names the body and the axis.

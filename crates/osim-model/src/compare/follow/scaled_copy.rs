@@ -21,7 +21,7 @@ pub(super) const SHORTEST_OFFSET_M: f64 = 1e-6;
 pub enum CopyDifference {
     /// The reference has too few bodies for an answer: some factors always explain one joint.
     Fragment,
-    /// A joint connects other bodies than in the reference.
+    /// A joint connects other bodies in the model than in the reference.
     Joint {
         joint: String,
         /// The bodies that the joint connects in the model.
@@ -71,7 +71,7 @@ pub(super) fn first_difference(scaled: &Anatomy, reference: &Anatomy) -> Option<
     if reference.is_fragment {
         return Some(CopyDifference::Fragment);
     }
-    other_joint(scaled, reference).or_else(|| {
+    joint_of_other_bodies(scaled, reference).or_else(|| {
         let joints = SharedJoints::of(scaled, reference);
         let shared = scaled.bodies.iter().filter(|body| reference.has_body(body));
         shared.into_iter().find_map(|body| {
@@ -85,7 +85,7 @@ pub(super) fn first_difference(scaled: &Anatomy, reference: &Anatomy) -> Option<
     })
 }
 
-fn other_joint(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
+fn joint_of_other_bodies(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDifference> {
     let in_both = |body: &String| scaled.has_body(body) && reference.has_body(body);
     scaled.joints.iter().find_map(|joint| {
         let there = reference.joint(&joint.name)?;
@@ -197,7 +197,7 @@ impl ScaleFile {
         Self::read_unlocated(document).map_err(|fault| fault.located(document.bytes()))
     }
 
-    /// The factors of `body` along x, y and z.
+    /// The scale factors of `body` along x, y and z.
     ///
     /// # Errors
     /// The file has no factors of this body.

@@ -260,7 +260,7 @@ pub(super) fn inherit_from_body_above(
 /// For each body that was visited: the nearest body above it with known factors. A cache, because limbs share the bodies above.
 type NearestKnown<'a> = HashMap<&'a str, Option<(&'a str, [AxisFactor; 3])>>;
 
-/// The nearest body above `body` whose factors are known.
+/// The nearest body above `body` with known factors, and these factors.
 fn nearest_known_above<'a>(
     factors: &[BodyFactors],
     by_name: &BodyIndex,

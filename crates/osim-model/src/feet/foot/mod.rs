@@ -22,7 +22,7 @@ const DRAWN_HEIGHT_OF_BONES: f64 = 0.8;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FootFrame {
-    /// Ground, at the default pose.
+    /// Ground. The bodies are at the default pose.
     Ground,
     /// The frame of a body of the foot, because the place of that body in ground is not known.
     Body {
@@ -249,7 +249,7 @@ impl<'m> ModelContext<'m> {
     }
 }
 
-/// Places of bodies in the frame of a foot.
+/// Computes places of bodies in the frame of a foot.
 struct FootPlaces<'p> {
     anatomy: &'p Anatomy,
     top: &'p str,

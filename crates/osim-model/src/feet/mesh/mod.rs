@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn a_broken_number_is_found_and_a_bone_is_whole() {
+    fn a_stray_point_is_found_and_a_whole_bone_has_none() {
         assert!(stray_point(&points_of_box()).is_none());
         for (index, broken) in [(7, [0.05, -0.4, 0.1]), (100, [12.0, 0.0, 0.1]), (200, [0.05, 0.02, 250.0])] {
             let mut points = points_of_box();
@@ -245,14 +245,14 @@ mod tests {
     }
 
     #[test]
-    fn broken_numbers_that_lie_together_are_found() {
+    fn stray_points_that_lie_together_are_found() {
         let mut points = points_of_box();
         (points[3], points[4]) = ([0.05, -1.0, 0.1], [0.05, -1.0, 0.101]);
         assert!(matches!(stray_point(&points), Some(Stray { index: 3 | 4, .. })));
     }
 
     #[test]
-    fn a_second_part_is_no_broken_number() {
+    fn a_second_part_of_a_bone_is_not_a_stray_point() {
         // A toe of many points, far ahead.
         let toe = points_of_box().into_iter().take(30).map(|[x, y, z]| [x / 5.0, y / 5.0, 1.0 + z / 5.0]);
         let points: Vec<[f64; 3]> = points_of_box().into_iter().chain(toe).collect();

@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn the_size_says_whether_it_is_binary() {
+    fn the_file_size_tells_binary_stl_from_text() {
         let triangle = [0.5, 0.0, 0.0, 1.0, 0.25, 0.0, 0.0, 1.0, -2.0];
         let expected = [[0.5, 0.0, 0.0], [1.0, 0.25, 0.0], [0.0, 1.0, -2.0]];
         assert_eq!(stl_points(&binary_stl(b"exported", 1, &[triangle])).unwrap(), expected);

@@ -23,7 +23,7 @@ pub enum MeshFault {
     /// A coordinate of a point is NaN, infinite, or too large for any unit of length.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
     Coordinate {
-        /// Number of the bad point, from 1.
+        /// Number of the bad point in the file, from 1.
         point: usize,
         /// The axis, x, y or z, of the bad coordinate.
         axis: char,
@@ -41,7 +41,7 @@ pub enum MeshFault {
     StrayPoint {
         /// Number of the bad point, from 1.
         point: usize,
-        /// Distance of the point from the middle, in the unit of the file.
+        /// Distance of the stray point from the middle, in the unit of the file.
         distance: String,
         /// The distance from the middle within which nine of ten points are.
         reach: String,

@@ -17,7 +17,7 @@ const MOST_TILT_RAD: f64 = 0.175;
 /// The part of a foot that is near the ground at the default pose, seen from above.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footprint {
-    /// The whole foot's length, m.
+    /// Length of the whole foot, m.
     pub length_m: f64,
     /// The extent of bone points near the ground along the foot's length, as a part of this length: 1 is all of it.
     pub share_of_length: f64,
@@ -125,7 +125,7 @@ impl FootAxes {
     /// ground.
     pub(super) fn of(up: DVec3, side: Option<Side>, points: &[BonePoint], across: Option<DVec3>) -> Self {
         let across = across.and_then(|across| along_ground(up, across, LEAST_LIMB_DISTANCE_M));
-        let right = across.map(axis_of_ground).unwrap_or_else(|| {
+        let right = across.map(snapped_to_ground_axis).unwrap_or_else(|| {
             let ahead = along_ground(up, DVec3::X, 0.1).unwrap_or(DVec3::Y);
             ahead.cross(up)
         });
@@ -138,7 +138,7 @@ impl FootAxes {
 
     /// The points in coordinates along the ground.
     pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
-        let from = |point: &BonePoint, direction, least| on_grid(point.at.dot(direction) - least);
+        let from = |point: &BonePoint, direction, least| rounded_to_grid(point.at.dot(direction) - least);
         let flat = |point: &BonePoint| FlatPoint {
             at: DVec2::new(
                 from(point, self.forward, self.rearmost),
@@ -157,7 +157,7 @@ impl FootAxes {
     }
 }
 
-fn on_grid(value: f64) -> f64 {
+fn rounded_to_grid(value: f64) -> f64 {
     (value / GRID_SIZE_M).round() * GRID_SIZE_M
 }
 
@@ -168,7 +168,7 @@ fn along_ground(up: DVec3, vector: DVec3, least: f64) -> Option<DVec3> {
     (length >= least).then(|| flat / length)
 }
 
-fn axis_of_ground(direction: DVec3) -> DVec3 {
+fn snapped_to_ground_axis(direction: DVec3) -> DVec3 {
     let rounded = direction.round();
     if direction.abs_diff_eq(rounded, AXIS_TOLERANCE) { rounded } else { direction }
 }
@@ -332,17 +332,17 @@ fn covers(some: &[DVec2], all: &[DVec2]) -> bool {
 
 /// The corners that are the farthest in at least one direction, in their order.
 fn farthest_corners(corners: &[DVec2]) -> Vec<DVec2> {
-    let farthest = (0..SEARCH_DIRECTIONS).filter_map(|turn| farthest_along(corners, direction_at(turn)));
+    let farthest = (0..SEARCH_DIRECTIONS).filter_map(|turn| farthest_along(corners, search_direction(turn)));
     let farthest: Vec<DVec2> = farthest.collect();
     corners.iter().filter(|corner| farthest.contains(corner)).copied().collect()
 }
 
-fn direction_at(turn: u32) -> DVec2 {
+fn search_direction(turn: u32) -> DVec2 {
     let angle = std::f64::consts::TAU * f64::from(turn) / f64::from(SEARCH_DIRECTIONS);
     DVec2::new(libm::cos(angle), libm::sin(angle))
 }
 
-/// The two corners that are farthest apart.
+/// The two of `corners` that are farthest apart.
 fn diameter(corners: &[DVec2]) -> [DVec2; 2] {
     let first = corners.first().copied().unwrap_or_default();
     let mut long = [first, first];

@@ -246,7 +246,7 @@ impl SoleBodies {
 
 /// Groups the bodies of `bones` into feet, in the order of the first body of each foot.
 fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
-    let parents = parents(model);
+    let parents = parents_of_bodies(model);
     let mut listed: Vec<&str> = Vec::new();
     for bone in bones {
         if !listed.contains(&bone.body.as_str()) {
@@ -273,7 +273,7 @@ fn group_bodies(model: &Model, bones: &[Bone]) -> Vec<SoleBodies> {
     feet.into_iter().map(sided).collect()
 }
 
-fn parents(model: &Model) -> HashMap<String, String> {
+fn parents_of_bodies(model: &Model) -> HashMap<String, String> {
     let joints = model.joints().iter();
     joints.filter_map(|joint| Some((joint.child.clone()?, joint.parent.clone()?))).collect()
 }

@@ -46,7 +46,7 @@ pub enum NotLevelled {
     Frame(Box<Fault>),
 }
 
-struct OverLowestFloor {
+struct SphereOverLowestFloor {
     sphere: SphereId,
     gap_m: f64,
     normal: DVec3,
@@ -86,9 +86,9 @@ struct LevelledFeet<'f> {
 impl LevelledFeet<'_> {
     fn levelled_spheres(&self, limb: &Limb) -> Result<Vec<LevelledSphere>, NotLevelled> {
         let spheres = limb.spheres.iter().filter_map(|&sphere| self.over_lowest_floor(sphere).transpose());
-        let spheres = spheres.collect::<Result<Vec<OverLowestFloor>, PoseFault>>()?;
+        let spheres = spheres.collect::<Result<Vec<SphereOverLowestFloor>, PoseFault>>()?;
         let lowest_m = spheres.iter().map(|over| over.gap_m).fold(f64::INFINITY, f64::min);
-        let high: Vec<&OverLowestFloor> =
+        let high: Vec<&SphereOverLowestFloor> =
             spheres.iter().filter(|over| over.gap_m - lowest_m > LEVEL_TOLERANCE_M).collect();
         if !high.is_empty() {
             self.refuse_leaning(limb, &spheres)?;
@@ -97,7 +97,7 @@ impl LevelledFeet<'_> {
     }
 
     /// The height of a sphere above the lowest of its floors; `None` for a sphere without a floor.
-    fn over_lowest_floor(&self, sphere: SphereId) -> Result<Option<OverLowestFloor>, PoseFault> {
+    fn over_lowest_floor(&self, sphere: SphereId) -> Result<Option<SphereOverLowestFloor>, PoseFault> {
         let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
         let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
         let Some((normal, gap_m)) = lowest.and_then(|(plane, gap)| Some((plane.surface?.normal, gap))) else {
@@ -105,14 +105,14 @@ impl LevelledFeet<'_> {
         };
         let Some(body) = self.body(sphere) else { return Ok(None) };
         let tilt_rad = tilt(self.pose.placement(body)?, normal);
-        Ok(Some(OverLowestFloor { sphere, gap_m, normal, tilt_rad }))
+        Ok(Some(SphereOverLowestFloor { sphere, gap_m, normal, tilt_rad }))
     }
 
     fn body(&self, sphere: SphereId) -> Option<&str> {
         self.model.sphere(sphere)?.body.as_deref()
     }
 
-    fn refuse_leaning(&self, limb: &Limb, spheres: &[OverLowestFloor]) -> Result<(), NotLevelled> {
+    fn refuse_leaning(&self, limb: &Limb, spheres: &[SphereOverLowestFloor]) -> Result<(), NotLevelled> {
         let most = spheres.iter().reduce(|a, b| if b.tilt_rad > a.tilt_rad { b } else { a });
         match most.filter(|most| most.tilt_rad > MOST_LEAN_RAD) {
             None => Ok(()),
@@ -125,7 +125,7 @@ impl LevelledFeet<'_> {
     }
 
     /// Moves the centre of a sphere down by `down_m` along the normal of its floor.
-    fn lowered(&self, over: &OverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
+    fn lowered(&self, over: &SphereOverLowestFloor, down_m: f64) -> Result<LevelledSphere, NotLevelled> {
         let sphere = over.sphere;
         let (model_sphere, body) =
             self.model.sphere(sphere).zip(self.body(sphere)).ok_or(NotLevelled::NoFloor)?;

@@ -228,14 +228,14 @@ mod tests {
         assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
     }
 
-    const XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
-    const YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
+    const KNOT_XS: [f64; 5] = [-1.0, 0.0, 0.5, 2.0, 3.5];
+    const KNOT_YS: [f64; 5] = [0.2, 1.0, -0.3, 0.4, 2.0];
 
     fn spline_through(points: usize) -> SimmSpline {
-        SimmSpline::new(XS[..points].to_vec(), YS[..points].to_vec())
+        SimmSpline::new(KNOT_XS[..points].to_vec(), KNOT_YS[..points].to_vec())
     }
 
-    /// The expected numbers are those of `SimmSpline.calcValue` of OpenSim 4.6.
+    /// The expected numbers are the results of `SimmSpline.calcValue` in OpenSim 4.6.
     #[test]
     fn spline_values_are_those_of_opensim() {
         let at = [-2.0, -1.0, -0.5, 0.0, 0.3, 0.5, 1.0, 2.0, 3.0, 3.5, 4.0];
@@ -288,7 +288,7 @@ mod tests {
             (2.0, 0.4, 1.6 / 1.5),
             (4.0, 2.0 + 1.6 / 3.0, 1.6 / 1.5),
         ] {
-            let (value, its_slope) = piecewise_linear(&XS, &YS, x);
+            let (value, its_slope) = piecewise_linear(&KNOT_XS, &KNOT_YS, x);
             assert!((value - expected).abs() < 1e-15 && (its_slope - slope).abs() < 1e-15, "at {x}");
         }
     }

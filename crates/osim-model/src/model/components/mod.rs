@@ -116,12 +116,12 @@ impl Components {
         self.document(self.file_of(id))
     }
 
-    /// The class of an object, as the file has it.
+    /// The class of an object, as the file writes it.
     pub fn tag(&self, id: ComponentId) -> &str {
         self.doc(id).tree().name(self.element(id))
     }
 
-    /// The `name` as the file has it.
+    /// The `name` of an object, as the file writes it.
     pub fn name(&self, id: ComponentId) -> Cow<'_, str> {
         self.doc(id).tree().attribute(self.element(id), "name").unwrap_or_default()
     }
@@ -268,7 +268,7 @@ impl Components {
         Fault::at_span(kind, span).at_element(path).in_file(self.file_of(owner))
     }
 
-    /// Line of an object's start tag.
+    /// Line of an object's start tag in its file.
     pub fn line(&self, id: ComponentId) -> usize {
         self.doc(id).line(self.doc(id).tree().span(self.element(id)).start)
     }

@@ -32,7 +32,7 @@ pub struct Component {
     pub file: FileId,
     /// Element of the component in its file.
     pub element: ElementId,
-    /// The object that contains this one.
+    /// The component that contains this component; `None` for a root.
     pub parent: Option<ComponentId>,
     /// Last part of the object's path: its name in OpenSim, with a number if siblings have the same name.
     pub segment: Arc<str>,
@@ -252,7 +252,7 @@ impl ComponentTree {
         }
     }
 
-    /// The children of `owner`, in the order of the files.
+    /// The children of `owner`, in file order.
     fn children(&self, owner: ComponentId) -> impl Iterator<Item = (ComponentId, &Component)> {
         let first = self.get(owner).and_then(|object| object.children.first);
         let ids = std::iter::successors(first, |&id| self.get(id)?.next);

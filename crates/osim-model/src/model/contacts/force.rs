@@ -1,4 +1,4 @@
-//! Contact spheres and contact forces as typed values over the tree, the handles of both, and the places of their properties.
+//! Contact spheres and contact forces as types, their handles, and the places of their properties in the files.
 
 use std::ops::Range;
 
@@ -22,14 +22,14 @@ pub struct ForceId(pub(crate) usize);
 pub struct SetId(pub(crate) usize);
 
 impl SphereId {
-    /// Number of the sphere among those of the model, from 0.
+    /// Index of the sphere in the model, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
 }
 
 impl ForceId {
-    /// Number of the force among those of the model, from 0.
+    /// Index of the force in the model, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
@@ -39,7 +39,7 @@ impl SetId {
     /// The first set of a force: the only one of a `SmoothSphereHalfSpaceForce`.
     pub const FIRST: Self = Self(0);
 
-    /// Number of the set among those of the force, from 0.
+    /// Index of the parameter set in its force, from 0.
     pub const fn index(self) -> usize {
         self.0
     }
@@ -60,7 +60,7 @@ pub struct Slot {
     pub offset: usize,
 }
 
-/// A `ContactSphere` (or, in Moco 0.1 to 0.3 models, the sphere a force keeps inside itself).
+/// A contact sphere: a `ContactSphere`, or the sphere inside a force of Moco 0.1 to 0.3.
 #[derive(Debug, Clone)]
 pub struct Sphere {
     pub id: SphereId,
@@ -159,7 +159,7 @@ pub enum ForceKind {
 }
 
 impl ForceKind {
-    /// Name of OpenSim's class.
+    /// Name of the OpenSim class of the force.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::HuntCrossley => "HuntCrossleyForce",
@@ -178,7 +178,7 @@ pub struct Force {
     pub applies: bool,
     /// Parameter sets: one for a `SmoothSphereHalfSpaceForce`, one per `ContactParameters` for a `HuntCrossleyForce`.
     pub sets: Vec<ParameterSet>,
-    /// The force's own `transition_velocity`.
+    /// The `transition_velocity` of the force itself, not of a parameter set.
     pub transition_velocity: Value,
     /// Line of the force's element, from 1.
     pub line: usize,
@@ -211,7 +211,7 @@ pub struct ParameterSet {
 }
 
 impl ParameterSet {
-    /// The value of `property`, if this class has it.
+    /// The value of `property` in this set; `None` if the class has no such property.
     pub fn value(&self, property: Property) -> Option<&Value> {
         self.values.iter().find(|value| value.property == property)
     }
@@ -225,7 +225,7 @@ impl Force {
         self.element
     }
 
-    /// All spheres of the force, each once, in order.
+    /// All spheres of the force, each once, in file order.
     pub fn spheres(&self) -> Vec<SphereId> {
         let all = || self.sets.iter().flat_map(|set| &set.spheres).copied();
         if all().take(MOST_SPHERES_COMPARED + 1).count() > MOST_SPHERES_COMPARED {

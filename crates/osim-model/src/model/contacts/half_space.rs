@@ -45,11 +45,11 @@ pub struct HalfSpace {
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FrameProperty {
-    /// Name of the element, such as `socket_frame`.
+    /// Name of the XML element, such as `socket_frame`.
     pub tag: String,
     /// Line of the element, from 1.
     pub line: usize,
-    /// The text of the element where the frame is ground.
+    /// The text that the element needs for a half-space on ground.
     pub ground: &'static str,
 }
 
@@ -165,7 +165,7 @@ pub struct Orientation {
     /// Component path of the half-space or frame that has this orientation.
     pub path: String,
     pub tag: &'static str,
-    /// Line of the property, or of the object where it has none, from 1.
+    /// Line of the orientation's element, from 1; without such an element, the line of its object.
     pub line: usize,
     pub file: FileId,
     /// Body-fixed angles about x, y and z, rad; `None` if a number cannot be read.

@@ -70,7 +70,7 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
     Ok(loaded)
 }
 
-/// The contact of the spheres of parameter set `set` with the force's plane.
+/// The contact between the spheres of parameter set `set` and the plane of the force.
 ///
 /// # Errors
 /// A value is not a plain number or is outside its domain. The error has the place in the file.

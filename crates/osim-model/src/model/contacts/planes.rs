@@ -101,7 +101,7 @@ pub struct GroundPlane {
 }
 
 impl Model {
-    /// The half-spaces on ground, in file order.
+    /// The half-spaces that are fixed to ground, in file order.
     pub fn ground_planes(&self) -> Vec<GroundPlane> {
         let all = self.half_spaces().into_iter().chain(self.half_spaces_inside());
         let planes = all.filter(|plane| plane.on_ground);

@@ -32,7 +32,7 @@ pub enum Irregularity {
     TakenByName {
         /// Component path of the object that contains the path.
         owner: String,
-        /// The component path as the file writes it.
+        /// The path as the file writes it.
         text: String,
         /// Component path of the object that was taken.
         taken: String,
@@ -80,8 +80,8 @@ impl<'r> ContactReader<'r> {
         }
         for (id, _) in self.components.tree.iter() {
             match self.components.tag(id) {
-                "SmoothSphereHalfSpaceForce" => self.add_smooth(id)?,
-                "HuntCrossleyForce" => self.add_hunt_crossley(id)?,
+                "SmoothSphereHalfSpaceForce" => self.add_smooth_force(id)?,
+                "HuntCrossleyForce" => self.add_hunt_crossley_force(id)?,
                 _ => {}
             }
         }
@@ -245,7 +245,7 @@ impl<'r> ContactReader<'r> {
         Ok(document.flag(element, "appliesForce")?.unwrap_or(true))
     }
 
-    fn add_smooth(&mut self, id: ComponentId) -> Result<(), Fault> {
+    fn add_smooth_force(&mut self, id: ComponentId) -> Result<(), Fault> {
         let class = Class::SmoothSphereHalfSpaceForce;
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let mut set = self.parameter_set(document, element, class, None);
@@ -293,7 +293,7 @@ impl<'r> ContactReader<'r> {
         Ok(SphereId(self.spheres.len() - 1))
     }
 
-    fn add_hunt_crossley(&mut self, id: ComponentId) -> Result<(), Fault> {
+    fn add_hunt_crossley_force(&mut self, id: ComponentId) -> Result<(), Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let mut sets = Vec::new();
         let own_sets = parameter_sets_of(document, element);
@@ -413,7 +413,7 @@ const GEOMETRY_CLASSES: [&str; 6] = [
     "ContactCylinder",
     "ContactTorus",
 ];
-/// The name of `constant_contact_force` in the first version of Moco's class.
+/// The name of the element `constant_contact_force` in the first version of Moco's class.
 pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";

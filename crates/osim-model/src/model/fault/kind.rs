@@ -43,7 +43,7 @@ pub enum FaultKind {
     },
     /// A number that OpenSim reads differently from a person or a strict program.
     Number {
-        /// OpenSim's name of the property.
+        /// Name of the property in OpenSim.
         property: String,
         text: String,
         fault: NumberFault,
@@ -54,19 +54,19 @@ pub enum FaultKind {
     },
     /// A number outside the domain in which the equations hold.
     Domain {
-        /// OpenSim's name of the property.
+        /// Name of the property in OpenSim.
         property: String,
-        /// The value as OpenSim reads it.
+        /// The number as OpenSim reads it.
         value: f64,
         expected: &'static str,
     },
     /// A new number that is not finite, or outside the domain in which the equations hold.
     NewValue {
-        /// OpenSim's name of the property.
+        /// Name of the property in OpenSim.
         property: String,
         /// The new value, which is not written.
         value: f64,
-        /// The values that are allowed, in words.
+        /// The allowed values, in words.
         expected: &'static str,
         /// How the value was computed: old value, factor, equation.
         origin: String,
@@ -99,7 +99,7 @@ pub enum FaultKind {
     },
     /// The element to change is in another file that the model includes.
     IncludedFile {
-        /// Component path of the element.
+        /// Component path of the element to change.
         path: String,
         file: String,
     },
@@ -123,7 +123,7 @@ pub enum FaultKind {
         reference: String,
         known: Vec<String>,
     },
-    /// The selection contains no force.
+    /// The caller's choice leaves no force.
     NothingSelected {
         forces: String,
     },

@@ -33,7 +33,7 @@ pub struct Fault {
     pub kind: FaultKind,
     /// First byte of the place in the file `file`, from 0.
     pub offset: Option<usize>,
-    /// Bytes to underline, in the file `file`.
+    /// The bytes to underline in the file `file`.
     pub span: Option<Range<usize>>,
     /// Line and column of `offset`, after [`Fault::located`].
     pub position: Option<Position>,
@@ -120,7 +120,7 @@ impl Fault {
         self.located(bytes_of(file))
     }
 
-    /// Stable short name of the kind of fault.
+    /// Stable short name of the kind of error, as in the JSON `code`.
     pub fn code(&self) -> &'static str {
         self.kind.code()
     }

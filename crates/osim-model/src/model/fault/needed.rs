@@ -52,7 +52,7 @@ pub enum Needed {
     },
     /// The choice of forces: the forces belong to several animals.
     Selection {
-        /// Forces of each animal.
+        /// The forces of each animal.
         trees: Vec<ForcesOfAnimal>,
         /// The field for the answer: the choice of forces of the model, or of a reference.
         input: Input,

@@ -1,4 +1,4 @@
-//! Numbers that look wrong, such as a mass in grams: they are used only if the caller confirms them.
+//! Questions about numbers that look wrong, such as a mass in grams. The numbers are used only if the caller confirms them.
 
 use std::fmt;
 use std::str::FromStr;

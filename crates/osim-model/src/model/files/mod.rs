@@ -20,9 +20,9 @@ pub struct Failure {
     pub code: &'static str,
     /// The message: what is wrong, what was expected, and advice.
     pub message: Phrase,
-    /// Line of the place, from 1.
+    /// Line of the error in its file, from 1.
     pub line: Option<usize>,
-    /// Column of the place in characters, from 1.
+    /// Column of the error in its line, in letters, from 1.
     pub column: Option<usize>,
     pub excerpt: Option<Excerpt>,
     /// Whether the call would succeed if the caller gave a fact that the program must not guess.

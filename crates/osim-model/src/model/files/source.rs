@@ -120,7 +120,7 @@ impl From<&Self> for FileName {
 /// assert!(!folder.exists(Path::new("two_feet.osim")));
 /// ```
 pub trait Files {
-    /// The bytes of a file.
+    /// The bytes of the file at `path`.
     ///
     /// # Errors
     /// The file does not exist or cannot be read.

@@ -49,7 +49,7 @@ pub struct Note {
     pub digest: String,
     /// Digest of the radii alone: its first 8 digits.
     pub radii: String,
-    /// Names of the contacts and digests of their properties.
+    /// Names of the spheres and forces as digests, and digests of their properties.
     pub parts: NotedParts,
     /// The first 8 digits of a digest of the spheres' locations; `None` if the earlier note could not be read.
     pub places: Option<String>,
@@ -105,7 +105,7 @@ pub struct Step {
     pub date: Option<String>,
 }
 
-/// The model or the preset that contacts were taken from.
+/// The model or preset from which contacts were taken.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Source {
     /// Name of the file, without folders and blanks.
@@ -145,10 +145,10 @@ impl Step {
 
     /// Reads a step. Its parts are separated from the end; the remaining text is the operation.
     pub(super) fn parse(text: &str) -> Self {
-        let (rest, date) = split(text, BEFORE_DATE, |date| is_date(date).then(|| date.to_owned()));
-        let (rest, reference) = split(rest, BEFORE_REFERENCE, Source::parse);
-        let (rest, from_mass_kg) = split(rest, BEFORE_OLD_MASS, |kg| mass_kg(kg).flatten());
-        let (operation, options) = split(rest, BEFORE_OPTIONS, |options| Some(options.to_owned()));
+        let (rest, date) = split_last(text, BEFORE_DATE, |date| is_date(date).then(|| date.to_owned()));
+        let (rest, reference) = split_last(rest, BEFORE_REFERENCE, Source::parse);
+        let (rest, from_mass_kg) = split_last(rest, BEFORE_OLD_MASS, |kg| mass_kg(kg).flatten());
+        let (operation, options) = split_last(rest, BEFORE_OPTIONS, |options| Some(options.to_owned()));
         let operation = operation.to_owned();
         Self { operation, options: options.unwrap_or_default(), from_mass_kg, reference, date }
     }
@@ -173,7 +173,7 @@ impl Source {
 }
 
 /// Splits `text` at the last `mark`, if `read` accepts the text behind it.
-fn split<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
+fn split_last<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
     let parts = text.rsplit_once(mark).and_then(|(before, part)| Some((before, read(part)?)));
     parts.map_or((text, None), |(before, part)| (before, Some(part)))
 }
@@ -196,10 +196,10 @@ pub(super) const NO_ENTRY: &str = "-";
 /// Digits of the digest of one property. It only names the changed property, after the digest of all numbers has found a change.
 const PROPERTY_DIGITS: usize = 4;
 
-/// Names of the contacts and digests of their properties.
+/// Digests of the names of spheres and forces, and of the values of their properties.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotedParts {
-    /// Names of the spheres of contact forces.
+    /// Number and digest of the names of the spheres of contact forces.
     pub spheres: NotedNames,
     pub forces: NotedNames,
     /// The first 4 digits of the SHA-256 of the values of each property of the forces.

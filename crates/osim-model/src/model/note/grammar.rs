@@ -20,9 +20,9 @@ pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
 /// The text in a note before each step.
 const BEFORE_STEP: &str = "by ";
-const STANCE: &str = "stance limbs ";
+const BEFORE_STANCE_LIMBS: &str = "stance limbs ";
 const BEFORE_WEIGHT: &str = "weighed ";
-const RECORD: &str = "record ";
+const BEFORE_RECORD: &str = "record ";
 /// The text in a note before the names of forces that were added to existing ones.
 const BEFORE_ADDED_FORCES: &str = "added ";
 
@@ -42,11 +42,11 @@ impl Note {
         };
         let added = (!self.added_forces.is_empty()).then(|| self.added_forces.join(" "));
         format!(
-            "{BEGINS}{} at {}{PROGRAM_MARK}{}; {scope}{steps}{}{}; sizes {}; {RECORD}{} {} {} {}; made {}{}{ENDS}",
+            "{BEGINS}{} at {}{PROGRAM_MARK}{}; {scope}{steps}{}{}; sizes {}; {BEFORE_RECORD}{} {} {} {}; made {}{}{ENDS}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
-            optional(STANCE, self.stance_limbs.map(shortest)),
+            optional(BEFORE_STANCE_LIMBS, self.stance_limbs.map(shortest)),
             optional(BEFORE_WEIGHT, self.weighed_kg.map(|kg| format!("{} kg", readable(kg)))),
             if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
@@ -72,10 +72,10 @@ impl Note {
         };
         let mut next_if = |name: &str| fields.next_if(|field| field.starts_with(name))?.strip_prefix(name);
         let steps: Vec<Step> = std::iter::from_fn(|| next_if(BEFORE_STEP)).map(Step::parse).collect();
-        let stance_limbs = next_if(STANCE).map(positive);
+        let stance_limbs = next_if(BEFORE_STANCE_LIMBS).map(positive);
         let weighed_kg = next_if(BEFORE_WEIGHT).map(|text| mass_kg(text).flatten());
-        let sizes = sizes(next_if("sizes ")?)?;
-        let mut record = next_if(RECORD)?.split(' ');
+        let sizes = read_sizes(next_if("sizes ")?)?;
+        let mut record = next_if(BEFORE_RECORD)?.split(' ');
         let all = digest(record.next()?, DIGEST_DIGITS)?;
         let radii = digest(record.next()?, PART_DIGITS)?;
         let places = match record.next()? {
@@ -166,7 +166,7 @@ impl BodySize {
     }
 }
 
-fn sizes(text: &str) -> Option<Vec<BodySize>> {
+fn read_sizes(text: &str) -> Option<Vec<BodySize>> {
     if text == NO_SIZES {
         return Some(Vec::new());
     }

@@ -175,7 +175,7 @@ impl Note {
             return Ok(Credits::of(document)?.and_then(|credits| credits.note()));
         }
         let comment = Self::comment_spans(document).next();
-        Ok(comment.map(|span| Self::parse(inner(document.tree().slice(span))).ok_or(UnreadableNote)))
+        Ok(comment.map(|span| Self::parse(inner_text(document.tree().slice(span))).ok_or(UnreadableNote)))
     }
 
     /// The bytes of the comments in a set that begin like a note, before the first child of the data root. The first one is the note. A
@@ -188,13 +188,13 @@ impl Note {
             tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
         tree.content(root)
             .take_while(move |piece| piece.span.start < end)
-            .filter(|piece| piece.kind == PieceKind::Comment && inner(piece.text).starts_with(BEGINS))
+            .filter(|piece| piece.kind == PieceKind::Comment && inner_text(piece.text).starts_with(BEGINS))
             .filter(|_| !document.is_model())
             .map(|piece| piece.span)
     }
 }
 
-fn inner(comment: &str) -> &str {
+fn inner_text(comment: &str) -> &str {
     let text = comment.strip_prefix("<!--").unwrap_or(comment);
     text.strip_suffix("-->").unwrap_or(text).trim_ascii()
 }

@@ -33,7 +33,7 @@ macro_rules! kinds {
         }
 
         impl SizedKind {
-            /// All kinds.
+            /// All kinds, in the order of lists.
             pub const ALL: &'static [Self] = &[$(Self::$name,)*];
 
             /// Name of the kind, a word for scripts.

@@ -68,7 +68,7 @@ impl SizedValues {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn of(model: &Model) -> Self {
-        let mut reader = Reader { model, angles: None, not_read: BTreeMap::new() };
+        let mut reader = SizedValueReader { model, angles: None, not_read: BTreeMap::new() };
         let components = model.components();
         let mut values = Vec::new();
         for (id, _) in components.tree.iter() {
@@ -83,19 +83,19 @@ impl SizedValues {
 /// Why the numbers of a force on a coordinate are not read.
 const UNKNOWN_COORDINATE: &str = "coordinates that are missing, or neither an angle nor a length";
 
-struct Reader<'m> {
+struct SizedValueReader<'m> {
     model: &'m Model,
     /// Whether each coordinate is an angle. Read when the first force on a coordinate is found.
     angles: Option<HashMap<&'m str, Option<bool>>>,
     not_read: BTreeMap<(String, &'static str), usize>,
 }
 
-impl Reader<'_> {
+impl SizedValueReader<'_> {
     fn add(&mut self, id: ComponentId, values: &mut Vec<SizedValue>) {
         let components = self.model.components();
         let class = components.tag(id);
         if class == "Body" {
-            values.extend(inertia(self.model, id));
+            values.extend(inertia_value(self.model, id));
             return;
         }
         if let Some(why) = why_not_read(class) {
@@ -144,7 +144,7 @@ fn kind_of_property(rule: KindRule, is_angle: Option<bool>) -> Option<SizedKind>
     }
 }
 
-fn inertia(model: &Model, body: ComponentId) -> Option<SizedValue> {
+fn inertia_value(model: &Model, body: ComponentId) -> Option<SizedValue> {
     let components = model.components();
     let value = crate::model::body_sizes::inertia_trace(components, body)?;
     let owned = !components.is_ground(body) && value.is_finite();
