@@ -2,19 +2,19 @@
 //!
 //! All rules were observed in OpenSim itself; `tests/oracle/test_words.py` checks them again.
 //!
-//! | text | what OpenSim makes of it |
+//! | text | how OpenSim reads it |
 //! |---|---|
-//! | white space | that of C: blank, tab, line feed, vertical tab, form feed, carriage return. A no-break space or a byte order mark is a letter |
-//! | around a value | left out, but not where it comes from CDATA or a reference: after a number, a flag or a list it then spoils all of it (`12&#32;` is the default), in a path or name it is a letter |
-//! | comments | before and after a value they do not count; one inside, an element, an instruction, a second CDATA section, or text beside CDATA, and OpenSim refuses the model ([`RawText::in_one_piece`]) |
-//! | values of one kind | words, each read as far as it looks like one (`1,5e6` is 1); one word that cannot be read at all spoils everything, and the default counts |
-//! | number | of the words the first; `nan` and `inf` only as a whole word, in any case; above the range of a double: unreadable |
-//! | three numbers | the first three of 3, 6, 9 ... words; commas and brackets have no meaning (`0.1,0.2,0.3` is one word) |
-//! | flag | `true` or `false` in any case as a whole word, else a whole number at the start of the word: 0 is false, 1 is true (`0.0`, `00`, `-0`, `0abc`, `1abc`), others cannot be read |
-//! | `isDisabled` | as a flag, but of the whole text; what cannot be read is false, any whole number but 0 true |
-//! | list of names | words; commas and brackets are letters |
-//! | path of a socket, name, `file=` | the whole text; no white space is left out of an attribute |
-//! | no text | the default: `<defaults>`, else that of the class |
+//! | white space | as in the language C: blank, tab, line feed, vertical tab, form feed, carriage return. A no-break space or a byte order mark counts as a letter |
+//! | white space around a value | ignored, unless it comes from CDATA or a reference. After a number, a flag or a list, OpenSim then cannot read the value and uses the default (`12&#32;`); in a path or name, the white space counts as a letter |
+//! | comments | before and after a value they are ignored. If a comment, an element, an instruction or a second CDATA section interrupts a value, or if there is text beside CDATA, OpenSim refuses the model ([`RawText::in_one_piece`]) |
+//! | numbers or flags | words separated by white space. Each word is read from its start as far as possible (`1,5e6` is 1). If one word cannot be read at all, OpenSim uses the default for the whole text |
+//! | number | the first word. `nan` and `inf` only as a whole word, in upper or lower case. A number beyond the range of a double cannot be read |
+//! | three numbers | the first three words, if there are 3, 6, 9 ... words. Commas and brackets do not separate words (`0.1,0.2,0.3` is one word) |
+//! | flag | `true` or `false` as a whole word, in upper or lower case; else a whole number at the start of the word: 0 is false, 1 is true (also `0.0`, `00`, `-0`, `0abc`, `1abc`). Other numbers cannot be read |
+//! | `isDisabled` | like a flag, but the whole text is one word. A text that cannot be read is false, any whole number except 0 is true |
+//! | list of names | words separated by white space; commas and brackets count as letters |
+//! | path of a socket, name, `file=` | the whole text. In an attribute, white space at the ends is not removed |
+//! | no text | the default: from `<defaults>`, else the default of the class |
 
 use super::raw_text::{RawText, is_white_byte};
 pub use super::raw_text::{is_white, trimmed};

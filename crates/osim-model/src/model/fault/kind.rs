@@ -94,7 +94,7 @@ pub enum FaultKind {
     /// Bodies that carry spheres in the reference do not exist in the model.
     MissingCarriers {
         bodies: Vec<String>,
-        /// A pattern that matches exactly the names of the reference's other forces, if there is one.
+        /// A pattern that matches only the reference's forces whose spheres are on bodies of the model, if there is such a pattern.
         others: Option<&'static str>,
     },
     /// The element to change is in another file that the model includes.

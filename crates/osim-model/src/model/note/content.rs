@@ -286,7 +286,7 @@ pub(super) fn digest(text: &str, digits: usize) -> Option<String> {
     is_digest.then(|| text.to_owned())
 }
 
-/// Whether a field of a note can contain `letter`. `-` is allowed, but two of them would end an XML comment: see [`plain`].
+/// Whether a field of a note can contain `letter`. `-` is allowed, but two of them would end an XML comment: see [`in_note_letters`].
 pub(super) fn is_note_letter(letter: char) -> bool {
     letter.is_ascii_graphic() && !";[]()<>&'\"".contains(letter)
 }
