@@ -202,7 +202,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn angles_need_no_unit_vectors() {
+    fn angles_do_not_depend_on_vector_lengths() {
         let at = DVec3::new;
         assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 3.0, 0.0)), 0.0);
         assert_eq!(angle(at(0.0, 2.0, 0.0), at(0.0, 0.0, -5.0)), FRAC_PI_2);

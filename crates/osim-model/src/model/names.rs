@@ -248,7 +248,7 @@ mod tests {
     }
 
     #[test]
-    fn names_of_both_sides_become_equal() {
+    fn names_without_side_are_equal_for_left_and_right() {
         for (right, left) in [
             ("heel_r", "heel_l"),
             ("RFoot", "LFoot"),

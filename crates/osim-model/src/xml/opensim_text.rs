@@ -371,7 +371,7 @@ mod tests {
     }
 
     #[test]
-    fn is_disabled_has_a_rule_of_its_own() {
+    fn is_disabled_is_not_read_like_other_flags() {
         for text in "true|TRUE|1|1abc|true | true|2|-1|01|99999999999999999999".split('|') {
             assert!(is_disabled(text), "{text}");
         }

@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn one_section_of_cdata_is_a_value_and_two_are_none() {
+    fn a_value_may_be_one_cdata_section_but_not_two() {
         for (xml, whole) in [
             ("<a> <![CDATA[1]]> </a>", true),
             ("<a><![CDATA[1]]><![CDATA[2]]></a>", false),

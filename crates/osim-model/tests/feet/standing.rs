@@ -162,7 +162,7 @@ fn the_lower_of_two_spheres_carries_more_weight() {
 }
 
 #[test]
-fn a_sphere_out_of_reach_carries_nothing_and_one_alone_can_be_chosen() {
+fn a_sphere_above_the_floor_carries_nothing_until_it_is_the_only_one() {
     let standing = foot_on_vertical_slider(10.0, &[-0.1, -0.08]).only_standing();
     let both = rest_on_all_spheres(&standing);
     assert!(
@@ -208,7 +208,7 @@ fn on_a_slope_the_part_along_the_normal_counts() {
 }
 
 #[test]
-fn a_coordinate_that_points_down_is_raised_to_go_down() {
+fn a_coordinate_with_a_downward_axis_grows_when_the_body_sinks() {
     let down = Slider { coordinate: "depth", axis: "0 -1 0", more: "<default_value>-0.5</default_value>" };
     let standing = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[down])).only_standing();
     assert_eq!(lift_of(&standing).rise, -1.0);
@@ -263,7 +263,7 @@ fn a_platform_under_a_foot_does_not_count_as_standing() {
 }
 
 #[test]
-fn a_ball_stands_by_itself() {
+fn a_ball_stands_apart_from_the_foot() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.bodies.push_str(&body_xml("ball", 0.5));
     parts.joints.push_str(&joint_xml(
@@ -314,7 +314,7 @@ fn coordinates_missing_in_the_file_are_those_that_opensim_makes() {
 }
 
 #[test]
-fn floors_of_two_directions_are_no_floor_to_stand_on_and_a_wall_is_none() {
+fn floors_of_two_directions_are_refused_and_walls_are_ignored() {
     let mut parts = foot_on_vertical_slider(10.0, &[-0.1]);
     parts.surfaces.push_str(&floor_xml("slope", "ground", 0.1));
     parts.forces.push_str(&force_xml("other", "s0 slope"));

@@ -143,7 +143,7 @@ fn defaults_give_surfaces_and_sockets_too() {
 }
 
 #[test]
-fn class_defaults_are_opensims() {
+fn class_defaults_are_those_of_opensim() {
     assert_property("left_out_smoothing", Property::ConstantContactForce, 1e-5, Origin::ClassDefault);
     assert_property("left_out_smoothing", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
     assert_property("left_out_smoothing", Property::HuntCrossleySmoothing, 50.0, Origin::ClassDefault);
@@ -256,7 +256,7 @@ fn frames_lead_to_their_body_in_every_spelling() {
 }
 
 #[test]
-fn forces_are_on_or_off_as_their_documents_version_says() {
+fn the_document_version_decides_how_forces_are_switched_off() {
     for (file, expected) in [
         ("applies_force_false", vec![true, false]),
         ("applies_force_odd_text", vec![false]),
@@ -304,7 +304,7 @@ fn limbs_of_model(model: &Model) -> Result<Vec<LimbSummary>, String> {
 }
 
 #[test]
-fn limbs_are_split_where_left_and_right_both_hang_below() {
+fn limbs_are_split_below_bodies_with_left_and_right_limbs() {
     for file in ["v30000_two_feet", "one_force_for_all", "both_classes", "mixed_radii"] {
         let found = read(file, limbs_of_model).unwrap();
         let names = |side: &str| vec![format!("heel_{side}"), format!("toe_{side}")];
@@ -414,7 +414,7 @@ fn a_separate_set_replaces_the_set_of_the_model() {
 }
 
 #[test]
-fn gravity_beside_a_set_is_that_of_the_model_and_not_of_its_geometry() {
+fn gravity_comes_from_the_model_and_not_from_the_geometry_file() {
     let text = String::from_utf8(fixture("format/v40000.osim")).unwrap();
     let beside = |gravity: &str| {
         let text =

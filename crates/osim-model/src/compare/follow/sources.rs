@@ -67,7 +67,7 @@ impl<'a> BodyFactorSources<'a> {
         self.by_source.iter().find(|(known, _)| *known == source).and_then(|(_, values)| values[axis])
     }
 
-    fn first(&self, axis: usize) -> Option<AxisFactor> {
+    fn preferred_factor(&self, axis: usize) -> Option<AxisFactor> {
         let mut sources = self.by_source.iter();
         sources.find_map(|(source, values)| Some(AxisFactor { factor: values[axis]?, source: *source }))
     }
@@ -155,7 +155,7 @@ pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisF
     let choose = |one: &BodyFactorSources<'_>| {
         let other = pairs.other_side(one.body);
         std::array::from_fn(|axis| {
-            let first = one.first(axis).filter(|first| first.source > FactorSource::Given);
+            let first = one.preferred_factor(axis).filter(|first| first.source > FactorSource::Given);
             let shared = || {
                 let other = other.filter(|other| other.value(FactorSource::Given, axis).is_none())?;
                 one.by_source.iter().find_map(|(source, values)| {
@@ -165,7 +165,7 @@ pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisF
             };
             match first {
                 Some(first) => Some(shared().unwrap_or(first)),
-                None => one.first(axis),
+                None => one.preferred_factor(axis),
             }
         })
     };

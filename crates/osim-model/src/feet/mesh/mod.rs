@@ -212,13 +212,13 @@ mod tests {
     }
 
     #[test]
-    fn corners_of_stl_are_triangles() {
+    fn three_points_of_an_stl_file_are_a_triangle() {
         let text = "solid a\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nvertex 1 0 1\nvertex 0 1 1\nendsolid";
         assert_eq!(mesh_surface("a.stl", text.as_bytes()).unwrap().triangles, [[0, 1, 2], [3, 4, 5]]);
     }
 
     #[test]
-    fn a_point_that_is_no_place_is_refused() {
+    fn a_point_with_an_infinite_coordinate_is_refused() {
         let fault = mesh_surface("a.obj", b"v 0 0 0\nv 1 inf 0\n").unwrap_err();
         assert_eq!(fault, MeshFault::Coordinate { point: 2, axis: 'y', value: "inf".into() });
     }

@@ -216,7 +216,7 @@ impl ModelFiles {
                 .map_err(|fault| Failure::from_fault(companion.path.as_path(), fault))?;
             companions.push(Companion { document, included_by });
         }
-        let names = Names { main: self.name, companions: names };
+        let names = FileNames { main: self.name, companions: names };
         match Model::read_with(document, companions) {
             Ok(model) => Ok(OpenModel { model, names }),
             Err(fault) => Err(Failure::from_fault(names.name(fault.file), fault)),
@@ -243,16 +243,16 @@ fn read_companion(
 #[derive(Debug)]
 pub struct OpenModel {
     pub model: Model,
-    names: Names,
+    names: FileNames,
 }
 
 #[derive(Debug)]
-struct Names {
+struct FileNames {
     main: FileName,
     companions: Vec<FileName>,
 }
 
-impl Names {
+impl FileNames {
     fn name(&self, file: FileId) -> &FileName {
         let companion = file.companion_index().and_then(|index| self.companions.get(index));
         companion.unwrap_or(&self.main)

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_note_is_spelled_as_agreed() {
+    fn a_note_has_the_agreed_text() {
         assert_eq!(
             example_note().text(),
             "[contacts made for 0.0209 kg at 9.80665 m/s2 (osim-contact-scale 0.1.0; partial; by transfer on 2026-11-25; \
