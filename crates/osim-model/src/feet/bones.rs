@@ -155,6 +155,7 @@ fn found_mesh_file(
 
 /// Marks of the right side in names of bone files: those before the name of the bone, and those after the name.
 const RIGHT_SIDE_MARKS: ([&str; 1], [&str; 2]) = (["r_"], ["_r", "_rv"]);
+/// Marks of the left side in names of bone files: those before the name of the bone, and those after the name.
 const LEFT_SIDE_MARKS: ([&str; 1], [&str; 2]) = (["l_"], ["_l", "_lv"]);
 
 /// The folders in which mesh files are searched, in this order: the folder of the model, its subfolder `Geometry`, then folders that the

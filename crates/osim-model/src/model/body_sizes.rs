@@ -129,7 +129,7 @@ pub struct BodyShape {
     /// The root mean square distance of the body's mass from its centre of mass, m: √(½ trace(I)/m). `None` if mass or inertia is not above
     /// 0.
     pub gyration_m: Option<f64>,
-    /// Ixx + Iyy + Izz, kg m².
+    /// The trace of the inertia, Ixx + Iyy + Izz, kg m²; `None` if it cannot be read.
     pub inertia_trace: Option<f64>,
     /// The places of the body's joints, including joints to ground, m.
     pub joints_m: Vec<DVec3>,

@@ -8,8 +8,9 @@ use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space}
 
 /// With more attributes than this on a tag, the file is left to the full scan, which finds repeated names.
 const MOST_PLAIN_ATTRIBUTES: usize = 8;
-/// The fewest bytes per piece and per element in dense models. Used to reserve memory; reserved memory that is not needed costs nothing.
+/// The fewest bytes per piece in dense models. Used to reserve memory; reserved memory that is not needed costs nothing.
 const BYTES_PER_PIECE: usize = 8;
+/// The fewest bytes per element in dense models. Used to reserve memory.
 const BYTES_PER_ELEMENT: usize = 20;
 /// Texts up to this number of bytes are searched in steps of eight bytes, longer texts by memchr.
 const MOST_SHORT_TEXT_BYTES: usize = 16;

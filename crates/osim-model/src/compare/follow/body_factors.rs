@@ -155,8 +155,9 @@ impl ComparedJoint<'_> {
 
 // Which mesh of one model shows the same bone as which of the other.
 
-/// Marks of left and right before and after a file's name. They do not belong to the name of the bone.
+/// Marks of right and left at the beginning of a mesh file's name. They do not belong to the name of the bone.
 const SIDE_PREFIXES: [&str; 2] = ["r_", "l_"];
+/// Marks of right and left at the end of a mesh file's name, without its ending. They do not belong to the name of the bone.
 const SIDE_SUFFIXES: [&str; 4] = ["_rv", "_lv", "_r", "_l"];
 
 #[derive(Debug, Clone, PartialEq)]

@@ -93,6 +93,7 @@ const LEAST_EXPECTED_CHANGE: f64 = 1e-3;
 /// How far the median factor may be from the expected factor, as a difference of logarithms: at least this. Bodies are seldom scaled by one
 /// factor along all axes.
 const LEAST_TOLERANCE: f64 = 0.02;
+/// The median factor may also be off by this part of the logarithm of the expected factor, if this is more than [`LEAST_TOLERANCE`].
 const TOLERANCE_SHARE: f64 = 0.25;
 
 /// Whether the numbers of one kind changed as geometric similarity expects.

@@ -49,9 +49,11 @@ pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
 
 /// A binary STL file has this many bytes before its triangles: a title and the number of triangles.
 const HEADER_BYTES: usize = 84;
+/// Bytes of the title at the beginning of a binary STL file.
 const TITLE_BYTES: usize = 80;
 /// Bytes of one triangle: a normal and three corners in single precision, then two more bytes.
 const TRIANGLE: usize = 50;
+/// Bytes of the normal at the beginning of a triangle.
 const NORMAL: usize = 12;
 
 /// The corners of all triangles of an STL file, three points for each triangle.

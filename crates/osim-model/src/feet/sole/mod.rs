@@ -20,6 +20,7 @@ const NEAR_GROUND: f64 = 0.1;
 const MOST_SPHERES: usize = 60;
 /// Size of a grid square in which only one bone point counts, m.
 const THINNING_CELL_M: f64 = 1e-3;
+/// The largest number of grid squares along the foot's length: in a long foot, the squares are larger than [`THINNING_CELL_M`].
 const CELLS_PER_LENGTH: f64 = 150.0;
 
 /// The number and radius of the spheres for each limb, and the distance of the sole below the bones.

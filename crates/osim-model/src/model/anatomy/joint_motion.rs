@@ -40,6 +40,7 @@ impl Speeds<'_> {
 
 /// Names of the three rotation axes, in the order in which OpenSim applies them.
 const ROTATIONS: [&str; 3] = ["rotation1", "rotation2", "rotation3"];
+/// Names of the three translation axes, in the order in which OpenSim applies them.
 const TRANSLATIONS: [&str; 3] = ["translation1", "translation2", "translation3"];
 
 /// How the coordinates of a joint move its child frame. Read from the file once.
