@@ -10,7 +10,7 @@ use osim_model::{
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
 
-/// Relative rounding error of a few multiplications.
+/// Relative rounding error of a product of a few numbers.
 const ROUNDING_OF_FACTORS: f64 = 1e-14;
 
 #[derive(Debug, Clone, Copy)]
@@ -126,7 +126,7 @@ impl<'m> PlanBuilder<'m> {
         Ok(())
     }
 
-    /// Plans the move of a half-space to a place in its frame, m.
+    /// Plans a new location of a half-space in its own frame, m.
     pub(crate) fn move_half_space(
         &mut self,
         plane: &HalfSpace,
@@ -186,13 +186,13 @@ impl<'m> PlanBuilder<'m> {
     }
 }
 
-/// Composite values with a relative difference up to this are equal.
+/// Two composite values are equal if their relative difference is at most this.
 const SAME_COMPOSITE: f64 = 1e-6;
 
-/// Plans the value `to` of `property` (E₁* of two equal surfaces, α, or a parameter of the smoothed law).
+/// Plans the value `to` of `property`: E₁* of two equal surfaces, α, or a parameter of the smoothed law.
 ///
-/// If the surfaces of a force have different values, all are multiplied by the wanted composite over the present one; if the present α is 0,
-/// all get the wanted α.
+/// If the surfaces of a force have different values, each is multiplied by the wanted composite value divided by the present one.
+/// If the present α is 0, all surfaces get the wanted α.
 pub(crate) fn change_composite(
     plan: &mut PlanBuilder<'_>,
     id: ForceId,

@@ -1,5 +1,5 @@
-//! Changes of single numbers and places, and their texts; and the factors by which properties are scaled. A number that is not finite
-//! never becomes text.
+//! Changes of single numbers and of places, the texts that are written for them, and the factors by which properties are scaled.
+//! A number that is not finite never becomes text.
 
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable, shortest};
@@ -35,7 +35,8 @@ pub struct NumberChange {
     pub force: Option<String>,
     /// Component path of the force or sphere.
     pub path: String,
-    /// Number of the `ContactParameters` in its force for reports, from 0; `None` elsewhere.
+    /// Index of the `ContactParameters` within the force, from 0, for reports; `None` for a property without
+    /// `ContactParameters`.
     pub set: Option<usize>,
     /// Name of the sphere whose radius changes.
     pub sphere: Option<String>,
@@ -46,9 +47,9 @@ pub struct NumberChange {
     /// The factor by which the value was multiplied; `None` if it was set.
     pub factor: Option<f64>,
     pub by: ChangedBy,
-    /// Line of the number, from 1, or of the object that gets it.
+    /// Line of the number in the file, from 1; of the object, if the number is inserted.
     pub line: usize,
-    /// Whether the element is absent and is inserted.
+    /// Whether the file has no element for the number, so that the element is inserted.
     pub inserted: bool,
     pub(crate) slot: Slot,
 }
@@ -77,13 +78,13 @@ pub struct PlaceChange {
     pub sphere: String,
     /// Component path of the object that changes.
     pub path: String,
-    /// Location in the frame of the sphere or half-space before the change, m.
+    /// Present location in the frame of the sphere or half-space, m.
     pub from: [f64; 3],
     pub to: [f64; 3],
     pub by: ChangedBy,
-    /// Line of the location, from 1, or of the sphere that gets one.
+    /// Line of the location in the file, from 1; of the sphere, if the location is inserted.
     pub line: usize,
-    /// Whether the element is absent and is inserted.
+    /// Whether the file has no element for the location, so that the element is inserted.
     pub inserted: bool,
     pub(crate) slot: Slot,
 }
@@ -94,11 +95,11 @@ pub enum ChangedBy {
     /// Equations of the paper, by their numbers: `10`, `C.2`, `11, B.2`.
     Equation(&'static str),
     Given,
-    /// The size of a body that was scaled.
+    /// The scaled size of the body to which the sphere is attached.
     Follow,
     /// The value comes from a fit to a recording.
     Fit,
-    /// The bottom of the sphere stays, or moves to the height of its foot's lowest one.
+    /// The lowest point of the sphere stays at its height, or moves to the height of the lowest sphere of its foot.
     Level,
     Friction,
     PredSim,
@@ -129,7 +130,7 @@ impl ChangedBy {
 }
 
 impl NumberChange {
-    /// The key of the number, and its new value.
+    /// The key of the number in digests of the note, and the new value.
     pub(crate) fn key_and_value(&self) -> (ValueKey, f64) {
         (ValueKey::from((&self.slot, self.property)), self.to)
     }
@@ -137,17 +138,18 @@ impl NumberChange {
     /// Checks that the new number may be written.
     ///
     /// # Errors
-    /// It is not finite, or outside the domain in which the contact laws hold: with its place and what it comes from.
+    /// The number is not finite, or outside the domain in which the contact laws hold. The fault has its place and its
+    /// origin.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         check_number(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
 
-    /// The new number as it is written.
+    /// The text that is written for the new number.
     pub(crate) fn text(&self) -> Result<String, Fault> {
         number_text(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
     }
 
-    /// `fault` with the place of the number.
+    /// `fault` with the line and path of the number.
     pub(crate) fn at(&self, fault: Fault) -> Fault {
         Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
     }
@@ -166,10 +168,10 @@ impl NumberChange {
 }
 
 impl PlaceChange {
-    /// The new place as it is written.
+    /// The text that is written for the new place.
     ///
     /// # Errors
-    /// It is not finite: with its place and what it comes from.
+    /// A coordinate is not finite. The fault has the place of the element and the origin of the value.
     pub(crate) fn text(&self) -> Result<String, Fault> {
         let from = || self.from.map(readable).join(" ");
         let origin = || format!("{}, in the place of {}", self.by.in_words(), from());
@@ -183,7 +185,7 @@ impl PlaceChange {
     }
 }
 
-/// The text of the new `value` of `property`; `origin` says what it comes from, for the message.
+/// The text of the new `value` of `property`; `origin` describes the source of the value, for the error message.
 ///
 /// # Errors
 /// A value that is not finite, or in which the contact laws do not hold ([`FaultKind::NewValue`]).
@@ -204,10 +206,10 @@ fn check_number(value: f64, property: Property, origin: impl FnOnce() -> String)
     Err(refused_number(property.name(), value, property.domain(), origin()))
 }
 
-/// The text of a place or an orientation, which is called `name`.
+/// The text of three numbers, a place or an orientation; `name` is their name in the error message.
 ///
 /// # Errors
-/// One of its numbers is not finite ([`FaultKind::NewValue`]).
+/// One of the numbers is not finite ([`FaultKind::NewValue`]).
 pub(crate) fn triple_text(
     values: [f64; 3],
     name: &str,
@@ -255,7 +257,7 @@ impl GravityChange {
     /// The change from gravity `now` to `target`; `now_for` is for the error if `now` is not known.
     ///
     /// # Errors
-    /// A target that is not above 0, or a gravity that nobody knows.
+    /// `target` is not above 0, or `target` is given and `now` is not known.
     pub(crate) fn new(now: Option<f64>, target: Option<f64>, now_for: GravityFor) -> Result<Self, Fault> {
         let Some(target) = target else { return Ok(Self { ratio: 1.0, words: None }) };
         if !(target.is_finite() && target > 0.0) {
@@ -285,7 +287,7 @@ impl GravityChange {
     }
 }
 
-/// The factor of a property by PredSim's rule; 1 for a property that it takes from the reference without scaling.
+/// The factor of a property by PredSim's rule; 1 for the properties that PredSim does not scale.
 pub(crate) fn predsim_factor(
     property: Property,
     ratios: &Ratios,

@@ -1,4 +1,5 @@
-//! Designs contact parameters from wanted behaviour and writes them into a model: (11), (A.5), (13), (C.2), (C.8), (C.10).
+//! Designs contact parameters from the wanted behaviour of the contacts, and writes them into a model: (11), (A.5), (13), (C.2),
+//! (C.8), (C.10).
 
 use contact_scaling::{
     Contact, ContactValues, DomainError, Law, RatioValues, Ratios, SharedLoad, SmoothingValues, Spheres,
@@ -20,14 +21,14 @@ use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DesignModulus {
-    /// By (11), a relative indentation x̂ under the load. A smoothed force gets the modulus whose Hertz force, times what (C.9) leaves of
-    /// it at rest, carries the load.
+    /// A relative indentation x̂ under the load, by (11). For a smoothed force, the modulus is larger: (C.9) leaves only a
+    /// share of the Hertz force at speed 0, and that share must carry the load.
     Indentation(f64),
     /// By (A.1) and (A.5), a Young's modulus (N/m²) and Poisson's ratio on rigid ground.
     Young { young_n_m2: f64, poisson: f64 },
 }
 
-/// The wanted behaviour of contacts. What is `None` stays, or follows a changed radius.
+/// The wanted behaviour of contacts. A property whose field is `None` stays, or is scaled with a changed radius.
 ///
 /// ```
 /// use contact_scaling::SharedLoad;
@@ -71,11 +72,13 @@ pub struct Design {
     pub speed_width: Option<(f64, f64)>,
     /// The rule for the radii, unless a contact stiffness is wanted.
     pub radius: RadiusRule,
-    /// Wanted stiffness of one sphere at the wanted indentation and load, N/m. It determines the radius (11, B.2), and `radius` does not count.
+    /// Wanted stiffness of one sphere at the wanted indentation and load, N/m. It determines the radius (11, B.2); `radius`
+    /// is ignored then.
     pub contact_stiffness_n_m: Option<f64>,
-    /// Mass that the result is made for, if the load is body weight.
+    /// Mass that the designed contacts are made for, if the load is body weight.
     pub target_mass: Option<Mass>,
-    /// The mass that the contacts were made for before, if it is not in doubt. What is not designed stays made for it.
+    /// The mass that the contacts were made for before the design, if it is certain. Properties that are not designed stay
+    /// made for it.
     pub contacts_mass: Option<Mass>,
     /// Gravity, m/s², if it is not the model's.
     pub gravity_m_s2: Option<f64>,
@@ -121,7 +124,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         let own_ratios = Ratios::new(by_radius).map_err(Fault::new)?;
         let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own_ratios };
         // If two forces share a sphere, the rest of one force alone means nothing.
-        rests.extend(wanted.rest_indentation(&plan, &sphere)?.filter(|_| !shared));
+        rests.extend(wanted.equilibrium_indentation(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
             match wanted.value(&plan, &sphere, property)? {
                 Some((to, equation)) => {
@@ -160,7 +163,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
 struct DesignedForce<'f> {
     force: &'f Force,
     radius_m: f64,
-    /// Scaling ratios from the old to the new radii of the force.
+    /// Scaling ratios of the force that follow from its old and new radii.
     own_ratios: Ratios,
 }
 
@@ -174,7 +177,7 @@ fn is_smooth(force: &Force) -> bool {
     force.kind == ForceKind::SmoothSphereHalfSpace
 }
 
-/// Scales a property that is not designed with the changed radius.
+/// Changes a property that is not designed by the factor that follows from the new radius.
 fn scale_with_radius(
     plan: &mut PlanBuilder<'_>,
     force: &Force,
@@ -211,13 +214,13 @@ impl Design {
         KeptMass { kg: Some(kg), scope: if agrees || complete { Scope::All } else { Scope::Partial } }
     }
 
-    /// Whether the load is under the gravity that the note gives; true if it gives none.
+    /// Whether the gravity of the design is the gravity in the note; true if the note has none.
     fn is_under_gravity_of_note(&self, note: Option<&Note>, model: &Model) -> bool {
         let (noted, own) = (note.and_then(|note| note.gravity_m_s2), self.gravity_m_s2.or(model.gravity()));
         noted.zip(own).is_none_or(|(noted, own)| same_gravity(noted, own))
     }
 
-    /// The rule for radii: by (11) with (B.2) if a contact stiffness is wanted.
+    /// The rule for the radii; with a wanted contact stiffness, the radius comes from (11) and (B.2).
     fn radius_rule(&self) -> Result<SphereRule, Fault> {
         match (self.contact_stiffness_n_m, self.modulus, &self.load) {
             (Some(k), Some(DesignModulus::Indentation(x)), Some(load)) => {
@@ -228,7 +231,7 @@ impl Design {
         }
     }
 
-    /// Whether every property the paper scales is designed; a HuntCrossleyForce has no smoothing.
+    /// Whether the design gives every property that the paper scales. A `HuntCrossleyForce` has no smoothing.
     fn is_complete(&self, smooth: bool) -> bool {
         let smoothing =
             self.constant_indentation.is_some() && self.state_width.is_some() && self.speed_width.is_some();
@@ -293,7 +296,8 @@ impl Design {
         Ok(carried.map(|(from, (factor, by))| NewValue::times(from, factor, by).to))
     }
 
-    /// The share of the Hertz force that the law of the file has at rest, the second factor of (C.9); 1 without smoothing.
+    /// The factor on the Hertz force at speed 0, the second factor of (C.9), with the α and bv of the force; 1 without
+    /// smoothing.
     fn speed_state(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<f64, Fault> {
         if !sphere.is_smooth() {
             return Ok(1.0);
@@ -305,8 +309,9 @@ impl Design {
         }
     }
 
-    /// x/R at which a smoothed force will rest under the load; `None` if no load is known or nothing carries it.
-    fn rest_indentation(
+    /// x/R at which a smoothed force carries the load at speed 0; `None` if no load is known, or if no indentation carries
+    /// it.
+    fn equilibrium_indentation(
         &self,
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
@@ -330,7 +335,7 @@ impl Design {
         Ok(indentation().ok().map(|x| x / sphere.radius_m))
     }
 
-    /// E₁* and its equation; `speed_state` is the share of the Hertz force that the law has at rest.
+    /// E₁* and its equation; `speed_state` is the factor on the Hertz force at speed 0.
     fn modulus(
         &self,
         modulus: DesignModulus,
@@ -394,7 +399,7 @@ impl Design {
     }
 }
 
-/// The impact speed of a fall from a quarter of the radius, √(gR/2): the paper's drop test.
+/// √(gR/2), the impact speed after a fall from a quarter of the radius, as in the paper's drop test.
 fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),

@@ -1,10 +1,11 @@
-//! Replaces exact spans of bytes and keeps every other byte.
+//! Replaces exact spans of bytes and keeps all other bytes.
 
 use std::ops::Range;
 
 use osim_model::{Fault, FaultKind, FileId, Model};
 
-/// Replaces a span of bytes by a text; an empty span inserts. [`splice`] applies edits, [`Patch`] without a copy.
+/// Replaces a span of bytes by a text; with an empty span, inserts the text. [`splice`] applies edits to bytes; [`Patch`] does so
+/// without a copy.
 ///
 /// ```
 /// use osim_patch::{Edit, splice};
@@ -21,7 +22,7 @@ pub struct Edit {
     pub text: String,
 }
 
-/// The new bytes of a file, as the slices they are made of: nothing is copied before it is written.
+/// The new bytes of a file as slices of the original file and of new text: no bytes are copied before they are written.
 ///
 /// ```
 /// use osim_patch::{Edit, Patch};
@@ -46,7 +47,7 @@ pub struct Patch<'b> {
 }
 
 impl<'b> Patch<'b> {
-    /// Takes all of `edits` or none. Edits at the same place are applied in the order given.
+    /// A patch of `bytes` by all of `edits`. Edits at the same place are applied in the order given.
     ///
     /// # Errors
     /// Two edits overlap, or one reaches past the end ([`FaultKind::OverlappingEdits`]).
@@ -62,7 +63,7 @@ impl<'b> Patch<'b> {
         Ok(Self { bytes, edits })
     }
 
-    /// The slices, in order: kept bytes and new text by turns.
+    /// The slices in order: kept bytes and new text alternate.
     pub fn parts(&self) -> impl Iterator<Item = &[u8]> {
         let starts = std::iter::once(0).chain(self.edits.iter().map(|edit| edit.span.end));
         let new = self.edits.iter().map(|edit| (edit.span.start, edit.text.as_bytes()));
@@ -79,17 +80,17 @@ impl<'b> Patch<'b> {
     }
 }
 
-/// Applies `edits` to `bytes`, all or nothing: see [`Edit`] for an example.
+/// Applies all `edits` to `bytes`, or none of them: see [`Edit`] for an example.
 pub fn splice(bytes: &[u8], edits: &[Edit]) -> Result<Vec<u8>, Fault> {
     Patch::new(bytes, edits.to_vec()).map(|patch| patch.to_vec())
 }
 
-/// `model` with `edits` in its main file, read again; all or nothing.
+/// `model` read again with `edits` in its main file; an error if any edit fails.
 pub(crate) fn edited(model: &Model, edits: Vec<Edit>) -> Result<Model, Fault> {
     edited_with(model, edits, &[])
 }
 
-/// The model after `edits`, with new bytes of other files of the model.
+/// `model` read again after `edits` in its main file, and with new bytes of its other files.
 pub(crate) fn edited_with(
     model: &Model,
     edits: Vec<Edit>,

@@ -1,4 +1,4 @@
-//! New elements, and where they are inserted, with the indentation of their siblings and the line ends of the file.
+//! Makes new elements and inserts them with the indentation of their siblings and the line ends of the file.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use osim_model::{ElementId, PieceKind, Tree};
 
 use crate::edit::Edit;
 
-/// An element with its text or its children.
+/// A new element, which has either a text or children.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Node {
     tag: String,
@@ -21,7 +21,7 @@ enum ElementContent {
 }
 
 impl Node {
-    /// `<tag>text</tag>`; the text is written as it is.
+    /// `<tag>text</tag>`; `text` is not escaped.
     pub(crate) fn leaf(tag: impl Into<String>, text: impl Into<String>) -> Self {
         Self { tag: tag.into(), name: None, content: ElementContent::Text(text.into()) }
     }
@@ -107,8 +107,8 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[No
         .collect()
 }
 
-/// Inserts `nodes` after everything in `parent`, so that taking them out with the white space before each leaves what was there.
-/// `None` where `parent` has nothing in it, not even white space: [`fill`] does it then.
+/// Inserts `nodes` after the last content of `parent`. If the nodes and the white space before each are removed later, the
+/// original text is left. `None` if `parent` has no content at all, not even white space: use [`fill`] then.
 pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
     if tree.is_empty_tag(parent) || tree.content(parent).next().is_none() {
         return None;
@@ -130,7 +130,7 @@ pub(crate) fn append(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<E
     Some(Edit { span: at..at, text: nodes.iter().map(|node| node.text(&space, unit)).collect() })
 }
 
-/// Fills `parent`, which has no content, with `nodes`.
+/// Puts `nodes` into `parent`, which has no content.
 pub(crate) fn fill(tree: &Tree, parent: ElementId, nodes: &[Node]) -> Option<Edit> {
     EmptyElement::read(tree, parent).map(|layout| layout.fill(&nodes.iter().collect::<Vec<_>>()))
 }
@@ -139,7 +139,7 @@ fn is_white(text: &str) -> bool {
     text.trim_ascii().is_empty()
 }
 
-/// The indentation of `parent`'s children against it; a tab where that cannot be seen.
+/// The white space by which the children of `parent` are indented more than `parent`; a tab if the file does not show it.
 pub(crate) fn indentation_unit(tree: &Tree, parent: ElementId) -> &str {
     let of = |element| indentation_of(tree, tree.span(element).start);
     let child = tree.children(parent).next();
@@ -152,7 +152,7 @@ pub(crate) fn indentation_unit(tree: &Tree, parent: ElementId) -> &str {
         .unwrap_or("\t")
 }
 
-/// Blanks and tabs between the beginning of the line and byte `at`; nothing where something else is there.
+/// Blanks and tabs between the start of the line and byte `at`; empty if other text is there.
 fn indentation_of(tree: &Tree, at: usize) -> &str {
     let before = tree.slice(0..at);
     indentation(&before[before.trim_ascii_end().len()..])
@@ -165,7 +165,7 @@ pub(crate) fn insert_first(tree: &Tree, parent: ElementId, comment: &str) -> Edi
     Edit { span: at..at, text: format!("{}{comment}", white_space_before(tree, next)) }
 }
 
-/// The end of the text that comes first in `parent`; `start` if an element or a comment comes first.
+/// The end of the text before the first element or comment of `parent`; `start` if there is no such text.
 fn end_of_leading_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
     match tree.content(parent).next() {
         Some(piece) if piece.kind == PieceKind::Text => piece.span.end,
@@ -173,12 +173,12 @@ fn end_of_leading_text(tree: &Tree, parent: ElementId, start: usize) -> usize {
     }
 }
 
-/// `span` and the line end and indentation before it.
+/// `span`, extended to the line end and indentation before it.
 pub(crate) fn with_white_space_before(tree: &Tree, span: Range<usize>) -> Range<usize> {
     span.start - white_space_before(tree, span.start).len()..span.end
 }
 
-/// Line end and indentation before byte `at`; empty if something else is on that line.
+/// Line end and indentation before byte `at`; empty if other text is on that line.
 pub(crate) fn white_space_before(tree: &Tree, at: usize) -> String {
     let before = tree.slice(0..at);
     let space = &before[before.trim_ascii_end().len()..];
@@ -204,9 +204,9 @@ fn comments(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = R
 /// An element without content, and the white space for its children.
 struct EmptyElement<'t> {
     name: &'t str,
-    /// Bytes from the end of the start tag (or its `/>`) to the end of the element.
+    /// Bytes from the end of the start tag (or from its `/>`) to the end of the element.
     span: Range<usize>,
-    /// `>` where a `/>` is taken away, else nothing.
+    /// `>` if a `/>` is replaced, else empty.
     closes_tag: &'static str,
     outer: String,
     inner: String,
@@ -248,7 +248,7 @@ impl<'t> EmptyElement<'t> {
 /// How an element without content was written, so that it can be restored when inserted children are removed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum EmptyForm {
-    /// `<objects/>`; any white space in it but a single blank stays in its start tag.
+    /// An element written as `<objects/>`. White space in the tag other than a single blank stays in the start tag.
     Closed,
     /// An element written as `<objects />`.
     ClosedWithBlank,
@@ -257,7 +257,7 @@ pub(crate) enum EmptyForm {
 }
 
 impl EmptyForm {
-    /// The white space in and around `element`, which has no content.
+    /// How `element`, which has no content, is written.
     pub(crate) fn of(tree: &Tree, element: ElementId) -> Self {
         match tree.is_empty_tag(element) {
             false => Self::Open,
@@ -266,7 +266,7 @@ impl EmptyForm {
         }
     }
 
-    /// The edit that takes out all that is in `element`. Its attributes stay.
+    /// The edit that removes all content of `element`. Its attributes stay.
     pub(crate) fn restored(self, tree: &Tree, element: ElementId) -> Edit {
         let (open, end) = (tree.open_span(element).end, tree.span(element).end);
         match self {
@@ -277,8 +277,8 @@ impl EmptyForm {
     }
 }
 
-/// The bytes of `/>` in `<tag/>`, with a single blank before it. Other white space is kept in the tag when it is opened, because no letter
-/// of a note says what it was.
+/// The bytes of `/>` in `<tag/>`, with a single blank before it. Other white space stays in the tag when the element is opened,
+/// because the letters of a note cannot record it.
 pub(crate) fn end_of_empty_tag(tree: &Tree, element: ElementId) -> Range<usize> {
     let span = tree.span(element);
     let kept = tree.slice(span.clone()).strip_suffix("/>").unwrap_or_default();
@@ -296,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn children_stand_one_step_further_in() {
+    fn children_are_indented_by_one_unit() {
         assert_eq!(
             foot_node().text("\r\n\t", "\t"),
             "\r\n\t<ContactSphere name=\"heel &amp; &quot;toe&quot;\">\r\n\t\t<radius>0.03</radius>\r\n\t</ContactSphere>"
@@ -304,23 +304,23 @@ mod tests {
     }
 
     #[test]
-    fn without_line_ends_all_is_one_line() {
+    fn without_line_ends_an_element_is_on_one_line() {
         assert!(!foot_node().text("", "\t").contains('\n'));
     }
 
     const ORDER: [&str; 4] = ["a", "b", "c", "d"];
 
     #[track_caller]
-    fn assert_inserted(tags: &[&str], into: &str, gives: &str) {
+    fn assert_inserted(tags: &[&str], into: &str, expected: &str) {
         let tree = Tree::scan(into).unwrap();
         let elements: Vec<_> = tags.iter().map(|tag| Node::leaf(*tag, "1")).collect();
         let parent = tree.children(ElementId::ROOT).next().unwrap_or(ElementId::ROOT);
         let edits = insert(&tree, parent, &ORDER, &elements);
-        assert_eq!(String::from_utf8(splice(into.as_bytes(), &edits).unwrap()).unwrap(), gives);
+        assert_eq!(String::from_utf8(splice(into.as_bytes(), &edits).unwrap()).unwrap(), expected);
     }
 
     #[test]
-    fn after_the_last_sibling_that_comes_before() {
+    fn an_element_is_inserted_after_the_last_sibling_before_it_in_order() {
         assert_inserted(
             &["c", "b"],
             "<r>\n\t<x>\n\t\t<a>0</a>\n\t\t<!--about d-->\n\t\t<d>0</d>\n\t</x>\n</r>",
@@ -329,7 +329,7 @@ mod tests {
     }
 
     #[test]
-    fn with_the_line_ends_of_the_file() {
+    fn an_inserted_element_has_the_line_ends_of_the_file() {
         assert_inserted(
             &["b"],
             "<r>\r\n <x>\r\n  <a>0</a>\r\n </x>\r\n</r>",
@@ -368,7 +368,7 @@ mod tests {
     }
 
     #[test]
-    fn an_element_that_was_opened_is_as_it_was() {
+    fn an_empty_element_is_restored_to_its_original_form() {
         for (tag, opened) in [
             ("<a/>", "<a>x</a>"),
             ("<a />", "<a>x</a>"),

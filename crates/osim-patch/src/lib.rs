@@ -1,7 +1,7 @@
 //! Changes the contacts of an OpenSim model: a plan, edits, and new bytes.
 //!
-//! A [`Plan`] says every number that changes: old value, new value, equation. Its [`Edit`]s replace exactly those bytes; every
-//! other byte of the file stays.
+//! A [`Plan`] lists every number that changes: old value, new value, equation. Its [`Edit`]s replace exactly the bytes of these
+//! numbers; all other bytes of the file stay.
 //!
 //! ```
 //! use osim_model::{FileId, MassRequest, Model, Selection};
@@ -21,19 +21,19 @@
 //! # }
 //! ```
 //!
-//! # What can be wanted
+//! # Changes that can be planned
 //!
 //! - [`rescale()`]: the model's own contacts at another mass or gravity.
-//! - [`transfer()`]: the contacts of another model or of a preset, given the size of this one. Spheres of a model that OpenSim
-//!   has scaled can follow their bodies ([`Follow`](osim_model::compare::Follow)).
-//! - [`design()`]: parameters from what is wanted of a contact, such as its indentation or restitution.
-//! - [`set()`]: plain values and factors.
-//! - [`note()`]: no number changes; the mass that the contacts were made for is written down.
+//! - [`transfer()`]: the contacts of another model or of a preset, scaled to the size of this model. If OpenSim has scaled the
+//!   model, its spheres can move and grow with their bodies ([`Follow`](osim_model::compare::Follow)).
+//! - [`design()`]: parameters from the wanted behaviour of a contact, such as its indentation or restitution.
+//! - [`set()`]: given values and factors.
+//! - [`note()`]: no number changes; the mass that the contacts were made for is written into the file.
 //!
-//! # What it will not do
+//! # Limits
 //!
-//! It knows no file system, no terminal and no options, decodes and re-encodes nothing, never changes the document version,
-//! element order or names, and never edits `<defaults>`.
+//! This crate reads and writes no files and knows no terminal and no options. It does not decode and encode a file again. It
+//! never changes the document version, the order of elements or names, and never edits `<defaults>`.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod builder;
@@ -71,7 +71,7 @@ pub use crate::transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,
 };
 
-/// The example of the README compiles.
+/// The example of the README, which must compile.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -7,8 +7,9 @@ use crate::objects::{EarlierNote, RebuiltModel};
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::{note_edits, rules};
 
-/// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, as they are, and how many `stance_limbs`
-/// share the weight, where that is said. Later changes need not be given that again, also after OpenSim has saved or scaled the model.
+/// Plans a note that the contacts of `model` were made for `contacts_mass_kg` at `gravity_m_s2`, without a change of numbers. The
+/// note also records how many `stance_limbs` share the weight, if given. Later changes read these facts from the note, also after
+/// OpenSim has saved or scaled the model.
 ///
 /// ```
 /// use osim_model::{FileId, MassRequest, MassSource, Model};
@@ -46,8 +47,8 @@ pub fn note(
     Ok(with_new_note(plan, model, stance_limbs, rules::nothing_to_note(kg)))
 }
 
-/// Plans a note of how many `stance_limbs` share the weight. What the contacts of `model` were made for stays as the note in the file
-/// has it; without one, it says that they are made for what the bodies weigh.
+/// Plans a note of how many `stance_limbs` share the weight. The mass that the contacts of `model` were made for stays as in the
+/// present note; without a note, the contacts count as made for the mass of the bodies.
 pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
     let KeptMass { kg, scope } = KeptMass::of(model, None);
     let noted = model.note.as_ref();
@@ -66,7 +67,7 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
     with_new_note(plan, model, Some(stance_limbs), rules::no_limbs_to_note(stance_limbs))
 }
 
-/// `plan` with its note; if the note in the file has the same content, without it and with the finding `same`.
+/// `plan` with its new note. If the present note has the same content, `plan` without a note and with the finding `same`.
 fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Finding) -> Plan {
     plan.require_note();
     plan.note_stance_limbs(stance_limbs);
@@ -77,8 +78,8 @@ fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same:
     plan
 }
 
-/// The note of `model` after an `operation` on its objects (`rebuilt`) that does not change what contacts were made for; `None` if the model has
-/// no note. If contacts were changed since the note was written, the new note says so, too.
+/// The note of `model` after an `operation` on its objects (`rebuilt`) that does not change the mass that contacts were made for;
+/// `None` if the model has no note. If contacts were changed since the note was written, the new note records that, too.
 pub fn kept_note(model: &Model, rebuilt: &RebuiltModel, operation: &str) -> Option<Note> {
     let new = rebuilt.model();
     let Some(old) = &model.note else {
@@ -90,7 +91,7 @@ pub fn kept_note(model: &Model, rebuilt: &RebuiltModel, operation: &str) -> Opti
     Some(note)
 }
 
-/// A note that replaces one that cannot be read, so that it is not known what the contacts of `new` were made for.
+/// A note in place of one that cannot be read: the mass that the contacts of `new` were made for is not known.
 fn note_in_doubt(model: &Model, new: &Model, operation: &str) -> Note {
     Note {
         version: env!("CARGO_PKG_VERSION").to_owned(),
@@ -110,8 +111,8 @@ fn note_in_doubt(model: &Model, new: &Model, operation: &str) -> Note {
     }
 }
 
-/// The note of what [`remove`](crate::objects::remove()) left of the contacts of `model`: of a part, and of what else was made for them. `None`
-/// where none is left, or the model has no note.
+/// The note after [`remove`](crate::objects::remove()) has removed some contacts of `model`: it covers only a part of the
+/// contacts. `None` if no contact is left, or if the model has no note.
 pub fn note_of_remaining(model: &Model, rebuilt: &RebuiltModel) -> Option<Note> {
     let is_out = rebuilt.earlier_note == EarlierNote::TakenOut;
     let is_about_nothing = model.note.is_none() && !leaves_noted_contacts(model, rebuilt.model());
@@ -121,20 +122,21 @@ pub fn note_of_remaining(model: &Model, rebuilt: &RebuiltModel) -> Option<Note> 
     Some(Note { scope, added_to_file: rebuilt.made.clone(), ..note })
 }
 
-/// Whether `rebuilt` still has contacts that a note of `model` is about.
+/// Whether `rebuilt` still has contacts that the note of `model` describes.
 pub(crate) fn leaves_noted_contacts(model: &Model, rebuilt: &Model) -> bool {
     let on_ground = |model: &Model| model.forces().iter().any(|force| model.meets_half_space(force));
     on_ground(rebuilt) || (!on_ground(model) && !rebuilt.forces().is_empty())
 }
 
-/// The mass and scope for the note after a change that does not change what contacts are made for.
+/// The mass and scope of the note after a change that does not change the mass that contacts are made for.
 pub(crate) struct KeptMass {
     pub(crate) kg: Option<f64>,
     pub(crate) scope: Scope,
 }
 
 impl KeptMass {
-    /// The mass that a note keeps after a change of `model`, for whose contacts `contacts_mass` is known or taken:
+    /// The mass that a note keeps after a change of `model`; `contacts_mass` is the mass that its contacts were made for, and
+    /// its source:
     ///
     /// | the note before | who says the mass | the note afterwards |
     /// |---|---|---|
@@ -155,7 +157,7 @@ impl KeptMass {
     }
 }
 
-/// Whether two notes have the same content apart from the program and the steps.
+/// Whether two notes have the same content; the version of the program and the steps do not count.
 fn has_same_content(new: &Note, old: &Note) -> bool {
     let facts = |note: &Note| {
         (

@@ -1,4 +1,4 @@
-//! The edits that write a note into a file or remove it, and the steps that a note records.
+//! The edits that write a note into a file or remove it, and the list of operations (steps) in a note.
 
 use std::collections::BTreeSet;
 use std::ops::Range;
@@ -17,8 +17,8 @@ use crate::insert::{EmptyForm, Node, end_of_empty_tag, insert, insert_first, wit
 const ORDER_IN_MODEL: [&str; 6] =
     ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
 const CREDITS: &str = "credits";
-/// Letters in a note's list of elements that the program made: `<credits>` was added, or opened from one of these forms. With them, removing the
-/// note restores the file.
+/// Letters in a note's list of elements that the program made: the program added `<credits>`, or opened an empty `<credits>` of
+/// one of these forms. With the letters, removing the note restores the file.
 const MADE_CREDITS: char = 'c';
 const OPENED_CREDITS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
 
@@ -27,7 +27,7 @@ pub(crate) fn adds_credits(document: &Document) -> bool {
     document.is_model() && matches!(Credits::of(document), Ok(None))
 }
 
-/// `made` of an earlier note and what a note in the model adds; `followed` as of [`sizes`].
+/// The letters of the earlier note and those that a note in the model adds; `followed` as in [`noted_sizes`].
 pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> String {
     let document = model.document();
     let earlier = model.note.as_ref();
@@ -45,14 +45,14 @@ pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>)
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
-/// Letters of a note with `others`, each once.
+/// The letters of `made` and `others`, each once.
 pub(crate) fn merged_letters(made: &str, others: &str) -> String {
     let letters: BTreeSet<char> =
         made.chars().chain(others.chars()).filter(char::is_ascii_alphabetic).collect();
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
-/// Letters of a note of objects that are new in a model with a note about others, which has the letters `earlier`.
+/// The letters of a note about new objects, without the letters `earlier` of the note about the other objects of the model.
 pub(crate) fn letters_without_earlier(made: &str, earlier: &str) -> String {
     let own = |letter: &char| *letter == Note::PLACED || !earlier.contains(*letter);
     merged_letters(&made.chars().filter(own).collect::<String>(), "")
@@ -68,9 +68,10 @@ fn opened_credits_letter(document: &Document) -> Option<char> {
     OPENED_CREDITS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
 }
 
-/// Sizes of the bodies for which the spheres are placed: today's where all spheres of a body `followed` it, else those that the
-/// earlier note gives while the places stay, else today's. The note of a model that OpenSim scaled later still says which size
-/// its spheres belong to, until they follow their bodies. A body has no one size if only some of its spheres followed.
+/// Sizes of the bodies for which the spheres are placed. A body has today's size if all its spheres moved with it (`followed`),
+/// or if the earlier note gives no size or its spheres have moved since; else it has the size in the earlier note. So the note of
+/// a model that OpenSim scaled later still gives the size of the body at which its spheres were placed. A body of which only some
+/// spheres followed has no size in the note.
 pub(crate) fn noted_sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) -> Vec<BodySize> {
     let noted = model.note.as_ref().filter(|note| !note.sizes.is_empty() && is_unmoved(note, model));
     let noted: HashMap<&str, &BodySize> =
@@ -103,7 +104,8 @@ pub(crate) fn write_note(document: &Document, note: &Note) -> Vec<Edit> {
     write_note_with(document, note, |credits| credits.edits(Some(note)))
 }
 
-/// Writes `note` into `document` after an earlier one about contacts that were removed. Removing the new note restores the text.
+/// Writes `note` into `document` beside an earlier note about contacts that were removed. Removing the new note restores the
+/// text.
 pub(crate) fn write_second_note(document: &Document, note: &Note) -> Vec<Edit> {
     write_note_with(document, note, |credits| credits.edits_for_another(note))
 }
@@ -150,7 +152,7 @@ pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     edits
 }
 
-/// The credits of the new model as OpenSim reads them, once `edits` are made in `document`; `None` where it has none then.
+/// The credits of the new model as OpenSim reads them, after `edits` in `document`; `None` if the new model has no credits.
 pub(crate) fn credits_after(document: &Document, edits: &[Edit]) -> Option<String> {
     if !document.is_model() {
         return None;
@@ -167,7 +169,7 @@ pub(crate) fn credits_after(document: &Document, edits: &[Edit]) -> Option<Strin
     Credits::of(&alone).ok()?.map(|credits| credits.text().to_owned())
 }
 
-/// The bytes of `span` with the edits that are in it; `None` where they take all of it out.
+/// The bytes of `span` after the edits in it; `None` if the edits remove all of `span`.
 fn with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option<Vec<u8>> {
     let holds =
         |outer: &Range<usize>, inner: &Range<usize>| outer.start <= inner.start && inner.end <= outer.end;
@@ -204,9 +206,9 @@ fn contains_only_text(tree: &Tree, element: ElementId) -> bool {
     tree.content(element).all(|piece| piece.kind == PieceKind::Text)
 }
 
-/// A note keeps at most so many steps: the first and the latest ones.
+/// The largest number of steps in a note: the first step and the latest ones are kept.
 const MOST_STEPS: usize = 8;
-/// The operation of a step in which somebody changed values without a note.
+/// The operation of a step that records a change of values by another program or person, without a note.
 pub(crate) const CHANGED_BY_OTHERS: &str = "others";
 
 /// Details of a change for its step in the note, which only the caller knows.
@@ -216,18 +218,19 @@ pub struct StepDetails {
     pub options: String,
     /// The model or preset that the contacts were taken from.
     pub reference: Option<Source>,
-    /// Limbs that share the body weight, where the caller said so.
+    /// Limbs that share the body weight, if the caller gave them.
     pub stance_limbs: Option<f64>,
-    /// The date, as `2026-11-25`, where it is known.
+    /// The date, such as `2026-11-25`, if known.
     pub date: Option<String>,
 }
 
-/// The steps of the note that is in `model`, and `step`; `is_new` where its contacts are, and what was done before is about others.
+/// The steps of the note in `model` with `step` at the end; only `step` if the contacts are new (`is_new`), because earlier steps
+/// are about other contacts.
 pub(crate) fn continued_steps(model: &Model, step: Step, is_new: bool) -> Vec<Step> {
     steps_after(if is_new { Vec::new() } else { earlier_steps(model) }, step)
 }
 
-/// The steps of the note that is in `model`, and that somebody changed values since, where that is so.
+/// The steps of the note in `model`, with a step [`CHANGED_BY_OTHERS`] at the end if values were changed since the note.
 pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
     let Some(note) = &model.note else { return Vec::new() };
     match model.doubt_about_note() {
@@ -241,7 +244,7 @@ pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
     }
 }
 
-/// `steps` and `step`; one that says the same as the one before is that one.
+/// `steps` with `step` at the end; a step that is equal to the last one is not added twice.
 pub(crate) fn steps_after(mut steps: Vec<Step>, step: Step) -> Vec<Step> {
     if steps.last() != Some(&step) {
         steps.push(step);

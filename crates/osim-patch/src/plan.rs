@@ -1,6 +1,6 @@
 //! The plan: every number that changes, with its old and new value and its equation.
 //!
-//! Tables, diffs, JSON, dry runs and writing are all views of a [`Plan`]; there is no other way to change a model.
+//! Tables, diffs, JSON, dry runs and writing all read a [`Plan`]; it is the only way to change a model.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,8 +17,8 @@ use crate::insert::{Node, insert};
 use crate::note_edits::{self, StepDetails};
 use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 
-/// Everything that is to be done to one model: made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()),
-/// [`design`](crate::design()) or [`set`](crate::set()), shown and written by the caller.
+/// All changes of one model, made by [`rescale`](crate::rescale), [`transfer`](crate::transfer()), [`design`](crate::design()) or
+/// [`set`](crate::set()). The caller shows and writes them.
 ///
 /// ```
 /// # use osim_model::{FileId, MassRequest, Model, Selection};
@@ -48,43 +48,44 @@ pub struct Plan {
     /// The numbers that change, each once: radii first, then force by force.
     pub changes: Vec<NumberChange>,
     pub moves: Vec<PlaceChange>,
-    /// The mass that the contacts were made for, before and afterwards; `None` if it is not known and not needed.
+    /// The mass that the contacts were made for, before and after the change; `None` if it is neither known nor needed.
     pub masses: Option<Masses>,
-    /// The first line of every report: which masses or values the change starts from, and where they come from.
+    /// The first line of every report: the masses or values from which the change starts, and their sources.
     pub taken: Phrase,
     pub findings: Vec<Finding>,
-    /// Remarks about the whole change, such as what stays as it is.
+    /// Remarks about the whole change, such as the parts of the model that stay.
     pub remarks: Vec<Phrase>,
     pub errors: Option<RecordingErrors>,
     /// How far the floor of each recording is above that of the unchanged model, m; empty if no height was fitted.
     pub floor_up_m: Vec<f64>,
     note: Option<Note>,
     requires_note: bool,
-    /// The model with objects added or removed, if objects change. Numbers then change in this model.
+    /// The model with objects added or removed, if there are any. Numbers then change in this model.
     pub(crate) rebuilt: Option<RebuiltModel>,
 }
 
-/// Errors of the forces of a fit against force plates: of the worst foot of the first trial, and vertically also of all feet of each other trial.
+/// Differences between the forces of a fit and of force plates: for the foot with the largest difference in the first trial. The
+/// vertical errors also include all feet of the other trials.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecordingErrors {
-    /// Root mean square along the normal of the floor, body weights.
+    /// Root mean square of the difference along the normal of the floor, in body weights.
     pub vertical_rms_bw: f64,
-    /// Root mean square along the normal, on data that were not fitted; `None` if no data could be held out.
+    /// The same error for data that were not used in the fit, in body weights; `None` if no data could be kept apart.
     pub held_out_vertical_rms_bw: Option<f64>,
-    /// Root mean square across the normal, body weights.
+    /// Root mean square of the difference parallel to the floor, in body weights.
     pub horizontal_rms_bw: f64,
-    /// Root mean square of the distance between the centres of pressure, m; `None` if there are none.
+    /// Root mean square of the distance between the centres of pressure, m; `None` if there are no centres of pressure.
     pub cop_rms_m: Option<f64>,
-    /// The largest x/R in the recording.
+    /// The largest relative indentation x/R in the recording.
     pub largest_relative_indentation: f64,
 }
 
 /// The mass that contacts were made for, before and after a change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Masses {
-    /// The mass that they were made for before (in a transfer: that the reference's contacts were made for).
+    /// The mass for which the contacts were made before the change; in a transfer, the contacts of the reference.
     pub contacts_mass: Mass,
-    /// The mass that they are made for afterwards, kg.
+    /// The mass for which the contacts are made after the change, kg.
     pub target_mass_kg: f64,
 }
 
@@ -95,7 +96,7 @@ impl Masses {
     }
 }
 
-/// The operation, as the note has it, of a transfer.
+/// The name of a transfer among the operations in the note.
 pub(crate) const TRANSFER: &str = "transfer";
 
 /// Facts for the note of a plan besides digests of the values.
@@ -104,11 +105,12 @@ pub(crate) struct NoteFacts<'o> {
     pub(crate) gravity_m_s2: Option<f64>,
     pub(crate) scope: Scope,
     pub(crate) operation: &'o str,
-    /// Spheres that follow their bodies, also if they do not move; `None` if spheres do not follow.
+    /// Spheres that move with their bodies, also if their location does not change; `None` if spheres do not move with
+    /// bodies.
     pub(crate) followed: Option<&'o BTreeSet<SphereId>>,
 }
 
-/// The parts of a plan that each verb makes.
+/// The parts of a plan that differ between the verbs.
 #[derive(Default)]
 pub(crate) struct PlanContents {
     pub(crate) changes: Vec<NumberChange>,
@@ -119,13 +121,13 @@ pub(crate) struct PlanContents {
     pub(crate) remarks: Vec<Phrase>,
 }
 
-/// A mass without rounding errors: a sum of bodies may be 20.000000000000018 kg.
+/// A mass rounded to 15 digits, because a sum of bodies may be 20.000000000000018 kg.
 fn rounded_to_15_digits(kg: f64) -> f64 {
     format!("{kg:.14e}").parse().ok().filter(|rounded: &f64| rounded.is_finite()).unwrap_or(kg)
 }
 
 impl Plan {
-    /// Writes a note even if no number changes, so that the output differs from its original.
+    /// Requires a note even if no number changes, so that the output differs from the original file.
     pub fn require_note(&mut self) {
         self.requires_note = true;
     }
@@ -135,19 +137,20 @@ impl Plan {
         self.requires_note = false;
     }
 
-    /// Writes no note. If a number changes, an earlier note is removed, because it would be wrong.
+    /// Removes the note from the plan. If a number changes, an earlier note in the file is removed, because it would be
+    /// wrong.
     pub fn drop_note(&mut self) {
         self.note = None;
     }
 
-    /// Records a more exact operation than the verb in the note: `rescale radius=x2`.
+    /// Records the operation with its details in the note instead of only the verb: `rescale radius=x2`.
     pub fn name_operation(&mut self, operation: &str) {
         if let Some(step) = self.last_step() {
             step.operation = Note::operation_text(operation);
         }
     }
 
-    /// Makes the last two steps of the note one, if they are parts of the same operation.
+    /// Joins the last two steps of the note if they are parts of the same operation.
     pub fn join_steps(&mut self) {
         if let Some(note) = &mut self.note
             && let [.., before, last] = note.steps.as_slice()
@@ -157,14 +160,14 @@ impl Plan {
         }
     }
 
-    /// Removes all steps but the last from the note, because the contacts are new and earlier steps are about others.
+    /// Removes all steps but the last from the note, because the earlier steps are about other contacts.
     pub fn forget_earlier_steps(&mut self) {
         if let Some(note) = &mut self.note {
             note.steps.drain(..note.steps.len().saturating_sub(1));
         }
     }
 
-    /// Records in the note what only the caller knows about the change.
+    /// Adds details of the change that only the caller knows to the note.
     pub fn add_details(&mut self, details: StepDetails) {
         let StepDetails { options, reference, stance_limbs, date } = details;
         self.note_stance_limbs(stance_limbs);
@@ -175,7 +178,7 @@ impl Plan {
         }
     }
 
-    /// Records in the note how many limbs share the weight, if that is given.
+    /// Records in the note how many limbs share the weight, if the number is given.
     pub(crate) fn note_stance_limbs(&mut self, stance_limbs: Option<f64>) {
         if let Some(note) = &mut self.note {
             note.stance_limbs = stance_limbs.or(note.stance_limbs);
@@ -186,7 +189,8 @@ impl Plan {
         self.note.as_mut()?.steps.last_mut()
     }
 
-    /// Records in the note that all values of the contacts are made for its mass. New contacts also have values that the plan does not change.
+    /// Records in the note that all values of the contacts are made for its mass, also the values of new contacts that the
+    /// plan does not change.
     pub fn note_all_values(&mut self) {
         if let Some(note) = &mut self.note {
             note.scope = Scope::All;
@@ -247,7 +251,7 @@ impl Plan {
         }
     }
 
-    /// Attaches a plan that was made for the model of `rebuilt` to the model from which that was made.
+    /// Attaches a plan for the new model in `rebuilt` to the original model.
     pub fn attach_to(mut self, rebuilt: RebuiltModel) -> Self {
         if let Some(note) = &mut self.note {
             let model = rebuilt.model();
@@ -285,29 +289,30 @@ impl Plan {
         self
     }
 
-    /// Whole objects that are added or taken out, in the order in which reports list them.
+    /// Objects that are added or removed, in the order of reports.
     pub fn objects(&self) -> &[ObjectChange] {
         self.rebuilt.as_ref().map_or(&[], |rebuilt| &rebuilt.objects)
     }
 
-    /// Whether the plan removes everything that was added to the model, so that the original is restored.
+    /// Whether the plan removes everything that the program added to the model, so that the file is the original again.
     pub fn restores_original(&self) -> bool {
         self.rebuilt.as_ref().is_some_and(|rebuilt| rebuilt.earlier_note == EarlierNote::TakenOut)
     }
 
-    /// Records in the note where spheres are, by the digest of their places.
+    /// Records in the note the digest of the spheres' places.
     pub(crate) fn note_places(&mut self, places: String) {
         if let Some(note) = &mut self.note {
             note.places = Some(places);
         }
     }
 
-    /// The model in which numbers change: `model`, or the one with objects added or removed.
+    /// The model in which numbers change: `model`, or the model with objects added or removed.
     pub fn base_model<'m>(&'m self, model: &'m Model) -> &'m Model {
         self.rebuilt.as_ref().map_or(model, RebuiltModel::model)
     }
 
-    /// The first new radius that looks like a slip: a sphere larger than the bones around it. Radii that stay are not asked about.
+    /// The fault for the first new radius that is probably a typing error: a sphere larger than the bones around it.
+    /// Unchanged radii are not checked.
     pub fn implausible_radius(&self, model: &Model) -> Option<Fault> {
         let mut radii = self.changes.iter().filter(|change| change.property == Property::Radius).peekable();
         radii.peek()?;
@@ -323,7 +328,7 @@ impl Plan {
         })
     }
 
-    /// Puts all its messages into the words of a front end.
+    /// Puts all messages of the plan into the words of a user interface.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.taken.spell(dialect);
         self.remarks.iter_mut().for_each(|remark| remark.spell(dialect));
@@ -335,14 +340,15 @@ impl Plan {
         self.note().is_some() && note_edits::adds_credits(self.base_model(model).document())
     }
 
-    /// The credits of the new model as OpenSim reads them, with the note; `None` if it has none, or if the file is a set by itself. Callers that
-    /// change a model in memory must set them, too: without the note, the next change would start from the old mass.
+    /// The credits of the new model as OpenSim reads them, with the note; `None` if the model has no credits, or if the file
+    /// is a set. A caller that changes a model in memory must set them, too: without the note, the next change would start
+    /// from the old mass.
     pub fn credits(&self, model: &Model) -> Option<String> {
         let document = self.base_model(model).document();
         note_edits::credits_after(document, &self.edits(model, FileId::MAIN).ok()?)
     }
 
-    /// The files that result: the model's own, and the geometry set of a standalone force set where that changes, too.
+    /// The files that change: the model's own, and the geometry set beside a standalone force set if it changes, too.
     pub fn files<'m>(&'m self, model: &'m Model) -> impl Iterator<Item = FileId> {
         let model = self.base_model(model);
         let slots = self.changes.iter().map(|change| &change.slot);
@@ -357,8 +363,8 @@ impl Plan {
         std::iter::once(FileId::MAIN).chain(changed)
     }
 
-    /// The edits of `file`, the note's among them. `model` is the one that the plan was made for. Where whole objects change, they
-    /// are edits of the file with these objects.
+    /// The edits of `file`, with those of the note. `model` is the model for which the plan was made. If objects are added or
+    /// removed, the edits apply to the file after that.
     ///
     /// # Errors
     /// A number that is not finite, or outside its domain, with its place.
@@ -408,8 +414,8 @@ impl Plan {
         edited_with(self.base_model(model), self.edits(model, FileId::MAIN)?, &others)
     }
 
-    /// The new model for inspection only: numbers and note are new, but places in the file are the old ones. `None` if more
-    /// than numbers of contacts changes.
+    /// The new model for inspection only: its numbers and note are new, but its positions in the file are the old ones.
+    /// `None` if the plan changes more than numbers of contacts.
     pub fn with_contact_numbers(&self, model: &Model) -> Option<Model> {
         if self.rebuilt.is_some() || !self.moves.is_empty() {
             return None;
@@ -418,15 +424,15 @@ impl Plan {
         model.with_contact_numbers(|key| numbers.get(&key).copied(), self.note())
     }
 
-    /// The patched bytes of `file`; identical to the original where nothing changes.
+    /// The patched bytes of `file`; identical to the original if nothing changes.
     ///
     /// # Errors
-    /// A number that is not finite, with its place; overlapping edits, which would be a defect of this crate. Nothing is returned then.
+    /// A number that is not finite, with its place; or overlapping edits, which would be a defect of this crate.
     pub fn patched(&self, model: &Model, file: FileId) -> Result<Vec<u8>, Fault> {
         self.patch(model, file).map(|patch| patch.to_vec())
     }
 
-    /// The new file without a copy: slices of the original and new text by turns.
+    /// The new file without a copy: slices of the original and of new text alternate.
     pub fn patch<'m>(&'m self, model: &'m Model, file: FileId) -> Result<Patch<'m>, Fault> {
         Patch::new(self.base_model(model).file(file).bytes(), self.edits(model, file)?)
     }

@@ -1,4 +1,4 @@
-//! Plans new radii of moving spheres, and gives each force the ratio of its radii.
+//! Plans new radii of moving spheres, and computes the ratio of new to old radii for each force.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,7 +19,7 @@ impl Radii {
     /// Applies each sphere's rule to the moving spheres of `forces` and plans the changes.
     ///
     /// # Errors
-    /// A radius that cannot be scaled, or a sphere that another applied force needs as it is.
+    /// A radius that cannot be scaled, or a sphere that a force outside `forces` also uses.
     pub(crate) fn plan(
         plan: &mut PlanBuilder<'_>,
         forces: &[ForceId],
@@ -45,7 +45,8 @@ impl Radii {
         Ok(Self(radii))
     }
 
-    /// ρ of one force: the common ratio of its spheres, or by the mean of R² before and after where they differ.
+    /// ρ, new radius over old, of one force: the common ratio of its spheres; if they differ, the ratio of the root mean
+    /// squares of the radii.
     pub(crate) fn ratio(&self, force: &Force) -> f64 {
         let pairs = self.pairs(force);
         match pairs.split_first() {
@@ -74,7 +75,7 @@ impl Radii {
         force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
     }
 
-    /// The least and the largest distance that bottoms of spheres move down, m.
+    /// The smallest and the largest distance by which the lowest points of spheres move down, m.
     pub(crate) fn bottom_shifts(&self) -> Option<(f64, f64)> {
         let moves = self.0.values().map(|pair| pair.new - pair.old);
         let least = moves.clone().fold(f64::INFINITY, f64::min);
@@ -82,7 +83,7 @@ impl Radii {
         (least.is_finite() && (least != 0.0 || most != 0.0)).then_some((least, most))
     }
 
-    /// Moves sphere centres so that their bottoms stay where they are.
+    /// Moves sphere centres so that the lowest points of the spheres stay where they are.
     pub(crate) fn keep_bottoms(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
@@ -97,7 +98,8 @@ impl Radii {
         Ok(())
     }
 
-    /// Moves sphere centres with their scaled bodies; with `level` the bottoms stay on the scaled soles.
+    /// Moves sphere centres with their scaled bodies; with `level`, the lowest points of the spheres stay on the scaled
+    /// soles.
     pub(crate) fn follow_bodies(
         &self,
         plan: &mut PlanBuilder<'_>,
@@ -125,7 +127,7 @@ impl Radii {
         Ok(())
     }
 
-    /// Largest over smallest ratio among the spheres of a force.
+    /// The largest ratio of new to old radius among the spheres of a force, divided by the smallest.
     pub(crate) fn spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
         let ratios: Vec<f64> = force
             .spheres()
@@ -140,13 +142,13 @@ impl Radii {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum SphereRule {
-    /// The rule for all spheres.
+    /// One rule for all spheres.
     Rule(RadiusRule),
-    /// A radius, m, as large against the body as in the reference.
+    /// A radius, m, with the same ratio to the size of the body as in the reference.
     Like(f64),
-    /// A radius, m, which the wanted stiffness and indentation need.
+    /// A radius, m, computed from the wanted stiffness and indentation.
     Designed(f64),
-    /// A radius, m, scaled with the sphere's body.
+    /// A radius, m, scaled with the body of the sphere.
     Followed(f64),
 }
 
@@ -195,10 +197,10 @@ impl SphereRule {
     }
 }
 
-/// The forces that use a sphere but are not changed with it, for each sphere.
+/// For each sphere, the forces that use the sphere but are not changed together with it.
 pub(crate) struct UnchangedUsers<'m> {
     forces: HashMap<SphereId, Vec<&'m str>>,
-    /// Forces of classes that do not follow Hertz, by sphere name.
+    /// Names of forces of classes without a Hertz law, by the name of the sphere that they use.
     others: HashMap<String, Vec<String>>,
 }
 
@@ -216,7 +218,7 @@ impl<'m> UnchangedUsers<'m> {
         Self { forces, others: model.forces_of_other_classes() }
     }
 
-    /// Refuses to change a sphere that a force uses which is not changed with it.
+    /// Refuses to change a sphere if a force outside the change uses it, too.
     pub(crate) fn refuse_change(
         &self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! Rescales the contacts of a model to another mass: every parameter times its ratio.
+//! Rescales the contacts of a model to another mass: multiplies each parameter by its ratio.
 
 use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
@@ -14,11 +14,11 @@ use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
 use crate::rules::{self, GRAVITY_STAYS, warn_forces};
 
-/// The operation, as the note has it, of a rescaling that moved spheres with their bodies by a ScaleSet.
+/// The note's name for a rescaling that moved spheres with their bodies by a `ScaleSet`.
 pub const RESCALE_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
-/// The operation, as the note has it, of a rescaling that moved spheres with their bodies by the sizes in the note.
+/// The note's name for a rescaling that moved spheres with their bodies by the body sizes in the note.
 pub const RESCALE_FOLLOWING_NOTE: &str = "rescale follow-bodies";
-/// The operation, as the note has it, of a transfer whose spheres follow their bodies.
+/// The note's name for a transfer whose spheres move with their bodies.
 pub const TRANSFER_FOLLOWING_BODIES: &str = "transfer follow-bodies";
 
 /// The options of a rescaling of a model's contacts to another mass.
@@ -74,7 +74,7 @@ pub struct Rescale {
     /// ```
     pub radius: RadiusRule,
     pub properties: PropertySet,
-    /// Which size α follows (14).
+    /// Whether α follows the radius or the mass (14).
     ///
     /// ```
     /// use osim_model::{DissipationBy, MassRequest, Model, Property, RadiusRule, Selection};
@@ -95,18 +95,18 @@ pub struct Rescale {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub dissipation_by: DissipationBy,
-    /// Gravity to scale to, m/s², where it differs from the one that the contacts were made for.
+    /// Gravity to scale to, m/s², if it differs from the gravity that the contacts were made for.
     pub target_gravity_m_s2: Option<f64>,
-    /// Gravity that the contacts were made for, m/s², where it is neither the note's nor the model's.
+    /// Gravity that the contacts were made for, m/s², if it is neither the note's nor the model's.
     pub contacts_gravity_m_s2: Option<f64>,
-    /// Move sphere centres so that their bottoms stay where they are.
+    /// Move sphere centres along this axis so that the lowest points of the spheres stay where they are.
     pub level: Option<LevelAxis>,
-    /// The factors by which OpenSim scaled the bodies, where their spheres are to follow.
+    /// The factors by which OpenSim scaled the bodies, if the spheres are to move and grow with them.
     pub bodies: Option<ScaleFile>,
 }
 
 impl Rescale {
-    /// Everything the paper scales, with isometric radii (R ∝ M^{1/3}).
+    /// A rescaling of everything that the paper scales, with isometric radii (R ∝ M^{1/3}).
     pub fn new(target_mass_kg: f64, contacts_mass: Mass) -> Self {
         Self {
             target_mass_kg,
@@ -128,8 +128,7 @@ impl Rescale {
 /// # Errors
 /// - A value of the model that cannot be scaled, with its place ([`FaultKind::Number`](osim_model::FaultKind::Number),
 ///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that is in an included file or in `<defaults>`.
-/// - A sphere whose radius would change and that a force which is not `selected` needs as it is
-///   ([`Needed::SharedSphere`]).
+/// - A sphere whose radius would change while a force outside `selected` also uses it ([`Needed::SharedSphere`]).
 /// - A mass or gravity that is not above 0, or that is not known ([`Needed::Gravity`], [`Needed::ContactsGravity`]).
 pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
     let target_mass_kg = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
@@ -189,7 +188,7 @@ fn scale_set(
     Ok(())
 }
 
-/// Gravity that the contacts were made for; a note_in_doubt note is not believed where a factor depends on it.
+/// Gravity that the contacts were made for. If a factor depends on it and the note is in doubt, the note's gravity is not used.
 fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Fault> {
     let noted = model.note.as_ref().and_then(|note| note.gravity_m_s2);
     let differs = noted.is_some() && noted != model.gravity();

@@ -1,4 +1,4 @@
-//! Rules about changes.
+//! Rules of the findings about changes.
 
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{
@@ -59,7 +59,8 @@ static COMPOSITE_SURFACES: Rule = Rule {
     },
 };
 
-/// The message about the new force for `sphere` and `plane`. A strict change is refused with it.
+/// The message about the composite parameters of the new force between `sphere` and `plane`; also the error message of a strict
+/// change.
 pub(crate) fn composite_surfaces_message(force: &Force, sphere: &str, plane: &str) -> String {
     format!(
         "{}: {sphere} and {plane} have parameters of their own; the new force has those of both together (A.3), and as Simbody \
@@ -86,10 +87,11 @@ static FACTOR_SPREAD: Rule = Rule {
     },
 };
 
-/// Factors that differ by no more than this, relatively, are the same.
+/// Largest relative difference of factors that count as equal.
 const SAME_FACTOR: f64 = 0.01;
 
-/// The message if the largest factor of its spheres is `spread` times the smallest. A strict change is refused with it.
+/// The message for a force whose spheres' largest factor is `spread` times the smallest; also the error message of a strict
+/// change. `None` if the factors are equal.
 pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String> {
     (spread > 1.0 + SAME_FACTOR).then(|| {
         format!(
@@ -118,7 +120,7 @@ static FRICTION_NOT_SIMILAR: Rule = Rule {
     },
 };
 
-/// Whether the friction of one of `forces` is scaled and not exactly similar.
+/// A finding if the friction of one of `forces` is scaled but not exactly similar.
 pub(crate) fn friction_not_similar<'f>(
     mut forces: impl Iterator<Item = &'f Force>,
     properties: &PropertySet,
@@ -201,10 +203,10 @@ pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
 
 // Remarks about a change beside its numbers.
 
-/// A remark on what every change of plain numbers leaves as it is.
+/// A remark on the quantities that a change of numbers leaves as they are.
 pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
 
-/// The remark if centres move because radii change.
+/// The remark if sphere centres move because radii change.
 pub(crate) const LEVEL: &str = "body masses stay as they are; sphere centres move, so that the lowest point of each sphere stays where it is";
 
 /// The remark if contacts are scaled to a gravity that is not the model's.
@@ -213,7 +215,7 @@ pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is
 /// The remark if spheres move because their feet are made level.
 pub(crate) const LEVEL_FEET: &str = "spheres move down, along the normal of their floor, until all spheres of a foot are as low as its lowest one at the default pose";
 
-/// Says what is special about the chosen forces.
+/// Adds the findings about the chosen forces to the plan.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
     let model = plan.model;
     plan.findings.extend(model.remarks_on(forces));
@@ -221,7 +223,7 @@ pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], proper
     plan.findings.extend(friction_not_similar(chosen, properties));
 }
 
-/// How far the soles move because radii change and centres do not.
+/// A remark on how far the lowest points of spheres move, if radii change and centres do not.
 pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     let (least, most) = radii.bottom_shifts()?;
     let mm = |metres: f64| {
@@ -240,10 +242,10 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     Some(format!("the lowest points of spheres move {moves}, because radii change and centres stay").into())
 }
 
-/// Bottoms that move farther than this change how the model stands: the remark comes first, m.
+/// Distance in m above which the remark on moved sphere bottoms comes first: the model then stands at another height.
 const FAR_BOTTOMS_M: f64 = 0.005;
 
-/// Adds the remark about bottoms where centres can move, too.
+/// Adds the remark on how far sphere bottoms move, for a change in which centres could move instead.
 pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>) {
     let Some((radii, remark)) = radii.and_then(|radii| Some((radii, bottoms_remark(radii)?))) else { return };
     let is_far = |(least, most): (f64, f64)| most.max(-least) > FAR_BOTTOMS_M;
@@ -251,7 +253,7 @@ pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>
     remarks.insert(at, phrase![&remark, "; ", Input::Level, " keeps them where they are"]);
 }
 
-/// A remark on where the model's own smoothed law rests after a design: its x/R is not that of the Hertz law, which (11) is about.
+/// A remark on x/R of each sphere at equilibrium after a design, by the model's smoothed law; (11) gives x/R for the Hertz law.
 pub(crate) fn rest_remark(rests: &[f64]) -> Option<Phrase> {
     let four = |x: f64| format!("{x:.4}");
     let least = rests.iter().copied().reduce(f64::min).map(four)?;

@@ -1,4 +1,4 @@
-//! Sets properties to values, or multiplies them by factors. Nothing else changes.
+//! Sets properties to values, or multiplies them by factors. No other property changes.
 
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
@@ -14,7 +14,7 @@ use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::UnchangedUsers;
 use crate::rules::{self, LEVEL_FEET};
 
-/// The end of an operation that also made feet level.
+/// The last word in the note's operation if feet were also made level.
 const AND_LEVEL: &str = " level";
 
 impl NewValue {
@@ -56,23 +56,23 @@ pub struct Set {
     pub centres: Vec<(SphereId, [f64; 3])>,
     /// Half-spaces with their new places in their frames, m.
     pub planes: Vec<(HalfSpace, [f64; 3])>,
-    /// Whether the values were fitted to recordings, with what the note says of these; `None` where the caller gave them.
+    /// Text of the note about the recordings, if the values were fitted to recordings; `None` if the caller gave the values.
     pub fitted: Option<String>,
-    /// The mass that the contacts are made for afterwards, kg; `None` where it stays.
+    /// The mass that the contacts are made for after the change, kg; `None` if it stays.
     pub made_for_kg: Option<f64>,
-    /// The mass that the contacts were made for, where known; it stays unless `made_for_kg` is another.
+    /// The mass that the contacts were made for, if known; it stays unless `made_for_kg` differs.
     pub contacts_mass: Option<Mass>,
-    /// Whether to apply factors once more to a file whose note says they were applied already.
+    /// Whether to apply factors again to a file whose note records that they were applied already.
     pub repeat: bool,
 }
 
 impl Set {
-    /// A change by `assignments`, if nothing is known of the mass.
+    /// A change by `assignments`, without a known mass.
     pub fn new(assignments: Vec<(Property, Assignment)>) -> Self {
         Self { assignments, ..Self::default() }
     }
 
-    /// The operation as the note records it: `set stiffness=x2 dissipation=1`, with `level` at its end where feet are made level.
+    /// The operation in the note: `set stiffness=x2 dissipation=1`, with `level` at the end if feet are made level.
     pub fn operation(&self) -> String {
         if let Some(fitted) = &self.fitted {
             return format!("fit {fitted}");
@@ -81,27 +81,27 @@ impl Set {
         format!("{}{level}", self.assigned())
     }
 
-    /// The operation in words, without `level`.
+    /// The operation in the note, without `level`.
     fn assigned(&self) -> String {
         let each = self.assignments.iter().map(|(property, value)| format!(" {property}={value}"));
         format!("set{}", each.collect::<String>())
     }
 }
 
-/// Whether the note records that the same values were assigned already. Every change since the last whole rescaling counts: none may
-/// be applied twice without a question. Feet that are level stay so.
+/// Whether the note records that the same values were assigned already. All changes since the last whole rescaling count, because
+/// none may be applied twice without a question. Level feet stay level if the operation is repeated.
 fn is_done(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
     let mut of_set = steps.take_while(|step| step.verb() == Some(Verb::Set)).map(|step| &*step.operation);
     of_set.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
 }
 
-/// Plans plain changes of the forces `selected` of `model`; nothing else follows from them: see [`Set`] for an example.
+/// Plans the assignments to the forces `selected` of `model`; no other property changes with them: see [`Set`] for an example.
 ///
 /// # Errors
 /// - A value outside the domain of its property, a property that none of the forces has, and the errors of
 ///   [`rescale`](crate::rescale) that are about values and shared spheres.
-/// - A factor that the note in the file says was applied already ([`Needed::Repetition`]).
+/// - A factor that was applied already, by the note in the file ([`Needed::Repetition`]).
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
@@ -183,8 +183,8 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
 }
 
 impl Plan {
-    /// Moves the centres of spheres to these places in their own frames, m, wherever the plan puts them; `model` is the one that the
-    /// plan was made for.
+    /// Moves the centres of spheres to `places` in their own frames, m, instead of the planned locations. `model` is the
+    /// model for which the plan was made.
     ///
     /// # Errors
     /// A place that is not finite, or a sphere of an included file.

@@ -17,8 +17,8 @@ use crate::plan::Plan;
 pub(super) const MADE_FLOOR: char = 'h';
 const FLOOR: &str = "floor";
 
-/// `model` with the contacts of `layout`: spheres, one force for each, and a floor where it has none. Every other byte stays.
-/// Names that are taken get a number; `layout` says the names that were given.
+/// `model` with the contacts of `layout`: spheres, one force for each sphere, and a floor if the model has none. Every other byte
+/// stays. A name that the model already uses gets a number; `layout` then has the new names.
 ///
 /// ```
 /// use osim_model::{ForceKind, Model};
@@ -40,7 +40,7 @@ const FLOOR: &str = "floor";
 /// ```
 ///
 /// # Errors
-/// - A set that stands alone, or one in another file.
+/// - A file that is a set and no model, or a model with a set in another file.
 /// - A body that the model does not have ([`FaultKind::UnknownBody`]), or that is welded to ground.
 /// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could be the floor.
 pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<RebuiltModel, Fault> {
@@ -153,7 +153,7 @@ fn added_object(class: &'static str, name: &str, path: &str, body: Option<&str>)
 pub struct NewSphere<'p> {
     pub name: &'p str,
     pub path: &'p str,
-    /// Name of the body that carries it.
+    /// Name of the body to which the sphere is attached.
     pub body: &'p str,
     /// Centre of the new sphere in the frame of its body, m.
     pub centre_m: [f64; 3],
@@ -161,7 +161,7 @@ pub struct NewSphere<'p> {
 }
 
 impl Plan {
-    /// The spheres that are added, with the places and radii that are written.
+    /// The spheres that the plan adds, with the locations and radii that are written.
     pub fn new_spheres(&self) -> Vec<NewSphere<'_>> {
         let Some(rebuilt) = &self.rebuilt else { return Vec::new() };
         let built = rebuilt.model();
@@ -188,7 +188,7 @@ impl Plan {
     }
 }
 
-/// The floor of `model`: the one half-space on ground that faces straight up; `None` where there is none.
+/// The floor of `model`: its only half-space on ground that faces straight up; `None` if it has none.
 pub(super) fn find_floor(model: &Model) -> Result<Option<HalfSpace>, Fault> {
     let mut floors = model.floors().into_iter();
     let Some(first) = floors.next() else { return Ok(None) };

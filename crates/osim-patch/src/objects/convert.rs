@@ -23,14 +23,14 @@ const SMOOTHING: [Property; 3] =
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convert {
     pub to: ForceKind,
-    /// The smoothing of forces that had none; what is not given comes from Falisse et al. (2022), without dimensions, at the radius
-    /// of each sphere: (C.2), (C.5), (C.10).
+    /// Constant contact force of new smoothed forces, N. A smoothing parameter that is `None` is computed from the
+    /// dimensionless smoothing of Falisse et al. (2022) and the radius of each sphere: (C.2), (C.5), (C.10).
     pub constant_contact_force: Option<f64>,
     /// Hertz smoothing of new forces, 1/m.
     pub hertz_smoothing: Option<f64>,
     /// Hunt–Crossley smoothing of new forces, s/m.
     pub hunt_crossley_smoothing: Option<f64>,
-    /// Whether to refuse, instead of warning, if sphere and half-space have parameters of their own that differ.
+    /// Whether a sphere and a half-space with different parameters are an error instead of a warning.
     pub strict: bool,
 }
 
@@ -46,25 +46,25 @@ impl Convert {
     }
 }
 
-/// A model whose forces are of another class, with remarks.
+/// A model with converted forces, and the remarks for the user.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Converted {
     pub rebuilt: RebuiltModel,
     pub findings: Vec<Finding>,
-    /// Old and new names of forces that were divided.
+    /// Names of forces that became several forces: the old name, and the new names.
     pub renamed: Vec<(String, Vec<String>)>,
-    /// Paths of forces that hold no sphere that moves, and stay as they are.
+    /// Paths of forces without a moving sphere; these forces stay as they are.
     pub without_sphere: Vec<String>,
 }
 
-/// `model` with the forces `selected` as forces of the class that is wanted, one for each sphere that meets a half-space. Stiffness,
-/// dissipation, friction and transition velocity stay bit for bit where the surfaces of a force share their parameters.
+/// `model` with the forces `selected` converted to the wanted class: one force for each pair of a sphere and a half-space.
+/// Stiffness, dissipation, friction and transition velocity stay bit for bit if the surfaces of a force share their parameters.
 ///
 /// # Errors
-/// - A set that stands alone, or one in another file.
+/// - A file that is a set and no model, or a model with a set in another file.
 /// - A force without a half-space, or a sphere on the half-space's own body: by name.
 /// - Values that are not plain numbers.
-/// - Surfaces with parameters of their own, if these are to be refused.
+/// - Surfaces with different parameters, if [`Convert::strict`] is set.
 pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
     refuse_partial_model(model)?;
     let document = model.document();
@@ -149,7 +149,7 @@ fn checked_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, F
     Ok(pairs)
 }
 
-/// Whether `force` has its sphere inside itself, as in Moco 0.1 to 0.3.
+/// Whether `force` contains its sphere as an element, as in Moco 0.1 to 0.3.
 pub(crate) fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().filter_map(|id| model.sphere(id)).any(Sphere::is_inside_force)
 }
@@ -169,7 +169,7 @@ fn composite_finding(
     Ok(rules::composite_surfaces(force, text))
 }
 
-/// The edit that puts one force for each pair into the place of `force`, and the new objects.
+/// The edit that replaces `force` by one force for each pair, and the new objects.
 fn divide_force(
     model: &Model,
     force: &Force,
@@ -223,7 +223,7 @@ fn divide_force(
     Ok((Edit { span, text }, objects))
 }
 
-/// Source of the `property` of a new force, in words.
+/// Source of the value of `property` in a new force, in words.
 fn origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String {
     let (radius, path) = (readable(sphere.radius.number), &sphere.path);
     let by_radius = |equation: &str| format!("the radius {radius} m of {path} by equation ({equation})");
@@ -244,7 +244,7 @@ fn values_of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Pr
     values
 }
 
-/// Gives a force its smoothing, where it has none.
+/// Adds smoothing parameters to a force that has none.
 pub(super) fn add_smoothing(
     values: &mut Vec<(Property, f64)>,
     radius_m: f64,
@@ -282,7 +282,7 @@ pub(super) fn add_smoothing(
     Ok(())
 }
 
-/// Members of groups are called by the names of forces.
+/// Edits of object groups: members that are forces get the new names of these forces.
 fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String>)]) -> Vec<Edit> {
     let groups = tree
         .child(model, crate::objects::sets::FORCES)
@@ -327,8 +327,9 @@ fn object_change(
 }
 
 impl ContactLayout {
-    /// The contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them: what a class does not have goes,
-    /// and what the other had not comes from Falisse et al. (2022), without dimensions, at the radius of each sphere.
+    /// The contacts with forces of the class `kind`, as [`convert`](crate::objects::convert()) makes them. Parameters that
+    /// `kind` does not have are removed. Missing smoothing parameters are computed from the dimensionless smoothing of
+    /// Falisse et al. (2022) and the radius of each sphere.
     ///
     /// # Errors
     /// A radius outside its domain.
@@ -350,8 +351,9 @@ impl NewContact {
         Ok(())
     }
 
-    /// Adds a value for each parameter of its class. What is not given gets OpenSim's default. OpenSim's smoothing suits
-    /// no size, so smoothing is that of Falisse et al. (2022), without dimensions, at this radius.
+    /// Adds a value for each missing parameter of the force class: OpenSim's default, except for the smoothing. OpenSim's
+    /// default smoothing suits no size, so it is computed from the dimensionless smoothing of Falisse et al. (2022) and the
+    /// radius of the sphere.
     ///
     /// ```
     /// use osim_model::{ForceKind, Property};

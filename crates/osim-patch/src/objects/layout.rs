@@ -7,18 +7,18 @@ use osim_model::{
     Property, Rotation, Selected, SetId, Side, SphereId, Surfaces,
 };
 
-/// A contact that a model is to get: a sphere, and the force that presses it on the floor.
+/// A contact to add to a model: a sphere, and the force between the sphere and the floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NewContact {
     pub force: String,
     pub sphere: String,
-    /// Name of the body that carries it.
+    /// Name of the body to which the sphere is attached.
     pub body: String,
     /// Centre of the sphere in the frame of its body, m.
     pub location_m: [f64; 3],
     pub radius_m: f64,
     pub kind: ForceKind,
-    /// Parameters of the force in their own units; what is missing is OpenSim's default.
+    /// Parameters of the force in their own units; a missing parameter has OpenSim's default.
     pub values: Vec<(Property, f64)>,
 }
 
@@ -37,18 +37,18 @@ impl NewContact {
     }
 }
 
-/// Contacts that a model is to get.
+/// Contacts to add to a model.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactLayout {
     /// The contacts, in the order in which they are written.
     pub contacts: Vec<NewContact>,
-    /// Name of the floor where one has to be made; `floor` where it is empty.
+    /// Name of a new floor, if the model has none; an empty name means `floor`.
     pub floor: String,
 }
 
 impl ContactLayout {
-    /// The contacts of the forces `selected` of `model`: one for each sphere that meets a half-space, with places in the frames of
-    /// bodies.
+    /// The contacts of the forces `selected` of `model`: one for each pair of a sphere and a half-space, with centres in the
+    /// frames of bodies.
     ///
     /// # Errors
     /// A value that is not a plain number, or a sphere whose place cannot be read.
@@ -81,7 +81,7 @@ impl ContactLayout {
         Ok(layout)
     }
 
-    /// Refuses values that must not be written again.
+    /// Refuses values that must not be written into another file.
     ///
     /// # Errors
     /// A `constant_contact_force` of 0 ([`FaultKind::ZeroConstantContactForce`]), with the name of its force.
@@ -95,7 +95,7 @@ impl ContactLayout {
         }
     }
 
-    /// `anatomy` with the spheres of this layout in the place of its own.
+    /// `anatomy` with the spheres of this layout instead of its own spheres.
     pub fn anatomy(&self, anatomy: Anatomy) -> Anatomy {
         let spheres = self.contacts.iter().map(|contact| {
             AnatomySphere::new(
@@ -112,8 +112,8 @@ impl ContactLayout {
 // Contacts of one side, on the other side too.
 
 impl ContactLayout {
-    /// The contacts and their mirror images in z: names and bodies with `_l` for `_r`, or the other way round. What has no side in its
-    /// body's name stays alone.
+    /// The contacts and their mirror images in z: names of objects and bodies get `_l` for `_r`, or the other way round. A
+    /// contact on a body without a side in its name gets no mirror image.
     ///
     /// # Errors
     /// Contacts on both sides, or on none.
@@ -135,7 +135,7 @@ impl ContactLayout {
         Ok(self)
     }
 
-    /// `anatomy` with the bodies of this layout that it lacks: each the mirror image of that of the other side.
+    /// `anatomy` with the missing bodies of this layout: each is the mirror image of the body of the other side.
     pub fn mirrored_anatomy(&self, mut anatomy: Anatomy) -> Anatomy {
         for contact in &self.contacts {
             let other = name_of_other_side(&contact.body).filter(|other| anatomy.has_body(other));
@@ -198,7 +198,7 @@ fn mirrored_contact(contact: &NewContact, side: Side) -> Result<NewContact, Faul
     })
 }
 
-/// The name with `_l` for `_r`, or the other way round, where these end a word; `None` where it has neither.
+/// The name with `_l` for `_r`, or the other way round, if these letters end a word; `None` if the name has neither.
 fn name_of_other_side(name: &str) -> Option<String> {
     let mut letters: Vec<char> = name.chars().collect();
     let mut found = false;
@@ -223,13 +223,13 @@ fn name_of_other_side(name: &str) -> Option<String> {
 pub(crate) struct SpherePlanePair {
     pub(crate) sphere: SphereId,
     pub(crate) plane: HalfSpace,
-    /// Parameters of both surfaces, as one force for the two alone would have them; the transition velocity among them.
+    /// Parameters of both surfaces together, as a force between only these two has them, with the transition velocity.
     pub(crate) values: Vec<(Property, f64)>,
-    /// Whether sphere and half-space have parameters of their own that differ: then the values are composites (A.3).
+    /// Whether sphere and half-space have different parameters. The values are then composite values (A.3).
     pub(crate) is_composite: bool,
 }
 
-/// The pairs of `force`, in its order; a sphere on the half-space's own body never meets it.
+/// The sphere and half-space pairs of `force`, in the order of the force; a sphere never touches a half-space on its own body.
 ///
 /// # Errors
 /// A value that is not a plain number or outside its domain, with its place.
@@ -273,7 +273,7 @@ fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Faul
     Ok(values)
 }
 
-/// Modulus and α by (A.3) and (A.4); of each friction the value that Simbody uses, 2ab/(a + b).
+/// Modulus and α of two surfaces by (A.3) and (A.4); for each coefficient of friction the value that Simbody uses, 2ab/(a + b).
 fn composite_values(
     together: SurfaceValues,
     here: &[(Property, f64)],
@@ -296,13 +296,13 @@ fn composite_values(
 
 // Presets whose places are published, too: each is a small model of our own that says so.
 
-/// Names of presets, each with the name of its model.
+/// Names of presets, each with the text of its model.
 const PRESET_MODELS: [(&str, &str); 2] = [
     ("falisse2022", include_str!("presets/falisse2022.osim")),
     ("moco-2d-gait", include_str!("presets/moco-2d-gait.osim")),
 ];
 
-/// The preset of that name as a model, if the places of its spheres are known.
+/// The text of a model with the contacts of the preset `name`, if the locations of its spheres are known.
 ///
 /// ```
 /// use osim_model::Model;
@@ -316,7 +316,7 @@ pub fn preset_model(name: &str) -> Option<&'static str> {
     PRESET_MODELS.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
 }
 
-/// Names of the presets that have places.
+/// Names of the presets whose sphere locations are known.
 pub fn presets_with_places() -> impl Iterator<Item = &'static str> {
     PRESET_MODELS.iter().map(|(name, _)| *name)
 }

@@ -1,4 +1,5 @@
-//! Makes the elements of contact objects for documents of each version; also of those that forces of Moco 0.1 to 0.3 have inside them.
+//! Makes the elements of contact objects for each document version, also from the spheres and half-spaces inside forces of Moco
+//! 0.1 to 0.3.
 
 use foldhash::HashSet;
 use osim_model::{
@@ -10,7 +11,8 @@ use crate::insert::Node;
 use crate::objects::layout::NewContact;
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non_utf8_name};
 
-/// The first version in which geometry has a `socket_frame`; before, OpenSim refuses it, and afterwards `body_name`.
+/// The first document version in which geometry has a `socket_frame`. OpenSim refuses `socket_frame` in earlier versions, and
+/// `body_name` from this version on.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 
 pub(super) struct Carrier<'c> {
@@ -31,7 +33,7 @@ impl Carrier<'_> {
     }
 }
 
-/// Three numbers of the object called `name`.
+/// An element with three numbers; `name` is the object's name in the error message.
 fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
@@ -50,7 +52,7 @@ pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewCont
     Ok(Node::object(Class::ContactSphere.tag(), name, vec![carrier.node(version), place, radius]))
 }
 
-/// A `ContactHalfSpace` with this place and these angles.
+/// The element `<ContactHalfSpace>` with a location (m) and three angles (rad).
 fn half_space_node(
     version: u32,
     carrier: &Carrier<'_>,
@@ -62,12 +64,12 @@ fn half_space_node(
     Ok(Node::object("ContactHalfSpace", name, vec![carrier.node(version), place, turned]))
 }
 
-/// A `ContactHalfSpace` on ground through its origin, that faces `up`.
+/// The element `<ContactHalfSpace>` through the origin of ground; its normal points along `up`.
 pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Fault> {
     half_space_node(version, &GROUND, name, [[0.0; 3], Orientation::facing(up)])
 }
 
-/// Parameters of a new force, and what each comes from.
+/// Parameters of a new force, and the source of each in words.
 pub(super) struct Values<'v> {
     pub(super) numbers: &'v [(Property, f64)],
     pub(super) origin: &'v dyn Fn(Property) -> String,
@@ -80,8 +82,8 @@ pub(super) struct Surfaces<'s> {
     pub(super) plane: &'s str,
 }
 
-/// A force of `kind` between one sphere and one half-space, with these values. What `document` has in its `<defaults>` does not
-/// change it: what is not in `values` is then written as OpenSim has it without them.
+/// The element of a force of `kind` between one sphere and one half-space, with the given values. The `<defaults>` of `document`
+/// must not change the force: for a property that is in the defaults and not in `values`, OpenSim's own default is written.
 ///
 /// # Errors
 /// A value that is not finite, or outside the domain in which the contact laws hold.
@@ -135,15 +137,15 @@ pub(super) fn force(
     })
 }
 
-/// Whether `<defaults>` give objects of `class` a property, which they then have unless they say otherwise.
+/// Whether the `<defaults>` give objects of `class` a value for the element `tag`.
 fn has_default(document: &Document, class: Class, tag: &str) -> bool {
     let tree = document.tree();
     let object = document.defaults().and_then(|defaults| tree.child(defaults, class.tag()));
     object.is_some_and(|object| tree.child(object, tag).is_some())
 }
 
-/// How the list of a HuntCrossleyForce calls geometry: members of the geometry set by their names, except those that have the
-/// name of a component of the model itself, which OpenSim would find first.
+/// The names by which the list of a `HuntCrossleyForce` refers to geometry. It uses the name of a member of the geometry set; if
+/// a component of the model has the same name, OpenSim would find that component first, so the path is used.
 pub(super) struct NamesInList(HashSet<String>);
 
 impl NamesInList {
@@ -168,18 +170,19 @@ impl NamesInList {
 
 // Spheres and half-spaces that forces of Moco 0.1 to 0.3 keep inside themselves, as objects of the geometry set.
 
-/// Objects that are taken out of forces.
+/// Spheres and half-spaces that are moved from inside forces into the geometry set.
 #[derive(Default)]
 pub(super) struct SurfacesInsideForces {
     /// New elements of the contact geometry set.
     pub(super) geometry: Vec<Node>,
     pub(super) objects: Vec<ObjectChange>,
-    /// Half-spaces that are written already: frame, place and angles of each, and its new path.
+    /// Half-spaces that are already new elements: frame, location and angles of each, and its new path.
     planes: Vec<(String, [[u64; 3]; 2], String)>,
 }
 
 impl SurfacesInsideForces {
-    /// The new paths of the sphere and of the half-space that `force` keeps inside itself; forces that press on one plane share it.
+    /// The new paths of the sphere and of the half-space inside `force`. Forces on the same plane get one half-space
+    /// together.
     ///
     /// # Errors
     /// A number that cannot be written, a name that OpenSim refuses, or a frame whose offset the first version of the class ignored.
@@ -211,7 +214,7 @@ impl SurfacesInsideForces {
         contact.radius_m = sphere.radius_m()?;
         let carrier = Carrier { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
         self.geometry.push(sphere_node(model.document().version(), &carrier, &contact)?);
-        Ok(self.added("ContactSphere", contact.sphere, sphere.body.clone()))
+        Ok(self.record_added("ContactSphere", contact.sphere, sphere.body.clone()))
     }
 
     fn plane(
@@ -234,13 +237,13 @@ impl SurfacesInsideForces {
         let carrier = Carrier { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
         let version = model.document().version();
         self.geometry.push(half_space_node(version, &carrier, &name, [location_m, angles_rad])?);
-        let path = self.added("ContactHalfSpace", name, plane.body.clone());
+        let path = self.record_added("ContactHalfSpace", name, plane.body.clone());
         self.planes.push((plane.frame_path.clone(), bits, path.clone()));
         Ok(path)
     }
 
-    /// The path of a new object of the geometry set.
-    fn added(&mut self, class: &'static str, name: String, body: Option<String>) -> String {
+    /// Records a new object of the geometry set and returns its path.
+    fn record_added(&mut self, class: &'static str, name: String, body: Option<String>) -> String {
         let path = format!("/contactgeometryset/{name}");
         let (action, parameters) = (ObjectAction::Added, Vec::new());
         self.objects.push(ObjectChange { action, class, name, path: path.clone(), body, parameters });
@@ -248,7 +251,8 @@ impl SurfacesInsideForces {
     }
 }
 
-/// The first version of the class, which had a `derivative_smoothing`, took places of a frame for places of its body.
+/// Refuses an offset frame: the first version of the class, which had a `derivative_smoothing`, used a location in the frame as
+/// if it were one in the body.
 fn refuse_ignored_offset(
     model: &Model,
     force: &Force,

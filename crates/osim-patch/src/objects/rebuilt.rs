@@ -1,4 +1,4 @@
-//! Models with objects added or removed, on which a plan builds before numbers change; and names of new objects.
+//! Models with objects added or removed, before a plan changes numbers in them; and names of new objects.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -31,9 +31,9 @@ pub struct ObjectChange {
     /// OpenSim's class of the object, such as `ContactSphere`.
     pub class: &'static str,
     pub name: String,
-    /// Component path that the object will have, or had.
+    /// Component path of the new object, or of the removed object before its removal.
     pub path: String,
-    /// The body that carries it, or carries its sphere; `None` for ground.
+    /// The body to which the object is attached, or for a force, its sphere; `None` for ground.
     pub body: Option<String>,
     /// Parameters of a converted force, in their own units; empty for all other objects.
     pub parameters: Vec<(Property, f64)>,
@@ -43,11 +43,11 @@ pub struct ObjectChange {
 #[derive(Debug, Clone)]
 pub struct RebuiltModel {
     model: Arc<Model>,
-    /// Objects that were added or taken out, in the order in which reports list them.
+    /// Added and removed objects, in the order of reports.
     pub objects: Vec<ObjectChange>,
-    /// Letters for the note's list of elements that the program made: new ones, or those that remain after a removal.
+    /// Letters for the note's list of elements that the program made: letters of new elements, or those left after a removal.
     pub(crate) made: String,
-    /// Names of new forces, for the note of a model that also has others.
+    /// Names of new forces, for the note of a model that also has older contacts.
     pub(crate) added: Vec<String>,
     pub(crate) earlier_note: EarlierNote,
 }
@@ -56,9 +56,9 @@ pub struct RebuiltModel {
 pub(crate) enum EarlierNote {
     /// The earlier note is about these contacts: a new note replaces it.
     Replaced,
-    /// The earlier note is about contacts that were removed before these were added: it stays beside a new one.
+    /// The earlier note is about contacts that were removed before the new ones were added: it stays beside the new note.
     KeptBeside,
-    /// The earlier note was about contacts that are removed now, and is removed already.
+    /// The earlier note was about contacts that are now removed; the note is removed already.
     TakenOut,
 }
 
@@ -93,12 +93,12 @@ impl PartialEq for RebuiltModel {
 
 // Names for new objects, and elements of a file that refer to contact geometry by name.
 
-/// Names that are used in a model, or reserved for new objects.
+/// Names that are used in a model or reserved for new objects.
 pub(super) struct TakenNames(HashSet<String>);
 
 impl TakenNames {
-    /// Names of contact geometry and forces of `model`, because OpenSim silently renames the second object of a name. Also names of missing
-    /// geometry that something refers to, because it would find a new object of that name.
+    /// Names of contact geometry and forces of `model`: OpenSim silently renames a second object with the same name. Also
+    /// names of missing geometry to which something refers: the reference would find a new object with that name.
     pub(super) fn of(model: &Model) -> Self {
         let geometry = model.spheres().iter().map(|sphere| sphere.name.clone());
         let planes = model.half_spaces().into_iter().map(|plane| plane.name);
@@ -122,8 +122,8 @@ impl TakenNames {
     }
 }
 
-/// Refuses to refer to an object by `name` (its name or path) if that is not UTF-8 in the file: it was read with question marks, and OpenSim would
-/// not find the object.
+/// Refuses a reference to an object whose name or path is not UTF-8 in the file. Such a `name` was read with question marks, and
+/// OpenSim would not find the object.
 pub(super) fn refuse_non_utf8_name(model: &Model, name: &str) -> Result<(), Fault> {
     if !name.contains('?') || std::str::from_utf8(model.file(FileId::MAIN).bytes()).is_ok() {
         return Ok(());
@@ -142,7 +142,7 @@ fn names_in_set(model: &Model, set: &str) -> Vec<String> {
     children.filter_map(|id| Some(tree.attribute(id, "name")?.into_owned())).collect()
 }
 
-/// The elements of `document` that refer to contact geometry by name, without those in the `<defaults>` of forces.
+/// The elements of `document` that refer to contact geometry by name; not those in the `<defaults>` of forces.
 pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = ElementId> + '_ {
     let tree = document.tree();
     let of_forces = |&id: &ElementId| {
@@ -154,7 +154,7 @@ pub(super) fn geometry_references(document: &Document) -> impl Iterator<Item = E
     tree.elements().filter(move |&id| is_reference(tree.name(id)) && !left_out.covers(&tree.span(id)))
 }
 
-/// The names in the text of such an element, without their paths.
+/// The names of geometry in the text of an element, without their paths.
 pub(super) fn geometry_names(text: &str) -> impl Iterator<Item = &str> {
     opensim_text::list_words(text).map(|word| word.rsplit('/').next().unwrap_or(word))
 }
@@ -164,11 +164,11 @@ fn is_reference(tag: &str) -> bool {
     ["geometry", "socket_sphere", "socket_half_space", "socket_contact_geometry"].contains(&tag)
 }
 
-/// Spans in order, without those inside another one.
+/// Spans in order, without spans inside other spans.
 pub(super) struct OuterSpans(Vec<Range<usize>>);
 
 impl OuterSpans {
-    /// Keeps the `spans` that are in no other one. They do not overlap otherwise, because they are elements.
+    /// Keeps the `spans` that are not inside another span. Spans of elements do not overlap in other ways.
     pub(super) fn of(mut spans: Vec<Range<usize>>) -> Self {
         // The longer first where two begin together.
         spans.sort_by_key(|span| (span.start, std::cmp::Reverse(span.end)));

@@ -1,4 +1,5 @@
-//! Removes contacts from a model: forces, spheres that only they use, and sets that were made for them; and finds what still refers to them by name.
+//! Removes contacts from a model: forces, spheres that only these forces use, and sets made for them; and finds references to the
+//! removed objects.
 
 use std::collections::BTreeSet;
 
@@ -16,14 +17,14 @@ use crate::objects::rebuilt::{
 };
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 
-/// `model` without the forces `selected` and the moving spheres that only they use; the floor goes where [`add_contacts`] made it and
-/// nothing uses it, and so do the sets that it made. After [`add_contacts`], also with other numbers since, the first file is
-/// there again, byte for byte.
+/// `model` without the forces `selected` and the moving spheres that only these forces use. A floor or set that [`add_contacts`]
+/// made is removed, too, if nothing uses it. If all contacts from [`add_contacts`] are removed, also with changed numbers, the
+/// file has the same bytes as before they were added.
 ///
 /// [`add_contacts`]: crate::objects::add_contacts
 ///
 /// # Errors
-/// - A set that stands alone, or one in another file.
+/// - A file that is a set and no model, or a model with a set in another file.
 /// - A sphere or force that something else uses, such as another force class, by name.
 pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault> {
     refuse_partial_model(model)?;
@@ -101,7 +102,7 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
     }
 }
 
-/// The forces of `model` that were added to it, by the record in its note; `None` where it has no such record.
+/// The forces that were added to `model` and are recorded in its note; `None` if the note has no such record.
 pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     let note = model.note.as_ref()?;
     let all = note.added_to_file.contains(Note::ALL_ADDED);
@@ -112,13 +113,14 @@ pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     (!forces.is_empty()).then_some(forces)
 }
 
-/// Whether of those that were added beside others none stays: the note was about them.
+/// Whether all forces recorded as added are removed, so that the note is about no force any more.
 fn takes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
     let beside_others = model.note.as_ref().is_some_and(|note| !note.added_forces.is_empty());
     beside_others && added_forces(model).is_some_and(|added| added.iter().all(|force| going.contains(force)))
 }
 
-/// Edits that take out `elements`; of a set that loses all members, what was `made` goes, too, and with it the letters for it.
+/// Edits that remove `elements`. If a set loses all its members, the elements in `made` are removed from it, too, with their
+/// letters.
 fn removal_edits(model: &Model, elements: &[ElementId], made: &mut String) -> Vec<Edit> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
@@ -147,7 +149,7 @@ fn is_emptied(tree: &Tree, set: Option<ElementId>, going: &HashSet<ElementId>) -
     members.peek().is_some() && members.all(|member| going.contains(&member))
 }
 
-/// Refuses to remove geometry that other elements of the file refer to, because OpenSim would refuse the file.
+/// Refuses to remove geometry to which other elements of the file refer, because OpenSim would refuse the file.
 fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) -> Result<(), Fault> {
     let document = model.document();
     let tree = document.tree();
@@ -163,7 +165,7 @@ fn refuse_users(model: &Model, elements: &[ElementId], going: &HashSet<String>) 
     Ok(())
 }
 
-/// The fault that `element` uses the geometry `name`.
+/// The fault for the use of the geometry `name` by `element`.
 fn in_use_fault(document: &Document, element: ElementId, name: &str) -> FaultKind {
     let tree = document.tree();
     let is_above = |defaults| OuterSpans::of(vec![tree.span(defaults)]).covers(&tree.span(element));
@@ -180,16 +182,16 @@ fn in_use_fault(document: &Document, element: ElementId, name: &str) -> FaultKin
     ))
 }
 
-/// An object that refers by name to objects which were removed. OpenSim still reads such a file.
+/// An object that still refers to removed objects by name. OpenSim reads such a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DanglingReference {
     /// Class and name of the object, such as `ObjectGroup feet`.
     pub object: String,
-    /// The names that it refers to, in its order.
+    /// The names of removed objects, in the order in which the object has them.
     pub names: Vec<String>,
 }
 
-/// Finds objects of `rebuilt` that refer to removed objects: groups by names, reporters and others by paths.
+/// Finds objects of `rebuilt` that refer to removed objects: groups refer by names, reporters and other objects by paths.
 pub fn dangling_references(rebuilt: &RebuiltModel) -> Vec<DanglingReference> {
     let paths = |action: ObjectAction| {
         let own = rebuilt.objects.iter().filter(move |object| object.action == action);
@@ -221,7 +223,7 @@ pub fn dangling_references(rebuilt: &RebuiltModel) -> Vec<DanglingReference> {
     found
 }
 
-/// The names among `gone` that the text of `leaf` has.
+/// The names in the text of `leaf` that are in `gone`.
 fn names_of_removed(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<String> {
     let set = if tree.name(leaf) == "members" { set_of_group(tree, leaf) } else { None };
     let text = tree.text_of(leaf);
@@ -239,14 +241,14 @@ fn names_of_removed(tree: &Tree, leaf: ElementId, gone: &HashSet<&str>) -> Vec<S
         .collect()
 }
 
-/// The set whose groups `members` belongs to, as paths call it.
+/// The component path of the set to which the group with the element `members` belongs.
 fn set_of_group(tree: &Tree, members: ElementId) -> Option<String> {
     let groups = tree.parent(tree.parent(members)?)?;
     let set = tree.name(tree.parent(groups)?);
     [FORCE_SET.tag, GEOMETRY_SET.tag].contains(&set).then(|| set.to_ascii_lowercase())
 }
 
-/// The path of `gone` that a path leads to or into: `/forceset/heel|force` is an output of `/forceset/heel`.
+/// The path in `gone` that is equal to a path or contains it: `/forceset/heel|force` is an output of `/forceset/heel`.
 fn removed_object_in(word: &str, gone: &HashSet<&str>) -> Option<String> {
     let path = word.split('|').next().unwrap_or(word).trim_start_matches(['.', '/']);
     let path = format!("/{path}");
@@ -255,7 +257,7 @@ fn removed_object_in(word: &str, gone: &HashSet<&str>) -> Option<String> {
     objects.find(|object| gone.contains(object)).map(str::to_owned)
 }
 
-/// The object whose property `leaf` is.
+/// The named object to which the property `leaf` belongs.
 fn named_owner(tree: &Tree, leaf: ElementId) -> Option<ElementId> {
     std::iter::successors(tree.parent(leaf), |&id| tree.parent(id))
         .find(|&id| tree.attribute(id, "name").is_some())

@@ -1,4 +1,4 @@
-//! The sets of contact objects: inserts new members, and records in the note what is needed to remove them again.
+//! The sets of contact objects: inserts new members, and records in the note how to remove them again.
 
 use osim_model::{ElementId, Fault, FaultKind, Model, Tree};
 
@@ -25,14 +25,14 @@ const ORDER_IN_MODEL: [&str; 15] = [
 ];
 const OBJECTS: &str = "objects";
 
-/// Letters of a note for the elements of one set that the program made, so that removing its members restores the file.
+/// Letters of a note for the elements of one set that the program made. With them, removing the members restores the file.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NoteLetters {
     /// The letter for a whole set that the program made.
     pub(super) set: char,
-    /// The set's element `<objects>`.
+    /// The letter for an element `<objects>` that the program made in the set.
     pub(super) objects: char,
-    /// An element without content was opened: of the set, and of its `<objects>`.
+    /// Letters for an empty element that the program opened, by its original form: for the set, and for its `<objects>`.
     opened: [[(char, EmptyForm); 3]; 2],
 }
 
@@ -67,12 +67,12 @@ pub(super) const GEOMETRY_SET: ObjectSet = ObjectSet {
 };
 
 impl ObjectSet {
-    /// The first set of a model: OpenSim ignores what is in a second one.
+    /// The first set of this kind in a model: OpenSim ignores a second one.
     pub(super) fn element(&self, tree: &Tree, model: ElementId) -> Option<ElementId> {
         tree.child(model, self.tag)
     }
 
-    /// Puts `members` at the end of the set, and the letters for what had to be made.
+    /// Puts `members` at the end of the set, and records the letters of the elements made for them.
     pub(super) fn add(
         &self,
         tree: &Tree,
@@ -101,7 +101,7 @@ impl ObjectSet {
         }
     }
 
-    /// `made` without what is about this set.
+    /// The letters `made` without the letters of this set.
     pub(super) fn without_letters(&self, made: &str) -> String {
         let NoteLetters { set, objects, opened } = self.letters;
         let own = |letter: char| {
@@ -110,7 +110,8 @@ impl ObjectSet {
         made.chars().filter(|&letter| !own(letter)).collect()
     }
 
-    /// The edit that takes back what `add` made of the set, if none of its members stays; `None` if it made nothing.
+    /// The edit that removes the elements that [`Self::add`] made for the set, when none of its members stays; `None` if
+    /// there are none.
     pub(super) fn restoring_edit(&self, tree: &Tree, model: ElementId, made: &str) -> Option<Edit> {
         let set = self.element(tree, model)?;
         let form = |letters: &[(char, EmptyForm); 3]| {
@@ -135,7 +136,7 @@ impl ObjectSet {
     }
 }
 
-/// The edit that puts `list` before everything else in `set`, where something is in it.
+/// The edit that inserts `list` before the other content of `set`; `None` if the set is empty.
 fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
     let list = std::slice::from_ref(list);
     match tree.children(set).next() {
@@ -160,7 +161,7 @@ fn fill_empty(
 pub(super) const FORCES: &str = "ForceSet";
 const GEOMETRY: &str = "ContactGeometrySet";
 
-/// Objects are changed in models that are one file: a set in another file belongs to other models, too.
+/// Refuses a model in several files: a set in another file may belong to other models, too.
 pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());

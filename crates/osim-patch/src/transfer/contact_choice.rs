@@ -1,4 +1,4 @@
-//! Chooses the contact of the reference that each sphere of a model gets, also if the spheres of one force have different materials.
+//! Chooses the contact of the reference for each sphere of a model, also if the spheres of one force have different materials.
 
 use contact_scaling::{DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
@@ -12,20 +12,21 @@ use crate::change::{predsim_factor, property_factor};
 use crate::radii::Radii;
 use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
 
-/// Two dimensionless contacts this close (relative) are one.
+/// Two dimensionless contacts with at most this relative difference are equal.
 const SAME_CONTACT: f64 = 1e-6;
-/// Comparing contacts of one model needs some gravity, and any will do: it cancels.
+/// Gravity, m/s², for the comparison of contacts of one model. Its value does not matter, because it cancels.
 const ANY_GRAVITY: f64 = 9.80665;
 
-/// Which contact of the reference each sphere gets.
+/// The contact of the reference that each sphere of the model gets.
 pub(crate) enum ContactChoice<'t> {
     One(&'t ReferenceContact),
-    /// All spheres get the contact of one named sphere, whose radius (m) also counts.
+    /// All spheres get the contact of one named sphere of the reference; the radius of that sphere (m) is also used.
     Named {
         contact: &'t ReferenceContact,
         radius_m: f64,
     },
-    /// Each sphere gets the contact of the reference's sphere of the same name; every moving sphere of the chosen forces has one.
+    /// Each sphere gets the contact of the sphere with the same name in the reference. All moving spheres of the chosen
+    /// forces have such a sphere.
     Paired {
         first: &'t ReferenceContact,
         by_name: HashMap<&'t str, &'t ReferenceContact>,
@@ -33,9 +34,9 @@ pub(crate) enum ContactChoice<'t> {
 }
 
 pub(crate) struct ReferenceRadii<'t> {
-    /// Radii by sphere name; of several spheres of one name the first counts.
+    /// Radii by sphere name; if several spheres have the same name, the first one counts.
     by_name: HashMap<&'t str, f64>,
-    /// The radius that all spheres have; `None` if they differ.
+    /// The common radius of all spheres; `None` inside if they differ.
     one: Option<Option<f64>>,
 }
 
@@ -53,7 +54,7 @@ impl<'t> ReferenceRadii<'t> {
         Self { by_name, one }
     }
 
-    /// Whether no sphere has another radius than `radius_m`.
+    /// Whether all spheres have the radius `radius_m`.
     fn are_all(&self, radius_m: f64) -> bool {
         self.one.is_some_and(|one| one.is_none_or(|one| one == radius_m))
     }
@@ -106,8 +107,8 @@ impl<'t> ContactChoice<'t> {
         }
     }
 
-    /// The reference radius that a sphere's follows from: that of the sphere whose contact all get, else of the sphere of its
-    /// name, else the one radius all have there.
+    /// The reference radius from which the radius of `sphere` follows: that of the named sphere if all spheres get its
+    /// contact, else that of the sphere with the same name, else the common radius of the reference.
     pub(crate) fn radius_for(
         &self,
         model: &Model,
@@ -122,7 +123,8 @@ impl<'t> ContactChoice<'t> {
         named.or(reference.are_all(first).then_some(first))
     }
 
-    /// Isometric radii need a sphere of the same name for each sphere, or one radius in the reference.
+    /// Refuses isometric radii unless each sphere has a sphere of the same name in the reference, or all spheres of the
+    /// reference have one radius.
     pub(crate) fn refuse_unclear_radii(
         &self,
         model: &Model,
@@ -191,7 +193,7 @@ fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fau
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
 
-/// Factors whose relative difference is at most this are taken as one.
+/// Factors with at most this relative difference are equal.
 const SAME_FACTOR: f64 = 1e-6;
 
 /// Whether the spheres of `force` have several ContactParameters, each matched by name with the reference.
@@ -200,10 +202,11 @@ pub(crate) fn has_several_sets(plan: &PlanBuilder<'_>, force: &Force, wanted: &T
     paired && sphere_sets(plan.model, force).len() > 1
 }
 
-/// Plans the parameters of such a force: each sphere's own contact in the reference, scaled by the mean of R² over all.
+/// Plans the parameters of a force with several `ContactParameters`: each sphere gets its own contact of the reference, scaled by
+/// the mean of R² over all spheres.
 ///
 /// # Errors
-/// Materials that would need different factors.
+/// The spheres would need different factors for one material.
 pub(crate) fn plan_several_sets(
     plan: &mut PlanBuilder<'_>,
     force: &Force,
@@ -235,7 +238,7 @@ pub(crate) fn plan_several_sets(
     Ok(())
 }
 
-/// Root of the mean R² over all spheres of the force, here and in the reference.
+/// Root mean square of all radii of the force, new model over reference.
 fn radius_ratio(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer, radii: &Radii) -> f64 {
     let spheres: Vec<SphereId> =
         sphere_sets(plan.model, force).into_iter().flat_map(|(_, set)| set).collect();
@@ -248,7 +251,7 @@ fn radius_ratio(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer, radii:
     radii.mean_new(force) / mean.sqrt()
 }
 
-/// The reference's E₁* or α over this model's, as spheres and plane make it together; 1 where they are the same.
+/// E₁* or α of the reference divided by that of this model, for sphere and plane together; 1 if they are equal.
 fn composite_ratio(
     plan: &PlanBuilder<'_>,
     force: &Force,

@@ -28,7 +28,7 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 ///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
 ///   ([`FaultKind::UnknownReferenceSphere`]).
 /// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::SphereInsideForce`]).
-/// - Spheres of one force follow bodies with different factors, and that is to be refused
+/// - Spheres of one force move with bodies of different scale factors, and [`Transfer::strict`] is set
 ///   ([`FaultKind::StrictlyRefused`]).
 pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result<Plan, Fault> {
     refuse_old_dialect(model, selected)?;
@@ -64,7 +64,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
         radii.keep_bottoms(&mut plan, axis)?;
     }
     if wanted.follow.is_some() {
-        check_spread(&mut plan, selected, wanted, &chosen, &radii)?;
+        check_factor_spread(&mut plan, selected, wanted, &chosen, &radii)?;
     }
     warn_forces(&mut plan, &selected.forces, &wanted.properties);
     let mut without_smoothing = false;
@@ -100,10 +100,10 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     if without_smoothing {
         plan.findings.push(rules::reference_without_smoothing(&reference.name));
     }
-    Ok(finish(plan, wanted, selected.complete && whole, &radii, change))
+    Ok(plan_with_note_and_remarks(plan, wanted, selected.complete && whole, &radii, change))
 }
 
-/// Refuses to write what OpenSim cannot read.
+/// Refuses a force in the form of Moco 0.1 to 0.3, because OpenSim could not read the result.
 fn refuse_old_dialect(model: &Model, selected: &Selected) -> Result<(), Fault> {
     let mut forces = selected.forces.iter().filter_map(|&id| model.force(id));
     match forces.find(|force| keeps_sphere_inside(model, force)) {
@@ -119,7 +119,7 @@ struct TargetForce<'t> {
     force: &'t Force,
     from: &'t ReferenceContact,
     ratios: Ratios,
-    /// Ratios of this model's own radii, new to old, for what the reference does not give.
+    /// Ratios of new to old radii of this model, for properties that the reference does not have.
     own: Ratios,
 }
 
@@ -156,7 +156,7 @@ impl TargetForce<'_> {
         }
     }
 
-    /// Scales a property that the reference does not give with the changed radius.
+    /// Changes a property that the reference does not have by the factor that follows from the new radius.
     fn scale_with_radius(
         &self,
         plan: &mut PlanBuilder<'_>,
@@ -173,7 +173,7 @@ impl TargetForce<'_> {
     }
 }
 
-fn finish(
+fn plan_with_note_and_remarks(
     plan: PlanBuilder<'_>,
     wanted: &Transfer,
     complete: bool,
@@ -231,8 +231,8 @@ fn finish(
 
 // Remarks about a transfer whose spheres follow their bodies: the spread of their factors, and figures to compare by.
 
-/// Spheres of one modulus that follow bodies of different factors.
-fn check_spread(
+/// Warns of a force with one modulus whose spheres follow bodies with different factors, or refuses it if strict.
+fn check_factor_spread(
     plan: &mut PlanBuilder<'_>,
     selected: &Selected,
     wanted: &Transfer,
@@ -256,10 +256,10 @@ fn check_spread(
     Ok(())
 }
 
-/// Numbers that differ by less than this (relative) look the same.
+/// Numbers with a smaller relative difference than this look equal to a reader.
 const SAME_TO_THE_EYE: f64 = 1e-3;
 
-/// A remark with x̂ under body weight and c_r of the reference and of the result, to compare scaling rules.
+/// A remark that compares x̂ under body weight and c_r between the reference and the result.
 fn compare_with_reference(
     model: &Model,
     selected: &Selected,

@@ -1,4 +1,4 @@
-//! The options of a transfer, and the reference that its contacts come from: a preset or a model.
+//! The options of a transfer, and its reference: the preset or model from which contacts are taken.
 
 use contact_scaling::{Contact, ContactValues, Preset, SmoothingValues};
 use osim_model::compare::Follow;
@@ -9,22 +9,22 @@ use osim_model::{
 
 use crate::objects::{ContactLayout, NewContact};
 
-/// A contact of a reference, and the spheres that have it.
+/// A contact of a reference, and the spheres that use this contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceContact {
-    /// Names of the spheres that have it, and their radii, m.
+    /// Names of the spheres with this contact.
     pub spheres: Vec<String>,
     /// Radius of each sphere in `spheres`, m.
     pub radii_m: Vec<f64>,
-    /// Their radius (the root of the mean R² where they differ), m.
+    /// Common radius of the spheres, m; the root mean square if their radii differ.
     pub radius_m: f64,
-    /// E₁* (N/m²) of two equal surfaces, α (s/m), and the smoothing where the class has it.
+    /// E₁* (N/m²) of two equal surfaces, α (s/m), and the smoothing if the force class has any.
     pub contact: Contact,
     /// `transition_velocity` in m/s and `viscous_friction` in s/m.
     pub friction: Option<(f64, f64)>,
 }
 
-/// Where contacts are taken from: another model ([`reference_of_model`]) or a preset.
+/// The source of contacts: another model ([`reference_of_model`]) or a preset.
 ///
 /// ```
 /// use osim_model::{MassRequest, Model, Selection};
@@ -49,9 +49,9 @@ pub struct Reference {
     /// Name of the model or preset, for reports.
     pub name: String,
     pub mass: Mass,
-    /// Spheres n that share its body weight.
+    /// Number n of spheres that share the body weight of the reference.
     pub sphere_count: f64,
-    /// Gravity its contacts were made for, m/s², where known.
+    /// Gravity that the contacts were made for, m/s², if known.
     pub gravity_m_s2: Option<f64>,
     pub contacts: Vec<ReferenceContact>,
 }
@@ -113,36 +113,37 @@ impl From<&Preset> for Reference {
 pub struct Transfer {
     /// The model or preset from which the contacts are taken.
     pub reference: Reference,
-    /// Name of the sphere of the reference whose contact all get; `None`: the one that all have there, else that of the sphere
-    /// of the same name.
+    /// Name of the sphere of the reference whose contact all spheres get. `None`: the common contact of all spheres of the
+    /// reference, else that of the sphere with the same name.
     pub reference_sphere: Option<String>,
     /// Mass of this model: the mass that the contacts are scaled to.
     pub target_mass: Mass,
-    /// Spheres n that share this model's weight.
+    /// Number n of spheres that share this model's weight.
     pub sphere_count: f64,
-    /// Whether each sphere has its own in the reference, and how many share the weight is not known: then only the ratio of the
-    /// two counts has a meaning.
+    /// Whether each sphere has a sphere of the same name in the reference and the number of spheres that share the weight is
+    /// not known: only the ratio of the two numbers then matters.
     pub counts_cancel: bool,
     /// The rule for the radii.
     pub radius: RadiusRule,
     pub properties: PropertySet,
     /// Whether α follows the radius or the mass (14).
     pub dissipation_by: DissipationBy,
-    /// Gravity of this model, m/s², where the contacts are scaled to it; `None`: they are as under the reference's gravity.
+    /// Gravity of this model, m/s², if the contacts are scaled to it; `None`: the reference's gravity stays.
     pub target_gravity_m_s2: Option<f64>,
-    /// New places and radii of the spheres, where they follow their bodies; of `radius` only the equation that is named counts
-    /// for these.
+    /// New locations and radii of the spheres that move and grow with their bodies. For these spheres, `radius` only decides
+    /// which equation is named.
     pub follow: Option<Follow>,
-    /// Move sphere centres so that their bottoms stay where they are, where spheres do not follow their bodies.
+    /// Move the centres of the other spheres along this axis so that the lowest points of these spheres stay where they are.
     pub level: Option<LevelAxis>,
     /// The rule that E₁* and α follow.
     pub rule: ScalingRule,
-    /// Whether to refuse, instead of warning, if spheres of one force follow bodies with different factors.
+    /// Whether different scale factors for spheres of one force are an error instead of a warning.
     pub strict: bool,
 }
 
 impl Transfer {
-    /// Everything the paper scales, with radii as they are: `target_mass` and `sphere_count` are those of the model that is changed.
+    /// A transfer of everything that the paper scales, with unchanged radii; `target_mass` and `sphere_count` belong to the
+    /// changed model.
     pub fn new(reference: Reference, target_mass: Mass, sphere_count: f64) -> Self {
         Self {
             reference,
@@ -168,7 +169,7 @@ pub enum ScalingRule {
     /// The paper's equations (10) and (14).
     #[default]
     Paper,
-    /// PredSim's: stiffness by mass over height squared, dissipation by one over height; smoothing stays.
+    /// PredSim's rule: stiffness ∝ mass / height², dissipation ∝ 1 / height; smoothing stays.
     PredSim {
         /// Height of this model over that of the reference.
         height_ratio: f64,
@@ -177,8 +178,8 @@ pub enum ScalingRule {
 
 // The contacts of a model, as a reference for others.
 
-/// Reads the contacts of the forces `selected` of a reference model, which were made for `mass` and for `sphere_count` spheres
-/// that share its weight: see [`Reference`] for an example.
+/// Reads the contacts of the forces `selected` of a reference model. They were made for `mass` on `sphere_count` spheres that
+/// share its weight: see [`Reference`] for an example.
 pub fn reference_of_model(
     model: &Model,
     selected: &Selected,
@@ -211,7 +212,7 @@ pub fn reference_of_model(
     })
 }
 
-/// The contacts of `layout` as a reference called `name`, which were made for `mass`, for `sphere_count` spheres that share its
+/// The contacts of `layout` as a reference called `name`. They were made for `mass` on `sphere_count` spheres that share its
 /// weight, and for a gravity if known.
 ///
 /// ```
