@@ -1,4 +1,4 @@
-//! What a note can tell of changes that somebody made in the file after it was written.
+//! Tests of the changes that a note detects if its file was edited later.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
@@ -11,7 +11,7 @@ const SMOOTH: &str = "table1/human_62kg_smooth_sphere.osim";
 const HUNT_CROSSLEY: &str = "scale_tool/generic_hunt_crossley.osim";
 
 /// The fixture with a note that its contacts were made for 62 kg.
-fn with_note(name: &str) -> String {
+fn fixture_with_note(name: &str) -> String {
     let model = Model::parse(fixture(name)).unwrap();
     let plan = note(&model, 62.0, Some(9.81), None).unwrap();
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
@@ -27,23 +27,23 @@ fn edited_model(text: &str, edits: &[(&str, &str)]) -> Model {
     Model::parse(text).unwrap()
 }
 
-fn no_change() -> ChangedSinceNote {
+fn no_changes_since_note() -> ChangedSinceNote {
     ChangedSinceNote::default()
 }
 
 #[track_caller]
 fn assert_properties(changed: &ChangedSinceNote, expected: &[Property], what: &str) {
-    let mut all = no_change();
+    let mut all = no_changes_since_note();
     all.contacts.properties.extend(expected);
     assert_eq!(*changed, all, "{what}");
 }
 
-/// Each number that a force has is named, and no other, in both classes.
+/// Every property of a force, in both classes, is named if its number changed, and no other property is named.
 #[test]
-fn the_property_that_changed_is_named() {
+fn a_changed_property_is_named() {
     for name in [SMOOTH, HUNT_CROSSLEY] {
-        let text = with_note(name);
-        assert_eq!(Model::parse(text.clone()).unwrap().changed_since_note(), no_change());
+        let text = fixture_with_note(name);
+        assert_eq!(Model::parse(text.clone()).unwrap().changed_since_note(), no_changes_since_note());
         let mut found = 0;
         for property in Property::ALL.into_iter().filter(|property| *property != Property::Radius) {
             let open = format!("<{}>", property.name());
@@ -60,8 +60,8 @@ fn the_property_that_changed_is_named() {
 }
 
 #[test]
-fn all_that_changed_is_named_together() {
-    let text = with_note(SMOOTH);
+fn all_changed_properties_are_named_together() {
+    let text = fixture_with_note(SMOOTH);
     let both = edited_model(&text, &[("<stiffness>", "<stiffness>1"), ("<radius>", "<radius>1")])
         .changed_since_note();
     let ChangedContacts { radii: true, places: false, exchanged: false, properties, .. } = both.contacts
@@ -75,8 +75,8 @@ fn all_that_changed_is_named_together() {
 }
 
 #[test]
-fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
-    let text = with_note(SMOOTH);
+fn a_moved_sphere_is_named_and_leaves_the_noted_mass_valid() {
+    let text = fixture_with_note(SMOOTH);
     let (_, spheres) = text.split_once("<ContactSphere name=").unwrap();
     let (location, _) = spheres.split_once("<location>").unwrap().1.split_once('<').unwrap();
     let model = edited_model(&text, &[(&format!("<location>{location}<"), "<location>1 1 1<")]);
@@ -88,10 +88,10 @@ fn a_sphere_that_moved_is_named_and_puts_no_mass_in_doubt() {
     assert_eq!(model.doubt_about_note(), None);
 }
 
-/// A new name changes no number: the note can be relied on, and the spheres are where they were.
+/// A new name changes no number: the note stays valid, and the places of the spheres still match it.
 #[test]
-fn new_names_alone_are_named_and_put_nothing_in_doubt() {
-    let text = with_note(SMOOTH);
+fn renamed_objects_are_named_and_leave_the_note_valid() {
+    let text = fixture_with_note(SMOOTH);
     let plain = Model::parse(text.clone()).unwrap();
     let (sphere, force) = (plain.spheres()[0].name.clone(), plain.forces()[0].name.clone());
     for (name, of_spheres) in [(sphere, true), (force, false)] {
@@ -110,7 +110,7 @@ fn new_names_alone_are_named_and_put_nothing_in_doubt() {
 
 #[test]
 fn contacts_removed_since_the_note_are_counted() {
-    let text = with_note(SMOOTH);
+    let text = fixture_with_note(SMOOTH);
     let start = text.rfind("<SmoothSphereHalfSpaceForce ").unwrap();
     let end = text.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();
     let count = Model::parse(text.clone()).unwrap().forces().len();
@@ -124,9 +124,9 @@ fn contacts_removed_since_the_note_are_counted() {
     assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
 }
 
-/// Two forces that exchange their numbers: none is new, but the note does not fit.
+/// If two forces exchange their numbers, no number is new, but the note does not match.
 #[test]
-fn numbers_that_changed_places_are_named() {
+fn numbers_exchanged_between_forces_are_detected() {
     let plain = String::from_utf8(fixture(SMOOTH)).unwrap();
     let value = plain.split_once("<stiffness>").unwrap().1.split_once('<').unwrap().0.to_owned();
     let other = plain.replacen(&format!("<stiffness>{value}<"), "<stiffness>7<", 1);

@@ -1,4 +1,4 @@
-//! What a choice of properties, forces, radii and gravity leaves alone: models in, models out, both in view.
+//! Tests of what a choice of properties, forces, radii and gravity leaves unchanged, with the model before and after the change.
 //!
 //! The foot of these tests weighs 1 kg and is rescaled to 64 kg. Lengths then grow by 64^{1/3} = 4, and the paper's rules
 //! give E₁* × 4, α × 4^{-1/2} = 0.5, cf × 4² = 16, bd × 4^{-1} = 0.25, bv × 4^{-1/2} = 0.5: all expected texts are exact.
@@ -42,7 +42,7 @@ fn a_kept_property_stays_and_the_others_follow_the_new_radius() {
 }
 
 #[test]
-fn a_radius_in_metres_is_written_as_said_and_the_ratios_use_it() {
+fn a_radius_given_in_metres_is_written_exactly_and_gives_the_ratios() {
     let outcome =
         given(foot(&smooth("<stiffness>1000000</stiffness>\n<dissipation>2</dissipation>"), "0.01"))
             .radius(RadiusRule::Metres(0.16))
@@ -76,7 +76,7 @@ fn dissipation_can_follow_the_mass_instead() {
 }
 
 #[test]
-fn friction_follows_only_where_it_is_asked_for() {
+fn friction_is_scaled_only_on_request() {
     let text = |stiffness: &str, dissipation: &str, viscous: &str, velocity: &str| {
         smooth(&format!(
             "<stiffness>{stiffness}</stiffness>\n<dissipation>{dissipation}</dissipation>\n\
@@ -102,7 +102,7 @@ fn friction_follows_only_where_it_is_asked_for() {
 }
 
 #[test]
-fn gravity_scales_only_where_a_target_is_given() {
+fn contacts_are_scaled_to_gravity_only_with_a_target() {
     // OpenSim's default gravity, 9.80665; γ = 4: E₁* × 4 · 4, α and bv × 4^{-1/2} · 4^{-1/2}.
     given(foot(&smooth("<stiffness>1000000</stiffness>\n<dissipation>2</dissipation>"), "0.01"))
         .at_gravity(4.0 * 9.80665)
@@ -127,7 +127,7 @@ fn a_sphere_that_two_forces_share_is_resized_once() {
 }
 
 #[test]
-fn a_sphere_that_another_force_needs_as_it_is_is_refused_with_ways_out() {
+fn a_sphere_that_an_unselected_force_uses_is_refused_with_advice() {
     for file in ["format/shared_sphere.osim", "format/shared_sphere_two_classes.osim"] {
         let fault = given_fixture(file).selecting("contact_1").rescaled_to(500.0);
         let fault = fault

@@ -1,4 +1,4 @@
-//! What a change carries with it and says about itself: equations, factors, remarks, findings, refusals.
+//! Tests of what a plan reports about a change: equations, factors, remarks, findings, refusals.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -14,7 +14,7 @@ fn mass(kg: f64) -> Mass {
     Mass { kg, source: MassSource::ContactsMass }
 }
 
-/// A request from 10 kg to 80 kg: twice the length, to the last bit.
+/// A rescaling from 10 kg to 80 kg: lengths become exactly twice as large.
 fn rescale_to_80_kg() -> Rescale {
     Rescale::new(80.0, mass(10.0))
 }
@@ -39,7 +39,7 @@ fn change_of_property(plan: &Plan, property: Property) -> &osim_patch::NumberCha
 }
 
 #[test]
-fn a_radius_says_where_it_comes_from() {
+fn the_plan_names_the_equation_of_a_new_radius() {
     let radius = |rule| {
         let plan = plan_of_rescaling(ONE_FOOT, |wanted| wanted.radius = rule);
         let change = change_of_property(&plan, Property::Radius);
@@ -51,7 +51,7 @@ fn a_radius_says_where_it_comes_from() {
 }
 
 #[test]
-fn how_far_bottoms_move_is_said_with_its_direction() {
+fn the_remark_gives_distance_and_direction_of_moved_sphere_bottoms() {
     let remarks = |rule| {
         plan_of_rescaling(ONE_FOOT, |wanted| wanted.radius = rule)
             .remarks
@@ -86,7 +86,7 @@ fn how_far_bottoms_move_is_said_with_its_direction() {
 }
 
 #[test]
-fn the_first_line_says_by_how_much() {
+fn the_first_line_gives_the_mass_ratio() {
     assert_eq!(
         plan_of_rescaling(ONE_FOOT, |_| ()).taken.to_string(),
         "contacts made for 10 kg (`contacts_mass`); scaled to 80 kg (mass x8)"
@@ -113,7 +113,7 @@ fn level_spheres_keep_their_bottoms() {
 }
 
 #[test]
-fn friction_changes_only_where_asked_and_says_what_it_is_worth() {
+fn friction_is_scaled_only_on_request_with_a_finding() {
     let text = ONE_FOOT.replace(
         "</dissipation>",
         "</dissipation><viscous_friction>0.5</viscous_friction><transition_velocity>0.2</transition_velocity>",
@@ -150,7 +150,7 @@ fn a_force_that_is_switched_off_is_named() {
 }
 
 #[test]
-fn gravity_scales_from_what_is_there_or_not_at_all() {
+fn factors_follow_the_models_own_gravity_or_a_zero_gravity_is_refused() {
     let to = |gravity: f64| move |wanted: &mut Rescale| wanted.target_gravity_m_s2 = Some(gravity);
     let plan = plan_of_rescaling(ONE_FOOT, to(2.0 * 9.81));
     assert_eq!(change_of_property(&plan, Property::Stiffness).factor, Some(4.0));
@@ -164,7 +164,7 @@ fn gravity_scales_from_what_is_there_or_not_at_all() {
 }
 
 #[test]
-fn an_explicit_radius_is_done_at_an_equal_mass_too() {
+fn a_given_radius_is_set_at_an_equal_mass_too() {
     let same =
         |rule| plan_of_rescaling(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
     assert!(same(RadiusRule::Isometric).is_empty());

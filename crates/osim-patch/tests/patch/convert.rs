@@ -1,13 +1,13 @@
-//! Forces as forces of the other class, one for each sphere.
+//! Tests of the conversion of forces to the other class, one force for each sphere.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{Force, ForceKind, Model, Property, Selection, SetId};
 use osim_patch::{Convert, Converted, convert};
 
-const BOTH: [ForceKind; 2] = [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley];
+const BOTH_CLASSES: [ForceKind; 2] = [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley];
 
-/// A foot with a sphere on it, a floor and a wall, around its forces.
+/// A model with `forces`, a foot with a sphere, a floor and a wall.
 fn foot_document(forces: &str) -> String {
     document(40000, "", forces, GEOMETRY)
 }
@@ -75,7 +75,7 @@ fn force_against<'m>(model: &'m Model, plane: &str) -> &'m Force {
 }
 
 #[track_caller]
-fn value(force: &Force, property: Property) -> f64 {
+fn value_of(force: &Force, property: Property) -> f64 {
     force.checked(SetId::FIRST, property).unwrap().unwrap()
 }
 
@@ -88,19 +88,22 @@ fn each_half_space_has_its_own_material() {
     // 30800.838)^1.5 = 1569720.9, c = 2 * 20800.838 / 30800.838 = 1.3506670, and 2 * 0.8 * 0.2 / (0.8 + 0.2) = 0.32.
     for (first, second) in [(floor, wall), (wall, floor)] {
         let materials = [first, second].map(|(geometry, k, c, mu)| material_xml(geometry, k, c, mu));
-        for to in BOTH {
+        for to in BOTH_CLASSES {
             let made = convert_text(&foot_document(&hunt_crossley_force("foot", "", &materials)), to);
             let model = made.rebuilt.model();
             let own = force_against(model, "floor");
-            assert_eq!((value(own, Property::Stiffness), value(own, Property::Dissipation)), (1e6, 2.0));
-            assert_eq!(value(own, Property::StaticFriction), 0.8);
+            assert_eq!(
+                (value_of(own, Property::Stiffness), value_of(own, Property::Dissipation)),
+                (1e6, 2.0)
+            );
+            assert_eq!(value_of(own, Property::StaticFriction), 0.8);
             let other = force_against(model, "wall");
             for (property, wanted) in [
                 (Property::Stiffness, 1_569_720.9),
                 (Property::Dissipation, 1.350_667_0),
                 (Property::StaticFriction, 0.32),
             ] {
-                let found = value(other, property);
+                let found = value_of(other, property);
                 assert!((found / wanted - 1.0).abs() < 1e-7, "{to:?} {property}: {found}, expected {wanted}");
             }
             assert_eq!(made.findings.len(), 1);
@@ -111,8 +114,8 @@ fn each_half_space_has_its_own_material() {
 const SMOOTH: &str = r#"
 				<SmoothSphereHalfSpaceForce name="foot"><socket_sphere>/contactgeometryset/heel</socket_sphere><socket_half_space>/contactgeometryset/floor</socket_half_space>{own}<stiffness>1e6</stiffness></SmoothSphereHalfSpaceForce>"#;
 
-/// Defaults with which forces of both classes do not act unless they say so: up to 30508 in two spellings.
-const OFF: [(u32, &str); 3] = [
+/// Elements in `<defaults>` that switch forces of both classes off; up to version 30508 there are two spellings.
+const SWITCHED_OFF_DEFAULTS: [(u32, &str); 3] = [
     (40000, "<appliesForce>false</appliesForce>"),
     (30000, "<appliesForce>false</appliesForce>"),
     (30000, "<isDisabled>true</isDisabled>"),
@@ -120,13 +123,13 @@ const OFF: [(u32, &str); 3] = [
 
 fn defaults_xml(own: &str) -> String {
     let object = |class: ForceKind| format!("<{0} name=\"default\">{own}</{0}>", class.as_str());
-    format!("<defaults>{}</defaults>", BOTH.map(object).concat())
+    format!("<defaults>{}</defaults>", BOTH_CLASSES.map(object).concat())
 }
 
 #[test]
-fn forces_act_as_they_did_whatever_the_defaults_say() {
-    for (version, off) in OFF {
-        for to in BOTH {
+fn converted_forces_act_as_before_with_any_defaults() {
+    for (version, off) in SWITCHED_OFF_DEFAULTS {
+        for to in BOTH_CLASSES {
             let geometry = match version {
                 30000 => GEOMETRY
                     .replace("socket_frame>/bodyset/", "body_name>")
@@ -152,7 +155,7 @@ fn forces_act_as_they_did_whatever_the_defaults_say() {
 }
 
 #[test]
-fn what_defaults_do_not_speak_of_is_not_written() {
+fn properties_absent_from_defaults_are_not_written() {
     for defaults in [
         "",
         "<defaults><HuntCrossleyForce name=\"default\"><transition_velocity>0.2</transition_velocity></HuntCrossleyForce></defaults>",

@@ -1,14 +1,14 @@
-//! Forces of Moco 0.1 to 0.3, which keep sphere and plane inside themselves.
+//! Tests of forces of Moco 0.1 to 0.3, which contain their sphere and half-space as elements.
 
 use osim_model::{FaultKind, ForceKind, Model, Property, Selection, SetId, Sphere};
 use osim_patch::{Convert, Converted, convert};
 
 use crate::given::{fixture, given_fixture};
 
-const OLD: &str = "format/moco_sphere_in_force.osim";
+const SPHERE_IN_FORCE: &str = "format/moco_sphere_in_force.osim";
 
-fn old() -> String {
-    String::from_utf8(fixture(OLD)).unwrap()
+fn sphere_in_force() -> String {
+    String::from_utf8(fixture(SPHERE_IN_FORCE)).unwrap()
 }
 
 fn converted(text: &str, to: ForceKind) -> Result<Converted, osim_model::Fault> {
@@ -16,9 +16,9 @@ fn converted(text: &str, to: ForceKind) -> Result<Converted, osim_model::Fault> 
     convert(&model, &Selection::default().apply_to_all(&model).unwrap(), &Convert::new(to))
 }
 
-/// A second force like the first, on the same plane.
+/// The fixture with a second force like the first, on the same half-space.
 fn two_feet() -> String {
-    let text = old();
+    let text = sphere_in_force();
     let from = text.find("\t\t\t\t<SmoothSphereHalfSpaceForce").unwrap();
     let end = "</SmoothSphereHalfSpaceForce>\n";
     let to = text.find(end).unwrap() + end.len();
@@ -64,7 +64,7 @@ fn names_that_are_taken_get_a_number() {
     let taken = "<ContactGeometrySet name=\"contactgeometryset\"><objects><ContactHalfSpace name=\"floor\"><socket_frame>/ground\
                  </socket_frame></ContactHalfSpace></objects></ContactGeometrySet>";
     let made = converted(
-        &old().replace("\t</Model>", &format!("\t\t{taken}\n\t</Model>")),
+        &sphere_in_force().replace("\t</Model>", &format!("\t\t{taken}\n\t</Model>")),
         ForceKind::SmoothSphereHalfSpace,
     );
     let made = made.unwrap();
@@ -74,8 +74,8 @@ fn names_that_are_taken_get_a_number() {
 }
 
 #[test]
-fn what_the_first_version_called_otherwise_keeps_its_meaning() {
-    let first = old().replace("constant_contact_force>", "derivative_smoothing>");
+fn elements_of_the_first_version_keep_their_meaning() {
+    let first = sphere_in_force().replace("constant_contact_force>", "derivative_smoothing>");
     let model = Model::parse(first.as_str()).unwrap();
     let constant =
         |model: &Model| model.forces()[0].checked(SetId::FIRST, Property::ConstantContactForce).unwrap();
@@ -91,14 +91,14 @@ fn what_the_first_version_called_otherwise_keeps_its_meaning() {
     };
     let fault = converted(&on_frame(&first), ForceKind::SmoothSphereHalfSpace).unwrap_err();
     assert!(fault.to_string().contains("ignored where frame /bodyset/calcn_r/sole is"), "{fault}");
-    assert!(converted(&on_frame(&old()), ForceKind::SmoothSphereHalfSpace).is_ok());
+    assert!(converted(&on_frame(&sphere_in_force()), ForceKind::SmoothSphereHalfSpace).is_ok());
 }
 
 #[test]
-fn a_plane_that_says_nothing_is_a_floor_but_for_the_first_version() {
+fn a_plane_without_orientation_is_a_floor_except_in_the_first_version() {
     let orientation =
         "<contact_half_space_orientation>0 0 -1.5707963267948966</contact_half_space_orientation>";
-    let silent = old().replace(orientation, "");
+    let silent = sphere_in_force().replace(orientation, "");
     let normal = |text: &str| {
         let model = Model::parse(text).unwrap();
         model.planes_of(&model.forces()[0])[0].normal.unwrap().to_array()
@@ -109,9 +109,9 @@ fn a_plane_that_says_nothing_is_a_floor_but_for_the_first_version() {
 }
 
 #[test]
-fn only_transfer_refuses_to_write_it() {
-    given_fixture(OLD).rescaled_to(8.0 * 61.5).sets(Property::Radius, 1, 0.065);
-    let outcome = given_fixture(OLD).taking_preset("falisse2022", 2.0);
+fn only_transfer_refuses_a_sphere_inside_its_force() {
+    given_fixture(SPHERE_IN_FORCE).rescaled_to(8.0 * 61.5).sets(Property::Radius, 1, 0.065);
+    let outcome = given_fixture(SPHERE_IN_FORCE).taking_preset("falisse2022", 2.0);
     let fault = outcome
         .is_refused("refused", &["/forceset/contact_heel_r keeps its sphere inside itself", "convert"]);
     assert!(matches!(fault.kind, FaultKind::SphereInsideForce { .. }));

@@ -1,4 +1,4 @@
-//! Numbers at the edge of a double: what is not finite is not written, whoever asks for it.
+//! Tests with numbers at the limits of a double: no verb writes a number that is not finite.
 
 use osim_model::{
     Assignment, FaultKind, FileId, ForceKind, MassRequest, Model, Property, RadiusRule, Selection,
@@ -32,7 +32,7 @@ fn the_message_names_property_line_and_where_the_number_comes_from() {
 }
 
 #[test]
-fn a_plan_in_which_somebody_put_such_a_number_is_not_written() {
+fn a_plan_with_an_invalid_number_is_not_written() {
     let model = Model::parse(ONE_FOOT).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let mass = MassRequest::default().contacts_mass(&model).unwrap().0;
@@ -45,7 +45,7 @@ fn a_plan_in_which_somebody_put_such_a_number_is_not_written() {
 }
 
 #[test]
-fn what_two_surfaces_make_together_may_be_too_large() {
+fn a_composite_value_of_two_surfaces_may_be_too_large() {
     let text = String::from_utf8(fixture("format/floor_of_its_own.osim")).unwrap();
     // 2ab/(a + b) of 1e200 and 1e199: ab is more than a double holds.
     let large = text.replace("<static_friction>0.81<", "<static_friction>1e200<");
@@ -61,7 +61,7 @@ fn what_two_surfaces_make_together_may_be_too_large() {
 }
 
 #[test]
-fn numbers_become_text_in_one_place() {
+fn only_change_rs_converts_numbers_to_text() {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/src");
     let (mut folders, mut spelling) = (vec![std::path::PathBuf::from(source)], Vec::new());
     while let Some(folder) = folders.pop() {
@@ -76,7 +76,7 @@ fn numbers_become_text_in_one_place() {
     assert_eq!(spelling, ["change.rs"]);
 }
 
-/// Numbers as people and programs write them, and those at the edge of a double.
+/// Numbers as people and programs write them, and numbers at the limits of a double.
 fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![
         Just(1e-308),
@@ -91,14 +91,14 @@ fn any_number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// How many numbers of a text are not finite.
-fn not_finite(bytes: &[u8]) -> usize {
+/// The number of numbers in a text that are not finite.
+fn count_not_finite(bytes: &[u8]) -> usize {
     let text = String::from_utf8_lossy(bytes);
     let words = text.split(|letter: char| !letter.is_alphanumeric());
     words.filter(|word| ["inf", "nan", "infinity"].contains(&word.to_ascii_lowercase().as_str())).count()
 }
 
-/// The plans of several verbs for `model` with `a` and `b` in them; those that are refused are left out.
+/// The plans of several verbs for `model` with the values `a` and `b`, without the plans that are refused.
 fn plans_of_several_verbs(model: &Model, a: f64, b: f64) -> Vec<Plan> {
     let Ok(selected) = Selection::default().apply(model) else { return Vec::new() };
     let mut made = Vec::new();
@@ -147,7 +147,7 @@ proptest! {
         let model = Model::parse(text.as_str()).unwrap();
         for plan in plans_of_several_verbs(&model, a, b) {
             if let Ok(bytes) = plan.patched(&model, FileId::MAIN) {
-                prop_assert_eq!(not_finite(&bytes), 0, "{}", String::from_utf8_lossy(&bytes));
+                prop_assert_eq!(count_not_finite(&bytes), 0, "{}", String::from_utf8_lossy(&bytes));
             }
         }
     }

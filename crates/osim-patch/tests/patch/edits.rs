@@ -1,4 +1,4 @@
-//! What is written: models in, models out, both in view.
+//! Tests of the written bytes, with the model before and after the change.
 //!
 //! The foot of these tests weighs 1 kg and is rescaled to 64 kg. Lengths then grow by 64^{1/3} = 4, and the paper's rules
 //! give E₁* × 4, α × 4^{-1/2} = 0.5, cf × 4² = 16, bd × 4^{-1} = 0.25, bv × 4^{-1/2} = 0.5: all expected texts are exact.
@@ -9,7 +9,7 @@
 use crate::given::{fixture, foot, given, given_fixture, hunt_crossley, smooth};
 use osim_model::Property;
 
-/// A foot with a smooth force, 1 kg → 64 kg, isometric.
+/// Asserts that a foot with a smooth force has the text `after` when it is rescaled isometrically from 1 kg to 64 kg.
 #[track_caller]
 fn smooth_foot_becomes(before: &str, after: &str) {
     given(foot(&smooth(before), "0.01")).rescaled_to(64.0).produces(foot(&smooth(after), "0.04"));

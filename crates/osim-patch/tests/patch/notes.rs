@@ -1,4 +1,4 @@
-//! The note in a model: where it goes, what it says later, and that nothing is left of it where it is taken out.
+//! Tests of the note in a model: its place, its content after later changes, and its removal without a trace.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -58,7 +58,7 @@ fn the_text_of_the_credits_stays_and_the_note_ends_it() {
 }
 
 #[test]
-fn without_a_note_a_file_is_what_it_was_before_there_was_one() {
+fn removing_the_note_restores_the_file() {
     for name in credits_fixtures().into_iter().chain(["format/v40600.osim".to_owned()]) {
         let there = given_fixture(&name).with_note().standing_for(10.0).rescaled_to(80.0);
         // Rescaled back by 1/8 every number is what it was, up to its last bits and its spelling.
@@ -75,7 +75,7 @@ fn without_a_note_a_file_is_what_it_was_before_there_was_one() {
 }
 
 #[test]
-fn a_note_is_replaced_and_says_the_same_as_before() {
+fn a_replaced_note_keeps_its_content() {
     for name in credits_fixtures() {
         let once = fixture_with_note(&name);
         let model = Model::parse(once.as_str()).unwrap();
@@ -92,7 +92,7 @@ fn a_note_is_replaced_and_says_the_same_as_before() {
 }
 
 #[test]
-fn a_note_goes_on_saying_for_which_size_of_bones_the_spheres_are_placed() {
+fn a_note_keeps_the_body_sizes_for_which_spheres_are_placed() {
     let generic = fixture_with_note("scale_tool/generic_smooth.osim");
     let sizes = |text: &str| Model::parse(text).unwrap().note.unwrap().sizes;
     assert!(!sizes(&generic).is_empty());
@@ -107,7 +107,7 @@ fn a_note_goes_on_saying_for_which_size_of_bones_the_spheres_are_placed() {
 }
 
 #[test]
-fn what_open_sim_refuses_is_refused_with_its_place() {
+fn a_file_that_open_sim_refuses_is_refused_with_the_place_of_the_error() {
     for name in ["text_and_cdata", "two_cdata", "comment_inside", "element_inside"] {
         let fault = Model::parse(fixture(&format!("bad/credits_{name}.osim"))).unwrap_err();
         assert_eq!(fault.code(), "broken-text", "{name}");
@@ -117,7 +117,7 @@ fn what_open_sim_refuses_is_refused_with_its_place() {
 }
 
 #[test]
-fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
+fn a_note_has_a_new_size_only_for_bodies_whose_spheres_all_followed() {
     let scaled = fixture_with_note("scale_tool/generic_smooth.osim").replace(
         "<scale_factors>1.01 1 1.02</scale_factors>",
         "<scale_factors>0.505 0.5 0.51</scale_factors>",
@@ -154,39 +154,39 @@ fn a_note_says_a_new_size_only_of_bodies_whose_spheres_all_followed() {
 }
 
 #[test]
-fn bytes_of_others_stay_as_they_are_whatever_their_encoding() {
+fn bytes_outside_the_note_stay_in_any_encoding() {
     // What Windows writes for an umlaut and for a dash, where the file says UTF-8.
-    const ODD: &[u8] = b"M\xFCller \x96";
+    const NOT_UTF8: &[u8] = b"M\xFCller \x96";
     let position = |bytes: &[u8], part: &[u8]| bytes.windows(part.len()).position(|window| window == part);
     let text = fixture("format/credits_some.osim");
     let at = position(&text, b"A. Author").unwrap();
-    let odd = [&text[..at], ODD, b"; ", &text[at..]].concat();
+    let odd = [&text[..at], NOT_UTF8, b"; ", &text[at..]].concat();
     let noted = |bytes: &[u8], contacts_mass_kg: f64| {
         let model = Model::parse(bytes).unwrap();
         note(&model, contacts_mass_kg, Some(9.81), None).unwrap().patched(&model, FileId::MAIN).unwrap()
     };
     let with = noted(&odd, 62.0);
-    assert!(position(&with, ODD).is_some(), "{}", String::from_utf8_lossy(&with));
+    assert!(position(&with, NOT_UTF8).is_some(), "{}", String::from_utf8_lossy(&with));
 
     // A note in the middle is replaced by one at the end.
     let note_at = position(&with, b"; [contacts").unwrap();
     let end = note_at + position(&with[note_at..], b")]").unwrap() + 2;
-    let again = noted(&[&with[..end], b"; B. ", ODD, &with[end..]].concat(), 70.0);
+    let again = noted(&[&with[..end], b"; B. ", NOT_UTF8, &with[end..]].concat(), 70.0);
     let shown = String::from_utf8_lossy(&again).into_owned();
-    let first = position(&again, ODD).unwrap();
-    assert!(position(&again[first + 1..], ODD).is_some(), "{shown}");
+    let first = position(&again, NOT_UTF8).unwrap();
+    assert!(position(&again[first + 1..], NOT_UTF8).is_some(), "{shown}");
     assert_eq!(shown.matches("[contacts made for 70 kg").count(), 1, "{shown}");
     assert!(!shown.contains("62 kg at"), "{shown}");
 }
 
 // The story that a note says.
 
-/// `text` after its contacts were rescaled to `kg`.
+/// `text` after its contacts are rescaled to `kg`.
 fn rescaled_again(text: &str, kg: f64) -> String {
     String::from_utf8(given(text.to_owned()).with_note().rescaled_to(kg).bytes().to_vec()).unwrap()
 }
 
-fn operations(text: &str) -> Vec<String> {
+fn noted_operations(text: &str) -> Vec<String> {
     let model = Model::parse(text).unwrap();
     let steps = model.note.unwrap().steps.into_iter();
     steps
@@ -198,13 +198,13 @@ fn operations(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
+fn a_note_lists_every_operation_and_changes_by_others() {
     let text = rescaled_again(&fixture_with_note("table1/human_62kg_smooth_sphere.osim"), 124.0);
-    assert_eq!(operations(&text), ["note", "rescale from 62"]);
+    assert_eq!(noted_operations(&text), ["note", "rescale from 62"]);
     let edited = text.replacen("<dissipation>", "<dissipation>1", 1);
     let model = Model::parse(edited).unwrap();
     let again = patched(&note(&model, 124.0, Some(9.81), Some(2.0)).unwrap(), &model);
-    assert_eq!(operations(&again), ["note", "rescale from 62", "others", "note"]);
+    assert_eq!(noted_operations(&again), ["note", "rescale from 62", "others", "note"]);
     assert_eq!(Model::parse(again).unwrap().noted_stance_limbs(), Some(2.0));
 }
 
@@ -212,6 +212,6 @@ fn a_note_tells_every_step_and_that_somebody_changed_values_in_between() {
 fn the_first_and_the_latest_of_many_steps_are_kept() {
     let first = fixture_with_note("table1/human_62kg_smooth_sphere.osim");
     let text = (1..=12).fold(first, |text, step| rescaled_again(&text, 62.0 + f64::from(step)));
-    let kept = operations(&text);
+    let kept = noted_operations(&text);
     assert_eq!((kept.len(), kept[0].as_str(), kept[7].as_str()), (8, "note", "rescale from 73"));
 }

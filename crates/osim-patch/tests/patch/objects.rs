@@ -1,11 +1,11 @@
-//! Whole contacts: added, and taken out again.
+//! Tests of contacts that are added to a model and removed again.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{FileId, ForceKind, Model, Property, Scope, Selected, Selection};
 use osim_patch::{ContactLayout, NewContact, Plan, add_contacts, note_of_remaining, remove};
 
-/// Documents without contacts, with their sets in every form that is found.
+/// The sets of models without contacts, in every form in which files have them.
 const SETS: [&str; 12] = [
     "",
     "\n\t\t<ForceSet>\n\t\t\t<objects/>\n\t\t</ForceSet>\n\t\t<ContactGeometrySet>\n\t\t\t<objects />\n\t\t</ContactGeometrySet>",
@@ -44,7 +44,7 @@ fn layout_of_kind(kind: ForceKind) -> ContactLayout {
 }
 
 #[test]
-fn what_is_added_is_read_as_it_was_wanted() {
+fn added_contacts_are_read_with_the_wanted_values() {
     for version in [20302, 30000, 30505, 40000] {
         for kind in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
             for sets in SETS {
@@ -76,7 +76,7 @@ fn what_is_added_is_read_as_it_was_wanted() {
 }
 
 #[test]
-fn defaults_do_not_change_what_is_added() {
+fn defaults_do_not_change_added_contacts() {
     for (version, off) in [
         (40000, "<appliesForce>false</appliesForce>"),
         (30000, "<appliesForce>false</appliesForce>"),
@@ -111,7 +111,7 @@ fn defaults_do_not_change_what_is_added() {
 }
 
 #[test]
-fn what_was_added_goes_without_a_trace() {
+fn removing_added_contacts_restores_the_file() {
     for sets in SETS {
         let text = document_with_sets(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
@@ -127,7 +127,7 @@ fn what_was_added_goes_without_a_trace() {
 }
 
 #[test]
-fn a_part_can_go_first_and_then_the_rest() {
+fn added_contacts_can_be_removed_in_two_parts() {
     for (sets, kind) in SETS
         .into_iter()
         .flat_map(|sets| [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley].map(|kind| (sets, kind)))
@@ -153,7 +153,8 @@ fn a_part_can_go_first_and_then_the_rest() {
     }
 }
 
-/// The bytes that [`remove`] and its note leave of a file, without the forces `names`, or without all.
+/// The bytes of a file after [`remove`] and the edits of its note, without the forces `names`; without all forces if `names` is
+/// empty.
 fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
     let wanted = |force: &osim_model::Force| names.is_empty() || names.contains(&force.name.as_str());
     let rebuilt = remove(model, &Selected::matching(model, wanted)).unwrap();
@@ -162,7 +163,7 @@ fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
 }
 
 #[test]
-fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
+fn a_note_in_doubt_stays_in_doubt_after_a_removal() {
     let model = Model::parse(document_with_sets(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
     let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
@@ -173,9 +174,9 @@ fn a_note_that_does_not_fit_any_more_goes_on_not_fitting() {
     assert_eq!(String::from_utf8_lossy(&after_removal(&half, &[])), document_with_sets(40000, ""));
 }
 
-/// A floor that was made goes once: what is in its place later is somebody else's.
+/// A floor that the program made is removed once; a floor that has its place later belongs to somebody else.
 #[test]
-fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
+fn a_users_floor_is_not_taken_for_an_added_floor() {
     let model = Model::parse(document_with_sets(40000, "")).unwrap();
     let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
     let plan = osim_patch::note(rebuilt.model(), 62.0, Some(9.81), None).unwrap().attach_to(rebuilt);
@@ -195,18 +196,18 @@ fn a_floor_of_ones_own_is_not_taken_for_the_one_that_was_made() {
     assert_eq!(none.half_spaces().len(), 1);
 }
 
-const OLD: &str = "[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; \
+const OLD_NOTE: &str = "[contacts made for 12 kg at 9.8 m/s2 (osim-contact-scale 0.0.9; all; by add; sizes none; \
                    record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made fgOhc)]";
 
-/// Contacts that went in another program leave a note of theirs behind, which is no longer about anything.
+/// If another program removes contacts, their note stays in the file and is about no contact any more.
 #[test]
-fn an_old_note_is_there_again() {
+fn a_removal_restores_the_old_note() {
     for credits in [
-        format!("<credits>A; {OLD}</credits>"),
-        format!("<credits>{OLD}</credits>"),
-        format!("<credits>A {OLD} tail</credits>"),
-        format!("<credits><![CDATA[A & B; {OLD}]]></credits>"),
-        format!("<credits>A;\n {}\n</credits>", OLD.replace(' ', "\n\t")),
+        format!("<credits>A; {OLD_NOTE}</credits>"),
+        format!("<credits>{OLD_NOTE}</credits>"),
+        format!("<credits>A {OLD_NOTE} tail</credits>"),
+        format!("<credits><![CDATA[A & B; {OLD_NOTE}]]></credits>"),
+        format!("<credits>A;\n {}\n</credits>", OLD_NOTE.replace(' ', "\n\t")),
     ] {
         for sets in SETS {
             let text = document_with_sets(40000, sets)
@@ -233,9 +234,9 @@ fn an_old_note_is_there_again() {
     }
 }
 
-/// Objects that have nothing of their own in `<defaults>` look for what the defaults name, and those that stay keep their spheres.
+/// Objects refer to the spheres named in `<defaults>` if they name none themselves; the remaining objects keep their spheres.
 #[test]
-fn defaults_that_name_a_sphere_are_in_nobodys_way() {
+fn defaults_that_name_a_sphere_do_not_prevent_a_removal() {
     let parameters = "<HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects><HuntCrossleyForce::ContactParameters>\
                       <geometry>heel floor</geometry><stiffness>1</stiffness></HuntCrossleyForce::ContactParameters></objects>\
                       </HuntCrossleyForce::ContactParametersSet>";
@@ -264,7 +265,7 @@ fn defaults_that_name_a_sphere_are_in_nobodys_way() {
 }
 
 #[test]
-fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
+fn defaults_of_an_unread_class_are_refused_with_advice() {
     let other =
         "<defaults><ElasticFoundationForce><geometry>heel</geometry></ElasticFoundationForce></defaults>";
     let model = Model::parse(document_with_sets(40000, "")).unwrap();
@@ -276,7 +277,7 @@ fn defaults_of_a_class_that_is_not_read_are_refused_with_a_way_out() {
     assert!(fault.contains("in <defaults> uses heel") && fault.contains("text editor"), "{fault}");
 }
 
-/// A new object does not get a name that some text uses, even if no object has that name.
+/// A new object does not get a name that some text of the file uses, even if no object has this name.
 #[test]
 fn new_objects_have_names_that_nothing_uses() {
     let other = "<ForceSet><objects><ElasticFoundationForce name=\"e\"><ElasticFoundationForce::ContactParametersSet \

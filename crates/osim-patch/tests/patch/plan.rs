@@ -1,4 +1,4 @@
-//! The plan and its edits: lines, scopes, notes, and files that belong together.
+//! Tests of the plan and its edits: lines, scopes, notes, and files that belong together.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -34,7 +34,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan,
     (plan, String::from_utf8(bytes).unwrap())
 }
 
-/// Line (from 1) of the first line that holds `what`.
+/// Number (from 1) of the first line of `text` that contains `what`.
 fn line_of(text: &str, what: &str) -> usize {
     text.lines().position(|line| line.contains(what)).unwrap() + 1
 }
@@ -49,13 +49,13 @@ fn changes_name_the_line_of_the_number_or_of_the_object_that_gets_it() {
 }
 
 #[test]
-fn origins_are_called_as_the_json_has_them() {
+fn origins_have_the_names_of_the_json() {
     let names = [Origin::Element, Origin::Defaults, Origin::ClassDefault].map(Origin::as_str);
     assert_eq!(names, ["element", "defaults", "class default"]);
 }
 
 #[test]
-fn the_scope_is_partial_once_a_default_property_is_left_behind() {
+fn the_scope_is_partial_if_a_default_property_is_not_scaled() {
     let scope = |change: fn(&mut Rescale)| rescaled(ONE_FOOT, change, true).0.note().unwrap().scope;
     assert_eq!(scope(|_| ()), Scope::All);
     // With radii that stay, the others follow from that: nothing is left behind.
@@ -77,7 +77,7 @@ fn the_scope_is_partial_once_a_default_property_is_left_behind() {
 }
 
 #[test]
-fn a_note_is_one_line_more_and_without_a_new_one_the_old_one_goes() {
+fn a_note_adds_one_line_and_a_change_without_note_removes_it() {
     let lines = |text: &str| text.lines().count();
     let (_, noted) = rescaled(ONE_FOOT, |_| (), true);
     let (_, plain) = rescaled(ONE_FOOT, |_| (), false);
@@ -93,7 +93,7 @@ fn a_note_is_one_line_more_and_without_a_new_one_the_old_one_goes() {
 }
 
 #[test]
-fn the_note_goes_on_saying_which_gravity_the_contacts_stand_for() {
+fn the_note_keeps_the_gravity_that_contacts_were_made_for() {
     let gravity = |plan: &Plan| plan.note().unwrap().gravity_m_s2;
     let (moon, on_moon) = rescaled(ONE_FOOT, |wanted| wanted.target_gravity_m_s2 = Some(1.62), true);
     assert_eq!(gravity(&moon), Some(1.62));

@@ -1,4 +1,4 @@
-//! What is refused, and where the fault points.
+//! Tests of refused models and of the places that their faults name.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -8,14 +8,14 @@ use osim_model::{Assignment, Fault, FaultKind, Model, Property, Selection};
 use osim_patch::{Design, Set, design, set};
 
 #[test]
-fn a_mass_that_is_missing_is_asked_for() {
+fn a_missing_mass_is_requested() {
     let outcome = given_fixture("format/terrain_welded.osim").rescaled_to(8.0 * 53.0);
     outcome.sets(Property::Stiffness, 2, 2_469_135.6);
     given_fixture("bad/mass_missing.osim").rescaled_to(1.0).is_refused("no-mass", &["`mass`"]);
     given_fixture("bad/mass_missing.osim").weighing(53.0).rescaled_to(8.0 * 53.0).plan();
 }
 
-/// Why a bad fixture is refused; `None` where it is not.
+/// The fault of rescaling a bad fixture; `None` if the fixture is accepted.
 fn fault_of_bad_fixture(name: &str) -> Option<Fault> {
     given_fixture(name).rescaled_to(1234.5).result.err()
 }
@@ -39,7 +39,7 @@ fn every_bad_fixture_is_refused_or_listed_here() {
 }
 
 #[test]
-fn a_refused_number_is_pointed_at() {
+fn the_fault_of_a_refused_number_has_its_line() {
     for (file, code, text, line_of) in [
         ("number_decimal_comma", "not-a-number", "OpenSim reads 1 and", "<stiffness>"),
         ("number_unit", "not-a-number", "OpenSim reads 2000000", "<stiffness>"),

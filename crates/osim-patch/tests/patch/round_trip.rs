@@ -1,5 +1,5 @@
-//! The round-trip law: without edits every byte stays; edits touch their spans and nothing else; what was written is
-//! read again, bit for bit as planned. Seeds are the fixtures, whole and mutilated.
+//! Tests of the round trip: without edits every byte stays; edits change only their spans; a written number is read again as the
+//! same double. The inputs are all fixtures, whole and damaged.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -20,9 +20,9 @@ fn bytes_of_fixtures() -> &'static [Vec<u8>] {
     })
 }
 
-/// A way to spoil a file.
+/// A way to damage a file.
 #[derive(Debug, Clone)]
-enum Spoil {
+enum Damage {
     Replace(usize, u8),
     Remove(usize, usize),
     Insert(usize, &'static str),
@@ -57,50 +57,50 @@ const SHARDS: [&str; 24] = [
     "e6",
 ];
 
-fn any_damage() -> impl Strategy<Value = Spoil> {
+fn any_damage() -> impl Strategy<Value = Damage> {
     let at = 0..1_000_000_usize;
     prop_oneof![
-        4 => (at.clone(), any::<u8>()).prop_map(|(at, byte)| Spoil::Replace(at, byte)),
-        2 => (at.clone(), 1..60_usize).prop_map(|(at, length)| Spoil::Remove(at, length)),
-        4 => (at.clone(), prop::sample::select(&SHARDS[..])).prop_map(|(at, text)| Spoil::Insert(at, text)),
-        2 => (at.clone(), 1..400_usize).prop_map(|(at, length)| Spoil::Double(at, length)),
-        1 => at.prop_map(Spoil::Cut),
+        4 => (at.clone(), any::<u8>()).prop_map(|(at, byte)| Damage::Replace(at, byte)),
+        2 => (at.clone(), 1..60_usize).prop_map(|(at, length)| Damage::Remove(at, length)),
+        4 => (at.clone(), prop::sample::select(&SHARDS[..])).prop_map(|(at, text)| Damage::Insert(at, text)),
+        2 => (at.clone(), 1..400_usize).prop_map(|(at, length)| Damage::Double(at, length)),
+        1 => at.prop_map(Damage::Cut),
     ]
 }
 
-fn damaged_bytes(seed: usize, spoils: &[Spoil]) -> Vec<u8> {
+fn damaged_bytes(seed: usize, damages: &[Damage]) -> Vec<u8> {
     let seeds = bytes_of_fixtures();
     let mut bytes = seeds[seed % seeds.len()].clone();
-    for spoil in spoils {
+    for spoil in damages {
         let place = |at: usize| at % (bytes.len() + 1);
         match *spoil {
-            Spoil::Replace(at, byte) => {
+            Damage::Replace(at, byte) => {
                 let at = place(at);
                 if let Some(old) = bytes.get_mut(at) {
                     *old = byte;
                 }
             }
-            Spoil::Remove(at, length) => {
+            Damage::Remove(at, length) => {
                 let at = place(at);
                 let end = bytes.len().min(at + length);
                 bytes.drain(at..end);
             }
-            Spoil::Insert(at, text) => {
+            Damage::Insert(at, text) => {
                 let at = place(at);
                 bytes.splice(at..at, text.bytes());
             }
-            Spoil::Double(at, length) => {
+            Damage::Double(at, length) => {
                 let at = place(at);
                 let piece = bytes[at..bytes.len().min(at + length)].to_vec();
                 bytes.splice(at..at, piece);
             }
-            Spoil::Cut(at) => bytes.truncate(place(at)),
+            Damage::Cut(at) => bytes.truncate(place(at)),
         }
     }
     bytes
 }
 
-/// Plans a rescaling by `factor`; `None` where the model is refused.
+/// The plan of a rescaling by `factor`; `None` if the model is refused.
 fn plan_of_rescaling(model: &Model, factor: f64, radius: RadiusRule) -> Option<Plan> {
     let selected = Selection::default().apply(model).ok()?;
     let (contacts_mass, _) = MassRequest::default().contacts_mass(model).ok()?;
@@ -110,7 +110,7 @@ fn plan_of_rescaling(model: &Model, factor: f64, radius: RadiusRule) -> Option<P
     rescale(model, &selected, &wanted).ok()
 }
 
-/// Pieces tile the file: the first starts at 0, each ends where the next starts, the last ends with the file.
+/// Asserts that the pieces of a document cover the file without gaps or overlaps.
 fn assert_pieces_tile(document: &Document) {
     let tree = document.tree();
     let mut at = 0;
@@ -123,7 +123,7 @@ fn assert_pieces_tile(document: &Document) {
     assert_eq!(at, document.bytes().len(), "the last piece does not reach the end");
 }
 
-/// The output is the input with exactly these spans replaced.
+/// Asserts that the output is the input with only the spans of `edits` replaced.
 fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
     let mut edits: Vec<&Edit> = edits.iter().collect();
     edits.sort_by_key(|edit| edit.span.start);
@@ -139,7 +139,7 @@ fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
     assert_eq!(&before[old..], &after[new..], "bytes after the last edit changed");
 }
 
-/// The value of a change in a model that was read again.
+/// The value of a changed number in the model that was read again.
 fn value_after_change<'m>(model: &'m Model, change: &osim_patch::NumberChange) -> Option<&'m Value> {
     if change.property == Property::Radius {
         return model.spheres().iter().find(|sphere| sphere.path == change.path).map(|sphere| &sphere.radius);
@@ -149,7 +149,7 @@ fn value_after_change<'m>(model: &'m Model, change: &osim_patch::NumberChange) -
     force.value(set, change.property)
 }
 
-/// The whole law on one file; `true` where it was rescaled.
+/// Checks all rules of the round trip on one file; `true` if the file was rescaled.
 fn check_round_trip(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let Ok(document) = Document::parse(bytes) else { return false };
     assert_eq!(document.bytes(), bytes);
@@ -192,7 +192,7 @@ fn every_fixture_survives_a_rescaling_and_its_inverse() {
 }
 
 #[test]
-fn there_and_back_is_the_same_to_the_last_bits() {
+fn rescaling_back_restores_the_numbers_up_to_rounding() {
     // Each way multiplies once, by a ratio that is right to a few last bits.
     for name in fixtures("table1") {
         let bytes = fixture(&name);
@@ -219,12 +219,12 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 1500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn spoiled_files_keep_the_law_or_are_refused(
+    fn damaged_files_keep_the_round_trip_or_are_refused(
         seed: usize,
-        spoils in prop::collection::vec(any_damage(), 1..6),
+        damages in prop::collection::vec(any_damage(), 1..6),
         factor in 0.001..1000.0_f64,
     ) {
-        check_round_trip(&damaged_bytes(seed, &spoils), factor, RadiusRule::Isometric);
+        check_round_trip(&damaged_bytes(seed, &damages), factor, RadiusRule::Isometric);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! What contacts are made for: notes in the file, masses of other files, and presets.
+//! Tests of the mass that contacts are made for: from notes in the file, from other files, and from presets.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -66,7 +66,7 @@ fn a_partial_or_stale_note_is_not_believed() {
 }
 
 #[test]
-fn already_at_the_target_nothing_changes_and_it_says_why() {
+fn a_model_at_the_target_mass_is_not_changed_and_a_finding_says_so() {
     for kg in [1.0, 1.0009, 0.9991] {
         given(foot(&smooth("<stiffness>1e6</stiffness>"), "0.01"))
             .with_note()
@@ -109,7 +109,7 @@ fn the_preset_gives_the_animals_of_table_1_what_the_paper_prints() {
     }
 }
 
-/// The text with every `<tag>…</tag>` holding `value`.
+/// The text with `value` in every `<tag>…</tag>`.
 fn replace_values(text: &str, tag: &str, value: &str) -> String {
     let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
     let mut parts = text.split(&open);

@@ -1,4 +1,4 @@
-//! Sentences for tests: `given(model).rescaled_to(64.0).produces(model)`.
+//! Test helpers that read like sentences: `given(model).rescaled_to(64.0).produces(model)`.
 
 use osim_model::{
     Companion, DissipationBy, Document, Fault, FileId, MassRequest, Model, Pattern, Property, PropertySet,
@@ -28,9 +28,9 @@ pub(crate) fn fixtures(folder: &str) -> Vec<String> {
     names
 }
 
-/// A model of one foot that weighs 1 kg, around the text of its forces and the radius of its sphere `heel_r`.
+/// The text of a model of one foot of 1 kg, with the given forces and the given radius of its sphere `heel_r`.
 ///
-/// Made for a target of 64 kg: lengths grow by exactly 4, so every new number can be told in the head.
+/// Tests rescale it to 64 kg: lengths grow by exactly 4, so that every new number is easy to compute.
 pub(crate) fn foot(forces: &str, radius: &str) -> String {
     format!(
         r#"<OpenSimDocument Version="40000">
@@ -72,7 +72,7 @@ pub(crate) fn foot(forces: &str, radius: &str) -> String {
     )
 }
 
-/// A `SmoothSphereHalfSpaceForce` on `heel_r` with `properties` as written, one a line.
+/// The text of a `SmoothSphereHalfSpaceForce` on `heel_r` with the given lines of `properties`.
 pub(crate) fn smooth(properties: &str) -> String {
     let lines: String = properties.lines().map(|line| format!("\n\t\t\t\t\t{}", line.trim_start())).collect();
     format!(
@@ -83,7 +83,7 @@ pub(crate) fn smooth(properties: &str) -> String {
     )
 }
 
-/// A `HuntCrossleyForce` with one `ContactParameters` for each of `sets`.
+/// The text of a `HuntCrossleyForce` with one `ContactParameters` for each of `sets`.
 pub(crate) fn hunt_crossley(sets: &[&str]) -> String {
     let sets: String = sets
         .iter()
@@ -98,7 +98,7 @@ pub(crate) fn hunt_crossley(sets: &[&str]) -> String {
     )
 }
 
-/// A model, the files given beside it, and what is wanted of it.
+/// A model, the files beside it, and the options of a change.
 pub(crate) struct Given {
     bytes: Vec<u8>,
     parts: Vec<Vec<u8>>,
@@ -113,7 +113,7 @@ pub(crate) struct Given {
     note: bool,
 }
 
-/// Starts a sentence about the model with these bytes.
+/// A test sentence about the model with the given bytes.
 pub(crate) fn given(bytes: impl Into<Vec<u8>>) -> Given {
     Given {
         bytes: bytes.into(),
@@ -130,7 +130,7 @@ pub(crate) fn given(bytes: impl Into<Vec<u8>>) -> Given {
     }
 }
 
-/// Starts a sentence about a fixture.
+/// A test sentence about the fixture `name`.
 #[track_caller]
 pub(crate) fn given_fixture(name: &str) -> Given {
     given(fixture(name))
@@ -141,7 +141,7 @@ fn patterns(pattern: &str) -> Vec<Pattern> {
 }
 
 impl Given {
-    /// Adds a set or model that belongs to the file.
+    /// Adds a file of a set or a model that belongs to the model.
     pub(crate) fn beside(mut self, bytes: impl Into<Vec<u8>>) -> Self {
         self.parts.push(bytes.into());
         self
@@ -197,7 +197,7 @@ impl Given {
         self
     }
 
-    /// The note belongs to the output; without this it is left out.
+    /// Keeps the note in the output; the default is an output without a note.
     pub(crate) fn with_note(mut self) -> Self {
         self.note = true;
         self
@@ -234,7 +234,7 @@ impl Given {
         Outcome { before: self.bytes, result }
     }
 
-    /// Rescales its own contacts.
+    /// The result of rescaling the contacts of the model to `target_mass_kg`.
     pub(crate) fn rescaled_to(self, target_mass_kg: f64) -> Outcome {
         self.outcome(|model, given| {
             let selected = given.selection.apply(model)?;
@@ -250,7 +250,7 @@ impl Given {
         })
     }
 
-    /// Takes the contacts of a preset, with `sphere_count` spheres sharing the weight.
+    /// The result of a transfer of the contacts of the preset `name`, with `sphere_count` spheres that share the weight.
     pub(crate) fn taking_preset(self, name: &str, sphere_count: f64) -> Outcome {
         let preset = contact_scaling::preset(name).unwrap();
         self.outcome(|model, given| {
@@ -295,7 +295,7 @@ impl Outcome {
         }
     }
 
-    /// The output is this, byte for byte.
+    /// Asserts that the output is `expected`, byte for byte.
     #[track_caller]
     pub(crate) fn produces(&self, expected: impl AsRef<[u8]>) -> &Self {
         let (seen, expected) = (self.bytes(), expected.as_ref());
@@ -308,13 +308,14 @@ impl Outcome {
         self
     }
 
-    /// The output is the input, byte for byte.
+    /// Asserts that the output is the input, byte for byte.
     #[track_caller]
     pub(crate) fn changes_nothing(&self) -> &Self {
         self.produces(&self.before)
     }
 
-    /// The only difference: each of `lines` as `("old line", "new line")`, in file order, without their indentation.
+    /// Asserts that only `lines` differ between input and output: `("old line", "new line")`, in file order, without
+    /// indentation.
     #[track_caller]
     pub(crate) fn changes_only(&self, lines: &[(&str, &str)]) -> &Self {
         let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
@@ -330,12 +331,12 @@ impl Outcome {
         self
     }
 
-    /// All changes of `property`, by component path, as `(path, from, to)`.
+    /// All planned changes of `property`.
     pub(crate) fn changes_of(&self, property: Property) -> Vec<&NumberChange> {
         self.plan().changes.iter().filter(|change| change.property == property).collect()
     }
 
-    /// Fails unless every change of `property` goes to `to`, and there are `count` of them.
+    /// Asserts that there are `count` changes of `property`, and that each has the new value `to`.
     #[track_caller]
     pub(crate) fn sets(&self, property: Property, count: usize, to: f64) -> &Self {
         let changes = self.changes_of(property);
@@ -346,7 +347,7 @@ impl Outcome {
         self
     }
 
-    /// Fails unless a finding has this code.
+    /// Asserts that a finding has the code `code`.
     #[track_caller]
     pub(crate) fn has_finding(&self, code: &str) -> &Self {
         let codes: Vec<_> = self.plan().findings.iter().map(|finding| finding.code().as_str()).collect();
@@ -354,7 +355,7 @@ impl Outcome {
         self
     }
 
-    /// Fails unless the change is refused with this code and a message that holds all of `words`.
+    /// Asserts that the change is refused with the code `code` and a message that contains all of `words`.
     #[track_caller]
     pub(crate) fn is_refused(&self, code: &str, words: &[&str]) -> &Fault {
         let Err(fault) = &self.result else { panic!("not refused: {:?}", self.plan().changes) };
@@ -367,7 +368,7 @@ impl Outcome {
     }
 }
 
-/// Largest relative difference by which a number may miss a hand-computed one: a few last bits.
+/// Largest relative difference of a computed number from one computed by hand: the rounding of a double.
 pub(crate) const TIGHT: f64 = 1e-14;
 
 #[track_caller]
