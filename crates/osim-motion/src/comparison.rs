@@ -1,4 +1,4 @@
-//! Compares forces of a model with those that plates measured, and finds forces that OpenSim leaves out.
+//! Compares forces of a model with forces that plates measured, and finds sphere forces that OpenSim leaves out.
 
 use std::collections::HashMap;
 
@@ -6,13 +6,13 @@ use osim_model::{DVec3, ForceId};
 
 use crate::states::{ContactStates, Wrench};
 
-/// How far the forces of a model are from those that plates measured, over the frames in which both are known.
+/// The differences between the contact forces of a model and the forces that plates measured, over all frames with both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Comparison {
     pub frames: usize,
-    /// Root mean square of the difference along the plane's normal, N.
+    /// Root mean square of the difference along the normal of the plane, N.
     pub normal_rms_n: f64,
-    /// Root mean square of the difference across it, N.
+    /// Root mean square of the difference parallel to the plane, N.
     pub horizontal_rms_n: f64,
     /// The largest force of the model along the normal, N.
     pub peak_n: f64,
@@ -29,7 +29,7 @@ pub struct Comparison {
 pub struct ComparisonPlane {
     pub normal: DVec3,
     pub point_m: DVec3,
-    /// Centres of pressure are compared while the force is above this, N.
+    /// Centres of pressure are compared in frames with a normal force above this, N.
     pub least_n: f64,
     pub has_points: bool,
 }
@@ -73,18 +73,18 @@ impl Comparison {
     }
 }
 
-/// Forces of sphere pairs that OpenSim may leave out: if one pair of a `HuntCrossleyForce` would pull, Simbody leaves out the pairs of the same
-/// force that it computes after it, in an order that is not known.
+/// Forces of sphere pairs that OpenSim may leave out. If the force of one pair of a `HuntCrossleyForce` would pull, Simbody
+/// leaves out the pairs that it computes later in the same force; their order is not known.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LeftOutForces {
-    /// The number of frames in which a pair would pull while others of its force push.
+    /// The number of frames in which one pair of a force would pull and other pairs of this force push.
     pub frames: usize,
-    /// The largest force of these others in such a frame, N.
+    /// The largest sum of the forces of these pushing pairs in one frame, N.
     pub most_n: f64,
 }
 
 impl LeftOutForces {
-    /// `None` if nothing can be left out along `states`.
+    /// The forces that may be left out along `states`; `None` if there are none.
     pub fn of(states: &ContactStates) -> Option<Self> {
         let mut left_out = Self { frames: 0, most_n: 0.0 };
         for frame in 0..states.frames() {
@@ -107,7 +107,7 @@ impl LeftOutForces {
     }
 }
 
-/// The quantile `part` of the values, interpolated linearly; `None` without values.
+/// The quantile `part` (0 to 1) of the values, interpolated linearly; `None` without values.
 pub(crate) fn percentile(values: &[f64], part: f64) -> Option<f64> {
     let mut sorted: Vec<f64> = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -142,7 +142,7 @@ mod tests {
         assert_eq!(Comparison::of(&model, &measured, &on, |frame| frame == 2), None);
     }
 
-    /// A body of two spheres, 1 m behind and 1 m ahead of its joint, in one force, with a dissipation of 2 s/m.
+    /// A model whose body has two spheres, 1 m behind and 1 m ahead of its joint, in one force with a dissipation of 2 s/m.
     fn see_saw() -> Model {
         let sphere = |name: &str, x: i32| {
             format!(
@@ -166,7 +166,7 @@ mod tests {
         Model::parse(text).unwrap()
     }
 
-    fn left_out_at(rad_s: f64) -> Option<LeftOutForces> {
+    fn left_out_at_turning_rate(rad_s: f64) -> Option<LeftOutForces> {
         let names = ["turn", "x", "y"]
             .map(|name| format!("/jointset/j/{name}/value\t/jointset/j/{name}/speed"))
             .join("\t");
@@ -181,11 +181,11 @@ mod tests {
     fn a_pair_that_would_pull_is_found() {
         // Both are 1 cm deep. At 1 rad/s the one ahead leaves at 1 m/s, faster than 2/(3α) = 1/3 m/s, and the one behind goes in:
         // 4/3 E √R x^(3/2) (1 + 3/2 · 2 · 1) with E = 1e6/2^(3/2): 81.65 N times 4.
-        let found = left_out_at(1.0).unwrap();
+        let found = left_out_at_turning_rate(1.0).unwrap();
         assert_eq!(found.frames, 1);
         assert!((found.most_n - 326.6).abs() < 0.01, "{found:?}");
         // At 0.3 rad/s both push.
-        assert_eq!(left_out_at(0.3), None);
+        assert_eq!(left_out_at_turning_rate(0.3), None);
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! The coordinates of a model, and their columns in a table.
+//! The coordinates of a model, and their columns in a motion file.
 
 use std::collections::HashMap;
 
@@ -10,11 +10,11 @@ use crate::table::{Column, Table};
 /// Whether a coordinate is an angle or a length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CoordinateKind {
-    /// An angle: files may have it in degrees.
+    /// An angle; files may have it in degrees.
     Rotational,
-    /// A coordinate that is a length, m.
+    /// A length, m.
     Translational,
-    /// A parameter that both moves and turns; its numbers are read as they are.
+    /// A number on which both angles and lengths of a joint depend; it is used without conversion of units.
     Coupled,
 }
 
@@ -25,7 +25,8 @@ pub struct ModelCoordinate {
     pub kind: CoordinateKind,
     /// Value of the coordinate in the default pose.
     pub(crate) default: Option<f64>,
-    /// The function of time that prescribes it, if it is prescribed; the inner `None` is a function that is not understood.
+    /// The function of time that prescribes the coordinate, if there is one; the inner `None` means a function that this
+    /// program cannot read.
     pub(crate) prescribed: Option<Option<CoordinateFunction>>,
 }
 
@@ -45,8 +46,8 @@ pub(crate) fn model_coordinates(model: &Model, joints: &[ModelJoint]) -> Vec<Mod
     all
 }
 
-/// The kind as OpenSim determines it: a coordinate of a CustomJoint is an angle (or a length) where a LinearFunction of slope 1 or -1 turns (or shifts)
-/// by it; the last such axis counts.
+/// The kind of a coordinate as OpenSim determines it. A coordinate of a `CustomJoint` is an angle (or a length) if a
+/// `LinearFunction` of slope 1 or -1 turns (or shifts) along an axis by it; the last such axis decides.
 fn coordinate_kind(model: &Model, joint: &ModelJoint, index: usize) -> CoordinateKind {
     use CoordinateKind::{Coupled, Rotational, Translational};
     match (joint.class.as_str(), index) {
@@ -60,14 +61,14 @@ fn coordinate_kind(model: &Model, joint: &ModelJoint, index: usize) -> Coordinat
     }
 }
 
-/// Columns of a table for one coordinate.
+/// The columns of values and of speeds of one coordinate in a table.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct CoordinateColumns<'t> {
     pub(crate) value: Option<&'t Column>,
     pub(crate) speed: Option<&'t Column>,
 }
 
-/// The parts of a column's name.
+/// The parts of a column's name: joint, coordinate and quantity.
 #[derive(Debug, PartialEq)]
 struct ColumnLabel<'l> {
     joint: Option<&'l str>,
@@ -89,7 +90,7 @@ impl<'l> ColumnLabel<'l> {
     }
 }
 
-/// The columns of each of `coordinates`, and the names of columns that belong to none.
+/// The columns of each of `coordinates`, and the names of the columns without a coordinate.
 pub(crate) fn columns_by_coordinate<'t>(
     coordinates: &[ModelCoordinate],
     table: &'t Table,
@@ -124,8 +125,8 @@ pub(crate) fn columns_by_coordinate<'t>(
     (columns, unused)
 }
 
-/// The first of several coordinates of one name that is in this joint. A coordinate whose name is unique is found with any joint, because
-/// OpenSim gives names to joints that have none.
+/// The coordinate with the given name in the given joint. If only one coordinate has the name, the joint does not matter, because
+/// OpenSim gives names to joints without a name.
 fn coordinate_in_joint(
     coordinates: &[ModelCoordinate],
     named: &[usize],

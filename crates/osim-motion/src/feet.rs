@@ -1,4 +1,4 @@
-//! The contacts of each foot, and the stances of a foot.
+//! The contacts of each foot, and its stances: the times in which it is on the ground.
 
 use std::collections::{BTreeSet, HashMap};
 use std::ops::RangeInclusive;
@@ -8,19 +8,19 @@ use osim_model::{ForceId, Model, Side, SphereId};
 use crate::states::ContactStates;
 
 /// A foot and its contacts.
-/// A foot and its contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Foot {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
     pub side: Option<Side>,
-    /// Indices of the foot's contact pairs.
+    /// Indices of the contact pairs of the foot in [`ContactStates`].
     pub pairs: Vec<usize>,
     pub bodies: Vec<String>,
 }
 
 impl Foot {
-    /// The feet of `model`, one for each limb of its applied `forces`; if limbs are not known, one for each side of the spheres' bodies.
+    /// The feet of `model`, one for each limb with applied `forces`; if limbs are not known, one for each side in the names
+    /// of the spheres' bodies.
     pub fn all(model: &Model, states: &ContactStates, forces: &[ForceId]) -> Vec<Self> {
         let limbs = model.limbs(forces);
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.if_known() {
@@ -60,7 +60,7 @@ fn filter_pairs(states: &ContactStates, is_wanted: impl Fn(usize) -> bool) -> Ve
     (0..states.pairs.len()).filter(|&index| is_wanted(index)).collect()
 }
 
-/// The pairs through which the ground pushes each sphere.
+/// The contact pairs of each sphere through which the ground pushes it.
 fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> {
     let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
     for index in filter_pairs(states, |index| is_reaction(states, index)) {
@@ -71,7 +71,7 @@ fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> 
     by_sphere
 }
 
-/// Whether the ground pushes through this pair.
+/// Whether the ground pushes a sphere through the contact pair `index`.
 fn is_reaction(states: &ContactStates, index: usize) -> bool {
     states.pairs.get(index).is_some_and(|pair| pair.applies && pair.is_ground)
 }
@@ -103,20 +103,22 @@ pub const ON_BW: f64 = 0.05;
 /// A stance ends when the force along the normal falls below this part of body weight.
 pub(crate) const OFF_BW: f64 = 0.03;
 
-/// The frames in which a foot stands.
+/// The frames of one stance: a foot is on the ground in all of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StancePhase {
     pub first: usize,
     pub last: usize,
-    /// Time at which the foot touches down, s; `None` if the recording begins in the stance, or the force before is not known.
+    /// Time at which the foot touches down, s; `None` if the recording begins during the stance, or if the force before it is
+    /// not known.
     pub on_s: Option<f64>,
-    /// Time at which the foot lifts off, s; `None` if the recording ends in the stance, or the force after is not known.
+    /// Time at which the foot lifts off, s; `None` if the recording ends during the stance, or if the force after it is not
+    /// known.
     pub off_s: Option<f64>,
 }
 
 impl StancePhase {
-    /// The stances of a foot by its force along the normal, N. Their times are interpolated between frames. NaN means an unknown force, and
-    /// there is no stance.
+    /// The stances of a foot by its force along the normal, N; their times are interpolated between frames. A force of NaN is
+    /// unknown, and its frame belongs to no stance.
     pub fn all(time_s: &[f64], force_n: &[f64], weight_n: f64) -> Vec<Self> {
         let (on, off) = (ON_BW * weight_n, OFF_BW * weight_n);
         let mut stances: Vec<Self> = Vec::new();
@@ -139,7 +141,7 @@ impl StancePhase {
         stances
     }
 
-    /// Duration of the stance, s; `None` if an end is not known.
+    /// Duration of the stance, s; `None` if its begin or its end is not known.
     pub fn duration_s(&self) -> Option<f64> {
         Some(self.off_s? - self.on_s?)
     }
@@ -149,7 +151,7 @@ impl StancePhase {
     }
 }
 
-/// The time at which a value passes `level` between a frame and the one before; `None` if one of both is not known.
+/// The time between `frame` and the frame before at which a value passes `level`; `None` if one of the two values is not known.
 fn crossing_time(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Option<f64> {
     let before = frame.checked_sub(1)?;
     let (t0, t1) = (*time_s.get(before)?, *time_s.get(frame)?);
@@ -158,7 +160,7 @@ fn crossing_time(time_s: &[f64], values: &[f64], frame: usize, level: f64) -> Op
     part.is_finite().then(|| t0 + part.clamp(0.0, 1.0) * (t1 - t0))
 }
 
-/// Start and end of each whole stride, s: from one touch-down of a foot to the next.
+/// Begin and end of each whole stride, s: from one touch-down of a foot to its next.
 pub fn strides(stances: &[StancePhase]) -> Vec<(f64, f64)> {
     let on: Vec<f64> = stances.iter().filter_map(|stance| stance.on_s).collect();
     on.windows(2).filter_map(|pair| Some((*pair.first()?, *pair.get(1)?))).collect()

@@ -1,4 +1,4 @@
-//! Computes where bodies are, and how they move, for values and speeds of coordinates.
+//! Computes the places and motions of bodies from values and speeds of coordinates.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,21 +11,21 @@ use crate::recording::Recording;
 struct PathStep<'m> {
     joint: &'m ModelJoint,
     forward: bool,
-    /// The number of the body before the joint; `None` for ground.
+    /// The index of the body on the ground side of the joint; `None` for ground.
     from: Option<usize>,
-    /// Index of its first coordinate among all.
+    /// Index of the joint's first coordinate among all coordinates of the model.
     first: usize,
     /// Index of the joint in the model.
     number: usize,
 }
 
-/// The joints on the paths from ground to some bodies.
+/// The joints on the paths from ground to some bodies, in the order in which the bodies are placed.
 pub(crate) struct JointPaths<'m> {
     model: &'m Model,
-    /// Step n gives the placement of body n.
+    /// The joints in order; the joint with index n places the body with index n.
     steps: Vec<PathStep<'m>>,
     bodies: HashMap<&'m str, usize>,
-    /// Joints that close a loop. Nothing enforces that these loops stay closed.
+    /// Names of joints that close a loop. This program does not keep the loops closed.
     pub(crate) loops: Vec<String>,
 }
 
@@ -65,18 +65,18 @@ impl<'m> JointPaths<'m> {
         }
     }
 
-    /// The index of a body among the places that [`place_bodies`](Self::place_bodies) gives.
+    /// The index of a body in the results of [`place_bodies`](Self::place_bodies).
     pub(crate) fn body(&self, name: &str) -> Option<usize> {
         self.bodies.get(name).copied()
     }
 
-    /// The joints on the paths, each with the range of its coordinates among all.
+    /// The joints on the paths; each with the range of its coordinates among all coordinates of the model.
     pub(crate) fn coordinates(&self) -> impl Iterator<Item = (&'m ModelJoint, std::ops::Range<usize>)> + '_ {
         self.steps.iter().map(|step| (step.joint, step.first..step.first + step.joint.coordinates.len()))
     }
 
-    /// Puts the places and velocities of all bodies in ground into `places`, for these values and speeds of the coordinates.
-    /// `has_opensim_speeds` is as in [`Recording`].
+    /// Writes the places and velocities of all bodies in ground into `places`, for the given values and speeds of the
+    /// coordinates. `has_opensim_speeds` is as in [`Recording`].
     pub(crate) fn place_bodies(
         &self,
         values: &[f64],
@@ -151,7 +151,7 @@ impl Poses {
         poses
     }
 
-    /// The places of all bodies in one of the `frames`, by its index there.
+    /// The places of all bodies in one of the chosen frames; `number` is its index among them.
     pub fn frame(&self, number: usize) -> &[Placement] {
         let start = number * self.bodies.len();
         self.placements.get(start..start + self.bodies.len()).unwrap_or_default()

@@ -1,7 +1,7 @@
 //! OpenSim models along a recorded motion: where their contact spheres are, and the forces there.
 //!
-//! A [`Table`] is a `.mot` or `.sto` file; a [`Recording`] has the values and speeds of a model's coordinates in each of its frames;
-//! [`ContactStates`] are the spheres and forces that follow. All numbers are in SI units and seen from ground.
+//! A [`Table`] is a `.mot` or `.sto` file. A [`Recording`] has the values and speeds of a model's coordinates in each frame.
+//! [`ContactStates`] are the places and forces of the spheres. All numbers are in SI units, and vectors are in ground.
 //!
 //! # What it will not do
 //!
@@ -35,7 +35,7 @@ pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, Sta
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
 pub use crate::table::{AngleUnit, Column, Gap, MotionFault, Table};
 
-/// The example of the README compiles.
+/// The example of the README, which must compile.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

@@ -1,4 +1,4 @@
-//! Contact pairs: a sphere, and the plane or sphere that one force lets it touch.
+//! Contact pairs: a sphere, and the plane or other sphere that it can touch in one force.
 
 use contact_scaling::{Friction, FrictionValues, Law};
 use osim_model::{
@@ -8,37 +8,38 @@ use osim_model::{
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TouchedSurface {
-    /// A plane, by its index among all planes of the forces.
+    /// A plane; its index among all planes of the forces.
     Plane(usize),
-    /// The other side of the pair is a sphere of the same force.
+    /// Another sphere of the same force.
     Sphere(SphereId),
 }
 
-/// A sphere, and the plane or sphere that one force lets it touch.
+/// A sphere, and the plane or other sphere that it can touch in one force.
 #[derive(Debug, Clone)]
 pub struct ContactPair {
     pub force: ForceId,
     pub sphere: SphereId,
     pub set: SetId,
     pub touched: TouchedSurface,
-    /// Whether the touched surface is the ground: a plane, or a sphere that cannot move.
+    /// Whether the touched surface belongs to the ground: a plane, or a sphere that cannot move.
     pub is_ground: bool,
     /// Whether OpenSim computes the force (`appliesForce`).
     pub applies: bool,
     pub radius_m: f64,
     pub law: Law,
     pub friction: Friction,
-    /// `constant_contact_force`, which the smooth class adds to the squared slip speed; `None` for the other class.
+    /// `constant_contact_force`, which a `SmoothSphereHalfSpaceForce` adds to the squared slip speed; `None` for a
+    /// `HuntCrossleyForce`.
     pub smoothing: Option<f64>,
-    /// How deep below the other surface the force acts, as a part of the indentation: 1/2 for equal surfaces.
+    /// Depth of the point where the force acts below the touched surface, divided by the indentation: 1/2 for equal surfaces.
     pub depth_share: f64,
-    /// The body that carries the sphere.
+    /// The body to which the sphere is attached.
     pub body: String,
-    /// Centre of the sphere in that body, m.
+    /// Centre of the sphere in the frame of its body, m.
     pub(crate) centre_m: DVec3,
 }
 
-/// All contact pairs of moving spheres in `forces`, and the planes, each once. Two spheres that both move are two pairs.
+/// All contact pairs of moving spheres in `forces`, and the planes, each once. Two moving spheres that can touch are two pairs.
 pub(crate) fn contact_pairs(
     model: &Model,
     forces: &[ForceId],
@@ -114,7 +115,7 @@ impl PairBuilder<'_> {
         })
     }
 
-    /// Friction of the sphere and the plane together.
+    /// Friction coefficients of the sphere and the plane together.
     fn friction(&self) -> Result<FrictionValues, Fault> {
         let value = |set, property| Ok::<f64, Fault>(self.force.checked(set, property)?.unwrap_or(0.0));
         let mixed = |property| {
@@ -129,7 +130,8 @@ impl PairBuilder<'_> {
         })
     }
 
-    /// Simbody lets a force act nearer to the stiffer surface: k^(2/3) of the sphere over the sum of both.
+    /// Depth of the point where the force acts, divided by the indentation. In Simbody this point is nearer to the stiffer
+    /// surface: k^(2/3) of the sphere divided by the sum for both surfaces.
     fn depth_share(&self) -> Result<f64, Fault> {
         if self.force.kind != ForceKind::HuntCrossley || self.set == self.other_set {
             return Ok(0.5);

@@ -1,4 +1,4 @@
-//! Assigns force plates to feet, and sums what they measured under each foot.
+//! Assigns force plates to feet, and sums the measured forces under each foot.
 
 use osim_model::Side;
 
@@ -7,14 +7,14 @@ use crate::feet::{Foot, OFF_BW, ON_BW};
 use crate::plates::Plate;
 use crate::states::{ContactState, ContactStates, Wrench};
 
-/// The evidence for the foot that a plate measured.
+/// The source of the knowledge which foot a plate measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AssignedBy {
-    /// The body that the plate's load is applied to.
+    /// The body to which an `ExternalLoads` file applies the plate's force.
     Loads,
-    /// The side in the name of the plate's columns.
+    /// The side in the names of the plate's columns.
     Name,
-    /// In each frame the foot nearest to the centre of pressure, of those that may be on the plate.
+    /// The distance to the centre of pressure: in each frame the nearest foot, among those that may be on the plate.
     Nearest,
     OnlyFoot,
 }
@@ -22,32 +22,35 @@ pub enum AssignedBy {
 /// The foot that a plate measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PlateAssignment {
-    /// Beginning of the names of the plate's columns.
+    /// Common beginning of the names of the plate's columns.
     pub plate: String,
-    /// Index of the foot; `None` if the foot changes from frame to frame, or the plate has none.
+    /// Index of the foot; `None` if the foot changes from frame to frame, or if no foot is known.
     pub foot: Option<usize>,
-    /// `None` if the foot is not known: the plate then only counts in the total.
+    /// The source of the foot; `None` if no foot is known: the plate then only counts in the total force.
     pub by: Option<AssignedBy>,
 }
 
 /// Forces that the plates measured under each foot, in the frames of a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredForces {
-    /// Which foot stands on each plate.
+    /// The foot on each plate.
     pub uses: Vec<PlateAssignment>,
-    /// The force for each foot and frame; `None` if a plate that the foot may be on has no data or no known foot, or the foot stands beside the
-    /// plates.
+    /// The force for each foot and frame; `None` if a plate under the foot has no data, if the foot on a plate is not known,
+    /// or if the foot stands beside the plates.
     pub feet: Vec<Vec<Option<Wrench>>>,
-    /// The number of frames in which each foot seems to stand beside the plates.
+    /// The number of frames in which each foot probably stands beside the plates.
     pub beside: Vec<usize>,
-    /// The force of all plates in each frame; `None` if one has no data, or a foot stands beside the plates.
+    /// The sum of the forces of all plates in each frame; `None` if a plate has no data, or if a foot stands beside the
+    /// plates.
     pub total: Vec<Option<Wrench>>,
-    /// Whether all plates of each foot have centres of pressure; if not, its centre of pressure is not known.
+    /// For each foot, whether all its plates have centres of pressure; if not, the centre of pressure of the foot is not
+    /// known.
     pub has_points: Vec<bool>,
 }
 
 impl MeasuredForces {
-    /// Assigns `plates` to `feet`. The nearest foot is only looked for while the force is above 5 % of `weight_n`.
+    /// Assigns `plates` to `feet` and sums the forces. The nearest foot is only used in frames with a force above 5 % of
+    /// `weight_n`.
     pub fn of(plates: &[Plate], feet: &[Foot], states: &ContactStates, weight_n: f64) -> Self {
         let uses: Vec<PlateAssignment> = plates.iter().map(|plate| assign_plate(plate, feet)).collect();
         let frames = states.frames();
@@ -65,7 +68,8 @@ impl MeasuredForces {
         measured
     }
 
-    /// Clears the frames in which a foot stands beside the plates, because the force under it is not known there.
+    /// Sets frames to unknown in which a foot stands beside the plates, because the force under the foot is not measured
+    /// then.
     fn clear_frames_beside_plates(&mut self, feet: &[Foot], states: &ContactStates, weight_n: f64) {
         for ((foot, series), count) in feet.iter().zip(&mut self.feet).zip(&mut self.beside) {
             let beside = frames_beside_plates(states, foot, series, weight_n);
@@ -124,7 +128,8 @@ fn add_to_frame(series: &mut [Option<Wrench>], frame: usize, wrench: Option<Wren
     }
 }
 
-/// The feet that may be on a plate: the one whose body the load is applied to, those of the side that the load or the columns name, or all.
+/// Indices of the feet that may be on a plate: the foot with the body of the load, the feet of the side that the load or the
+/// columns name, or all feet.
 fn candidates(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
     let indices = |matches: &dyn Fn(&Foot) -> bool| -> Vec<usize> {
         feet.iter().enumerate().filter(|(_, foot)| matches(foot)).map(|(index, _)| index).collect()
@@ -153,8 +158,8 @@ fn assign_plate(plate: &Plate, feet: &[Foot]) -> PlateAssignment {
     PlateAssignment { plate: plate.name.clone(), foot, by }
 }
 
-/// The foot with the sphere nearest to the centre of pressure, of those with these `indices`; `None` if the force is not above `least_n`. Heights
-/// count in the distance, because a foot that swings past a standing one is higher.
+/// The foot among `indices` with the sphere nearest to the centre of pressure; `None` if the force is not above `least_n`. The
+/// distance includes the height, because a foot that swings past a standing foot is higher.
 fn nearest_foot(
     wrench: &Wrench,
     feet: &[Foot],
@@ -178,15 +183,15 @@ fn nearest_foot(
     best.map(|(_, index)| index)
 }
 
-/// A foot whose deepest sphere moves up or down faster than this does not stand, m/s.
+/// Vertical speed of a foot's deepest sphere, m/s, below which the foot stands.
 const STILL_M_S: f64 = 0.2;
-/// Frames with a plate force above this part of body weight give the usual depth of a standing foot.
+/// Plate force, in body weights, above which a frame counts for the usual depth of a standing foot.
 const LOADED_BW: f64 = 0.5;
-/// The least depth of a foot on a plate is this quantile of its depths in the frames with a force.
+/// Quantile of the depths of a foot in frames with a plate force; a foot at this depth or deeper is as low as on a plate.
 const LEAST_DEPTH_QUANTILE: f64 = 0.05;
 
-/// The frames in which `foot` stands beside the plates: it comes as low as it usually is on a plate, and is as still, but no plate measures
-/// a force. Frames before and after count, too, while the foot is as low as on plates.
+/// For each frame, whether `foot` stands beside the plates: it is as low and as still as it usually is on a plate, but no plate
+/// measures a force. The frames before and after also count, while the foot is as low as on a plate.
 fn frames_beside_plates(
     states: &ContactStates,
     foot: &Foot,
@@ -237,7 +242,7 @@ mod tests {
         Foot { name: name.to_owned(), side: Some(side), pairs: Vec::new(), bodies: vec![body.to_owned()] }
     }
 
-    /// The assignment of a plate whose columns begin with `stem`, with a load on `body`.
+    /// The foot of a plate whose columns begin with `stem` and whose load acts on `body`, and the source of this knowledge.
     fn foot_of_plate(stem: &str, body: Option<&str>, feet: &[Foot]) -> (Option<usize>, Option<AssignedBy>) {
         let names: Vec<String> = ["v", "p"]
             .iter()

@@ -1,18 +1,20 @@
-//! Reads ground reactions of force plates, with their centres of pressure, from the columns of a table or by OpenSim's `ExternalLoads`.
+//! Reads ground reaction forces and centres of pressure of force plates: from the columns of a table, by their names or by an
+//! `ExternalLoads` file.
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
 use crate::states::Wrench;
 use crate::table::{Column, MotionFault, Table};
 
-/// A force plate with everything that it measured.
+/// A force plate with its measurements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plate {
-    /// The common beginning of its columns, as in the file.
+    /// Common beginning of the names of the plate's columns in the file.
     pub name: String,
-    /// The body that its force acts on, if an `ExternalLoads` file gives one.
+    /// The body on which the plate's force acts, if an `ExternalLoads` file names it.
     pub body: Option<String>,
-    /// Whether the file has its centre of pressure. If all points are 0 it has none, and the moments mean nothing.
+    /// Whether the file has centres of pressure of the plate. If all points are 0, it has none, and the moments have no
+    /// meaning.
     pub has_points: bool,
     time_s: Vec<f64>,
     /// The force and moment at each time.
@@ -23,7 +25,7 @@ impl Plate {
     /// The plates of a table of ground reactions, by the names of its columns.
     ///
     /// # Errors
-    /// No columns of a force, or a number that is missing.
+    /// No columns of a force, or a missing number.
     pub fn from_columns(table: &Table) -> Result<Vec<Self>, MotionFault> {
         let triples = PlateColumns::of(table);
         if triples.forces.is_empty() {
@@ -42,10 +44,10 @@ impl Plate {
             .collect()
     }
 
-    /// The plates that an `ExternalLoads` file names.
+    /// The plates that an `ExternalLoads` file lists.
     ///
     /// # Errors
-    /// Columns that are not there, a frame that is not ground, or a number that is missing.
+    /// Missing columns, a frame other than ground, or a missing number.
     pub fn from_loads(table: &Table, loads: &ExternalLoads) -> Result<Vec<Self>, MotionFault> {
         let mut plates = Vec::new();
         for load in loads.loads.iter().filter(|load| load.applies) {
@@ -120,7 +122,7 @@ fn is_ground(frame: &str) -> bool {
 }
 
 impl Wrench {
-    /// The wrench between this one and `other`, by linear interpolation.
+    /// The linear interpolation between two wrenches; `part` 0 gives `self`, 1 gives `other`.
     fn interpolate(&self, other: &Self, part: f64) -> Self {
         let mixed = |a: DVec3, b: DVec3| a + part * (b - a);
         Self {
@@ -135,33 +137,33 @@ impl Wrench {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoads {
     pub loads: Vec<ExternalLoad>,
-    /// File of the forces, from the element `<datafile>`.
+    /// Name of the file of forces, from the element `<datafile>`.
     pub data_file: Option<String>,
 }
 
-/// An `<ExternalForce>` of an ExternalLoads file.
+/// An element `<ExternalForce>` of an `ExternalLoads` file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExternalLoad {
     pub name: String,
     pub applies: bool,
     /// The body on which the force acts.
     pub body: Option<String>,
-    /// The frame of the force; empty for ground.
+    /// The frame in which the force is given; empty for ground.
     pub force_frame: String,
     pub point_frame: String,
-    /// The text with which names of the force's columns begin.
+    /// Common beginning of the names of the force columns.
     pub force: Option<String>,
-    /// The beginning of the columns of the point where it acts.
+    /// Common beginning of the names of the columns of the point where the force acts.
     pub point: Option<String>,
-    /// The text with which names of the moment's columns begin.
+    /// Common beginning of the names of the moment columns.
     pub torque: Option<String>,
 }
 
 impl ExternalLoads {
-    /// Reads the file.
+    /// Reads an `ExternalLoads` file from its bytes.
     ///
     /// # Errors
-    /// A file that is not XML, or has another root than `ExternalLoads`.
+    /// The bytes are not XML, or the root element is not `ExternalLoads`.
     pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
         let document =
             Document::parse(bytes.to_vec()).map_err(|fault| MotionFault::new(fault.to_string()))?;
@@ -207,7 +209,7 @@ impl ExternalLoad {
     }
 }
 
-/// The text of a child element, unless it is empty or `Unassigned`.
+/// The text of a child element; `None` if it is empty or `Unassigned`.
 fn child_text(document: &Document, owner: ElementId, tag: &str) -> Option<String> {
     let tree = document.tree();
     let text = tree.text_of(tree.child(owner, tag)?);
@@ -217,13 +219,13 @@ fn child_text(document: &Document, owner: ElementId, tag: &str) -> Option<String
 
 // Which columns are the components of a force, of its centre of pressure, and of its moment.
 
-/// Three columns whose names only differ in x, y and z at the end.
+/// Three columns whose names differ only in x, y and z at the end.
 struct ColumnTriple<'t> {
-    /// The common beginning of the columns' names.
+    /// Common beginning of the names of the three columns.
     stem: String,
     columns: [&'t Column; 3],
     quantity: PlateQuantity,
-    /// The part of a column's name that distinguishes the plate from others: the stem without words such as `force`.
+    /// The part of the column names by which plates differ: the stem without words such as `force`.
     plate: String,
 }
 
@@ -277,8 +279,8 @@ impl<'t> PlateColumns<'t> {
     }
 }
 
-/// The quantity and the plate of columns with this stem, such as `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`, `l_ground_moment_m`,
-/// `F1`, `M1`, `COP1`.
+/// The quantity and the plate of columns with this stem; examples are `ground_force_v`, `1_ground_force_p`, `ground_torque_r_`,
+/// `l_ground_moment_m`, `F1`, `M1`, `COP1`.
 fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     let lower = stem.to_ascii_lowercase();
     let numbered = lower.trim_start_matches(|c: char| c.is_ascii_alphabetic());
@@ -305,7 +307,7 @@ fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     Some((quantity, rest.join("_")))
 }
 
-/// The three columns that begin with `prefix`, as `ExternalLoads` files name them.
+/// The three columns whose names begin with `prefix`; `ExternalLoads` files give such prefixes.
 fn columns_with_prefix<'t>(table: &'t Table, prefix: &str) -> Result<[&'t Column; 3], MotionFault> {
     let exact = ["x", "y", "z"].map(|axis| table.column(&format!("{prefix}{axis}")));
     if let [Some(x), Some(y), Some(z)] = exact {

@@ -1,4 +1,4 @@
-//! Turns a table into values and speeds of all coordinates of a model, filtered if the caller wants it.
+//! Makes values and speeds of all coordinates of a model from a table, with a low-pass filter on request.
 
 use butterworth::{Cutoff, Filter};
 use gcv_spline::GcvSpline;
@@ -10,18 +10,18 @@ use crate::coordinates::{
 };
 use crate::table::{AngleUnit, MotionFault, Table};
 
-/// A quintic spline needs at least so many rows.
+/// The smallest number of rows for a quintic spline.
 const LEAST_ROWS: usize = 6;
-/// Couplers that depend on each other are applied at most so many times.
+/// The largest number of passes over couplers that depend on each other.
 const MOST_COUPLER_PASSES: usize = 8;
-/// An angle beyond this is probably not in radians, rad.
+/// Largest angle, rad, that is plausible in radians; if a file has larger angles, its unit is in doubt.
 const FULL_TURN: f64 = std::f64::consts::TAU;
 
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct RecordingOptions {
-    /// The unit of angles; `None`: as the file says.
+    /// The unit of angles; `None`: the unit that the file declares.
     pub angles: Option<AngleUnit>,
-    /// The unit that OpenSim assumes if such a file does not say it: degrees for a `.mot`, radians for a `.sto`.
+    /// The unit that OpenSim assumes if the file declares none: degrees for a `.mot`, radians for a `.sto`.
     pub undeclared: Option<AngleUnit>,
     /// Cutoff of a zero-lag Butterworth low-pass filter of 4th order for the values, Hz. Speeds are then derivatives of the values.
     pub low_pass_hz: Option<f64>,
@@ -38,25 +38,25 @@ pub struct Recording {
     values: Vec<f64>,
     /// Speed of the coordinate in each frame, rad/s or m/s.
     speeds: Vec<f64>,
-    /// Whether each joint's speeds are OpenSim's generalised speeds; if not, they are derivatives of its values.
+    /// For each joint, whether its speeds are OpenSim's generalised speeds; if not, they are derivatives of the values.
     pub(crate) has_opensim_speeds: Vec<bool>,
 }
 
-/// How a recording was read, for reports.
+/// Facts about the reading of a recording, for reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordingFacts {
     pub angles: AngleUnit,
-    /// Whether the file or the caller gives that unit.
+    /// Whether the file or the caller gives the unit of angles.
     pub declared: bool,
-    /// Columns that belong to no coordinate, as in the file.
+    /// Names of columns without a coordinate, as in the file.
     pub unused: Vec<String>,
-    /// Coordinates without a column: they keep their default value, or follow the function that prescribes them.
+    /// Coordinates without a column: they have their default value, or the value of the function that prescribes them.
     pub kept: Vec<String>,
-    /// Coordinates that a coupler computes from others.
+    /// Coordinates that a coupler computes from other coordinates.
     pub coupled: Vec<String>,
-    /// Whether the table gives the speeds of all coordinates that it gives values of.
+    /// Whether the table has the speed of every coordinate whose value it has.
     pub speeds_given: bool,
-    /// Constraints of the model that this program does not enforce.
+    /// Constraints of the model that this program ignores.
     pub unenforced: Vec<String>,
 }
 
@@ -64,8 +64,8 @@ impl Recording {
     /// Reads the coordinates of `model` from `table`.
     ///
     /// # Errors
-    /// No column that belongs to a coordinate; angles whose unit is in doubt; a number that is missing; too few rows for speeds, or
-    /// rows that a filter cannot take.
+    /// No column of a coordinate; angles whose unit is in doubt; a missing number; too few rows for speeds; or rows at
+    /// unequal distances in time, if they are to be filtered.
     pub fn of(model: &Model, table: &Table, options: &RecordingOptions) -> Result<Self, MotionFault> {
         let joints = model.joints();
         let coordinates = model_coordinates(model, joints);
@@ -102,13 +102,13 @@ impl Recording {
 
     /// The values of all coordinates in a frame, rad or m.
     pub fn values(&self, frame: usize) -> &[f64] {
-        row(&self.values, frame, self.coordinates.len())
+        row_of_frame(&self.values, frame, self.coordinates.len())
     }
 
     /// The speeds of all coordinates in a frame, rad/s or m/s: OpenSim's generalised speeds for joints in `has_opensim_speeds`, derivatives of the
     /// values for others.
     pub fn speeds(&self, frame: usize) -> &[f64] {
-        row(&self.speeds, frame, self.coordinates.len())
+        row_of_frame(&self.speeds, frame, self.coordinates.len())
     }
 
     fn read_columns(
@@ -188,7 +188,7 @@ impl Recording {
         places.zip(speeds).for_each(|(place, speed)| *place = *speed);
     }
 
-    /// Computes the coordinates that depend on others by couplers, and overwrites what the file gives for them.
+    /// Computes the coordinates that couplers make depend on others, and overwrites their values in the file.
     fn apply_couplers(&mut self, couplers: &Couplers) -> Result<(), MotionFault> {
         self.facts.unenforced = couplers.unknown.iter().map(ToString::to_string).collect();
         let place = |name: &str| self.coordinates.iter().position(|coordinate| coordinate.name == name);
@@ -233,7 +233,7 @@ impl Recording {
     }
 }
 
-fn row(all: &[f64], frame: usize, count: usize) -> &[f64] {
+fn row_of_frame(all: &[f64], frame: usize, count: usize) -> &[f64] {
     all.get(frame * count..(frame + 1) * count).unwrap_or_default()
 }
 
@@ -251,7 +251,8 @@ fn no_column_fits(coordinates: &[ModelCoordinate], table: &Table) -> MotionFault
     ))
 }
 
-/// The unit of angles: what the caller gives, else what the file says, else what OpenSim assumes, unless the numbers contradict that.
+/// The unit of angles: from the caller, else from the file, else the unit that OpenSim assumes. An error if the numbers
+/// contradict it.
 fn angle_unit(
     coordinates: &[ModelCoordinate],
     columns: &[CoordinateColumns<'_>],
@@ -291,7 +292,7 @@ fn angle_unit(
     }
 }
 
-/// Derivatives of the natural quintic spline through all rows, as OpenSim's tools take them.
+/// Derivatives of the natural quintic spline through all rows, as OpenSim's tools compute them.
 fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64>, MotionFault> {
     if time_s.len() < LEAST_ROWS {
         return Err(MotionFault::new(format!(
@@ -308,15 +309,15 @@ fn splined_speeds(time_s: &[f64], values: &[f64], label: &str) -> Result<Vec<f64
 
 // The low-pass filter of movement analysis.
 
-/// The order of the filter in one direction. It is applied forward and backward, so that nothing is delayed and the order doubles to 4.
+/// The order of the filter in one direction. It runs forward and backward, so that it delays nothing and has order 4 in total.
 const FILTER_ORDER: usize = 2;
-/// The filter mirrors so many rows at both ends; there must be one more row.
+/// The number of rows that the filter mirrors at both ends; a table needs at least one row more.
 const MIRRORED_ROWS: usize = 3 * FILTER_ORDER;
 
-/// `values` of the rows of `table` through a zero-lag Butterworth low-pass filter of 4th order.
+/// `values` after a zero-lag Butterworth low-pass filter of 4th order; `table` gives the times of the rows.
 ///
 /// # Errors
-/// Rows that are not equally far apart, or a cutoff that they are too far apart (or too few) for.
+/// Rows at unequal distances in time, or too few rows, or rows too far apart, for the cutoff.
 fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, MotionFault> {
     let Some(step_s) = table.even_step_s() else {
         return Err(MotionFault::new("its times are not equally far apart: a filter needs rows that are"));
@@ -347,12 +348,12 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
     Ok(filtered)
 }
 
-/// A number for messages: very large and very small ones in exponential form.
+/// A number for messages; very large and very small numbers in exponential form.
 fn short_number(value: f64) -> String {
     if (1e-6..1e9).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
-/// A number for messages, rounded as the times of a file are.
+/// A number for messages, rounded to three decimals like the times in a file.
 fn three_decimals(value: f64) -> f64 {
     (value * 1e3).round() / 1e3
 }
@@ -366,7 +367,7 @@ mod tests {
         Table::from_times(times).unwrap()
     }
 
-    /// A cosine of 2 Hz passes a cutoff of 6 Hz, and one of 30 Hz does not.
+    /// A cosine of 2 Hz passes a cutoff of 6 Hz, and a cosine of 30 Hz does not.
     #[test]
     fn slow_movement_passes_and_fast_does_not() {
         let wave = |hertz: f64| -> Vec<f64> {
@@ -386,7 +387,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_must_be_even_and_enough() {
+    fn a_filter_needs_enough_rows_at_equal_distances() {
         assert!(low_pass(&table_with_rows(6), &[0.0; 6], 6.0).is_err());
         assert!(low_pass(&table_with_rows(7), &[0.0; 7], 6.0).is_ok());
         assert!(low_pass(&table_with_rows(20), &[0.0; 20], 50.0).is_err());

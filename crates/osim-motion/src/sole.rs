@@ -8,10 +8,10 @@ use crate::pair::TouchedSurface;
 use crate::states::{ContactStates, Wrench};
 use crate::summary::FootSummary;
 
-/// If the middles of the left and the right spheres are closer than this, it is not known what is right, m.
+/// Smallest distance between the middles of the left and the right spheres at which the right side is known, m.
 const LEAST_DISTANCE_OF_SIDES_M: f64 = 1e-3;
 
-/// The direction of each pair of `states` into the floor at the default pose, of length 1 and in the frame of the sphere's body.
+/// Unit vectors into the floor at the default pose, one for each pair of `states`, in the frame of the body of the pair's sphere.
 pub(crate) fn down_in_bodies(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
     let pose = DefaultPose::of(model);
     let each = states.pairs.iter().map(|pair| {
@@ -25,7 +25,8 @@ pub(crate) fn down_in_bodies(model: &Model, states: &ContactStates) -> Result<Ve
     each.collect()
 }
 
-/// The vector from the middle of the left spheres to the middle of the right ones at the default pose, m; not finite if a side has none.
+/// The vector from the middle of the left spheres to the middle of the right spheres at the default pose, m; not finite if a side
+/// has no spheres.
 pub(crate) fn left_to_right(states: &ContactStates, pose: &DefaultPose) -> Result<DVec3, PoseFault> {
     let (mut sums, mut counts) = ([DVec3::ZERO; 2], [0.0; 2]);
     for pair in &states.pairs {
@@ -41,7 +42,8 @@ pub(crate) fn left_to_right(states: &ContactStates, pose: &DefaultPose) -> Resul
     Ok(right / counts[0] - left / counts[1])
 }
 
-/// The forward direction along the floor at the default pose, by the vector [`left_to_right`]; x if it is not known what is right.
+/// The forward direction along the floor at the default pose, from the vector of [`left_to_right`]; the x axis if the right side
+/// is not known.
 pub(crate) fn forward_direction(left_to_right: DVec3, up: DVec3) -> DVec3 {
     let flat = left_to_right - left_to_right.dot(up) * up;
     let length = flat.length();
@@ -50,28 +52,29 @@ pub(crate) fn forward_direction(left_to_right: DVec3, up: DVec3) -> DVec3 {
     if is_known { up.cross(flat / length) } else { ViewAxes::with_up(up).forward }
 }
 
-/// A direction projected on the floor, with length 1; the direction itself if it is upright.
+/// A direction projected on the floor, with length 1; the direction itself if it is along the normal.
 pub(crate) fn project_on_floor(direction: DVec3, up: DVec3) -> DVec3 {
     let flat = direction - direction.dot(up) * up;
     let length = flat.length();
     if length > 1e-6 { flat / length } else { direction }
 }
 
-/// Centres of pressure in the axes of a foot: forward and to the right, m, from the middle of its spheres, as the foot stands at the
-/// default pose.
+/// Centres of pressure in the axes of a foot: forward and to the right of the middle of its spheres, m, with the directions of
+/// the default pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PressureOnSole {
-    /// The place of each sphere at the default pose.
+    /// The place of each sphere in these axes at the default pose, m.
     pub spheres_m: Vec<[f64; 2]>,
-    /// The centre of pressure of the model in each frame; `None` if the force is too small.
+    /// The centre of pressure of the model in each frame, m; `None` if the force is too small.
     pub model_m: Vec<Option<[f64; 2]>>,
-    /// The centre of pressure of the plates in each frame; `None` if it is not known.
+    /// The centre of pressure of the plates in each frame, m; `None` if it is not known.
     pub measured_m: Vec<Option<[f64; 2]>>,
 }
 
 impl PressureOnSole {
-    /// The soles of all feet, with the plates' forces if they are known; `None` if the default pose of a body is not known. In each frame
-    /// the foot is turned so that its spheres fit their places at the default pose best.
+    /// The centres of pressure of all feet, with those of the plates if known; `None` if the default pose of a body is not
+    /// known. In each frame the foot is turned so that its spheres lie as near as possible to their places at the default
+    /// pose.
     pub fn all<'f>(
         model: &Model,
         states: &ContactStates,
@@ -121,7 +124,8 @@ impl PressureOnSole {
         })
     }
 
-    /// How far the model's centre of pressure is ahead and to the right of the plates', m: the mean over the frames in which both are known.
+    /// The distance of the model's centre of pressure ahead and to the right of the plates', m: the mean over the frames in
+    /// which both are known.
     pub fn mean_difference_m(&self) -> Option<[f64; 2]> {
         let both = self.model_m.iter().zip(&self.measured_m);
         let differences: Vec<[f64; 2]> =
@@ -130,8 +134,8 @@ impl PressureOnSole {
     }
 }
 
-/// A point of the floor in the axes of a foot whose spheres are at `now`, and at `before` (around 0) in the foot's axes. The turn between both is
-/// found by least squares.
+/// A point of the floor in the axes of a foot. The spheres are at `now` in ground, and at `before` (around 0) in the axes of the
+/// foot; the rotation between them is found by least squares.
 fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
     let middle = mean(now);
     let (mut along, mut across) = (0.0, 0.0);

@@ -18,12 +18,12 @@ pub enum Belt {
 }
 
 impl Belt {
-    /// A belt that moves at this speed (m/s) against x, under a subject who walks towards x.
+    /// A belt with this constant speed (m/s) against the x axis, under a subject who walks along x.
     pub const fn against_x(speed_m_s: f64) -> Self {
         Self::Constant(DVec3::new(-speed_m_s, 0.0, 0.0))
     }
 
-    /// A belt that moves against x with the speed in a column of the recording, m/s.
+    /// A belt that moves against the x axis; its speed is in a column of the recording, m/s.
     ///
     /// # Errors
     /// No such column, or a row without a number.
@@ -79,7 +79,7 @@ pub struct ContactState {
     pub velocity_m_s: DVec3,
     /// Normal of the plane, out of it.
     pub normal: DVec3,
-    /// x: how deep the sphere is in the plane (or in the other sphere), m; below 0 without contact.
+    /// x, the depth of the sphere below the surface of the plane (or of the other sphere), m; negative without contact.
     pub indentation_m: f64,
     /// Rate of the indentation, m/s.
     pub rate_m_s: f64,
@@ -87,7 +87,7 @@ pub struct ContactState {
     pub slip_m_s: DVec3,
     /// The point where the force acts, m.
     pub point_m: DVec3,
-    /// The force on the sphere, N: along the normal and against the slip.
+    /// The force on the sphere, N: the normal force and the friction, which acts against the slip.
     pub force_n: DVec3,
     /// The component of the force along the normal, N.
     pub normal_force_n: f64,
@@ -98,7 +98,7 @@ impl ContactState {
         self.slip_m_s.length()
     }
 
-    /// The point of the surface below the centre of a sphere of this radius, m.
+    /// The point of the touched surface below the centre of a sphere of this radius, m.
     pub fn on_surface_m(&self, radius_m: f64) -> DVec3 {
         self.centre_m - (radius_m - self.indentation_m) * self.normal
     }
@@ -110,16 +110,17 @@ pub struct ContactStates {
     pub time_s: Vec<f64>,
     pub pairs: Vec<ContactPair>,
     pub planes: Vec<HalfSpace>,
-    /// Joints that close a loop. Nothing enforces that these loops stay closed.
+    /// Names of joints that close a loop. This program does not keep the loops closed.
     pub loops: Vec<String>,
     states: Vec<ContactState>,
 }
 
 impl ContactStates {
-    /// Computes all pairs of `forces` in all frames of `recording`. The floor moves like `belt`.
+    /// Computes the states of all pairs of `forces` in all frames of `recording`. The floor moves like `belt`.
     ///
     /// # Errors
-    /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value on the way to it.
+    /// A value of the model that cannot be read, a body whose place is not known, or a coordinate without a value between
+    /// ground and a sphere.
     pub fn of(
         model: &Model,
         recording: &Recording,
@@ -129,7 +130,7 @@ impl ContactStates {
         Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into())
     }
 
-    /// The states with each sphere moved by `by_m` in its body.
+    /// The states after each sphere is moved by `by_m` in the frame of its body.
     pub(crate) fn displaced(
         &self,
         model: &Model,
@@ -239,11 +240,11 @@ enum Shape {
     Sphere(f64),
 }
 
-/// A surface in one frame, seen from a sphere near it.
+/// A plane or sphere in one frame, as it faces another sphere near it.
 struct SurfaceInFrame {
     carrier: MovingPlacement,
     normal: DVec3,
-    /// How far the centre of the sphere is above it along the normal, m.
+    /// Height of the centre of the other sphere above the surface along the normal, m.
     height_m: f64,
 }
 
@@ -315,7 +316,7 @@ fn contact_state(
 }
 
 impl ContactPair {
-    /// The size of the friction force, N, as a vector along the slip; the force acts against it.
+    /// The friction force, N, as a vector along the slip; the force on the sphere acts against it.
     fn friction_force(&self, normal_force_n: f64, slip_m_s: DVec3) -> DVec3 {
         // The smooth class never divides by 0: it adds its constant to the square.
         let speed = libm::sqrt(slip_m_s.length_squared() + self.smoothing.unwrap_or(0.0));
@@ -326,7 +327,7 @@ impl ContactPair {
     }
 }
 
-/// The sum of several forces, with its moment.
+/// The sum of several forces, and the sum of their moments.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrench {
     /// Sum of the contact forces, N.
@@ -336,12 +337,12 @@ pub struct Wrench {
 }
 
 impl Wrench {
-    /// The sum of the forces of contacts.
+    /// The sum of the contact forces in `states`, and of their moments.
     pub fn from_states<'s>(states: impl IntoIterator<Item = &'s ContactState>) -> Self {
         states.into_iter().fold(Self::default(), |sum, state| sum.with_force(state.force_n, state.point_m))
     }
 
-    /// Adds a force at a point, N and m.
+    /// The wrench with a force (N) added at a point (m).
     pub(crate) fn with_force(mut self, force_n: DVec3, point_m: DVec3) -> Self {
         self.force_n += force_n;
         self.moment_n_m += point_m.cross(force_n);
@@ -352,9 +353,9 @@ impl Wrench {
         Self { force_n: self.force_n + other.force_n, moment_n_m: self.moment_n_m + other.moment_n_m }
     }
 
-    /// The centre of pressure in the plane through `on_plane_m` (m) with the unit `normal`, and the moment about the normal there:
-    /// p = p0 + n × M0/(F·n) with M0 = M − p0 × F, and n·(M0 − (p − p0) × F). `None` if the force along the normal is not
-    /// above `least_n`.
+    /// The centre of pressure in the plane through `on_plane_m` (m) with the unit `normal`, and the moment about the normal
+    /// at this point: p = p0 + n × M0/(F·n) with M0 = M − p0 × F, and n·(M0 − (p − p0) × F). `None` if the force along the
+    /// normal is not above `least_n`.
     pub fn centre_of_pressure(
         &self,
         normal: DVec3,
@@ -378,7 +379,7 @@ impl Wrench {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CentreOfPressure {
     pub point_m: DVec3,
-    /// The moment about the normal there, N m.
+    /// The moment about the normal at the centre of pressure, N m.
     pub free_moment_n_m: f64,
 }
 
@@ -387,7 +388,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_push_acts_where_it_is() {
+    fn the_centre_of_pressure_of_one_force_is_its_point() {
         // 100 N up and 20 N forward at (0.3, 0, 0.1): the point comes back, and nothing turns about the normal.
         let (up, at) = (DVec3::Y, DVec3::new);
         let wrench = Wrench::default().with_force(at(20.0, 100.0, 0.0), at(0.3, 0.0, 0.1));

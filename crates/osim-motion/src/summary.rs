@@ -21,24 +21,24 @@ pub struct SphereSummary {
     pub largest_relative_indentation: f64,
     /// The time of the largest x/R, s.
     pub largest_at_s: f64,
-    /// How long x/R is beyond the limit of the Hertz law, s.
+    /// Time for which x/R is above the limit of the Hertz law, s.
     pub beyond_hertz_s: f64,
-    /// How long its centre is below the plane (x/R above 1), s.
+    /// Time for which the centre of the sphere is below the plane (x/R above 1), s.
     pub beyond_radius_s: f64,
-    /// The median of its slip speed while it is in the plane, m/s.
+    /// The median slip speed of the sphere in frames with contact, m/s.
     pub slip_m_s: Option<f64>,
-    /// Each time that it touches the plane.
+    /// All touch-downs of the sphere.
     pub touch_downs: Vec<TouchDown>,
 }
 
-/// The moment in which a sphere touches its plane.
+/// The moment at which a sphere touches its plane.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TouchDown {
-    /// The time at which its bottom passes the plane, s.
+    /// The time at which the lowest point of the sphere passes the plane, s.
     pub time_s: f64,
-    /// The rate of the indentation then, m/s.
+    /// The rate of the indentation at this time, m/s.
     pub impact_speed_m_s: f64,
-    /// The coefficient of restitution at this speed, by (12) without gravity.
+    /// The coefficient of restitution at the impact speed, by (12) without gravity.
     pub restitution: Option<f64>,
 }
 
@@ -46,23 +46,23 @@ pub struct TouchDown {
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootSummary {
     pub foot: Foot,
-    /// The model's forces on it, frame by frame.
+    /// The model's contact forces on the foot, frame by frame.
     pub wrenches: Vec<Wrench>,
     /// The largest force along the normal, N.
     pub peak_n: f64,
     /// The time of the largest force, s.
     pub peak_at_s: f64,
-    /// Stances of the foot, by the plates that measured it, else by the model.
+    /// Stances of the foot, from the plates if they measured it, else from the model's forces.
     pub stances: Vec<StanceSummary>,
-    /// Whether the stances are those of the plates.
+    /// Whether the stances come from the plates.
     pub stands_by_plates: bool,
-    /// The median depth of its deepest sphere in stance, m; below 0 above the plane. `None` if it never stands.
+    /// The median depth of the deepest sphere in stance, m; negative above the plane. `None` if the foot never stands.
     pub stance_depth_m: Option<f64>,
-    /// The range of the depth of its deepest sphere in stance, from the 5th to the 95th percentile, m.
+    /// The range of the depth of the deepest sphere in stance, from the 5th to the 95th percentile, m.
     pub stance_scatter_m: Option<f64>,
-    /// The depth of its deepest sphere in the whole recording, m.
+    /// The largest depth of a sphere of the foot in the whole recording, m.
     pub deepest_m: f64,
-    /// The median slip velocity of its deepest sphere in stance, m/s.
+    /// The median slip velocity of the deepest sphere in stance, m/s.
     pub stance_slip_m_s: Option<DVec3>,
     pub spheres: Vec<SphereSummary>,
     pub comparison: Option<Comparison>,
@@ -71,15 +71,15 @@ pub struct FootSummary {
 #[derive(Debug, Clone, PartialEq)]
 pub struct StanceSummary {
     pub stance: StancePhase,
-    /// The model's largest force along the normal in it, N.
+    /// The model's largest force along the normal during the stance, N.
     pub peak_n: f64,
-    /// The model's impulse along the normal, N s.
+    /// The model's impulse along the normal during the stance, N s.
     pub impulse_n_s: f64,
-    /// The model's steepest rise of the force between two frames, N/s.
+    /// The model's steepest rise of the normal force between two frames of the stance, N/s.
     pub loading_rate_n_s: f64,
 }
 
-/// All contacts of a model along a recording.
+/// A summary of all contacts of a model along a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
     /// Body weight, N, by which forces are divided.
@@ -94,9 +94,10 @@ pub struct Summary {
     pub smallest_radius_m: Option<f64>,
     /// The model's mean force along the normal over whole strides, N.
     pub stride_mean_n: Option<f64>,
-    /// The plates' mean force along the normal over whole strides, N, which is the weight of the subject.
+    /// The mean normal force of the plates over whole strides, N; it equals the weight of the subject.
     pub measured_stride_mean_n: Option<f64>,
-    /// The part of whole strides in which more than one foot stands; `None` for one foot, or without a whole stride.
+    /// The part of the time of whole strides in which more than one foot stands; `None` for one foot, or without a whole
+    /// stride.
     pub double_support: Option<f64>,
 }
 
@@ -147,7 +148,7 @@ impl Summary {
     }
 }
 
-/// The part of `spans` in which more than one foot stands.
+/// The part of the time in `spans` in which more than one foot stands.
 fn double_support(time_s: &[f64], feet: &[FootSummary], spans: &[(f64, f64)]) -> Option<f64> {
     let mut in_stride = vec![false; time_s.len()];
     for &span in spans {
@@ -217,7 +218,7 @@ impl FootSummary {
         }
     }
 
-    /// The model's centre of pressure in a frame, where the force is above a part of body weight.
+    /// The model's centre of pressure in a frame; `None` unless the normal force is above a part of body weight.
     pub fn centre_of_pressure(
         &self,
         states: &ContactStates,
@@ -228,14 +229,14 @@ impl FootSummary {
         self.wrenches.get(frame)?.centre_of_pressure(on.normal, on.point_m, on.least_n)
     }
 
-    /// Begin and end of each whole stride, s.
+    /// Begin and end of each whole stride of the foot, s.
     pub fn strides(&self) -> Vec<(f64, f64)> {
         let stances: Vec<StancePhase> = self.stances.iter().map(|one| one.stance).collect();
         strides(&stances)
     }
 }
 
-/// The plane in which the forces of a foot are compared: that of its first pair in the first frame.
+/// The plane in which the forces of a foot are compared: the plane of its first pair in the first frame.
 fn comparison_plane(
     states: &ContactStates,
     foot: &Foot,
@@ -306,7 +307,7 @@ fn touch_downs(time_s: &[f64], states: &[&ContactState], dissipation: f64) -> Ve
     found
 }
 
-/// How long a condition holds, s; each frame counts for half of the time to its neighbours.
+/// The time for which `holds` is true, s; each frame counts for half of the time to its neighbours.
 fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
     let steps =
         time_s.windows(2).enumerate().filter_map(|(frame, pair)| Some((frame, pair.get(1)? - pair.first()?)));
@@ -314,7 +315,7 @@ fn duration_s(time_s: &[f64], holds: impl Fn(usize) -> bool) -> f64 {
     steps.map(|(frame, step)| half(frame, step) + half(frame + 1, step)).sum()
 }
 
-/// The frames from one time up to another, without the end.
+/// The frames from the first time up to the second, without the frame at the second time.
 fn frames_between(time_s: &[f64], (from_s, to_s): (f64, f64)) -> Range<usize> {
     let before = |limit: f64| time_s.partition_point(|&time| time < limit);
     before(from_s)..before(to_s)
@@ -338,7 +339,7 @@ fn median_vector(states: &[&ContactState]) -> Option<DVec3> {
     Some(DVec3::new(median(0)?, median(1)?, median(2)?))
 }
 
-/// The mean over all frames in `spans`; a span with unknown values does not count.
+/// The mean of `values` over all frames in `spans`, weighted with time; a span with unknown values does not count.
 fn mean_over(time_s: &[f64], values: &[Option<f64>], spans: &[(f64, f64)]) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
     for &span in spans {

@@ -1,6 +1,6 @@
 //! Reads OpenSim's tables over time, `.mot` and `.sto` files.
 
-/// A table over time, as OpenSim's `.mot` and `.sto` files have it.
+/// A table over time from a `.mot` or `.sto` file of OpenSim.
 ///
 /// ```
 /// use osim_motion::Table;
@@ -12,13 +12,13 @@
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
-    /// The time of each row, s, rising.
+    /// The time of each row, s; times rise.
     pub time_s: Vec<f64>,
-    /// All columns but the time, in the order of the file.
+    /// All columns except the time, in the order of the file.
     pub columns: Vec<Column>,
-    /// The unit of angles, if the header says it.
+    /// The unit of angles, if the header declares it.
     pub declared: Option<AngleUnit>,
-    /// Whether the header has a `version`. Then OpenSim assumes radians if the header does not say the unit.
+    /// Whether the header has a `version`. If it has, and declares no unit of angles, OpenSim assumes radians.
     pub has_version: bool,
     /// The line of each row in the file, from 1.
     pub lines: Vec<usize>,
@@ -27,7 +27,7 @@ pub struct Table {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
     pub name: String,
-    /// Number of the column in each row; NaN if the file has that.
+    /// The number of the column in each row; NaN where the file has NaN.
     pub values: Vec<f64>,
 }
 
@@ -52,7 +52,7 @@ impl Table {
     /// Checks that a column has a finite number in each row.
     ///
     /// # Errors
-    /// The first row without a finite number.
+    /// The first row without a finite number in the column.
     pub(crate) fn check_finite(&self, column: &Column) -> Result<(), MotionFault> {
         let first_odd = column.values.iter().position(|value| !value.is_finite());
         match first_odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
@@ -67,7 +67,7 @@ impl Table {
         }
     }
 
-    /// The time between rows, s, if all steps are equal within one percent.
+    /// The time between rows, s, if all steps are equal within one percent; else `None`.
     pub(crate) fn even_step_s(&self) -> Option<f64> {
         let (first, last) = (self.time_s.first()?, self.time_s.last()?);
         let mean = (last - first) / self.rows().checked_sub(1).filter(|&steps| steps > 0)? as f64;
@@ -103,7 +103,7 @@ impl AngleUnit {
 struct Header {
     declared: Option<AngleUnit>,
     has_version: bool,
-    /// Index of the line `endheader`, from 0.
+    /// Index of the line `endheader` in the file, from 0.
     end: usize,
 }
 
@@ -139,7 +139,7 @@ impl Header {
         }
     }
 
-    /// The unit in a sentence only counts if no property gives the unit.
+    /// Reads the unit of angles from a sentence of the header; it only counts if no header property gives the unit.
     fn read_sentence(&mut self, unit: AngleUnit) {
         self.declared.get_or_insert(unit);
     }
@@ -165,15 +165,15 @@ fn check_rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
 
 // Names and numbers below the header.
 
-/// Messages show at most so many letters of a text of the file.
+/// The largest number of letters of a text from the file in a message.
 const MOST_LETTERS_SHOWN: usize = 40;
 
 impl Table {
-    /// Reads the bytes of a file.
+    /// Reads a table from the bytes of a file.
     ///
     /// # Errors
-    /// No header, no times, a row with more or fewer cells than there are names, a cell that is not a number, or times that do not
-    /// rise, with the line.
+    /// No header, no times, a row whose number of cells differs from the number of column names, a cell that is not a number,
+    /// or times that do not rise. The error has the line.
     pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
         let text = String::from_utf8_lossy(bytes);
         let header = Header::read(&text)?;
@@ -234,7 +234,7 @@ fn read_rows(text: &str, header: &Header) -> Result<Table, MotionFault> {
     Ok(Table { time_s, columns, declared, has_version, lines: numbers })
 }
 
-/// Splits the names of columns at tabs, so that names may have spaces; without tabs, at spaces.
+/// The names of columns: split at tabs, so that names may have spaces; without tabs, split at spaces.
 fn split_names(line: &str) -> Vec<String> {
     let by_tabs = line.contains('\t');
     let names: Vec<&str> = match by_tabs {
@@ -258,15 +258,16 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// Rows are missing if a step in time is so many times as long as the usual one. Less can be a rounded time.
+/// A time step counts as a gap if it is more than this many times as long as the usual step. A smaller difference can come from
+/// rounding.
 const GAP_STEPS: f64 = 1.5;
 
-/// A time in which rows are missing.
+/// A time span in which rows are missing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gap {
-    /// The time of the row before it, s.
+    /// The time of the row before the gap, s.
     pub from_s: f64,
-    /// The time of the row after it, s.
+    /// The time of the row after the gap, s.
     pub to_s: f64,
 }
 
@@ -277,7 +278,7 @@ impl Gap {
 }
 
 impl Table {
-    /// The times in which rows are missing: steps in time that are longer than 1.5 times the median of all.
+    /// The time spans in which rows are missing: steps longer than 1.5 times the median step.
     ///
     /// ```
     /// use osim_motion::Table;
@@ -303,15 +304,15 @@ impl Table {
     }
 }
 
-/// An error in a motion file: what is wrong, where, and what to do.
+/// An error in a motion file: the problem, its line, and advice.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{message}")]
 pub struct MotionFault {
     /// The line in the file, from 1; `None` if the error is about the whole file.
     pub line: Option<usize>,
-    /// The message; texts from the file are quoted in it.
+    /// The message; it quotes texts from the file.
     pub message: String,
-    /// Whether the caller has to give the unit of angles, because the file does not.
+    /// Whether the caller has to give the unit of angles, because the file does not declare it.
     pub needs_angles: bool,
 }
 
@@ -320,7 +321,7 @@ impl MotionFault {
         Self { line: None, message: message.into(), needs_angles: false }
     }
 
-    /// The unit of the angles is in doubt.
+    /// An error because the unit of the angles is in doubt.
     pub(crate) fn about_angle_unit(message: impl Into<String>) -> Self {
         Self { needs_angles: true, ..Self::new(message) }
     }
@@ -395,7 +396,7 @@ mod tests {
     }
 
     #[test]
-    fn gaps_are_steps_that_lack_a_row() {
+    fn gaps_are_time_steps_with_missing_rows() {
         assert_eq!(gaps(&[]), []);
         assert_eq!(gaps(&[1.0]), []);
         assert_eq!(gaps(&[1.0, 2.0]), []);

@@ -1,9 +1,10 @@
-//! Contact parameters and the height of the floor that make the forces of a model those that plates measured.
+//! Fits contact parameters and the height of the floor, so that the forces of a model are like those that plates measured.
 //!
-//! The unknowns are a factor of all stiffnesses, the dissipation, and for each trial how far the floor moves up; instead of the first
-//! floor, all spheres may go down in their bodies. Errors are those of the force along the normal of each foot, over body weight. With the
-//! height and the dissipation given, the force is proportional to the stiffness; the rest is Levenberg–Marquardt from the best of some
-//! heights.
+//! The unknowns are a factor for all stiffnesses, the dissipation, and for each trial the distance by which the floor moves up.
+//! Instead of the floor of the first trial, all spheres may move down in their bodies. The fit makes the differences between
+//! model and plates small: in the force along the normal of each foot, divided by body weight. At a given height and dissipation,
+//! the force is proportional to the stiffness. The search tries some heights, and then runs Levenberg–Marquardt from the best of
+//! them.
 
 mod problem;
 mod search;

@@ -11,85 +11,87 @@ pub struct FittedParameter {
     pub value: f64,
     /// Standard error of the parameter, corrected for the correlation of neighbouring frames; NaN without remaining degrees of freedom.
     pub standard_error: f64,
-    /// The lowest and the highest value with which the other parameters fit nearly as well (rms within 5 %, or 0.005 body weights).
+    /// The lowest and highest value at which a fit of the other parameters is nearly as good (rms within 5 %, or 0.005 body
+    /// weights).
     pub nearly_as_good: (f64, f64),
     pub at_bound: bool,
 }
 
-/// How far the forces of a fit are from the plates.
+/// The differences between the fitted forces and the forces of the plates.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct FitErrors {
-    /// Root mean square per foot along the normal, body weights.
+    /// Root mean square of the difference along the normal, over all feet, in body weights.
     pub vertical_rms_bw: f64,
-    /// The largest x/R in frames in which the plates measured a force.
+    /// The largest x/R of a sphere in frames in which the plates measured a force.
     pub largest_relative_indentation: f64,
 }
 
 /// A fit of one part of the data, tested on the other part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeldOut {
-    /// The part of the model that is fitted, in words.
+    /// The fitted part of the data, in words.
     pub fitted: String,
     pub tested: String,
-    /// The error on the tested part, body weights.
+    /// The root mean square error on the tested part, in body weights.
     pub vertical_rms_bw: f64,
 }
 
-/// Contact parameters that make the forces of a model those of the plates.
+/// The result of a fit: contact parameters with which the forces of a model are like those of the plates.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MotionFit {
     /// The factor of all stiffnesses; `None` if it was not fitted.
     pub stiffness_factor: Option<FittedParameter>,
     /// The dissipation, s/m; `None` if it was not fitted.
     pub dissipation: Option<FittedParameter>,
-    /// How far the floor moves up in each trial, m; empty if it was not fitted.
+    /// The distance by which the floor moves up in each trial, m; empty if no floor height was fitted.
     pub floor_up_m: Vec<FittedParameter>,
-    /// How far all spheres move down in their bodies, m; `None` if that was not fitted.
+    /// The distance by which all spheres move down in their bodies, m; `None` if it was not fitted.
     pub spheres_down_m: Option<FittedParameter>,
-    /// Correlation of stiffness and height of the first trial, if both were fitted.
+    /// Correlation of the stiffness and the height of the first trial, if both were fitted.
     pub stiffness_height_correlation: Option<f64>,
     pub before: FitErrors,
     pub after: FitErrors,
-    /// The error of each trial, body weights.
+    /// The root mean square error of each trial, in body weights.
     pub trials_rms_bw: Vec<f64>,
-    /// Fits of one part tested on the other: foot by foot, or half by half.
+    /// Fits of one part of the data, tested on the other part: one foot against the others, or one half against the other.
     pub held_out: Vec<HeldOut>,
-    /// The number of frames that were left out because a foot seems to stand beside the plates.
+    /// The number of frames that were left out because a foot probably stands beside the plates.
     pub beside: usize,
-    /// The number of fitted frames of all feet.
+    /// The number of fitted frames, summed over all feet.
     pub frames: usize,
 }
 
 impl MotionFit {
-    /// The worst error on a part that was not fitted, body weights.
+    /// The largest error on data that were not fitted, in body weights.
     pub fn held_out_rms_bw(&self) -> Option<f64> {
         self.held_out.iter().map(|one| one.vertical_rms_bw).reduce(f64::max)
     }
 }
 
-/// The penalty for a sphere that is deeper than allowed by one radius, body weights.
+/// The penalty per radius of depth beyond the bound, for one sphere, in body weights.
 const TOO_DEEP_BW: f64 = 200.0;
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Unknowns {
-    /// The logarithm of the factor of all stiffnesses.
+    /// The natural logarithm of the factor for all stiffnesses.
     pub(super) stiffness_log: f64,
-    /// α of all spheres, s/m; `None` if each keeps its own.
+    /// α of all spheres, s/m; `None` if each sphere keeps its own.
     pub(super) dissipation: Option<f64>,
-    /// How far the floor moves up in each trial, m.
+    /// The distance by which the floor moves up in each trial, m.
     pub(super) floor_up_m: Vec<f64>,
-    /// How far all spheres go down in their bodies, m.
+    /// The distance by which all spheres move down in their bodies, m.
     pub(super) spheres_down_m: f64,
 }
 
 impl Unknowns {
-    /// How much deeper the contacts of a trial are.
+    /// The distances by which floor and spheres make the contacts of a trial deeper.
     pub(super) fn depth_shift(&self, trial: usize) -> DepthShift {
         let floor_up_m = self.floor_up_m.get(trial).copied().unwrap_or_default();
         DepthShift { floor_up_m, spheres_down_m: self.spheres_down_m }
     }
 
-    /// The heights that are fitted, one for each trial. That of the first trial may be in the spheres; its floor stays then.
+    /// The fitted heights, one for each trial, m. The first may be a height of the spheres; the floor of the first trial then
+    /// stays.
     pub(super) fn heights_m(&self, height: FittedHeight) -> Vec<f64> {
         let mut heights_m = self.floor_up_m.clone();
         if let Some(first) = heights_m.first_mut().filter(|_| height == FittedHeight::Spheres) {
@@ -115,12 +117,13 @@ impl Unknowns {
     }
 }
 
-/// The object that a fitted height moves.
+/// The object that is moved to fit a height.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FittedHeight {
-    /// The height of the floor, for each trial.
+    /// The floor moves, in each trial by its own distance.
     Floor,
-    /// All spheres move in their bodies. The floor of the first trial stays; each other trial has one of its own.
+    /// All spheres move in their bodies. The floor of the first trial stays; the floor of each other trial moves by its own
+    /// distance.
     Spheres,
 }
 
@@ -128,11 +131,11 @@ pub enum FittedHeight {
 pub struct FitWanted {
     pub stiffness: bool,
     pub dissipation: bool,
-    /// The object that a fitted height moves; `None` if no height is fitted.
+    /// The object that is moved to fit a height; `None` if no height is fitted.
     pub height: Option<FittedHeight>,
 }
 
-/// Passes the force of one foot along the normal in each frame, over body weight, to `take`.
+/// Calls `take` with the normal force of one foot in each frame, divided by body weight.
 pub(super) fn forces_bw(
     foot: &FootForces,
     laws: &[Law],
@@ -149,13 +152,13 @@ pub(super) fn forces_bw(
     }
 }
 
-/// The contact laws of a foot, with `dissipation` if it is given.
+/// The contact laws of a foot; all with `dissipation` if it is given.
 pub(super) fn with_dissipation(foot: &FootForces, dissipation: Option<f64>) -> Vec<Law> {
     let other = |law: &Law| law.with_dissipation(dissipation?).ok();
     foot.laws.iter().map(|(law, _)| other(law).unwrap_or(*law)).collect()
 }
 
-/// How far the forces with these unknowns are from the plates.
+/// The differences between the forces for these unknowns and the forces of the plates.
 pub(super) fn errors(trials: &[FitTrial], unknowns: &Unknowns) -> FitErrors {
     let (mut square, mut count, mut deepest) = (0.0, 0_usize, f64::NEG_INFINITY);
     for (number, trial) in trials.iter().enumerate() {
@@ -182,9 +185,9 @@ pub(super) struct FitProblem<'t> {
     pub(super) wanted: FitWanted,
     /// The values of parameters that are not fitted.
     pub(super) start: Unknowns,
-    /// The number of frames of all feet.
+    /// The number of frames, summed over all feet.
     frames: usize,
-    /// Depth of spheres above which they get a penalty: see [`Limits::sphere_depth`].
+    /// The x/R above which a sphere gets a penalty: see [`Limits::sphere_depth`].
     sphere_depth: Option<f64>,
     config: MPConfig,
     settings: Vec<MPPar>,
@@ -245,8 +248,8 @@ impl<'t> FitProblem<'t> {
         }
     }
 
-    /// Computes the differences between model and plates over body weight, foot by foot and frame by frame; then, in the same order, the
-    /// penalties for spheres that are too deep, if their depth has a bound.
+    /// Writes the differences between model and plates, divided by body weight, into `deviates`: foot by foot and frame by
+    /// frame. Then follow, in the same order, the penalties for spheres that are too deep, if their depth has a bound.
     pub(super) fn deviates(&self, unknowns: &Unknowns, deviates: &mut [f64]) {
         let mut places = deviates.iter_mut();
         let mut put = |value: f64| places.by_ref().take(1).for_each(|place| *place = value);
@@ -272,7 +275,7 @@ impl<'t> FitProblem<'t> {
         }
     }
 
-    /// The root mean square of all deviates, over the frames.
+    /// Root of the sum of squares of all deviates (differences and penalties) divided by the number of frames, in body weights.
     pub(super) fn rms_bw(&self, unknowns: &Unknowns) -> f64 {
         let mut deviates = vec![0.0; self.number_of_points()];
         self.deviates(unknowns, &mut deviates);
@@ -280,7 +283,7 @@ impl<'t> FitProblem<'t> {
         (square / self.frames.max(1) as f64).sqrt()
     }
 
-    /// Does not fit the height of one trial.
+    /// Fixes the height of one trial.
     pub(super) fn keep_height(&mut self, trial: usize) {
         let before = self.settings.len().saturating_sub(self.trials.len());
         if let Some(setting) = self.settings.get_mut(before + trial).filter(|_| self.wanted.height.is_some())
@@ -298,20 +301,21 @@ impl<'t> FitProblem<'t> {
         self.frames
     }
 
-    /// The lowest and highest value of each unknown of a vector.
+    /// The lowest and highest value of each unknown, in the order of [`Self::to_vector`].
     pub(super) fn limits(&self) -> Vec<(f64, f64)> {
         self.settings.iter().map(|one| (one.limit_low, one.limit_up)).collect()
     }
 }
 
-/// The lowest and highest values of the unknowns.
+/// The lowest and highest values of the unknowns in a search.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Limits {
     pub(super) stiffness_log: (f64, f64),
     pub(super) dissipation: (f64, f64),
-    /// The ranges of heights of each trial, m: see [`Unknowns::heights_m`].
+    /// The range of heights of each trial, m: see [`Unknowns::heights_m`].
     pub(super) heights_m: Vec<(f64, f64)>,
-    /// The x/R above which spheres that move down in their bodies get a penalty; `None` if the limits of heights bound the depth, or nothing does.
+    /// The x/R above which spheres that move down in their bodies get a penalty; `None` if the ranges of heights limit the
+    /// depth, or if it has no limit.
     pub(super) sphere_depth: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! Searches the best fit: tries some heights with the best stiffness of each, then Levenberg–Marquardt on all unknowns.
+//! Searches the best fit: first tries some heights, each with its best stiffness, then runs Levenberg–Marquardt on all unknowns.
 
 use rmpfit::{MPFitter, MPStatus, MPSuccess};
 
@@ -6,23 +6,24 @@ use super::problem::{FitProblem, FitWanted, FittedHeight, Limits, Unknowns, forc
 use super::trial::FitTrial;
 use crate::feet::ON_BW;
 
-/// The number of heights that are tried first.
+/// The number of heights that the search tries first.
 const FIRST_HEIGHTS: usize = 48;
-/// Dissipations that are tried with each height, s/m.
+/// Dissipations that the search tries with each height, s/m.
 const DISSIPATIONS: [f64; 3] = [0.2, 1.0, 3.0];
-/// Stiffness factors are searched from its inverse to this.
+/// The largest stiffness factor of the search; the smallest is its inverse.
 const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
-/// Dissipations are searched up to this, s/m.
+/// The largest dissipation of the search, s/m.
 const MOST_DISSIPATION_S_M: f64 = 10.0;
-/// If nothing bounds x/R, the fit looks for the floor up to this far above the height at which the first sphere touches, m.
+/// The largest height of the floor above the first touch of a sphere, if x/R has no bound, m.
 const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
-/// Spheres are searched up to this far up or down in their bodies, and floors of other trials up to this far from the first, m.
+/// The largest distance by which spheres move up or down in their bodies, and by which floors of other trials differ from the
+/// first, m.
 const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitBounds {
     pub wanted: FitWanted,
-    /// The largest x/R in frames with a force; `None` for no bound.
+    /// The largest allowed x/R in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
 }
 
@@ -38,8 +39,8 @@ pub enum FitError {
     NotConverged,
 }
 
-/// The unknowns of the model as it is.
-pub(super) fn unchanged(trials: &[FitTrial]) -> Unknowns {
+/// The unknowns of the unchanged model.
+pub(super) fn unchanged_unknowns(trials: &[FitTrial]) -> Unknowns {
     let floor_up_m = vec![0.0; trials.len()];
     Unknowns { stiffness_log: 0.0, dissipation: None, floor_up_m, spheres_down_m: 0.0 }
 }
@@ -59,14 +60,14 @@ impl BestFit {
     }
 }
 
-/// Finds the best unknowns for all trials together.
+/// Finds the unknowns that fit all trials together best.
 pub(super) fn search(
     trials: &[FitTrial],
     bounds: &FitBounds,
     unchanged: &Unknowns,
 ) -> Result<BestFit, FitError> {
     let limits = search_limits(trials, bounds)?;
-    let start = scan(trials, bounds, unchanged, &floor_limits(trials, bounds)?)?;
+    let start = best_of_tried_heights(trials, bounds, unchanged, &floor_limits(trials, bounds)?)?;
     let start = if bounds.wanted.height == Some(FittedHeight::Spheres) {
         move_height_to_spheres(start)
     } else {
@@ -86,14 +87,15 @@ pub(super) fn search(
     Ok(with_standard_errors(&problem, unknowns, &vector, &status))
 }
 
-/// Moves the spheres down instead of the first floor up, and the other floors by the difference.
+/// Replaces the height of the first floor by a height of the spheres, and the heights of the other floors by their differences
+/// from the first.
 fn move_height_to_spheres(mut floors: Unknowns) -> Unknowns {
     floors.spheres_down_m = floors.floor_up_m.first().copied().unwrap_or_default();
     floors.floor_up_m.iter_mut().for_each(|up_m| *up_m -= floors.spheres_down_m);
     floors
 }
 
-/// The effective number of independent deviates, because errors of neighbouring frames are correlated.
+/// The effective number of independent differences: fewer than frames, because differences of neighbouring frames are correlated.
 fn independent_count(deviates: &[f64]) -> f64 {
     let square: f64 = deviates.iter().map(|one| one * one).sum();
     let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
@@ -128,7 +130,8 @@ fn with_standard_errors(
     }
 }
 
-/// Bounds of the search. If spheres move, a penalty bounds their depth, because it depends on how their bodies are turned.
+/// Limits of the unknowns in the search. If spheres move, a penalty limits their depth, because the depth depends on the
+/// direction of their bodies.
 pub(super) fn search_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
     let limits = floor_limits(trials, bounds)?;
     if bounds.wanted.height != Some(FittedHeight::Spheres) {
@@ -138,7 +141,7 @@ pub(super) fn search_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<L
     Ok(Limits { heights_m, sphere_depth: bounds.most_relative_indentation, ..limits })
 }
 
-/// Bounds of the search if floors move: heights at which a sphere touches, and none is deeper than allowed.
+/// Limits of the heights if floors move: at least one sphere touches the floor, and no sphere is deeper than allowed.
 fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitError> {
     let largest = LARGEST_STIFFNESS_FACTOR.ln();
     let mut heights_m = Vec::new();
@@ -174,8 +177,8 @@ fn floor_limits(trials: &[FitTrial], bounds: &FitBounds) -> Result<Limits, FitEr
     })
 }
 
-/// Finds the best of some heights and dissipations, each with its best stiffness if that is fitted.
-fn scan(
+/// Tries some heights and dissipations, each with its best stiffness if the stiffness is fitted, and returns the best unknowns.
+fn best_of_tried_heights(
     trials: &[FitTrial],
     bounds: &FitBounds,
     unchanged: &Unknowns,
@@ -203,7 +206,8 @@ fn scan(
     best.map(|(_, unknowns)| unknowns).ok_or(FitError::NoContact)
 }
 
-/// Sets the best stiffness in `tried`, if that is wanted, and returns the sum of squares; `None` if nothing touches.
+/// Sets the best stiffness in `tried` if the stiffness is fitted, and returns the sum of squares; `None` if no sphere touches the
+/// floor.
 fn set_best_stiffness(
     trials: &[FitTrial],
     tried: &mut Unknowns,

@@ -5,7 +5,7 @@ use rmpfit::MPFitter;
 use super::problem::{
     FitProblem, FitWanted, FittedHeight, FittedParameter, HeldOut, Limits, MotionFit, Unknowns, errors,
 };
-use super::search::{FitBounds, FitError, search, search_limits, unchanged};
+use super::search::{FitBounds, FitError, search, search_limits, unchanged_unknowns};
 use super::trial::{FitTrial, FootForces};
 
 /// Fits the unknowns to all `trials` together.
@@ -17,7 +17,7 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
     if trials.iter().all(|trial| trial.feet.iter().all(|foot| !foot.has_force(trial.weight_n))) {
         return Err(FitError::NoForce);
     }
-    let unchanged = unchanged(trials);
+    let unchanged = unchanged_unknowns(trials);
     let best = search(trials, bounds, &unchanged)?;
     let fitted = |place: usize, value: f64, map: fn(f64) -> f64, range: (f64, f64)| FittedParameter {
         value: map(value),
@@ -74,8 +74,8 @@ pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, 
     })
 }
 
-/// Fits one foot and tests on the others; with one foot, fits each half and tests on the other. `fit_and_test` fits its first argument and returns
-/// the error on its second, body weights.
+/// Fits each foot and tests the fit on the others; with only one foot, fits each half of the data and tests the fit on the other
+/// half. `fit_and_test` fits its first argument and returns the error on its second, in body weights.
 pub(super) fn test_on_held_out(
     trials: &[FitTrial],
     fit_and_test: impl Fn(&[FitTrial], &[FitTrial]) -> Option<f64>,
@@ -127,20 +127,20 @@ pub(super) fn test_on_held_out(
 
 // Ranges of values with which the other parameters fit nearly as well.
 
-/// The largest number of times that a step doubles to find the end of a range, before it halves.
+/// The largest number of doublings of a step in the search for the end of a range, before the step is halved.
 const MOST_DOUBLINGS: usize = 4;
 const HALVINGS: usize = 6;
-/// The first step of a height, m.
+/// The first step of a height in the search for the end of a range, m.
 const HEIGHT_STEP_M: f64 = 0.002;
-/// A fit is nearly as good if its error is at most so many times larger, or larger by `NEARLY_BEST_BW`.
+/// A fit is nearly as good as the best one if its error is at most this many times larger, or at most `NEARLY_BEST_BW` larger.
 const NEARLY_BEST_FACTOR: f64 = 1.05;
-/// The difference of errors up to which a fit is nearly as good, in body weights; see `NEARLY_BEST_FACTOR`.
+/// Largest difference from the best error of a fit that is nearly as good, in body weights; see `NEARLY_BEST_FACTOR`.
 const NEARLY_BEST_BW: f64 = 0.005;
 
-/// Ranges are computed with at most about so many frames of a foot.
+/// The largest number of frames per foot, roughly, for the search for ranges.
 const MOST_FRAMES: usize = 400;
 
-/// Finds the ranges of values with which the other parameters fit nearly as well as with the best ones.
+/// Finds the range of each parameter in which a fit of the other parameters is nearly as good as the best fit.
 pub(super) struct NearlyAsGood<'b> {
     trials: Vec<FitTrial>,
     wanted: FitWanted,
@@ -191,7 +191,7 @@ impl<'b> NearlyAsGood<'b> {
         (low_m, range_end(value, HEIGHT_STEP_M, self.rms_bw, &tried).min(most_m))
     }
 
-    /// The error after fitting the `wanted` parameters from `start`, with the others and the height of one trial fixed.
+    /// The error after a fit of the `wanted` parameters from `start`; the others and the height of one trial are fixed.
     fn refitted(&self, wanted: FitWanted, kept_height: Option<usize>, start: &Unknowns) -> Option<f64> {
         let mut problem = FitProblem::new(&self.trials, wanted, start, &self.limits);
         if let Some(trial) = kept_height {
@@ -209,7 +209,7 @@ impl<'b> NearlyAsGood<'b> {
     }
 }
 
-/// The last value, in the direction of `step`, with which the other parameters fit nearly as well.
+/// The last value in the direction of `step` at which a fit of the other parameters is nearly as good as the best fit.
 fn range_end(value: f64, step: f64, rms_bw: f64, tried: &impl Fn(f64) -> Option<f64>) -> f64 {
     let is_near = |at: f64| {
         tried(at).is_some_and(|rms| rms <= (rms_bw * NEARLY_BEST_FACTOR).max(rms_bw + NEARLY_BEST_BW))

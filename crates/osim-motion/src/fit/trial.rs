@@ -1,4 +1,4 @@
-//! The data of a trial for a fit, and how contacts get deeper if spheres move down in their bodies.
+//! The data of a trial for a fit, and the change of contact depth if spheres move down in their bodies.
 
 use contact_scaling::Law;
 use osim_model::DVec3;
@@ -10,50 +10,53 @@ use crate::recording::Recording;
 use crate::sole::down_in_bodies;
 use crate::states::{ContactState, ContactStates, StatesError, Wrench};
 
-/// A trial of a fit: the contacts of each foot in the frames in which the plates give its force.
+/// The data of one trial for a fit: the contacts of each foot in the frames in which the plates measured the force under it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FitTrial {
     pub feet: Vec<FootForces>,
     pub weight_n: f64,
-    /// The number of frames that were left out because a foot seems to stand beside the plates.
+    /// The number of frames that were left out because a foot probably stands beside the plates.
     pub beside: usize,
     /// Names of feet that are left out because the plates measured no force under them.
     pub without_force: Vec<String>,
-    /// The direction down in the body of each pair's sphere; empty if spheres do not move in their bodies.
+    /// The direction down in the frame of the body, for the sphere of each pair; empty if spheres do not move in their
+    /// bodies.
     pub down: Vec<DVec3>,
 }
 
-/// The contacts of one foot, and the measured force.
+/// The contacts of one foot, and the force that plates measured under it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FootForces {
     pub name: String,
     pub spheres: Vec<SphereId>,
-    /// The law and the radius (m) of each of its spheres.
+    /// The contact law and the radius (m) of each sphere of the foot.
     pub laws: Vec<(Law, f64)>,
     /// The measured force along the normal in each frame, N.
     pub measured_n: Vec<f64>,
     /// Indentation (m) and its rate (m/s) of each sphere, frame by frame.
     pub contacts: Vec<(f64, f64)>,
-    /// The change of each of `contacts` per metre that the spheres move down in their bodies; empty if they do not move.
+    /// The change of each element of `contacts` per metre that its sphere moves down in its body; empty if spheres do not
+    /// move.
     per_metre_down: Vec<ChangePerMetre>,
 }
 
-/// How much deeper contacts get by a fitted height.
+/// The distances by which fitted heights make contacts deeper.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DepthShift {
-    /// How far the floor moves up, m.
+    /// The distance by which the floor moves up, m.
     pub(super) floor_up_m: f64,
-    /// How far spheres move down in their bodies, m.
+    /// The distance by which the spheres move down in their bodies, m.
     pub(super) spheres_down_m: f64,
 }
 
 impl FitTrial {
-    /// The data of the frames in which the force under a foot is known.
+    /// The data of a trial in the frames in which the force under a foot is known.
     pub fn of(states: &ContactStates, feet: &[Foot], measured: &MeasuredForces, weight_n: f64) -> Self {
-        Self::build(states, feet, measured, weight_n, None)
+        Self::from_measurements(states, feet, measured, weight_n, None)
     }
 
-    /// The data if spheres can move down in their bodies. The first trial finds which way is `down`, and the others get its result.
+    /// The data of a trial whose spheres can move down in their bodies. The first trial determines the direction `down`; the
+    /// other trials get it from there.
     pub fn with_lowered_spheres(
         model: &Model,
         recording: &Recording,
@@ -63,10 +66,10 @@ impl FitTrial {
         down: Option<&[DVec3]>,
     ) -> Result<Self, StatesError> {
         let lowered = LoweredSpheres::of(model, recording, states, down, (feet, measured))?;
-        Ok(Self::build(states, feet, measured, weight_n, Some(&lowered)))
+        Ok(Self::from_measurements(states, feet, measured, weight_n, Some(&lowered)))
     }
 
-    fn build(
+    fn from_measurements(
         states: &ContactStates,
         feet: &[Foot],
         measured: &MeasuredForces,
@@ -93,7 +96,7 @@ impl FitTrial {
 }
 
 impl FitTrial {
-    /// The trial with at most about `most` evenly chosen frames of each foot.
+    /// The trial with about `most` frames of each foot at most, evenly chosen.
     pub(super) fn thinned(&self, most: usize) -> Self {
         let thin = |foot: &FootForces| {
             let kept = || (0..foot.frames()).step_by(foot.frames().div_ceil(most).max(1));
@@ -139,7 +142,7 @@ impl FootForces {
         (forces, kept)
     }
 
-    /// Whether the plates measured a force under it.
+    /// Whether the plates measured a force under the foot.
     pub(crate) fn has_force(&self, weight_n: f64) -> bool {
         self.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n)
     }
@@ -148,7 +151,7 @@ impl FootForces {
         self.measured_n.len()
     }
 
-    /// The trial with only the frames from `first` up to `end`.
+    /// The data of the frames from `first` up to `end`, without `end`.
     pub(crate) fn frame_range(&self, first: usize, end: usize) -> Self {
         let count = self.laws.len();
         Self {
@@ -161,7 +164,7 @@ impl FootForces {
         }
     }
 
-    /// Indentation and rate of each contact in a frame.
+    /// Indentation (m) and its rate (m/s) of each contact in one frame.
     pub(crate) fn frame(&self, frame: usize) -> &[(f64, f64)] {
         let count = self.laws.len();
         self.contacts.get(frame * count..(frame + 1) * count).unwrap_or_default()
@@ -172,7 +175,7 @@ impl FootForces {
         self.per_metre_down.get(frame * count..(frame + 1) * count).unwrap_or_default()
     }
 
-    /// Indentation and rate of each contact of a frame, with a shift of depth.
+    /// Indentation (m) and its rate (m/s) of each contact in one frame, for other heights of floor and spheres.
     pub(super) fn shifted_contacts(&self, frame: usize, by: DepthShift) -> impl Iterator<Item = (f64, f64)> {
         let per_metre = self.per_metre_down(frame);
         self.frame(frame).iter().enumerate().map(move |(number, &(x, rate))| {
@@ -182,7 +185,8 @@ impl FootForces {
         })
     }
 
-    /// x/R of each contact of a frame, with a shift of depth; empty for a frame without a measured force.
+    /// x/R of each contact in one frame, for other heights of floor and spheres; empty if the plates measured no force in the
+    /// frame.
     pub(super) fn loaded_depths(
         &self,
         frame: usize,
@@ -195,25 +199,26 @@ impl FootForces {
     }
 }
 
-/// How a contact changes per metre that its sphere moves down in its body.
+/// The change of a contact per metre that its sphere moves down in its body.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct ChangePerMetre {
     indentation: f64,
-    /// Change of its rate per metre, 1/s.
+    /// Change of the indentation rate per metre, 1/s.
     rate_s: f64,
 }
 
-/// The contacts of a model along a recording as they are, and with each sphere moved by one metre along each axis of its body. Changes are
-/// linear in these moves.
+/// The contacts of a model along a recording, with the spheres in place and with each sphere moved by one metre along each axis
+/// of its body. Contacts change linearly with these moves.
 pub(super) struct LoweredSpheres<'s> {
     unmoved: &'s ContactStates,
     along: [ContactStates; 3],
-    /// The direction down in the body of each pair's sphere.
+    /// The direction down in the frame of the body, for the sphere of each pair.
     down: Vec<DVec3>,
 }
 
 impl<'s> LoweredSpheres<'s> {
-    /// `down` comes from another recording of the same model; without it, this recording determines it.
+    /// The contacts for spheres that can move. `down` comes from another recording of the same model; without it, this
+    /// recording determines the direction.
     pub(super) fn of(
         model: &Model,
         recording: &Recording,
@@ -231,7 +236,7 @@ impl<'s> LoweredSpheres<'s> {
         Ok(lowered)
     }
 
-    /// Sets down to the mean direction into the floor while the plates measure a force.
+    /// Sets the direction down to the mean direction into the floor in the frames in which the plates measured a force.
     fn turn_to_floor(&mut self, feet: &[Foot], measured: &MeasuredForces) {
         for (foot, plates) in feet.iter().zip(&measured.feet) {
             for &pair in &foot.pairs {
@@ -255,7 +260,7 @@ impl<'s> LoweredSpheres<'s> {
         }
     }
 
-    /// The change of a contact's value per metre along each axis of the sphere's body.
+    /// The change of one number of a contact per metre of the sphere's move along each axis of its body.
     fn change_per_axis(&self, frame: usize, pair: usize, value: impl Fn(&ContactState) -> f64) -> DVec3 {
         let of = |states: &ContactStates| states.frame(frame).get(pair).map(&value);
         let difference = |(moved, unmoved): (f64, f64)| moved - unmoved;
