@@ -1,4 +1,4 @@
-//! Requests from the words of a command line: the parser of a verb, made from the register, and what it read.
+//! Requests from the arguments of a command line: makes the parser of a verb from the register of options, and reads its results.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -15,30 +15,30 @@ use crate::request::{Request, check_value, relations_of, silent_fields, verb_ent
 use crate::spell::CommandLine;
 use crate::values::{assignment, path};
 
-/// Models and assignments, which `set` has in one list of words.
+/// Name of the argument list of `set`, which has models and assignments.
 const MODELS_AND_ASSIGNMENTS: &str = "items";
 
-/// The place of options that come after all usual ones under a heading of the help.
+/// Position in the help of rarely used options: after the usual options under the same heading.
 const ORDER_OF_LAST: usize = 1000;
 
-/// Adds the options of `verb`; with their texts where the parser has a help.
+/// Adds the options of `verb` to the parser, with their help texts if the parser has a help.
 ///
-/// The parser knows which options are required and which exclude each other. What an option needs it is not taught: clap forgets that
-/// where the other one is excluded by a third, so that [`read`] checks it.
+/// The parser checks required options and options that exclude each other. [`read`] checks the options that need another option,
+/// because clap ignores this condition if a third option excludes the other one.
 pub fn with_options(command: Command, verb: Verb) -> Command {
     let has_help = !command.is_disable_help_flag_set();
     let fields = silent_fields(verb);
     let has_items = fields.contains_key("set");
-    let command = if has_items { command.arg(items()) } else { command };
+    let command = if has_items { command.arg(models_and_assignments()) } else { command };
     let options = fields.into_iter().filter_map(|(name, silent)| Some((option_named(verb, &name)?, silent)));
     let options = options.filter(|(option, _)| !has_items || !["models", "set"].contains(&option.name));
     command.args(options.map(|(option, silent)| {
-        let argument = related(argument(verb, &option), verb);
+        let argument = with_conditions(argument(verb, &option), verb);
         if has_help { with_texts(argument, &option, &silent) } else { argument }
     }))
 }
 
-fn items() -> Arg {
+fn models_and_assignments() -> Arg {
     Arg::new(MODELS_AND_ASSIGNMENTS)
         .value_name("MODEL|PROPERTY=VALUE|PROPERTY=xFACTOR")
         .required(true)
@@ -67,7 +67,7 @@ fn argument(verb: Verb, option: &Entry) -> Arg {
     };
     match option.takes {
         OptionValue::Choice(words) => {
-            argument.value_parser(PossibleValuesParser::new(words.iter().map(possible)))
+            argument.value_parser(PossibleValuesParser::new(words.iter().map(possible_value)))
         }
         _ if option.is_path() => argument.value_parser(value_parser!(PathBuf)),
         _ => argument
@@ -75,13 +75,13 @@ fn argument(verb: Verb, option: &Entry) -> Arg {
     }
 }
 
-fn possible((word, meaning): &(&'static str, &'static str)) -> PossibleValue {
+fn possible_value((word, meaning): &(&'static str, &'static str)) -> PossibleValue {
     let word = PossibleValue::new(*word);
     if meaning.is_empty() { word } else { word.help(*meaning) }
 }
 
-/// The argument with what it requires and excludes.
-fn related(argument: Arg, verb: Verb) -> Arg {
+/// The argument with its conditions: options that it requires or excludes.
+fn with_conditions(argument: Arg, verb: Verb) -> Arg {
     let name = argument.get_id().clone();
     let relations = relations_of(verb).iter().copied().flatten().filter(|relation| name == relation.field());
     relations.fold(argument, |argument, relation| match *relation {
@@ -92,7 +92,7 @@ fn related(argument: Arg, verb: Verb) -> Arg {
     })
 }
 
-/// The argument with its help, in the words of the command line, and with its default. The usual ones are first.
+/// The argument with its help text, in the words of the command line, and its default. Usual options come first.
 fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
     let spelled = |text: &'static str| Phrase::template(text).spelled(&CommandLine);
     let argument = argument.help(spelled(option.help)).hide(option.is_refused);
@@ -108,10 +108,11 @@ fn with_texts(argument: Arg, option: &Entry, silent: &Value) -> Arg {
     if option.is_rare { argument.hide_short_help(true).display_order(ORDER_OF_LAST) } else { argument }
 }
 
-/// The request that was typed for `verb`; `is_file` says which words name files, although they look like assignments.
+/// The request from the arguments for `verb`. `is_file` decides which arguments of `set` are names of files although they contain
+/// `=`.
 ///
 /// # Errors
-/// An option that says nothing without another one; of `set`, an unknown property or a value that is not a number.
+/// An option without another option that it needs; for `set`, an unknown property or a value that is not a number.
 pub fn read(
     verb: Verb,
     matches: &ArgMatches,
@@ -122,7 +123,7 @@ pub fn read(
     let mut words: Vec<&OsString> = Vec::new();
     for name in matches.ids().map(clap::Id::as_str).filter(|name| is_typed(name)) {
         match option_named(verb, name) {
-            Some(option) => drop(fields.insert(name.to_owned(), typed(&option, matches))),
+            Some(option) => drop(fields.insert(name.to_owned(), typed_value(&option, matches))),
             None => words.extend(matches.get_many::<OsString>(name).into_iter().flatten()),
         }
     }
@@ -145,8 +146,8 @@ pub fn read(
     }
 }
 
-/// The typed value of an option, as requests have it.
-fn typed(option: &Entry, matches: &ArgMatches) -> Value {
+/// The value of an option on the command line, as a value in JSON.
+fn typed_value(option: &Entry, matches: &ArgMatches) -> Value {
     let name = option.name;
     if option.takes == OptionValue::Flag {
         return true.into();

@@ -1,4 +1,5 @@
-//! Requests from dictionaries: every field by its name, no name twice, and what is wrong with the first that is.
+//! Requests from dictionaries: reads every field by its name, refuses a name that occurs twice, and reports the first wrong
+//! field.
 
 use std::fmt;
 
@@ -8,13 +9,13 @@ use serde_json::{Map, Number, Value};
 
 use crate::fault::{Relation, RequestFault};
 
-/// A name that is this like another was probably meant.
+/// The largest number of wrong letters in a field name for which the right name is suggested.
 const MOST_WRONG_LETTERS: usize = 2;
 
-/// Reads a request from its fields. A field that is null counts as absent. Of `relations`, only those that are `checked` must hold.
+/// Reads a request from its fields. A null field counts as absent. Only the `relations` that satisfy `checked` are checked.
 ///
 /// # Errors
-/// A field that does not exist, a value that cannot be taken, or fields that do not go together.
+/// An unknown field, a value of the wrong form, or fields that contradict or need each other.
 pub(crate) fn read<T>(
     fields: Map<String, Value>,
     relations: &[&[Relation]],
@@ -23,9 +24,9 @@ pub(crate) fn read<T>(
 where
     T: Default + Serialize + DeserializeOwned,
 {
-    let known = map(&T::default());
+    let known = all_fields(&T::default());
     if let Some(field) = fields.keys().find(|field| !known.contains_key(*field)) {
-        let nearest = nearest(field, &known);
+        let nearest = nearest_field(field, &known);
         return Err(RequestFault::UnknownField { field: field.clone(), nearest });
     }
     let fields: Map<String, Value> = fields.into_iter().filter(|(_, value)| !value.is_null()).collect();
@@ -36,10 +37,10 @@ where
     }
 }
 
-/// Checks that the fields of a request go together.
+/// Checks the relations between the fields of a request.
 ///
 /// # Errors
-/// The first that do not.
+/// The first violated relation.
 pub(crate) fn check<T: Default + Serialize>(
     request: &T,
     relations: &[&[Relation]],
@@ -49,12 +50,12 @@ pub(crate) fn check<T: Default + Serialize>(
 
 /// The fields of a request that differ from their defaults.
 pub(crate) fn given_fields<T: Default + Serialize>(request: &T) -> Map<String, Value> {
-    let silent = map(&T::default());
-    map(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
+    let silent = all_fields(&T::default());
+    all_fields(request).into_iter().filter(|(name, value)| silent.get(name) != Some(value)).collect()
 }
 
-/// The request as a dictionary that has every field.
-pub(crate) fn map(request: &impl Serialize) -> Map<String, Value> {
+/// The request as a dictionary with all its fields.
+pub(crate) fn all_fields(request: &impl Serialize) -> Map<String, Value> {
     match serde_json::to_value(request) {
         Ok(Value::Object(fields)) => fields,
         // Requests are structs: nothing else can result.
@@ -98,36 +99,36 @@ fn check_fields(
 /// Checks one field of a request.
 ///
 /// # Errors
-/// Its value cannot be taken: what was expected.
+/// The value has the wrong form; the message gives the expected form.
 pub(crate) fn check_value<T: DeserializeOwned>(name: &str, value: Value) -> Result<(), String> {
     let alone = Map::from_iter([(name.to_owned(), value)]);
     serde_json::from_value::<T>(Value::Object(alone)).map(drop).map_err(|error| error.to_string())
 }
 
-/// The first field whose value cannot be taken: each is tried alone.
+/// The fault for the first field whose value has the wrong form: each field is read alone.
 fn bad_value<T: DeserializeOwned>(fields: &Map<String, Value>, error: &serde_json::Error) -> RequestFault {
     for (name, value) in fields {
         if let Err(why) = check_value::<T>(name, value.clone()) {
             let (value, reason) = bad_item::<T>(name, value).unwrap_or((value, why));
-            return RequestFault::BadValue { field: name.clone(), value: as_given(value), reason };
+            return RequestFault::BadValue { field: name.clone(), value: value_for_message(value), reason };
         }
     }
     RequestFault::general(error.to_string())
 }
 
-/// A value for a message. Objects are assignments, so that no front end shows the braces of JSON.
-fn as_given(value: &Value) -> String {
+/// A value as text for a message. An object is shown as assignments, without the braces of JSON.
+fn value_for_message(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Object(entries) if !entries.is_empty() => {
-            let assigned = |(name, value): (&String, &Value)| format!("{name}={}", as_given(value));
+            let assigned = |(name, value): (&String, &Value)| format!("{name}={}", value_for_message(value));
             entries.iter().map(assigned).collect::<Vec<_>>().join(" ")
         }
         other => other.to_string(),
     }
 }
 
-/// The first item of a list that cannot be taken, and why.
+/// The first item of a list that has the wrong form, and the error message for it.
 fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'v Value, String)> {
     // Where no list can be taken, the list is what is wrong.
     check_value::<T>(name, Value::Array(Vec::new())).ok()?;
@@ -135,8 +136,8 @@ fn bad_item<'v, T: DeserializeOwned>(name: &str, value: &'v Value) -> Option<(&'
     value.as_array()?.iter().find_map(|item| Some((item, wrong(item)?)))
 }
 
-/// The name of the field that `field` probably means.
-fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
+/// The known field with the name nearest to `field`.
+fn nearest_field(field: &str, known: &Map<String, Value>) -> Option<String> {
     let likely = |name: &&String| {
         name.starts_with(field)
             || field.starts_with(name.as_str())
@@ -150,7 +151,7 @@ fn nearest(field: &str, known: &Map<String, Value>) -> Option<String> {
 /// Reads a JSON text.
 ///
 /// # Errors
-/// It is not JSON, or an object in it has a name twice.
+/// The text is not JSON, or an object in it has the same name twice.
 pub(crate) fn from_slice(text: &[u8]) -> Result<Value, serde_json::Error> {
     let mut reader = serde_json::Deserializer::from_slice(text);
     let value = UniqueFields.deserialize(&mut reader)?;
@@ -225,13 +226,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn it_reads_what_serde_json_reads() {
+    fn unique_fields_are_read_as_by_serde_json() {
         let text = br#"{"a": [1, -2, 2.5, 1e300, null, true, "\u00e4", {}], "b": {"a": []}}"#;
         assert_eq!(from_slice(text).unwrap(), serde_json::from_slice::<Value>(text).unwrap());
     }
 
     #[test]
-    fn a_name_that_is_there_twice_is_refused_at_any_depth() {
+    fn a_name_that_occurs_twice_is_refused_at_any_depth() {
         for text in [r#"{"a": 1, "a": 1}"#, r#"[{"b": {"a": 1, "c": 2, "a": null}}]"#] {
             let error = from_slice(text.as_bytes()).unwrap_err().to_string();
             assert!(error.contains("'a' appears twice at line 1"), "{error}");

@@ -1,4 +1,4 @@
-//! What can be wrong with a request before any model is read, and what options need and exclude.
+//! Faults of a request that are known before a model is read, and the conditions between options.
 
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
@@ -17,13 +17,13 @@ pub enum RequestFault {
         field: String,
         /// The value of the field as the caller gave it.
         value: String,
-        /// What was expected, in words.
+        /// The expected form of the value, in words.
         reason: String,
     },
     Missing {
         field: &'static str,
     },
-    /// A field has no meaning without another.
+    /// A field that has no meaning without another field.
     Needs {
         /// Name of the field that is given.
         field: &'static str,
@@ -35,27 +35,27 @@ pub enum RequestFault {
         field: &'static str,
         other: &'static str,
     },
-    /// The request makes no sense, whatever the model.
+    /// A request that makes no sense for any model.
     Refused {
-        /// The field that it is about, where it is one.
+        /// The input that causes the refusal, if it is a single one.
         input: Option<Input>,
-        /// Why the request is refused, and what to do.
+        /// The reason for the refusal, and advice.
         message: Phrase,
     },
 }
 
 impl RequestFault {
-    /// A request that makes no sense because of `input`.
+    /// A refused request because of `input`.
     pub fn refused(input: Input, message: impl Into<Phrase>) -> Self {
         Self::Refused { input: Some(input), message: message.into() }
     }
 
-    /// A refusal because of several inputs or of none.
+    /// A refused request because of several inputs or of none.
     pub fn general(message: impl Into<Phrase>) -> Self {
         Self::Refused { input: None, message: message.into() }
     }
 
-    /// The name of the field that it is about, where it is one.
+    /// The name of the field that the fault is about, if it is about a single field.
     pub fn field(&self) -> Option<&str> {
         match self {
             Self::UnknownField { field, .. } | Self::BadValue { field, .. } => Some(field),
@@ -64,7 +64,7 @@ impl RequestFault {
         }
     }
 
-    /// The message of the fault; inputs in it are data, for a spelling.
+    /// The message of the fault; its inputs are data, which each dialect spells in its own way.
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::UnknownField { field, nearest: Some(nearest) } => {
@@ -95,7 +95,7 @@ impl RequestFault {
     }
 }
 
-/// A field as front ends know it.
+/// A field name as a phrase, which each front end spells in its own way.
 fn name_of_field(field: &str) -> Phrase {
     match Input::named(field) {
         Some(input) => input.into(),
@@ -111,11 +111,11 @@ impl std::fmt::Display for RequestFault {
 
 impl std::error::Error for RequestFault {}
 
-/// Why a request cannot be begun: the request or a file. A match on it is complete, so that no error is lost.
+/// The reason why a request cannot be started: the request is wrong, or a file.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestError {
     Fault(RequestFault),
-    /// A file that it needs cannot be used.
+    /// A file of the request cannot be used.
     Failure(Failure),
 }
 
@@ -133,20 +133,20 @@ impl From<Failure> for RequestError {
 
 // What options need and exclude: the same for the words of a command line and for a dictionary.
 
-/// How options depend on each other; each is named by its field.
+/// A condition between options, each given by its field name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Relation {
     /// The field must be given.
     Required(&'static str),
-    /// The field is required in a dictionary; the command line asks for it in its own words.
+    /// The field is required in a dictionary; on the command line, it has a message of its own.
     Expected(&'static str),
-    /// The field is required if the other is absent.
+    /// The first field is required if the second is absent.
     RequiredUnless(&'static str, &'static str),
-    /// The field is required without the other, and the command line asks for it in its own words.
+    /// The first field is required if the second is absent; on the command line, the first has a message of its own.
     ExpectedUnless(&'static str, &'static str),
-    /// The field has no meaning without the other.
+    /// The first field has no meaning without the second.
     Needs(&'static str, &'static str),
-    /// Only one of the two can be given.
+    /// Only one of the two fields can be given.
     Excludes(&'static str, &'static str),
 }
 

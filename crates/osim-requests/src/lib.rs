@@ -1,7 +1,7 @@
-//! What can be asked of the contacts of OpenSim models: values, options, and a request for each verb.
+//! Requests about the contacts of OpenSim models: values, options, and a request type for each verb.
 //!
-//! A request is checked once, wherever its fields come from: the words of a command line (with the feature `clap`), a
-//! dictionary (JSON, Python's keywords, a form on a page), or Rust.
+//! A request is checked in the same way for all sources of its fields: the arguments of a command line (with the feature `clap`),
+//! a dictionary (JSON, Python's keywords, a form on a page), or Rust.
 //!
 //! ```
 //! use osim_requests::{Kilograms, Request};
@@ -14,8 +14,8 @@
 //!
 //! # What it will not do
 //!
-//! It reads no model, plans nothing, and knows no disk and no terminal. What is wrong with a request is a [`RequestFault`], in
-//! which fields are data that each front end spells.
+//! This crate reads no model, plans no change, and uses no disk and no terminal. An error of a request is a [`RequestFault`]; its
+//! fields are data that each front end spells in its own way.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 #[cfg(feature = "clap")]
@@ -41,7 +41,7 @@ pub use crate::values::{
     Span, Speed, SpheresOfFoot, Steps, Threshold, assignment,
 };
 
-/// The example of the README compiles.
+/// The example of the README, which must compile.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

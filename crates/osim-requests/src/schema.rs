@@ -1,9 +1,9 @@
 //! Schemas of requests, from their types and the register.
 //!
-//! Beside the words of JSON Schema they have some of their own, for what is made from them: `x-changes`, the place of the verb among
-//! those that change models which they name; `x-positional`, the fields that a call has without their names; `x-group`, what a field is about that says nothing
-//! about contacts; and `x-of-run`, where it is about a whole run, and no row of a table can have its own. What fields and conditions
-//! repeat is in `$defs`.
+//! Besides the keywords of JSON Schema, the schemas have some of their own. `x-changes` is the position of the verb among the
+//! verbs that change named models. `x-positional` lists the fields that a call has without their names. `x-group` is the subject
+//! of a field that does not describe contacts. `x-of-run` marks a field for a whole run, which a row of a table cannot have.
+//! Repeated parts of fields and conditions are in `$defs`.
 
 use osim_model::messages::Verb;
 use schemars::Schema;
@@ -26,7 +26,7 @@ pub fn schema_of(verb: Verb) -> Schema {
         properties.extend(fields.into_iter().map(|(name, schema)| {
             let option = option_named(verb, &name);
             names_files |= option.is_some_and(|option| option.is_path());
-            (name, option.map_or(schema.clone(), |option| described(&option, schema)))
+            (name, option.map_or(schema.clone(), |option| with_register_texts(&option, schema)))
         }));
     }
     if !verb_entry(verb).positional.is_empty() {
@@ -73,8 +73,8 @@ pub fn schema_of(verb: Verb) -> Schema {
     schema
 }
 
-/// The schema of a field as its type has it, with what the register says of it.
-fn described(option: &Entry, of_type: Value) -> Value {
+/// The schema of a field by its type, with the texts of the register.
+fn with_register_texts(option: &Entry, of_type: Value) -> Value {
     let mut schema = json!({"description": null});
     let file = json!({"$ref": "#/$defs/Path"});
     // What says nothing may be null.
@@ -96,7 +96,7 @@ fn described(option: &Entry, of_type: Value) -> Value {
     schema
 }
 
-/// The condition that `field` is given. It is defined once in the schema.
+/// The condition that `field` is given; it is defined once in the schema.
 fn is_given(field: &str, definitions: &mut Map<String, Value>) -> Value {
     let any = || {
         json!({

@@ -1,4 +1,4 @@
-//! Calls that people can copy: what is spelled as a command is the same request to the command's parser.
+//! Tests of calls that users can copy: the parser of the command line reads the same request from a spelled command.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -17,7 +17,7 @@ fn command_line_of(request: &Request) -> String {
     CommandLine.request(request)
 }
 
-/// The request that the command would make of a line.
+/// The request that the program reads from a command line.
 fn read_back(line: &str) -> Request {
     let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
     assert_eq!(words[0], "osim-contact-scale");
@@ -31,7 +31,7 @@ fn parser(verb: Verb) -> Command {
     with_options(Command::new(verb.name()), verb)
 }
 
-/// A value of each field that is not the one by default.
+/// For each field, a value that is not the default.
 const EXAMPLES: &str = r##"{
     "models": ["a.osim", "my models/b.osim"], "from": "my generic.osim", "to": "hunt-crossley",
     "set": {"stiffness": "x2", "dissipation": 1.5, "radius": "x0.5"},
@@ -65,7 +65,7 @@ const EXAMPLES: &str = r##"{
     "fit": ["height"], "unbounded": true, "height_in": "spheres"
 }"##;
 
-/// A value for a field where the register's example does not fit this verb.
+/// A value of a field for a verb to which the value in [`EXAMPLES`] does not apply.
 fn example_of(verb: Verb, field: &str) -> Option<Value> {
     match (verb, field) {
         (Verb::Plot, "stiffness" | "dissipation") => Some("x0.5..x2/3".into()),
@@ -74,7 +74,7 @@ fn example_of(verb: Verb, field: &str) -> Option<Value> {
     }
 }
 
-/// Fields without which `field` has no meaning, as the schema has it.
+/// The fields that `field` needs, by the schema.
 fn fields_needed_by<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
     let rules = schema["allOf"].as_array().into_iter().flatten();
     let given = |rule: &'s Value| rule["$ref"].as_str()?.strip_prefix("#/$defs/")?.strip_suffix("_given");
@@ -82,7 +82,7 @@ fn fields_needed_by<'s>(schema: &'s Value, field: &str) -> Vec<&'s str> {
     needs.filter_map(|rule| given(&rule["anyOf"][1])).collect()
 }
 
-/// An example of a request of `verb` that has `field`, and every field without which that one has no meaning.
+/// An example of a request of `verb` with `field` and every field that `field` needs.
 fn example_request_with_field(verb: Verb, schema: &Value, field: &str) -> Value {
     let examples: Map<String, Value> = serde_json::from_str(EXAMPLES).unwrap();
     let mut said = json!({"verb": verb.name()});
@@ -113,7 +113,7 @@ fn example_request_with_field(verb: Verb, schema: &Value, field: &str) -> Value 
 }
 
 #[test]
-fn every_field_of_every_verb_comes_back() {
+fn every_spelled_field_of_every_verb_is_read_back() {
     for &verb in Verb::ALL {
         let schema = schema_of(verb).to_value();
         for field in schema["properties"].as_object().unwrap().keys().filter(|field| *field != "verb") {
@@ -125,9 +125,10 @@ fn every_field_of_every_verb_comes_back() {
     }
 }
 
-/// Fields that have no name in calls have none on the command line, but for `set`, which has models and assignments in one list.
+/// Fields without a name in calls have no option on the command line; the exception is `set`, which has models and assignments in
+/// one list.
 #[test]
-fn what_has_no_name_has_none_on_a_command_line() {
+fn positional_fields_have_no_option_on_a_command_line() {
     for &verb in Verb::ALL.iter().filter(|verb| **verb != Verb::Set) {
         let command = parser(verb);
         let taken: Vec<&str> = command.get_positionals().map(|argument| argument.get_id().as_str()).collect();
@@ -164,7 +165,7 @@ fn lists_are_one_word_with_commas_where_an_option_takes_one() {
 }
 
 #[test]
-fn texts_with_quotes_and_blanks_come_back() {
+fn texts_with_quotes_and_blanks_are_read_back() {
     for text in [
         "a b",
         "it's",
@@ -214,7 +215,7 @@ fn texts_with_quotes_and_blanks_come_back() {
 }
 
 #[test]
-fn hard_names_of_bodies_come_back() {
+fn unusual_body_names_are_read_back() {
     for body in ["foot l", "it's", r#"12""#, "$a", "-a", "Fuß", "a,b"] {
         let request = request_of_json(&json!({
             "verb": "add", "models": "a.osim", "from": "b.osim", "body_scale": {body: [1.1, 1e-6, 3]}, "body_map": [format!("{body}={body}")],
@@ -238,22 +239,22 @@ fn a_calculation_has_no_model() {
 }
 
 #[track_caller]
-fn is_in_python(json: &Value, expected: &[&str]) {
+fn assert_python(json: &Value, expected: &[&str]) {
     let lines = Python.script(&request_of_json(json));
     assert_eq!(lines.lines().skip(2).collect::<Vec<_>>(), expected);
 }
 
 #[test]
-fn what_writes_nothing_is_printed_in_python() {
-    is_in_python(
+fn a_result_without_a_file_is_printed_in_python() {
+    assert_python(
         &json!({"verb": "inspect", "models": "~a.osim", "spheres": 6, "full": true}),
         &[r#"result = ocs.inspect("./~a.osim", spheres=6)"#, "print(result.models)"],
     );
-    is_in_python(
+    assert_python(
         &json!({"verb": "note", "models": "a.osim", "contacts_mass": 62.5, "dry_run": true, "diff": true}),
         &[r#"result = ocs.note("a.osim", contacts_mass=62.5)"#, "print(result)", "print(result.diff())"],
     );
-    is_in_python(
+    assert_python(
         &json!({"verb": "check", "models": ["a.osim", "b.osim"], "from": "g.osim", "deny": "warning", "report": "p.html",
             "force": true}),
         &[
@@ -265,14 +266,14 @@ fn what_writes_nothing_is_printed_in_python() {
 
 #[test]
 fn many_models_are_changed_at_once_in_python() {
-    is_in_python(
+    assert_python(
         &json!({"verb": "set", "models": ["a.osim", "b.osim"], "set": {"stiffness": "x2"}, "output_dir": "out", "diff": true}),
         &[
             r#"result = ocs.many("set", ["a.osim", "b.osim"], stiffness="x2", output_dir="out")"#,
             "print(result)",
         ],
     );
-    is_in_python(
+    assert_python(
         &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "summary": "run.csv", "resume": true}),
         &[
             r#"result = ocs.many("transfer", ["a.osim"], from_="g.osim", summary="run.csv", resume=True)"#,

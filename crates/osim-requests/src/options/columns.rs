@@ -1,4 +1,4 @@
-//! Columns of a measurement, and their units.
+//! Options for the columns of a measurement, and their units.
 
 use serde::{Deserialize, Serialize};
 
@@ -120,6 +120,6 @@ impl Default for ColumnOptions {
 }
 
 impl ColumnOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the column options.
     pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Excludes("speed_column", "time_column")];
 }

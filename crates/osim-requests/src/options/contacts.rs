@@ -1,4 +1,4 @@
-//! Numbers of a contact: those that are wanted or known, those of new contacts, and those of a fall.
+//! Options with numbers of a contact: wanted or known numbers, numbers of new contacts, and numbers of a fall.
 
 use contact_scaling::SmoothingValues;
 use osim_model::messages::{Input, phrase};
@@ -31,7 +31,7 @@ pub struct WantedOptions {
 }
 
 impl WantedOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for a wanted contact.
     pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("young", "poisson"),
         Relation::Needs("poisson", "young"),
@@ -39,12 +39,12 @@ impl WantedOptions {
         Relation::Needs("impact_speed", "restitution"),
     ];
 
-    /// The rule for the radius, where it is given.
+    /// The rule for the radius, if given.
     pub fn radius(&self) -> Option<RadiusRule> {
         self.radius.map(Radius::rule)
     }
 
-    /// Whether something is given that a contact would follow from.
+    /// Whether an option is given from which a contact can be computed.
     pub fn asks(&self) -> bool {
         self.indentation.is_some()
             || self.young.is_some()
@@ -79,7 +79,7 @@ pub struct NumberOptions {
 }
 
 impl NumberOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for the numbers of new contacts.
     pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("young", "poisson"),
         Relation::Needs("poisson", "young"),
@@ -137,7 +137,7 @@ pub struct ContactNumbers {
 }
 
 impl ContactNumbers {
-    /// The numbers that are given of the contact itself.
+    /// The given inputs that describe the contact itself, without gravity.
     pub fn given(&self) -> Vec<Input> {
         let all = [
             (Input::Radius, self.radius.is_some()),
@@ -150,10 +150,10 @@ impl ContactNumbers {
         all.into_iter().filter(|(_, given)| *given).map(|(input, _)| input).collect()
     }
 
-    /// The smoothing, where it is given.
+    /// The smoothing of the contact, if given.
     ///
     /// # Errors
-    /// Some of its three numbers are missing.
+    /// Only one or two of the three smoothing numbers are given.
     pub fn smoothing(&self) -> Result<Option<SmoothingValues>, RequestFault> {
         match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {
             (None, None, None) => Ok(None),

@@ -1,4 +1,4 @@
-//! How a model is inspected: which forces, which mass, and how many spheres share which load.
+//! Options for the inspection of a model: the forces, the mass, and the spheres that share a load.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -98,12 +98,12 @@ impl CountOptions {
         self.spheres.map(Count::get)
     }
 
-    /// Limbs that share the weight: as said, else as `noted` in the model, else one.
+    /// Number of limbs that share the weight: the given number, else the number `noted` in the model, else 1.
     pub fn stance_limbs(&self, noted: Option<f64>) -> f64 {
         self.stance_limbs.map(Count::get).or(noted).unwrap_or(1.0)
     }
 
-    /// The options with what else figures are made for.
+    /// Options for figures of these spheres and limbs, with the impact speed and gravity.
     pub fn stance_options(
         &self,
         impact_speed: Option<Positive>,
@@ -135,10 +135,10 @@ pub struct LoadOptions {
 }
 
 impl LoadOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for the load.
     pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Excludes("load", "body_weights")];
 
-    /// The load in body weights, if none is given in newtons.
+    /// The load in body weights, for a load that is not given in newtons.
     pub fn body_weights(&self) -> f64 {
         self.body_weights.map_or(1.0, Positive::get)
     }

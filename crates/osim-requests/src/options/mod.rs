@@ -1,4 +1,4 @@
-//! Groups of options that several verbs share, as the help shows them.
+//! Groups of options that several verbs share; the help has a heading for each group.
 
 mod columns;
 mod contacts;

@@ -1,4 +1,4 @@
-//! How a run goes about its work, where results go, and answers to what it asks.
+//! Options for the work of a run, for the places of its results, and for answers to its questions.
 
 use std::path::{Path, PathBuf};
 
@@ -89,7 +89,7 @@ pub struct RunOptions {
 }
 
 impl RunOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for a run.
     pub(crate) const RELATIONS: &'static [Relation] =
         &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
 
@@ -109,7 +109,7 @@ pub struct ReportOptions {
 }
 
 impl ReportOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for a report.
     pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Needs("force", "report")];
 }
 
@@ -131,10 +131,10 @@ pub struct OutputOptions {
 }
 
 impl OutputOptions {
-    /// The default ending of names of results, before their extension.
+    /// The default suffix of result names, before their extension.
     pub const MARK: &'static str = ".scaled";
 
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for results.
     pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Excludes("output_dir", "output"),
         Relation::Excludes("in_place", "output"),
@@ -143,12 +143,13 @@ impl OutputOptions {
         Relation::Needs("no_backup", "in_place"),
     ];
 
-    /// Whether a factor may be applied to a model whose note says that it was applied already: a new file is no mistake.
+    /// Whether a factor may be applied again to a model whose note says that it was applied already: true if the model itself
+    /// is not overwritten, or with `force`.
     pub fn may_repeat(&self) -> bool {
         self.force || !self.in_place
     }
 
-    /// Where a result goes by default: `NAME.scaled.osim` beside the model.
+    /// The default file of a result: `NAME.scaled.osim` beside the model.
     pub fn beside(model: &Path) -> PathBuf {
         let mut name = model.file_stem().unwrap_or_default().to_owned();
         name.push(Self::MARK);
@@ -159,7 +160,7 @@ impl OutputOptions {
         model.with_file_name(name)
     }
 
-    /// Where the changed geometry set of a standalone force set goes.
+    /// The file for the changed geometry set of a standalone force set.
     pub fn of_geometry(&self, geometry: &Path) -> PathBuf {
         match (&self.geometry_output, &self.output_dir) {
             _ if self.in_place => geometry.to_owned(),
@@ -181,7 +182,7 @@ pub struct AnswerOptions {
 }
 
 impl AnswerOptions {
-    /// Options that answer the questions `yes` and nothing else.
+    /// Options that answer the questions `yes` and no others.
     pub fn new(yes: Vec<Question>) -> Self {
         Self { yes }
     }
@@ -191,7 +192,7 @@ impl AnswerOptions {
         self.yes.contains(&question)
     }
 
-    /// Asks, unless it is answered or there is nothing to ask.
+    /// Asks the question, unless it is answered already or there is none.
     ///
     /// # Errors
     /// The question.

@@ -1,4 +1,4 @@
-//! Options for what changes, how, and by which reference.
+//! Options for the properties that change, the rules of the change, and the reference.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -68,11 +68,11 @@ pub struct ScalingOptions {
 }
 
 impl ScalingOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for scaling.
     pub(crate) const RELATIONS: &'static [Relation] =
         &[Relation::Needs("level_axis", "level"), Relation::Needs("contacts_gravity", "target_gravity")];
 
-    /// Refuses a choice of properties that leaves nothing.
+    /// Refuses a choice of properties that contains no property.
     pub fn check(&self) -> Result<(), RequestFault> {
         let never =
             self.only.iter().find(|p| matches!(p, Property::StaticFriction | Property::DynamicFriction));
@@ -106,7 +106,7 @@ impl ScalingOptions {
         all.restricted(&self.only, &self.keep)
     }
 
-    /// Where up is, if bottoms are to stay.
+    /// The axis up, if the lowest points of spheres are to stay; `gravity` is that of the model.
     pub fn level_axis(&self, gravity: Option<[f64; 3]>) -> Option<LevelAxis> {
         let axis = || self.level_axis.map_or_else(|| LevelAxis::of_gravity(gravity), AxisChoice::axis);
         self.level.then(axis)
@@ -168,7 +168,7 @@ pub struct FollowOptions {
 }
 
 impl FollowOptions {
-    /// Which of its fields need or exclude others.
+    /// Conditions between the options for spheres that follow their bodies.
     pub(crate) const RELATIONS: &'static [Relation] = &[
         Relation::Needs("body_scale_file", "follow_bodies"),
         Relation::Needs("body_scale", "follow_bodies"),
@@ -178,7 +178,7 @@ impl FollowOptions {
         Relation::Needs("height_ratio", "rule"),
     ];
 
-    /// Factors that the caller gave, by the names of bodies.
+    /// The scale factors given by the caller, by names of bodies.
     pub fn given(&self) -> BTreeMap<String, [f64; 3]> {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
     }

@@ -1,77 +1,77 @@
-//! An entry of the register, and how it is written.
+//! An entry of the register: an option, with its help text and the form of its values.
 
 use osim_model::messages::Input;
 
 use crate::values::serial::Words;
 
-/// An option as one verb has it.
+/// An option as it is in the register for one verb.
 #[derive(Debug, Clone, Copy)]
 pub struct Entry {
     /// Name of the option as a field of requests.
     pub name: &'static str,
     /// Help of the option, in plain words; other fields are in `backticks`.
     pub help: &'static str,
-    /// The heading under which the help has it; empty for what this verb alone has.
+    /// The heading of the option in the help; empty for an option that only this verb has.
     pub heading: &'static str,
     pub takes: OptionValue,
     pub list: List,
-    /// Name of the value in the help; empty for the name of the option.
+    /// Name of the value in the help; if empty, the name of the option is used.
     pub value_name: &'static str,
     pub short: Option<char>,
-    /// A value may begin with a hyphen, as a negative number does.
+    /// Whether a value may begin with a hyphen, as a negative number does.
     pub is_signed: bool,
-    /// Few calls need it: the short help leaves it out.
+    /// Whether few calls need the option: the short help omits it.
     pub is_rare: bool,
-    /// The verb refuses the option, or the option changes nothing: the help leaves it out.
+    /// Whether the verb refuses the option, or ignores it: the help omits it.
     pub is_refused: bool,
-    /// Subject of the option, if it says nothing about contacts.
+    /// Subject of the option, if it does not describe contacts.
     pub group: Option<FieldGroup>,
-    /// The option is about a whole run, and not about one row of a table.
+    /// Whether the option is for a whole run, and not for one row of a table.
     pub is_of_run: bool,
 }
 
 /// The kind of value that an option takes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OptionValue {
-    /// The option has no value: its name alone says it.
+    /// No value: the presence of the option means yes.
     Flag,
     /// A number or any text.
     Text,
-    /// One of the words that are listed.
+    /// One word of a list.
     Choice(Words),
-    /// The name of a file that is read, of a model, or of a preset.
+    /// The name of a file to read, of a model, or of a preset.
     FileRead,
-    /// The name of a file that is written.
+    /// The name of a file to write.
     FileWritten,
     Folder,
     /// Properties of contacts, each with its value.
     Assignments,
 }
 
-/// How many values there are, and how a command line has several.
+/// Whether an option takes several values, and how a command line gives several.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum List {
     One,
     /// The option is repeated for each value.
     Repeated,
-    /// The values are one word, with commas between them.
+    /// The values are one argument, separated by commas.
     Commas,
 }
 
-/// Subject of an option that says nothing about contacts. A front end that has no files, no terminal, or one model at a time leaves such
-/// fields out: it asks here, or reads `x-group` in the schema, so that it needs no list of its own.
+/// Subject of an option that does not describe contacts. A front end without files, without a terminal, or for one model at a
+/// time omits the fields of such groups: it reads the group here or in `x-group` of the schema, and needs no list of its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FieldGroup {
-    /// Which files results are written to.
+    /// The files to which results are written.
     Output,
-    /// Work on many models in one call.
+    /// The work on many models in one call.
     Many,
-    /// How results are shown: on a terminal, and by an exit status.
+    /// The form in which results are shown, and the exit status.
     Shown,
 }
 
 impl FieldGroup {
-    /// Name of the kind of value in schemas.
+    /// Name of the group in schemas.
     #[cfg(feature = "schemas")]
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -82,7 +82,7 @@ impl FieldGroup {
     }
 }
 
-/// The field that an entry describes: an input, which messages can name, or an operand, which only requests name.
+/// The field of an entry: an input, which messages can name, or an operand, which only requests name.
 #[derive(Clone, Copy)]
 pub(super) enum Field<'n> {
     Input(Input),

@@ -1,5 +1,5 @@
-//! The register of options: what each takes, how it is called and shown, and what differs between verbs. The parser of the command
-//! line, schemas, tables and spelled calls read it.
+//! The register of options: their values, names, texts, and differences between verbs. The parser of the command line, schemas,
+//! tables and spelled calls read it.
 
 mod entry;
 mod options;
@@ -15,7 +15,7 @@ use entry::Field;
 pub use entry::{Entry, FieldGroup, List, OptionValue};
 use options::entry_of;
 
-/// The option of `verb` whose field has this name, if there is such an option.
+/// The option of `verb` for the field `name`; `None` if there is no such option.
 pub fn option_named(verb: Verb, name: &str) -> Option<Entry> {
     match Input::named(name) {
         Some(input) => entry_of(Field::Input(input), verb),
@@ -23,13 +23,13 @@ pub fn option_named(verb: Verb, name: &str) -> Option<Entry> {
     }
 }
 
-/// Whether an input is either so or not, without a value.
+/// Whether an input is a flag: given or not given, without a value.
 pub(crate) fn is_flag(input: Input) -> bool {
     entry_of(Field::Input(input), Verb::Rescale).is_some_and(|option| option.takes == OptionValue::Flag)
 }
 
 impl Request {
-    /// The option that names `file` as one to be read, if any does: standard input, for one, cannot be read twice.
+    /// The name of the option that reads `file`, if there is one. It matters for standard input, which cannot be read twice.
     pub fn option_that_reads(&self, file: &Path) -> Option<&'static str> {
         let file = path::to_value(file);
         let options = self.to_map().into_iter().filter(|(_, value)| match value {
@@ -46,7 +46,7 @@ mod tests {
     use super::*;
     use crate::request::silent_fields;
 
-    /// The options of all verbs that are of a group.
+    /// The names of the options of all verbs in a group.
     fn options_of(group: FieldGroup) -> Vec<&'static str> {
         let options = Verb::ALL.iter().flat_map(|&verb| {
             silent_fields(verb).into_iter().filter_map(move |(name, _)| option_named(verb, &name))

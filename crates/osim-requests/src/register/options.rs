@@ -1,4 +1,4 @@
-//! The entries: an option per paragraph, with its help, and the help of verbs for which it is about something else.
+//! The entries of the register: one option per paragraph, with its help, and other help texts for some verbs.
 
 use osim_model::messages::Input;
 use osim_model::messages::Verb::{
@@ -13,7 +13,7 @@ use crate::values::serial::Words;
 
 // Headings of the help.
 
-/// Of what a verb has alone, which the help lists first.
+/// The heading of options that only one verb has; the help lists them first.
 const OF_VERB_ALONE: &str = "";
 const MASSES: &str = "Masses";
 const CHANGES: &str = "What changes";
@@ -44,7 +44,7 @@ const fn format_words(verb: Verb) -> Words {
     }
 }
 
-/// Each row is `Input = what it takes, "help", Verb => "another help";`. An input without a row does not compile.
+/// Makes the entries from rows `Input = value, "help", Verb => "another help";`. An input without a row does not compile.
 macro_rules! entries {
     (
         ($field:expr, $verb:expr);

@@ -62,7 +62,7 @@ pub struct AddRequest {
 }
 
 impl AddRequest {
-    /// Whether the request says itself where the spheres are, in a table or by feet.
+    /// Whether the request gives the places of the spheres, in a table or by feet.
     pub fn has_places(&self) -> bool {
         self.contacts.is_some() || !self.feet.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Any request: as a dictionary, as JSON, and as the note of a changed model says it.
+//! Any request: from a dictionary, from and to JSON, and its text in the note of a changed model.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use osim_model::messages::Verb;
 use serde_json::error::Category;
 use serde_json::{Map, Value};
 
-use crate::dictionary::{self, map};
+use crate::dictionary::{self, all_fields};
 #[cfg(feature = "clap")]
 use crate::fault::Relation;
 use crate::fault::RequestFault;
@@ -18,18 +18,19 @@ impl Request {
     /// Reads the fields of a request for `verb`.
     ///
     /// # Errors
-    /// A field that the verb does not have, a value that cannot be taken, or fields that do not go together.
+    /// An unknown field of the verb, a value of the wrong form, or fields that contradict or need each other.
     pub fn read(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
         Self::read_checking(verb, fields, |_| true)
     }
 
-    /// Reads the fields that were typed, of which the parser of the command line checks whether they are required or exclude each other.
+    /// Reads the fields from a command line, whose parser has already checked required fields and fields that exclude each
+    /// other.
     #[cfg(feature = "clap")]
     pub(crate) fn read_typed(verb: Verb, fields: Map<String, Value>) -> Result<Self, RequestFault> {
         Self::read_checking(verb, fields, |relation| matches!(relation, Relation::Needs(..)))
     }
 
-    /// Mass options of a verb that changes models.
+    /// The mass options of a verb that changes models.
     pub fn masses_mut(&mut self) -> Option<&mut MassOptions> {
         Some(match self {
             Self::Rescale(request) => &mut request.masses,
@@ -51,10 +52,10 @@ const UTF8_MARK: &[u8] = b"\xEF\xBB\xBF";
 const UTF16_MARKS: [&[u8]; 2] = [b"\xFF\xFE", b"\xFE\xFF"];
 
 impl Request {
-    /// Reads a request from a JSON object that has its verb and its fields.
+    /// Reads a request from a JSON object with its verb and its fields.
     ///
     /// # Errors
-    /// It is not a JSON object, has no verb, or as [`Request::read`].
+    /// The bytes are not a JSON object, have no verb, or have a fault of [`Request::read`].
     pub fn from_json(bytes: &[u8]) -> Result<Self, RequestFault> {
         let text = bytes.strip_prefix(UTF8_MARK).unwrap_or(bytes);
         if UTF16_MARKS.iter().any(|mark| text.starts_with(mark)) {
@@ -70,10 +71,10 @@ impl Request {
         }
     }
 
-    /// Reads a request from a dictionary that has its verb and its fields.
+    /// Reads a request from a dictionary with its verb and its fields.
     ///
     /// # Errors
-    /// It has no verb, or as [`Request::read`].
+    /// The dictionary has no verb, or has a fault of [`Request::read`].
     pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
         let verb = fields.shift_remove(VERB_FIELD).ok_or(RequestFault::Missing { field: VERB_FIELD })?;
         let known = verb.as_str().and_then(Verb::named);
@@ -88,7 +89,7 @@ impl Request {
         Self::read(known, fields)
     }
 
-    /// The request as a JSON object, without fields that have their defaults.
+    /// The request as a JSON object, without fields that have their default values.
     pub fn to_json(&self) -> String {
         Value::Object(self.to_map()).to_string()
     }
@@ -96,28 +97,32 @@ impl Request {
 
 // What results follow from, and what the note of a changed model says of it.
 
-/// The fields that name the models which are changed.
+/// The fields with the names of the models to change.
 const FIELDS_OF_MODELS: [&str; 2] = ["models", "file"];
 
-/// Fields that the operation, the mass or the reference of a note gives: see `Step` of `osim-model`.
+/// Fields that are not in the list of options in a note, because its operation, mass or reference has them: see `Step` of
+/// `osim-model`.
 const FIELDS_NOTED_ELSEWHERE: [&str; 6] = ["verb", "models", "from", "target_mass", "set", "stance_limbs"];
 
 /// The parts of a request that the note of a changed model records.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct NoteDetails {
-    /// The options that decide which numbers result, as `name=value`: without files, masses and answers. Of files that are read, no
-    /// folders, because a model travels.
+    /// The options on which the new numbers depend, as `name=value`: without models, masses and answers. For files that are
+    /// read, only the name without folders, because a model is copied to other computers.
     pub options: String,
-    /// Limbs that share the body weight, where the request says so.
+    /// Limbs that share the body weight, if the request gives them.
     pub stance_limbs: Option<f64>,
 }
 
 impl Request {
-    /// The fields that say something and that results follow from: all, but for the models, where results go, how the work is done,
-    /// and answers, which only decide whether there is a result.
+    /// The given fields on which the numbers of a result depend. Not among them: the models, the places of results, the
+    /// options of a run, and answers to questions.
     pub fn settings(&self) -> Map<String, Value> {
-        let others =
-            [map(&AnswerOptions::default()), map(&OutputOptions::default()), map(&RunOptions::default())];
+        let others = [
+            all_fields(&AnswerOptions::default()),
+            all_fields(&OutputOptions::default()),
+            all_fields(&RunOptions::default()),
+        ];
         let is_other = |name: &String| {
             FIELDS_OF_MODELS.contains(&name.as_str()) || others.iter().any(|fields| fields.contains_key(name))
         };
@@ -127,11 +132,11 @@ impl Request {
     /// The parts of the request that the note of a changed model records.
     pub fn noted(&self) -> NoteDetails {
         let others = [
-            map(&AnswerOptions::default()),
-            map(&MassOptions::default()),
-            map(&OutputOptions::default()),
-            map(&RunOptions::default()),
-            map(&SetFiles::default()),
+            all_fields(&AnswerOptions::default()),
+            all_fields(&MassOptions::default()),
+            all_fields(&OutputOptions::default()),
+            all_fields(&RunOptions::default()),
+            all_fields(&SetFiles::default()),
         ];
         let is_elsewhere = |name: &str, value: &Value| match name {
             // A factor is in the operation.
@@ -145,20 +150,20 @@ impl Request {
         let said = self.to_map();
         let stance_limbs = said.get("stance_limbs").and_then(Value::as_f64);
         let noted = said.into_iter().filter(|(name, value)| !is_elsewhere(name, value));
-        let options = noted.map(|(name, value)| format!("{name}={}", in_a_word(&value)));
+        let options = noted.map(|(name, value)| format!("{name}={}", as_one_word(&value)));
         NoteDetails { options: options.collect::<Vec<_>>().join(" "), stance_limbs }
     }
 }
 
-fn in_a_word(value: &Value) -> String {
+fn as_one_word(value: &Value) -> String {
     match value {
         Value::String(text) => {
             let name = Path::new(text).file_name().unwrap_or_default().to_string_lossy().into_owned();
             trimmed(&name).replace(' ', "_")
         }
-        Value::Array(items) => items.iter().map(in_a_word).collect::<Vec<_>>().join(","),
+        Value::Array(items) => items.iter().map(as_one_word).collect::<Vec<_>>().join(","),
         Value::Object(fields) => {
-            let each = fields.iter().map(|(name, value)| format!("{name}:{}", in_a_word(value)));
+            let each = fields.iter().map(|(name, value)| format!("{name}:{}", as_one_word(value)));
             each.collect::<Vec<_>>().join(",")
         }
         other => other.to_string(),
@@ -175,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn what_decides_numbers_is_told_and_where_files_are_is_not() {
+    fn a_note_has_options_for_numbers_without_folders() {
         assert_noted(
             r#"{"verb": "rescale", "models": "/home/me/a.osim", "target_mass": 80, "radius": "x2"}"#,
             "",

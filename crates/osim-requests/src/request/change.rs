@@ -1,4 +1,4 @@
-//! Changes of a model's own contacts: another mass, plain values and factors, another class, none.
+//! Requests to change a model's own contacts: to another mass, by values and factors, to another force class, or to remove them.
 
 use std::path::PathBuf;
 
@@ -46,7 +46,7 @@ impl RescaleRequest {
         RunOptions::RELATIONS,
     ];
 
-    /// Whether something is given that makes sense for a change only.
+    /// Whether a field is given that only makes sense for a change.
     ///
     /// ```
     /// use osim_requests::RescaleRequest;

@@ -1,4 +1,4 @@
-//! Models looked at, alone, along a recorded motion, and in a fall; and what the user knows of their contacts written down.
+//! Requests to inspect models alone, along a recorded motion, and in a fall; and to write facts about their contacts into a note.
 
 use std::path::PathBuf;
 
@@ -94,7 +94,7 @@ impl CheckRequest {
         Relation::Excludes("in_place", "output_dir"),
     ]];
 
-    /// Where the results of `fix` go.
+    /// The options for the results of `fix`.
     pub fn output(&self) -> OutputOptions {
         OutputOptions {
             output: self.output.clone(),

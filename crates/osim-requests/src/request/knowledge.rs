@@ -1,4 +1,4 @@
-//! What is known apart from models: presets, equations, codes, and what the paper prints and draws.
+//! Requests for knowledge without a model: presets, equations, codes, and the tables and figures of the paper.
 
 use std::path::PathBuf;
 
@@ -58,12 +58,12 @@ impl ReproduceRequest {
 
 // Fig. 1 of the paper, which no equation gives: what it shows and what it needs.
 
-/// Why Fig. 1 is not drawn, what it needs, and how its models are made: a paragraph each.
+/// Three paragraphs about Fig. 1: the reason why it is not drawn, what is needed to draw it, and the way to make its models.
 pub fn fig1() -> [Phrase; 3] {
     [WHY, NEEDS, MODELS].map(Phrase::template)
 }
 
-/// Why Fig. 1 is not drawn, as the answer to somebody who wants it.
+/// The refusal to draw Fig. 1, with the reason.
 pub fn no_fig1() -> Phrase {
     Phrase::joined([WHY, MODELS].map(Phrase::template), " ").unwrap_or_default()
 }

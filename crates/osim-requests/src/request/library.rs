@@ -1,4 +1,4 @@
-//! Many models: as a table says, and variants of one.
+//! Requests for many models: from the rows of a table, and as variants of one model.
 
 use std::path::PathBuf;
 
@@ -123,10 +123,10 @@ const MANY_VARIANTS: usize = 10_000;
 const MOST_VARIANTS: usize = 1_000_000;
 
 impl SweepRequest {
-    /// Checks what can be known without the model.
+    /// Checks the conditions that do not depend on the model.
     ///
     /// # Errors
-    /// Axes that undo each other, or so many models that they are made only if the caller confirms it.
+    /// Axes that contradict each other, or so many models that the caller has to confirm them.
     pub fn check(&self) -> Result<(), RequestFault> {
         self.check_axes()?;
         let count = self.count()?;
@@ -149,38 +149,39 @@ impl SweepRequest {
         Ok(())
     }
 
-    /// Whether there are so many models that they are made only if the caller confirms it.
+    /// Whether there are so many models that the caller has to confirm them.
     pub fn is_large(&self) -> bool {
         self.count().is_ok_and(|count| count > MANY_VARIANTS)
     }
 
-    /// Checks that axes do not undo each other.
+    /// Checks that no two axes and options set the same quantity.
     ///
     /// # Errors
-    /// Which do.
+    /// Two axes or options that set the same quantity.
     pub fn check_axes(&self) -> Result<(), RequestFault> {
         check_axes(self)
     }
 
-    /// How many models are made.
+    /// The number of models that the sweep makes.
     ///
     /// # Errors
-    /// More than can be counted.
+    /// A number too large to count.
     pub fn count(&self) -> Result<usize, RequestFault> {
-        let made = self.ladder.map_or_else(|| points(&self.grid), |steps| usize::try_from(steps.get()).ok());
+        let made =
+            self.ladder.map_or_else(|| count_points(&self.grid), |steps| usize::try_from(steps.get()).ok());
         made.ok_or_else(|| RequestFault::general("more models than can be counted: give fewer values"))
     }
 }
 
-/// How many points the grid has; `None` if the number is too large.
-fn points(axes: &[Axis]) -> Option<usize> {
+/// The number of points of the grid; `None` if the number is too large.
+fn count_points(axes: &[Axis]) -> Option<usize> {
     axes.iter().try_fold(1_usize, |count, axis| count.checked_mul(axis.values.len()))
 }
 
-/// Axes that would undo each other.
+/// Checks that no two axes and options set the same quantity.
 ///
 /// # Errors
-/// Which.
+/// Two axes or options that set the same quantity.
 fn check_axes(request: &SweepRequest) -> Result<(), RequestFault> {
     let has = |name: AxisName| request.grid.iter().any(|axis| axis.name == name);
     let refused = |message: Phrase| Err(RequestFault::refused(Input::Grid, message));

@@ -1,4 +1,4 @@
-//! A request for each verb: everything that can be asked, typed.
+//! A request type for each verb, with typed fields.
 
 mod add;
 mod any;

@@ -1,4 +1,4 @@
-//! Contact parameters: from what is wanted, and from a measurement.
+//! Requests for contact parameters: from wanted behaviour, and from a measurement.
 
 use std::path::PathBuf;
 
@@ -163,7 +163,7 @@ impl FitRequest {
         RunOptions::RELATIONS,
     ];
 
-    /// Whether a model is fitted to recordings, and not a contact to one curve.
+    /// Whether a model is fitted to recorded motions, and not a contact to one measured curve.
     pub fn is_of_motion(&self) -> bool {
         !self.motion.is_empty()
     }

@@ -1,4 +1,4 @@
-//! Figures, and how they look.
+//! Requests for figures, and their style.
 
 use std::path::PathBuf;
 
@@ -38,12 +38,12 @@ choices! {
 
 /// The quantity of a heat map.
 ///
-/// Exhaustive: code that draws it needs a title and a scale for each quantity.
+/// The enum is exhaustive, because each quantity needs a title and a scale in the code that draws it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HeatQuantity {
-    /// Relative indentation at rest under body weight, by the Hertz law.
+    /// Relative indentation at equilibrium under body weight, by the Hertz law.
     Indentation,
-    /// Coefficient of restitution at the impact speed of the fall, exact.
+    /// Coefficient of restitution at the impact speed of the fall, by the exact equation.
     Restitution,
     /// Peak force over body weight in the fall.
     PeakForce,
@@ -177,15 +177,15 @@ impl PlotRequest {
 }
 
 impl PlotRequest {
-    /// Whether the plot is a figure of the paper, which shows its own animals.
+    /// Whether the plot is a figure of the paper, with the animals of the paper.
     pub(crate) fn is_of_paper(&self) -> bool {
         matches!(self.kind, Some(PlotKind::Fig4 | PlotKind::FigC5))
     }
 
-    /// Refuses models too many, or none, and the figure that cannot be drawn.
+    /// Refuses a wrong number of models for the plot, and the figure that cannot be drawn.
     ///
     /// # Errors
-    /// They are.
+    /// Too many models, no model, or Fig. 1.
     pub fn check_models(&self) -> Result<(), RequestFault> {
         if self.kind == Some(PlotKind::Fig1) {
             return Err(RequestFault::general(no_fig1()));
@@ -213,10 +213,10 @@ impl PlotRequest {
         Ok(())
     }
 
-    /// Refuses what has no meaning beside a table.
+    /// Refuses fields that have no meaning together with a table.
     ///
     /// # Errors
-    /// A model, or a figure of another kind.
+    /// A model, or another kind of figure.
     fn check_table(&self) -> Result<(), RequestFault> {
         if self.kind != Some(PlotKind::Sweep) || !self.models.is_empty() || self.target_mass.is_some() {
             return Err(RequestFault::refused(
@@ -234,12 +234,12 @@ impl PlotRequest {
         self.kind == Some(PlotKind::Motion)
     }
 
-    /// Whether the plot is a figure of feet, which shows where spheres are and not what they do.
+    /// Whether the plot is a figure of feet: it shows the places of spheres, and no forces.
     pub fn is_of_feet(&self) -> bool {
         self.kind == Some(PlotKind::Feet)
     }
 
-    /// The mass to which contacts are drawn scaled, kg.
+    /// The mass to which the drawn contacts are scaled, kg.
     pub fn target_mass_kg(&self) -> Option<f64> {
         self.target_mass.map(Kilograms::get)
     }

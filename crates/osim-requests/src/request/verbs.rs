@@ -1,4 +1,5 @@
-//! The register of verbs: the request of each, what the help and pages say of it, and what has no name in its calls.
+//! The register of verbs: the request type of each verb, its texts for the help and for pages, and its fields without names in a
+//! call.
 
 use std::path::PathBuf;
 
@@ -18,23 +19,23 @@ use crate::request::library::{BatchRequest, SweepRequest};
 use crate::request::parameters::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
 
-/// The name under which a dictionary says which verb it is for.
+/// The name of the dictionary field for the verb.
 pub(super) const VERB_FIELD: &str = "verb";
 
 /// Texts about a verb for the help and for pages.
 #[derive(Debug, Clone, Copy)]
 pub struct VerbEntry {
-    /// The group in which the help lists it.
+    /// The group of the verb in the help.
     pub group: VerbGroup,
     /// Purpose of the verb, in a line of the help.
     pub about: &'static str,
     /// More text of the long help; may be empty.
     pub details: &'static str,
-    /// Purpose of the verb, as the heading of a form; empty where its name says it.
+    /// Purpose of the verb, as the heading of a form; if empty, the name of the verb is the heading.
     title: &'static str,
     /// The heading at the top of a report.
     pub purpose: &'static str,
-    /// The fields that a call has without their names, in their order. In schemas they are `x-positional`.
+    /// The fields that a call has without their names, in order. Schemas have them as `x-positional`.
     pub positional: &'static [&'static str],
 }
 
@@ -102,16 +103,16 @@ macro_rules! marked {
 /// Each row is `Variant(its request) = its entry;`, with `change` before the sign where it changes models that it names.
 macro_rules! verbs {
     ($($variant:ident($type:ty) $($change:ident)? = $entry:expr;)+) => {
-        /// A request, whatever its verb.
+        /// A request for any verb.
         #[derive(Debug, Clone, PartialEq)]
         pub enum Request {
             $($variant(Box<$type>),)+
         }
 
-        /// Every verb; those of a group are in the order in which the help lists them.
+        /// All verbs, in the order of the help within each group.
         const ALL_VERBS: &[Verb] = &[$(Verb::$variant),+];
 
-        /// The verbs that change models which they name.
+        /// The verbs that change models which are named in the request.
         pub const CHANGING: &[Verb] = &[$($(marked!($change Verb::$variant),)?)+];
 
         pub const fn verb_entry(verb: Verb) -> VerbEntry {
@@ -123,7 +124,7 @@ macro_rules! verbs {
                 match self { $(Self::$variant(_) => Verb::$variant),+ }
             }
 
-            /// Reads the fields of a request for `verb`, in which those `relations` hold that are `checked`.
+            /// Reads the fields of a request for `verb`; only the relations that satisfy `checked` are checked.
             pub(crate) fn read_checking(
                 verb: Verb,
                 fields: Map<String, Value>,
@@ -135,23 +136,23 @@ macro_rules! verbs {
                 }
             }
 
-            /// The fields that say something, as [`Request::read`] takes them; the verb among them.
+            /// The given fields and the verb, in the form that [`Request::from_map`] takes.
             pub fn to_map(&self) -> Map<String, Value> {
                 let fields = match self { $(Self::$variant(request) => dictionary::given_fields(request.as_ref())),+ };
                 std::iter::once((VERB_FIELD.to_owned(), self.verb().name().into())).chain(fields).collect()
             }
 
-            /// Checks that its fields go together.
+            /// Checks the relations between the fields of the request.
             ///
             /// # Errors
-            /// The first that does not.
+            /// The first violated relation.
             pub fn check(&self) -> Result<(), RequestFault> {
                 match self {
                     $(Self::$variant(request) => dictionary::check(request.as_ref(), <$type>::RELATIONS),)+
                 }
             }
 
-            /// Answers to questions, of a verb that changes models.
+            /// The answers to questions, for a verb that changes models.
             pub fn answers_mut(&mut self) -> Option<&mut AnswerOptions> {
                 match self {
                     $($(Self::$variant($change) => Some(&mut $change.answers),)?)+
@@ -159,7 +160,7 @@ macro_rules! verbs {
                 }
             }
 
-            /// Where results go, of a verb that changes models.
+            /// The options for results, for a verb that changes models.
             pub fn output_mut(&mut self) -> Option<&mut OutputOptions> {
                 match self {
                     $($(Self::$variant($change) => Some(&mut $change.output),)?)+
@@ -167,7 +168,7 @@ macro_rules! verbs {
                 }
             }
 
-            /// The models of a verb that changes the contacts which models have.
+            /// The models, for a verb that changes their present contacts.
             pub fn models_mut(&mut self) -> Option<&mut Vec<PathBuf>> {
                 match self {
                     Self::Rescale(request) => Some(&mut request.models),
@@ -179,7 +180,7 @@ macro_rules! verbs {
                 }
             }
 
-            /// How to go about the work, of a verb that changes models.
+            /// The options of a run, for a verb that changes models.
             pub fn run_options(&self) -> Option<&RunOptions> {
                 match self {
                     $($(Self::$variant($change) => Some(&$change.run),)?)+
@@ -191,13 +192,13 @@ macro_rules! verbs {
         /// Checks one field of a request for `verb`.
         ///
         /// # Errors
-        /// Its value cannot be taken: what was expected.
+        /// The value has the wrong form; the message gives the expected form.
         #[cfg(feature = "clap")]
         pub(crate) fn check_value(verb: Verb, field: &str, value: Value) -> Result<(), String> {
             match verb { $(Verb::$variant => dictionary::check_value::<$type>(field, value)),+ }
         }
 
-        /// The schema of the requests for `verb`, as their type has it, and how their fields depend on each other.
+        /// The schema of the requests for `verb` by their type, with the relations between fields.
         #[cfg(feature = "schemas")]
         pub(crate) fn type_schema(verb: Verb) -> Schema {
             let generator = schemars::generate::SchemaSettings::draft2020_12().into_generator();
@@ -206,10 +207,10 @@ macro_rules! verbs {
 
         /// The fields of a request for `verb` with their defaults.
         pub fn silent_fields(verb: Verb) -> Map<String, Value> {
-            match verb { $(Verb::$variant => dictionary::map(&<$type>::default())),+ }
+            match verb { $(Verb::$variant => dictionary::all_fields(&<$type>::default())),+ }
         }
 
-        /// How the fields of requests for `verb` depend on each other.
+        /// The relations between the fields of requests for `verb`.
         #[cfg(any(feature = "clap", feature = "schemas"))]
         pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
             match verb { $(Verb::$variant => <$type>::RELATIONS),+ }

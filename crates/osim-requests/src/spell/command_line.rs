@@ -1,4 +1,4 @@
-//! The words of the command line, quoted as shells take them.
+//! Spells requests for a command line, quoted for shells.
 
 use std::borrow::Cow;
 
@@ -61,7 +61,8 @@ impl Dialect for CommandLine {
 }
 
 impl Speller for CommandLine {
-    /// The line for a terminal: for POSIX shells, and for PowerShell and cmd where nothing in it would be expanded by a POSIX shell.
+    /// The line for a terminal. It is valid in POSIX shells, and also in PowerShell and cmd if it has no characters that a
+    /// POSIX shell expands.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let mut words = vec![PROGRAM.to_owned(), fields.verb.name().to_owned()];
@@ -71,12 +72,12 @@ impl Speller for CommandLine {
     }
 }
 
-/// The words of a field that has no option.
+/// The arguments of a field that has no option.
 fn positional_words((_, value): &Field) -> Vec<String> {
     value.items().iter().map(|item| shell_quoted(&file_word(&item.text()))).collect()
 }
 
-/// An option with what it says, in one or several words.
+/// An option with its value, as one or several arguments.
 fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
     let is_one_word = option_named(verb, name).is_some_and(|option| option.list == List::Commas);
     let option = option(name);
@@ -95,7 +96,7 @@ fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
     }
 }
 
-/// An assignment in one word, such as `stiffness=x2` or `calcn_r=1.1,1.05,1.1`.
+/// An assignment as one argument, such as `stiffness=x2` or `calcn_r=1.1,1.05,1.1`.
 fn spelled_assignment((name, value): &Field) -> String {
     format!("{name}={}", value.text())
 }
@@ -118,7 +119,7 @@ impl FrontEnd for CommandLine {
     }
 }
 
-/// The name of a file as a word that is not an option.
+/// The name of a file as an argument that does not look like an option.
 fn file_word(name: &str) -> Cow<'_, str> {
     if name.starts_with('-') && name != "-" { format!("./{name}").into() } else { name.into() }
 }
@@ -129,8 +130,8 @@ fn option(field: &str) -> String {
 
 // Words as shells take them.
 
-/// `word` as shells take it: without quotation marks where all shells agree on it, else in double ones, which cmd and PowerShell know,
-/// too; in single ones where a POSIX shell would find something to expand. cmd puts a variable in for `%NAME%` whatever is around it.
+/// `word` quoted for shells: without quotation marks if no shell needs them, else in double ones, which cmd and PowerShell also
+/// know; in single ones if a POSIX shell would expand something. cmd replaces `%NAME%` within any quotation marks.
 pub fn shell_quoted(word: &str) -> String {
     // PowerShell makes a list of what has commas, and zsh looks for a program after an equals sign.
     let plain = |letter: char| letter.is_alphanumeric() || "_-./:+=%".contains(letter);
@@ -143,7 +144,8 @@ pub fn shell_quoted(word: &str) -> String {
     }
 }
 
-/// Whether a shell would change something of `word` between double quotation marks. To PowerShell the curly ones are the same.
+/// Whether a shell changes a part of `word` between double quotation marks. PowerShell takes curly quotation marks for straight
+/// ones.
 fn expands_in_double_quotes(word: &str) -> bool {
     let is_special = |letter: char| "$`\"!\u{201c}\u{201d}\u{201e}".contains(letter) || letter.is_control();
     word.contains(is_special) || word.contains(r"\\") || word.ends_with('\\')
@@ -161,32 +163,32 @@ mod tests {
     }
 
     #[track_caller]
-    fn is_spelled(request: &Value, expected: &str) {
+    fn assert_spelled(request: &Value, expected: &str) {
         let request = Request::from_json(request.to_string().as_bytes()).unwrap();
         assert_eq!(CommandLine.request(&request), format!("{PROGRAM} {expected}"));
     }
 
     #[test]
-    fn what_begins_with_a_hyphen_is_not_an_option() {
-        is_spelled(
+    fn a_name_with_a_leading_hyphen_is_not_an_option() {
+        assert_spelled(
             &json!({"verb": "rescale", "models": ["-x.osim", "-"], "level": true, "level_axis": "-y", "output": "-o.osim"}),
             "rescale ./-x.osim - --level --level-axis=-y --output=-o.osim",
         );
     }
 
     #[test]
-    fn lists_and_maps_are_as_each_option_takes_them() {
-        is_spelled(
+    fn lists_and_maps_have_the_form_of_their_option() {
+        assert_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "falisse2022", "follow_bodies": true,
             "body_scale": {"calcn_r": [1.1, 1.05, 1.1], "foot l": 2}, "only": ["stiffness", "radius"], "select": ["*_r", "toe"]}),
             "transfer a.osim --from falisse2022 --follow-bodies --body-scale \"calcn_r=1.1,1.05,1.1\" \
          --body-scale \"foot l=2,2,2\" --only \"stiffness,radius\" --select \"*_r\" --select toe",
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true}),
             "set a.osim stiffness=x2 dissipation=1.5 --in-place",
         );
-        is_spelled(&json!({"verb": "set", "models": "a.osim", "level": true}), "set a.osim --level");
+        assert_spelled(&json!({"verb": "set", "models": "a.osim", "level": true}), "set a.osim --level");
     }
 
     #[test]
@@ -205,13 +207,13 @@ mod tests {
     }
 
     #[test]
-    fn what_is_positional_stands_before_the_model() {
+    fn positional_fields_come_before_the_model() {
         let call = "`plot MODEL output=FILE.svg kind=force`, `explain topics=FINDING`";
         assert_eq!(spelled(call), "plot force MODEL -o FILE.svg, explain FINDING");
     }
 
     #[test]
-    fn words_are_quoted_where_shells_ask_for_it() {
+    fn words_are_quoted_if_a_shell_needs_it() {
         for (word, expected) in [
             ("human_62kg.osim", "human_62kg.osim"),
             ("models/a_1.osim", "models/a_1.osim"),

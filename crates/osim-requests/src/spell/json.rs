@@ -1,4 +1,4 @@
-//! The words of requests in JSON.
+//! Spells requests in JSON.
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 use serde_json::Value;
@@ -32,7 +32,7 @@ impl Dialect for JsonRequest {
 
     fn call(&self, call: &Call) -> String {
         let mut fields = vec![format!("\"verb\": \"{}\"", call.verb.name())];
-        fields.extend(call.with_model.then(|| model(call.verb).to_owned()));
+        fields.extend(call.with_model.then(|| model_field(call.verb).to_owned()));
         let field = |(input, example): &(Input, Option<Example>)| match example {
             None if !is_flag(*input) => format!("\"{}\": ...", input.name()),
             example => self.input(*input, example.as_ref()),
@@ -54,8 +54,8 @@ impl Speller for JsonRequest {
 
 impl FrontEnd for JsonRequest {}
 
-/// The field of a request of `verb` that names the model, in JSON.
-const fn model(verb: Verb) -> &'static str {
+/// The field with the model in requests of `verb`, as JSON.
+const fn model_field(verb: Verb) -> &'static str {
     match verb {
         Verb::Sweep => r#""model": "model.osim""#,
         Verb::DropTest => r#""subject": "model.osim""#,
@@ -63,7 +63,7 @@ const fn model(verb: Verb) -> &'static str {
     }
 }
 
-/// A number as it is, anything else in quotes.
+/// A number unchanged, any other value in quotation marks.
 fn number_or_text(value: &str) -> String {
     match serde_json::from_str::<Value>(value) {
         Ok(Value::Number(_)) => value.to_owned(),

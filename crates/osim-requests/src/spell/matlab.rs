@@ -1,4 +1,4 @@
-//! The words of MATLAB and GNU Octave.
+//! Spells requests for MATLAB and GNU Octave.
 
 use osim_model::messages::{Call, Dialect, Example, Input, Verb};
 
@@ -20,7 +20,7 @@ pub struct Matlab;
 
 impl Dialect for Matlab {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
-        let name = quoted(&option(input.name()));
+        let name = quoted(&option_name(input.name()));
         match example {
             Some(example) => format!("{name}, {}", value_of(example)),
             None if is_flag(input) => format!("{name}, true"),
@@ -48,7 +48,7 @@ impl Dialect for Matlab {
 }
 
 impl Speller for Matlab {
-    /// The call. Results are structs: how a terminal would show them is left out.
+    /// The call in MATLAB. Results are structs, so options for a terminal are omitted.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let mut arguments: Vec<String> = fields
@@ -60,7 +60,7 @@ impl Speller for Matlab {
             })
             .collect();
         for (name, value) in fields.without(&[FieldGroup::Shown]) {
-            arguments.extend([quoted(&option(name)), literal(value)]);
+            arguments.extend([quoted(&option_name(name)), literal(value)]);
         }
         function(fields.verb, &arguments)
     }
@@ -80,7 +80,7 @@ fn function(verb: Verb, arguments: &[String]) -> String {
     format!("osimcontact.{}({})", verb.name().replace('-', "_"), arguments.join(", "))
 }
 
-/// A placeholder, or a number, as it is; everything else is a text.
+/// An example value in MATLAB: placeholders and numbers unchanged, any other value as a text.
 fn value_of(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
@@ -89,7 +89,7 @@ fn value_of(example: &Example) -> String {
     }
 }
 
-/// Words that cannot be the name of a field.
+/// Words that MATLAB does not allow as names of struct fields.
 const RESERVED_NAMES: [&str; 20] = [
     "break",
     "case",
@@ -113,11 +113,11 @@ const RESERVED_NAMES: [&str; 20] = [
     "while",
 ];
 
-/// The most letters that the name of a field may have in MATLAB.
+/// The largest number of letters in the name of a struct field in MATLAB.
 const LONGEST_NAME: usize = 63;
 
 /// The name of an option in MATLAB: `TargetMass` for `target_mass`.
-fn option(name: &str) -> String {
+fn option_name(name: &str) -> String {
     let capital = |word: &str| {
         let mut letters = word.chars();
         letters.next().map(|first| first.to_ascii_uppercase()).into_iter().chain(letters).collect::<String>()
@@ -133,31 +133,35 @@ fn literal(value: &FieldValue) -> String {
         FieldValue::List(items) if items.iter().all(|item| matches!(item, FieldValue::Number(_))) => {
             format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(", "))
         }
-        FieldValue::List(items) => cell(items.iter().map(literal)),
+        FieldValue::List(items) => cell_array(items.iter().map(literal)),
         FieldValue::Map(entries) if entries.iter().all(|(name, _)| is_field(name)) => {
             let pairs: Vec<String> =
                 entries.iter().flat_map(|(name, value)| [quoted(name), literal(value)]).collect();
             format!("struct({})", pairs.join(", "))
         }
         FieldValue::Map(entries) => {
-            let names = cell(entries.iter().map(|(name, _)| quoted(name)));
-            format!("containers.Map({names}, {})", cell(entries.iter().map(|(_, value)| literal(value))))
+            let names = cell_array(entries.iter().map(|(name, _)| quoted(name)));
+            format!(
+                "containers.Map({names}, {})",
+                cell_array(entries.iter().map(|(_, value)| literal(value)))
+            )
         }
     }
 }
 
-/// Whether a struct can have a field of this name.
+/// Whether MATLAB allows `name` as the name of a struct field.
 fn is_field(name: &str) -> bool {
     let is_word = name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
     is_word && is_name && name.len() <= LONGEST_NAME && !RESERVED_NAMES.contains(&name)
 }
 
-fn cell(items: impl Iterator<Item = String>) -> String {
+fn cell_array(items: impl Iterator<Item = String>) -> String {
     format!("{{{}}}", items.collect::<Vec<_>>().join(", "))
 }
 
-/// A text between single quotation marks, which are doubled in it. What is not a letter or a sign is written by its number.
+/// A text between single quotation marks; a quotation mark in the text is doubled. Control characters are written by their
+/// numbers.
 fn quoted(text: &str) -> String {
     let mut literal = String::new();
     for letter in text.chars() {
@@ -184,7 +188,7 @@ mod tests {
     use super::*;
 
     #[track_caller]
-    fn is_spelled(request: &Value, expected: &str) {
+    fn assert_spelled(request: &Value, expected: &str) {
         let request = Request::from_json(request.to_string().as_bytes()).unwrap();
         assert_eq!(Matlab.script(&request), format!("result = osimcontact.{expected};"));
     }
@@ -224,19 +228,19 @@ mod tests {
 
     #[test]
     fn options_are_pairs_of_a_name_and_a_value() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500, "level": true, "diff": true, "quiet": true}),
             "rescale('human.osim', 'TargetMass', 500, 'Level', true)",
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "design", "radius": 0.032, "indentation": 0.16, "mass": 62, "spheres": 6}),
             "design('Radius', 0.032, 'Indentation', 0.16, 'Mass', 62, 'Spheres', 6)",
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "add", "models": "bare.osim", "from": "-x.osim", "class": "smooth"}),
             "add('bare.osim', 'From', '-x.osim', 'Class', 'smooth')",
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "b.osim"], "output": "a.svg"}),
             "plot('force', {'a.osim', 'b.osim'}, 'Output', 'a.svg')",
         );
@@ -244,11 +248,11 @@ mod tests {
 
     #[test]
     fn lists_are_cells_and_maps_are_structs() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "set", "models": ["a.osim", "b.osim"], "set": {"stiffness": "x2", "dissipation": 1.5}, "select": ["*_r", "*_l"]}),
             "set({'a.osim', 'b.osim'}, 'Set', struct('stiffness', 'x2', 'dissipation', 1.5), 'Select', {'*_r', '*_l'})",
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"calcn_r": [1.1, 1.05, 1.1]}}),
             "transfer('a.osim', 'From', 'g.osim', 'FollowBodies', true, 'BodyScale', struct('calcn_r', [1.1, 1.05, 1.1]))",
         );
@@ -256,7 +260,7 @@ mod tests {
 
     #[test]
     fn names_that_no_field_of_a_struct_can_have_are_keys() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": 2, "toes": [1, 2, 3]}}),
             "transfer('a.osim', 'From', 'g.osim', 'FollowBodies', true, \
      'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",

@@ -1,7 +1,7 @@
-//! How each language spells what can be asked: a command line, Python, MATLAB, JSON, and the page.
+//! Spells requests in each language: a command line, Python, MATLAB, JSON, and the page.
 //!
-//! A [`Speller`] spells whole requests, from their [dictionary](crate::Request::to_map), and the inputs and calls in a sentence. Nothing
-//! else may name an option as it is typed. So a remedy, a call to copy, and a message say the same thing in the same words.
+//! A [`Speller`] spells whole requests, from their [dictionary](crate::Request::to_map), and the inputs and calls in a sentence.
+//! No other code writes the name of an option as the user types it, so advice, calls to copy, and messages use the same words.
 
 mod command_line;
 mod json;

@@ -1,4 +1,4 @@
-//! The words of a page with fields and buttons.
+//! Spells requests for a page with fields and buttons.
 
 use osim_model::messages::{Call, Dialect, Example, Input, readable};
 
@@ -38,7 +38,7 @@ impl Dialect for Page {
 }
 
 impl Speller for Page {
-    /// The action, and the fields with their values; not the model, which is open.
+    /// The action, and the fields with their values; without the model, because the page has it open.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let wanted: Vec<String> = fields.options.iter().flat_map(field_words).collect();
@@ -50,7 +50,7 @@ impl Speller for Page {
     }
 }
 
-/// A field of a request in words: its label and its value; of `set`, one entry for each property.
+/// A field of a request in words: its label and its value; for `set`, one text for each property.
 fn field_words((name, value): &Field) -> Vec<String> {
     let label = Input::named(name).map_or(name.as_str(), |input| input.label());
     match value {
@@ -93,7 +93,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn requests_are_fields_with_what_they_say() {
+    fn requests_are_fields_with_their_values() {
         for (request, expected) in [
             (
                 json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "select": ["*_r", "toe"]}),

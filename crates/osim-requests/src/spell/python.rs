@@ -1,4 +1,4 @@
-//! The words of the Python package.
+//! Spells requests for the Python package.
 
 use std::borrow::Cow;
 
@@ -11,11 +11,11 @@ use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits
 const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
 const PRINT_RESULT: &str = "print(result)";
 
-/// Fields that the plan of one model does not take as keywords, but which are done with it when it is there.
-const OF_PLAN: [&str; 2] = ["dry_run", "report"];
+/// Fields that are no keywords of the function that plans a change of one model; methods of the plan do their work.
+const DONE_BY_PLAN: [&str; 2] = ["dry_run", "report"];
 
-/// Fields of a row of a table, not of a call for all rows.
-const OF_ROW: [&str; 2] = ["output", "geometry_output"];
+/// Fields that a row of a table has, but not a call for all rows.
+const ONLY_IN_ROWS: [&str; 2] = ["output", "geometry_output"];
 
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
@@ -60,7 +60,8 @@ impl Dialect for Python {
 }
 
 impl Speller for Python {
-    /// The call that plans the change of one model, makes that of many, or answers. A change whose file is named writes it.
+    /// The Python call: it plans the change of one model, changes many models, or returns a result. If the request names an
+    /// output file, the call writes it.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let written: Vec<String> =
@@ -70,32 +71,32 @@ impl Speller for Python {
         format!("{}{write}", call_of(&fields))
     }
 
-    /// Lines from the import on, which write and print the result of the call.
+    /// The lines of a script, from the import to the lines that write and print the result.
     fn script(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let mut lines = vec![IMPORT_LINE.to_owned(), String::new(), format!("result = {}", call_of(&fields))];
         lines.extend(match fields.verb {
             Verb::Inspect => vec!["print(result.models)".to_owned()],
             Verb::Check => vec!["print(result.findings)".to_owned()],
-            Verb::Plot => drawn(&fields),
-            _ if is_plan(&fields) => carried_out(&fields),
+            Verb::Plot => lines_for_figure(&fields),
+            _ if is_plan(&fields) => lines_for_plan(&fields),
             _ => vec![PRINT_RESULT.to_owned()],
         });
         lines.join("\n")
     }
 }
 
-/// Whether the call plans the change of one model, and leaves it to the caller to write it.
+/// Whether the call plans the change of one model; the plan is then written by a second call.
 fn is_plan(fields: &Fields) -> bool {
     fields.changes && fields.models().len() == 1 && fields.only(FieldGroup::Many).next().is_none()
 }
 
 fn call_of(fields: &Fields) -> String {
     let mut arguments: Vec<String> =
-        fields.positional.iter().flat_map(|field| words(fields.verb, field)).collect();
+        fields.positional.iter().flat_map(|field| positional_arguments(fields.verb, field)).collect();
     let left_out: &[&str] = match fields.verb {
-        Verb::Batch => &OF_ROW,
-        _ if fields.changes => &OF_PLAN,
+        Verb::Batch => &ONLY_IN_ROWS,
+        _ if fields.changes => &DONE_BY_PLAN,
         _ => &[],
     };
     let groups: &[FieldGroup] = match fields.verb {
@@ -119,8 +120,9 @@ fn call_of_many(fields: &Fields) -> String {
     format!("ocs.many({})", joined(arguments.into_iter()))
 }
 
-/// The words of a field that has no keyword: one value alone, and several as a list, but where the function takes any number.
-fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
+/// The arguments of a field without a keyword: one value alone, several values as a list, or as several arguments if the function
+/// takes them.
+fn positional_arguments(verb: Verb, (name, value): &Field) -> Vec<String> {
     match value {
         FieldValue::List(items) if items.len() == 1 || matches!(verb, Verb::Plot | Verb::Explain) => {
             items.iter().map(|item| literal(name, item)).collect()
@@ -129,8 +131,8 @@ fn words(verb: Verb, (name, value): &Field) -> Vec<String> {
     }
 }
 
-/// The lines for a plan: it is written, or only printed.
-fn carried_out(fields: &Fields) -> Vec<String> {
+/// The lines of a script that write a plan, or only print it.
+fn lines_for_plan(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
         None => format!("result.write({})", joined(keywords(fields.only(FieldGroup::Output)))),
@@ -138,18 +140,18 @@ fn carried_out(fields: &Fields) -> Vec<String> {
     if fields.option("diff").is_some() {
         lines.push("print(result.diff())".to_owned());
     }
-    lines.extend(fields.option("report").map(|report| saved("report", "report", report, fields)));
+    lines.extend(fields.option("report").map(|report| save_line("report", "report", report, fields)));
     lines
 }
 
 /// The lines of a script that save a figure and its data.
-fn drawn(fields: &Fields) -> Vec<String> {
-    let file = |name| Some(saved("save", name, fields.option(name)?, fields));
+fn lines_for_figure(fields: &Fields) -> Vec<String> {
+    let file = |name| Some(save_line("save", name, fields.option(name)?, fields));
     ["output", "data"].into_iter().filter_map(file).collect()
 }
 
 /// The line of a script that writes the file in the field `name` with the method `method` of the result.
-fn saved(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
+fn save_line(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
     format!("result.{method}({})", joined(std::iter::once(literal(name, file)).chain(keywords(force))))
 }
@@ -158,7 +160,7 @@ fn joined(arguments: impl Iterator<Item = String>) -> String {
     arguments.collect::<Vec<_>>().join(", ")
 }
 
-/// Keywords with their values. Each property that is set is a keyword.
+/// Keyword arguments with their values. Each assigned property is a keyword.
 fn keywords<'f>(options: impl Iterator<Item = &'f Field>) -> impl Iterator<Item = String> {
     options.flat_map(|option| {
         let entries = match option {
@@ -184,12 +186,12 @@ fn literal(name: &str, value: &FieldValue) -> String {
     }
 }
 
-/// Whether a field names files or folders, in which Python's `~` is the home folder.
+/// Whether a field has names of files or folders, in which Python expands `~` to the home folder.
 fn is_path(name: &str) -> bool {
     option_named(Verb::Rescale, name).is_some_and(|option| option.is_path())
 }
 
-/// The name of a file, not of a home folder.
+/// The name of a file in a form that Python does not take for a home folder.
 fn file_word(name: &str) -> Cow<'_, str> {
     if name.starts_with('~') { format!("./{name}").into() } else { name.into() }
 }
@@ -204,7 +206,7 @@ fn function(verb: Verb, arguments: &[String]) -> String {
     format!("ocs.{name}({})", arguments.join(", "))
 }
 
-/// The keyword of an input, given by the name of its field; a word that Python reserves gets a line after it.
+/// The Python keyword of an input, from its field name; a word that Python reserves gets a trailing underscore.
 fn python_keyword(field: &str) -> String {
     match field {
         name @ ("class" | "from") => format!("{name}_"),
@@ -212,8 +214,8 @@ fn python_keyword(field: &str) -> String {
     }
 }
 
-/// A placeholder stays as it is unless it looks like a text (`FILE.html`, `BODY=x,y,z`); a number is a number; everything
-/// else is a string.
+/// An example value in Python. A placeholder is unchanged unless it looks like a text (`FILE.html`, `BODY=x,y,z`); a number is a
+/// number; any other value is a string.
 fn value_of(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
@@ -283,7 +285,7 @@ mod tests {
     }
 
     #[track_caller]
-    fn is_spelled(request: &Value, expected: &[&str]) {
+    fn assert_spelled(request: &Value, expected: &[&str]) {
         let request = Request::from_json(request.to_string().as_bytes()).unwrap();
         let lines = expected.join("\n");
         assert_eq!(Python.script(&request), format!("import osim_contact_scale as ocs\n\n{lines}"));
@@ -291,11 +293,11 @@ mod tests {
 
     #[test]
     fn a_change_is_planned_and_then_written() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "rescale", "models": "human.osim", "target_mass": 500}),
             &[r#"result = ocs.rescale("human.osim", target_mass=500)"#, "result.write()"],
         );
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "add", "models": "bare.osim", "from": "a \"b\".osim", "class": "smooth", "yes": ["implausible-mass"],
         "output": "~new.osim", "force": true, "no_note": true, "report": "page.html", "format": "json"}),
             &[
@@ -308,7 +310,7 @@ mod tests {
 
     #[test]
     fn properties_that_are_set_are_keywords() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "set", "models": "-x.osim", "set": {"stiffness": "x2", "dissipation": 1.5}, "in_place": true, "no_backup": true}),
             &[
                 r#"result = ocs.set("-x.osim", stiffness="x2", dissipation=1.5)"#,
@@ -319,7 +321,7 @@ mod tests {
 
     #[test]
     fn bodies_with_their_factors_are_a_dictionary() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"foot l": [1.1, 1.05, 1.1]},
         "only": ["stiffness", "radius"]}),
             &[
@@ -332,7 +334,7 @@ mod tests {
 
     #[test]
     fn other_verbs_are_called_as_their_functions_take_them() {
-        is_spelled(
+        assert_spelled(
             &json!({"verb": "plot", "kind": "force", "models": ["a.osim", "~b.osim"], "output": "a.svg", "data": "a.csv", "force": true,
         "axes": "real"}),
             &[
@@ -360,7 +362,7 @@ mod tests {
             ),
             (json!({"verb": "reproduce", "output_dir": "b", "force": true}), "ocs.reproduce()"),
         ] {
-            is_spelled(&request, &[&format!("result = {call}"), "print(result)"]);
+            assert_spelled(&request, &[&format!("result = {call}"), "print(result)"]);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a language spells, and the fields of a request as every language writes them.
+//! The traits of a language that spells requests, and the fields of a request for all languages.
 
 use osim_model::Property;
 use osim_model::messages::{Call, Dialect, Input, Verb, shortest};
@@ -7,10 +7,10 @@ use serde_json::{Map, Number, Value};
 use crate::register::{FieldGroup, option_named};
 use crate::request::{Request, verb_entry};
 
-/// The words of a language, for whole requests too.
+/// A language that spells inputs, calls and whole requests.
 ///
-/// Texts are as they are in the request, with the quotation marks of the language. Only a name of a file that it would take for
-/// something else gets `./` before it. A name that is not UTF-8 cannot be copied: it has U+FFFD in it.
+/// Texts are unchanged, within the quotation marks of the language. A file name gets `./` before it if the language would take it
+/// for something else. A name that is not UTF-8 contains U+FFFD, so that its call cannot be copied.
 ///
 /// ```
 /// use osim_requests::Request;
@@ -24,10 +24,10 @@ use crate::request::{Request, verb_entry};
 /// # Ok::<(), osim_requests::RequestFault>(())
 /// ```
 pub trait Speller: Dialect {
-    /// A request, as the reader types it.
+    /// A request as the reader would type it.
     fn request(&self, request: &Request) -> String;
 
-    /// Lines that do all of a request, files that it writes and results that it shows among them.
+    /// The lines that do everything in a request; they also write its files and show its results.
     fn script(&self, request: &Request) -> String {
         self.request(request)
     }
@@ -35,9 +35,9 @@ pub trait Speller: Dialect {
 
 // What a front end spells beyond requests and sentences.
 
-/// The words of a front end, for calls that stand alone too.
+/// A front end: a language that also spells calls on a line of their own.
 pub trait FrontEnd: Speller {
-    /// A call that stands alone, to be copied: on a command line it begins with the name of the program.
+    /// A call on a line of its own, for copying: on a command line it begins with the name of the program.
     fn command(&self, call: &Call) -> String {
         self.call(call)
     }
@@ -47,12 +47,12 @@ pub trait FrontEnd: Speller {
         name.to_owned()
     }
 
-    /// The text before a remedy that is there to be copied.
+    /// The prompt before a call that the reader can copy.
     fn prompt(&self) -> &'static str {
         ""
     }
 
-    /// Where more is written, for the end of a message about a call that cannot be understood.
+    /// A reference to more help, for the end of a message about a wrong call.
     fn see_also(&self) -> &'static str {
         ""
     }
@@ -60,7 +60,7 @@ pub trait FrontEnd: Speller {
 
 // The fields of a request, as every language writes them.
 
-/// A field that says something, by its name in requests.
+/// A field that differs from its default: its name in requests, and its value.
 pub(super) type Field = (String, FieldValue);
 
 /// The fields of a request, in the order in which a call lists them.
@@ -69,21 +69,21 @@ pub(super) struct Fields {
     pub(super) verb: Verb,
     /// Whether the verb changes models that it names.
     pub(super) changes: bool,
-    /// Fields that have no name in a call, in its order there.
+    /// Fields without a name in a call, in the order of the call.
     pub(super) positional: Vec<Field>,
-    /// Everything else that says something, in the order of requests, which is that of the help and of forms.
+    /// All other given fields, in the order of requests, which is also the order of the help and of forms.
     pub(super) options: Vec<Field>,
 }
 
 /// The value of a field, for spelling.
 #[derive(Debug)]
 pub(super) enum FieldValue {
-    /// The option has no value: its name alone says it.
+    /// An option without a value.
     Flag,
     Number(Number),
     Text(String),
     List(Vec<FieldValue>),
-    /// Properties or bodies with their values.
+    /// Properties or bodies, each with its value.
     Map(Vec<Field>),
 }
 
@@ -99,7 +99,7 @@ impl Fields {
         Self { verb, changes: request.run_options().is_some(), positional, options }
     }
 
-    /// The models, where they have no name in the call.
+    /// The models, if they have no name in the call.
     pub(super) fn models(&self) -> &[FieldValue] {
         match self.positional.iter().find(|(name, _)| name == "models") {
             Some((_, FieldValue::List(models))) => models,
@@ -107,7 +107,7 @@ impl Fields {
         }
     }
 
-    /// The options that are of none of these groups.
+    /// The options that are in none of `groups`.
     pub(super) fn without(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
         self.options
             .iter()
@@ -130,7 +130,7 @@ impl Fields {
 }
 
 impl FieldValue {
-    /// The field's value; `None` if it is null or false, which a call leaves out.
+    /// The value for spelling; `None` for null or false, because a call omits such a field.
     fn of(value: Value) -> Option<Self> {
         Some(match value {
             Value::Null | Value::Bool(false) => return None,
@@ -147,7 +147,7 @@ impl FieldValue {
         })
     }
 
-    /// The text or number; with commas between those of a list.
+    /// The value as text; the items of a list are separated by commas.
     pub(super) fn text(&self) -> String {
         match self {
             Self::Number(number) => digits(number),
@@ -157,7 +157,7 @@ impl FieldValue {
         }
     }
 
-    /// Items of a list; a value that is not a list is its own only item.
+    /// The items of a list; for a single value, only this value.
     pub(super) fn items(&self) -> &[Self] {
         match self {
             Self::List(items) => items,
@@ -176,7 +176,7 @@ pub(super) fn is_assignment(call: &Call, input: Input) -> bool {
     call.verb == Verb::Set && input.name().parse::<Property>().is_ok()
 }
 
-/// The shortest digits that give the number back.
+/// The shortest decimal number that is read as the same double.
 pub(super) fn digits(number: &Number) -> String {
     match number.as_f64().filter(|_| number.is_f64()) {
         Some(value) => shortest(value),
@@ -184,7 +184,8 @@ pub(super) fn digits(number: &Number) -> String {
     }
 }
 
-/// The bytes of a name that is not UTF-8, which is `{"bytes": [...]}`. Factors of a body of that name are not whole numbers to JSON.
+/// The bytes of a name that is not UTF-8, from `{"bytes": [...]}`; `None` if the entries are factors of a body called `bytes`,
+/// which are not whole numbers in JSON.
 fn bytes_of(entries: &Map<String, Value>) -> Option<Vec<u8>> {
     let bytes = entries.get("bytes").filter(|_| entries.len() == 1)?.as_array()?;
     bytes.iter().map(|byte| byte.as_u64().and_then(|byte| u8::try_from(byte).ok())).collect()
@@ -211,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_name_is_in_the_order_of_the_call() {
+    fn positional_fields_have_the_order_of_the_call() {
         let request = br#"{"output": "a.svg", "models": "a.osim", "verb": "plot", "kind": "force"}"#;
         let fields = Fields::of(&Request::from_json(request).unwrap());
         let names: Vec<&str> = fields.positional.iter().map(|(name, _)| name.as_str()).collect();
@@ -225,7 +226,7 @@ mod tests {
 
     #[test]
     #[cfg(unix)]
-    fn names_that_are_not_text_are_not_bodies() {
+    fn bytes_of_a_name_are_not_factors_of_a_body() {
         let request = br#"{"verb": "add", "models": {"bytes": [97, 255]}, "from": "b.osim", "body_scale": {"bytes": [1, 2, 1]}}"#;
         let fields = Fields::of(&Request::from_json(request).unwrap());
         assert_eq!(texts(fields.models()), ["a\u{fffd}"]);

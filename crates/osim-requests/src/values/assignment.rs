@@ -1,4 +1,4 @@
-//! What happens to properties: `stiffness=x2 dissipation=1`; and lists of them, by OpenSim's names.
+//! Assignments to properties, such as `stiffness=x2 dissipation=1`, and lists of properties, by OpenSim's names.
 
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
@@ -20,7 +20,7 @@ use serde_json::Value;
 
 use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
 
-/// Properties and what happens to them, in the order in which they were given.
+/// Assignments to properties, in the given order.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Assignments(Vec<(Property, Assignment)>);
 
@@ -49,7 +49,7 @@ impl JsonSchema for Assignments {
     }
 }
 
-/// Reads one `PROPERTY=VALUE` or `PROPERTY=xFACTOR`, its two sides given apart.
+/// Reads an assignment, `PROPERTY=VALUE` or `PROPERTY=xFACTOR`, from the texts of its two sides.
 ///
 /// # Errors
 /// An unknown property, or a value that is not a number.
@@ -67,10 +67,10 @@ pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), Stri
 }
 
 impl Assignments {
-    /// Adds one.
+    /// Adds an assignment.
     ///
     /// # Errors
-    /// The property is there already.
+    /// The property has an assignment already.
     pub fn add(&mut self, (property, value): (Property, Assignment)) -> Result<(), String> {
         if self.0.iter().any(|(known, _)| *known == property) {
             return Err(format!("{property} is set twice"));
@@ -148,26 +148,26 @@ impl<'d> Deserialize<'d> for Assignments {
     }
 }
 
-/// One of them.
+/// The property with the name `text`.
 ///
 /// # Errors
-/// There is no such property.
+/// There is no property of this name.
 pub(crate) fn property_named(text: &str) -> Result<Property, String> {
     trimmed(text).parse()
 }
 
-/// Writes their names.
+/// Writes the names of properties.
 ///
 /// # Errors
-/// Those of the serialiser.
+/// The errors of the serialiser.
 pub fn serialize<S: Serializer>(properties: &[Property], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(properties.iter().map(|property| property.name()))
 }
 
-/// Reads a list of names, or one text with commas between them.
+/// Reads a list of property names, or one text with commas between the names.
 ///
 /// # Errors
-/// A name that is not a property's.
+/// A name that is not the name of a property.
 pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Property>, D::Error> {
     let names = match Value::deserialize(deserializer)? {
         Value::String(text) => text.split(',').map(str::to_owned).collect(),

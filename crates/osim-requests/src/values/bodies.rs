@@ -1,4 +1,4 @@
-//! Bodies that are called otherwise, and scale factors of bodies, in words.
+//! Pairs of body names in two models, and scale factors of bodies, as texts.
 
 use std::fmt;
 use std::str::FromStr;
@@ -19,7 +19,7 @@ use serde_json::json;
 use crate::values::serial::from_texts;
 use crate::values::typed::{positive_number, trimmed};
 
-/// `BODY=BODY`: a body of the reference, and the body of the model that takes its spheres.
+/// `BODY=BODY`: a body of the reference, and the body of the model that gets its spheres.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BodyMap {
     /// Name of the body of the reference.
@@ -49,19 +49,19 @@ impl fmt::Display for BodyMap {
     }
 }
 
-/// `BODY=x,y,z`: three factors above 0; `BODY=f` is the same one along all axes.
+/// `BODY=x,y,z`: three factors above 0; `BODY=f` has the same factor along all axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BodyScale {
     /// Name of the body.
     pub body: String,
-    /// Along x, y and z.
+    /// The factors along x, y and z.
     pub factors: [f64; 3],
 }
 
-/// The expected form of a text, for messages.
+/// The expected form of scale factors, for messages.
 const EXPECTED: &str =
     "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
-/// Factors beyond this, or below 1 over this, belong to no body.
+/// The largest plausible scale factor; the smallest is its inverse.
 const LARGEST_FACTOR: f64 = 1e9;
 
 impl FromStr for BodyScale {
@@ -96,10 +96,10 @@ impl fmt::Display for BodyScale {
     }
 }
 
-/// Reads factors from a map of bodies to three numbers or one, or from texts such as `calcn_r=1.1,1.05,1.1`.
+/// Reads scale factors: a map from bodies to three numbers or one, or texts such as `calcn_r=1.1,1.05,1.1`.
 ///
 /// # Errors
-/// A text or numbers that are not factors.
+/// A text or numbers that are not scale factors.
 pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyScale>, D::Error> {
     match Value::deserialize(deserializer)? {
         Value::Object(bodies) => {
@@ -122,10 +122,10 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<BodyS
     }
 }
 
-/// Writes factors as a map of bodies.
+/// Writes scale factors as a map from bodies.
 ///
 /// # Errors
-/// Those of the serialiser.
+/// The errors of the serialiser.
 pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(scales.iter().map(|scale| (&scale.body, scale.factors)))
 }
@@ -153,7 +153,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_names_with_an_equals_sign() {
+    fn a_body_map_is_two_names_with_an_equals_sign() {
         let map: BodyMap = "toes_r = calcn_r".parse().unwrap();
         assert_eq!((map.reference.as_str(), map.model.as_str()), ("toes_r", "calcn_r"));
         assert_eq!(map.to_string().parse::<BodyMap>(), Ok(map));

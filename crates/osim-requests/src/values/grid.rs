@@ -1,4 +1,4 @@
-//! Axes of a grid, in words: `stiffness=x0.1,x1,x10`, their values and limits.
+//! Axes of a grid as texts, such as `stiffness=x0.1,x1,x10`, with their values and limits.
 
 use std::collections::HashSet;
 use std::fmt;
@@ -36,13 +36,13 @@ pub enum AxisName {
     Indentation,
     /// Coefficient of restitution (13).
     Restitution,
-    /// Mass the contacts are made for, kg.
+    /// Mass that the contacts are made for, kg.
     TargetMass,
 }
 
 impl AxisName {
-    /// The axis that was probably meant where an option or a word has its name: `NAME=FROM..TO/COUNT`. `None` for what is not a range
-    /// of an axis.
+    /// The axis in the form `NAME=FROM..TO/COUNT` that the caller probably meant by the option or argument `name`; `None` if
+    /// `values` is not a range, or `name` is not an axis.
     pub fn meant(name: &str, values: &str) -> Option<String> {
         let name: Self = name.replace('-', "_").parse().ok()?;
         let is_axis = Range::is_meant(values) || values.contains(',');
@@ -80,11 +80,11 @@ impl FromStr for AxisName {
 /// One value of an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GridValue {
-    /// The value in names of files and in notes: as typed, or to six digits.
+    /// The value in file names and notes: as typed, or with six digits.
     pub label: String,
     /// The value as a number.
     pub number: f64,
-    /// Whether the value is a factor of what the model has.
+    /// Whether the value is a factor for the present value of the model.
     pub is_factor: bool,
 }
 
@@ -95,7 +95,7 @@ impl GridValue {
     }
 }
 
-/// An axis of a grid: `NAME=V,V,...`, each a value, a factor or a range `FROM..TO/COUNT`.
+/// An axis of a grid: `NAME=V,V,...`; each `V` is a value, a factor or a range `FROM..TO/COUNT`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// The quantity that varies.
@@ -119,9 +119,9 @@ impl FromStr for Axis {
                 return Err(answer);
             }
             if Range::is_meant(item) {
-                values.extend(range(name, item)?);
+                values.extend(axis_range(name, item)?);
             } else {
-                values.push(value(name, trimmed(item))?);
+                values.push(axis_value(name, trimmed(item))?);
             }
         }
         // Two values that differ only after the sixth digit would have one file.
@@ -141,7 +141,7 @@ impl fmt::Display for Axis {
     }
 }
 
-fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
+fn axis_value(name: AxisName, text: &str) -> Result<GridValue, String> {
     let (number, is_factor) = match name {
         AxisName::Property(property) => match assignment(property.name(), text)?.1 {
             Assignment::Factor(number) => (number, true),
@@ -153,8 +153,8 @@ fn value(name: AxisName, text: &str) -> Result<GridValue, String> {
     Ok(GridValue { label: text.to_owned(), number, is_factor })
 }
 
-/// All values of a range; the ends keep their spelling.
-fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
+/// All values of a range; both ends keep the digits that were typed.
+fn axis_range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
     let expected = || {
         format!(
             "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST_VALUES}, such as x0.1..x10/9"
@@ -162,7 +162,7 @@ fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
     };
     let range =
         Range::read(text, MOST_VALUES).filter(|range| range.are_factors().is_some()).ok_or_else(expected)?;
-    let (first, last) = (value(name, range.first)?, value(name, range.last)?);
+    let (first, last) = (axis_value(name, range.first)?, axis_value(name, range.last)?);
     if first.number <= 0.0 || last.number <= 0.0 {
         return Err(expected());
     }
@@ -180,16 +180,16 @@ fn range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
     Ok(values)
 }
 
-/// Enough to distinguish points in a file's name.
+/// A number with six digits, which are enough to distinguish grid points in file names.
 fn six_digits(number: f64) -> String {
     let rounded: f64 = format!("{number:.5e}").parse().unwrap_or(number);
     shortest(rounded)
 }
 
-/// Reads axes from texts, or from a map of names to values: one, several, or a range.
+/// Reads axes from texts, or from a map of axis names to a value, several values, or a range.
 ///
 /// # Errors
-/// What is not an axis.
+/// A text or value that is not an axis.
 pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>, D::Error> {
     let item = |value: &Value| match value {
         Value::String(text) => text.clone(),
@@ -247,7 +247,7 @@ impl Grid {
         Self { from, to, count, factors: true }
     }
 
-    /// The values; factors are multiplied by `now`.
+    /// The values of the axis; if they are factors, multiplied by the present value `now`.
     pub fn values(self, now: f64) -> Vec<f64> {
         let unit = if self.factors { now } else { 1.0 };
         spaced(self.from, self.to, self.count).map(|value| unit * value).collect()
@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_axis_is_refused() {
+    fn a_text_that_is_not_an_axis_is_refused() {
         for text in [
             "stiffness",
             "stifness=1",

@@ -1,4 +1,4 @@
-//! Radii, heights from which a body falls, and where contact begins, in words.
+//! Radii, heights of a fall, and the indentation at the begin of contact, as texts.
 
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
@@ -88,18 +88,18 @@ impl<'d> Deserialize<'d> for Radius {
     }
 }
 
-/// The expected form of a text, for messages.
+/// The expected form of a radius, for messages.
 const EXPECTED: &str = "isometric, follow or a radius in metres";
-/// No radius is beyond this, in whatever unit, m.
+/// The largest accepted radius, m.
 const LARGEST_LENGTH_M: f64 = 1e9;
 
 /// The new radius of spheres: `isometric`, `follow` or a length in m.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum NewRadius {
-    /// The reference's times the cube root of the masses' ratio (8).
+    /// The reference's radius times the cube root of the ratio of masses (8).
     #[default]
     Isometric,
-    /// The reference's times the geometric mean of the factors of the body that carries the sphere.
+    /// The reference's radius times the geometric mean of the scale factors of the sphere's body.
     Follow,
     /// One radius for all spheres, m.
     Metres(f64),
@@ -167,7 +167,7 @@ impl<'d> Deserialize<'d> for NewRadius {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DropHeight {
     Metres(f64),
-    /// A length in radii of the sphere.
+    /// A multiple of the sphere's radius.
     Radii(f64),
 }
 
@@ -180,7 +180,7 @@ impl DropHeight {
         }
     }
 
-    /// The length for people: the number, and what it counts.
+    /// The length for readers: the number, and `metre` or `radius` as its unit.
     pub fn describe(self, metre: &str, radius: &str) -> String {
         match self {
             Self::Metres(metres) => format!("{} {metre}", readable(metres)),

@@ -1,8 +1,8 @@
-//! Values that people give: read strictly, from words and from JSON alike.
+//! Values that users give: read strictly, and in the same way from texts and from JSON.
 //!
 //! # What it will not do
 //!
-//! It knows no options, no files and no terminal: who asked for a value says so in its own words.
+//! This module knows no options, no files and no terminal; the caller adds the name of the option to a message.
 
 pub mod assignment;
 pub mod bodies;

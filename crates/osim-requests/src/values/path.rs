@@ -61,10 +61,10 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
         .map_err(|_| "a path that is not text cannot be given on this system")
 }
 
-/// The expected form of a path, whatever is there instead.
+/// The expected form of a path, for messages.
 const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
-/// The message about a name of no letters.
+/// The message about an empty name.
 const EMPTY_NAME: &str = "it is empty, expected the name of a file";
 
 /// A path as a value of JSON.
@@ -72,7 +72,7 @@ pub fn to_value(path: &Path) -> serde_json::Value {
     serde_json::to_value(WrittenPath::of(path)).unwrap_or_default()
 }
 
-/// How a field has one path, or none.
+/// Reads and writes a field that has one path or none.
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 pub struct Optional;
 
@@ -80,7 +80,7 @@ impl Optional {
     /// Writes one path, or null.
     ///
     /// # Errors
-    /// Those of the serializer.
+    /// The errors of the serialiser.
     pub fn serialize<S: Serializer>(path: &Option<PathBuf>, serializer: S) -> Result<S::Ok, S::Error> {
         path.as_deref().map(WrittenPath::of).serialize(serializer)
     }
@@ -88,7 +88,7 @@ impl Optional {
     /// Reads one path, or null.
     ///
     /// # Errors
-    /// Anything else.
+    /// A value that is neither a path nor null.
     pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
         let written =
             Option::<WrittenPath>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
@@ -96,7 +96,7 @@ impl Optional {
     }
 }
 
-/// How a field has a list of paths, or one alone in its place.
+/// Reads and writes a field that has a list of paths, or a single path.
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 pub struct List;
 
@@ -104,7 +104,7 @@ impl List {
     /// Writes a list of paths.
     ///
     /// # Errors
-    /// Those of the serializer.
+    /// The errors of the serialiser.
     pub fn serialize<S: Serializer>(paths: &[PathBuf], serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_seq(paths.iter().map(|path| WrittenPath::of(path)))
     }
@@ -112,7 +112,7 @@ impl List {
     /// Reads a list of paths, or one.
     ///
     /// # Errors
-    /// Anything else.
+    /// A value that is neither a path nor a list of paths.
     pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<PathBuf>, D::Error> {
         #[derive(Deserialize)]
         #[serde(untagged)]

@@ -1,4 +1,4 @@
-//! Numbers with a domain: each is checked once, where it is read.
+//! Numbers with a domain; each is checked once, when it is read.
 
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
@@ -190,10 +190,10 @@ impl Default for Count {
 }
 
 impl Positive {
-    /// How long a drop is followed where none is given, s.
+    /// The default duration of a drop, s.
     pub(crate) const DROP_DURATION_S: Self = Self(2.0);
-    /// k̂ of the first step of a ladder (a sweep from soft to stiff contacts), if the caller gives none: that of the softest contacts of
-    /// the paper's Fig. 1(C).
+    /// The default k̂ at the start of a ladder (a sweep from soft to stiff contacts): k̂ of the softest contacts in the
+    /// paper's Fig. 1(C).
     pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
 }
 
@@ -340,7 +340,7 @@ mod tests {
         assert!(serde_json::from_str::<Kilograms>("-1").is_err());
     }
 
-    /// Each type with its bounds: the largest is taken, and one more is refused with both.
+    /// For each type, the largest allowed value is accepted, and one more is refused with both bounds in the message.
     #[test]
     fn every_count_has_a_largest_value() {
         macro_rules! bounds {

@@ -1,4 +1,4 @@
-//! Values that are read from their text, in JSON too, and choices of one word out of few.
+//! Values that are read from their texts, also in JSON, and choices of one word among several.
 
 use std::fmt::Display;
 use std::marker::PhantomData;
@@ -12,7 +12,7 @@ use serde_json::Value;
 /// Reads a value from the text or number that JSON has for it.
 ///
 /// # Errors
-/// What [`FromStr`] says of it.
+/// The error of [`FromStr`].
 pub(crate) fn from_text<'d, T, D>(deserializer: D) -> Result<T, D::Error>
 where
     T: FromStr<Err: Display>,
@@ -62,7 +62,7 @@ where
 /// Reads a value that may be absent.
 ///
 /// # Errors
-/// What [`FromStr`] says of it.
+/// The error of [`FromStr`].
 pub(crate) fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
 where
     T: FromStr<Err: Display>,
@@ -74,10 +74,10 @@ where
     }
 }
 
-/// Reads a list of such values, or one alone in its place.
+/// Reads a list of values from their texts, or a single value.
 ///
 /// # Errors
-/// Those of the values.
+/// The error of [`FromStr`] for one of the values.
 pub(crate) fn from_texts<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
 where
     T: FromStr<Err: Display>,
@@ -94,16 +94,16 @@ where
 /// Writes a list of values as their texts.
 ///
 /// # Errors
-/// Those of the serialiser.
+/// The errors of the serialiser.
 pub(crate) fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_seq(values.iter().map(ToString::to_string))
 }
 
-/// Words of a choice, each with what it means; empty where the word says it.
+/// The words of a choice, each with its meaning; the meaning is empty if the word is clear.
 pub type Words = &'static [(&'static str, &'static str)];
 
-/// Declares an enum whose variants are words: for a command line, for JSON and in messages. After its name comes the word
-/// that is taken where none is given, if there is one.
+/// Declares an enum whose variants are words: for a command line, for JSON and in messages. After the name of the enum comes the
+/// default word, if there is one.
 macro_rules! choices {
     ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
         $(#[doc = $doc])+
@@ -115,7 +115,7 @@ macro_rules! choices {
         impl $name {
             pub const ALL: &'static [Self] = &[$(Self::$variant),+];
 
-            /// Every word with what it means, where that is said.
+            /// Every word with its meaning, if it has a text.
             pub(crate) const WORDS: $crate::values::serial::Words = &[$(($word, concat!($($help)?))),+];
 
             pub const fn as_str(self) -> &'static str {

@@ -1,4 +1,4 @@
-//! The part of one job of many: a share of the models, or one point of a grid.
+//! A part of a large job: a share of the models, or one point of a grid.
 
 use std::fmt;
 use std::iter::StepBy;
@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use crate::values::serial::{self, from_text};
 use crate::values::typed::trimmed;
 
-/// No cluster runs more jobs than this.
+/// The largest number of shares; no cluster runs more jobs.
 const MOST_JOBS: u64 = 1_000_000_000;
 
 /// Share `i` (from 1) of `n`: `i/n`.
@@ -26,35 +26,35 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// Whether number `number` is in this share.
+    /// Whether the share contains the number `number`.
     pub const fn has_number(self, number: u64) -> bool {
         number % self.count == self.index - 1
     }
 
-    /// Which of `count` things in a row are in this share, counted from 0: every n-th, so that neighbours, which are about as
-    /// much work, are spread over all shares.
+    /// The indices, from 0, of the items in this share among `count` items: every n-th. Neighbouring items take about the
+    /// same time, so that all shares take about the same time.
     pub fn of(self, count: usize) -> StepBy<Range<usize>> {
         // No computer has more things than it can count.
         let whole = |number: u64| usize::try_from(number).unwrap_or(usize::MAX);
         (whole(self.index - 1)..count).step_by(whole(self.count))
     }
 
-    /// The share as a part of a file's name: names of all shares sort as the shares do.
+    /// The share as a part of a file name; sorted by name, the files have the order of the shares.
     pub fn file_part(self) -> String {
         let count = self.count.to_string();
         format!("shard-{:0width$}-of-{count}", self.index, width = count.len())
     }
 
-    /// Whether a model of this name is in this share.
+    /// Whether the share contains the model `name`.
     ///
-    /// It belongs to the share of its name, so that it stays there when other models come or go while the shares are at
-    /// work.
+    /// The share of a model depends only on its name. It stays the same if other models are added or removed while the shares
+    /// run.
     pub fn has_name(self, name: &Path) -> bool {
-        self.has_number(of_name(name.as_os_str().as_encoded_bytes()))
+        self.has_number(hash_of_name(name.as_os_str().as_encoded_bytes()))
     }
 }
 
-fn of_name(name: &[u8]) -> u64 {
+fn hash_of_name(name: &[u8]) -> u64 {
     // Windows separates folders with `\`; the share is the same there.
     let name: Vec<u8> = name.iter().map(|&byte| if byte == b'\\' { b'/' } else { byte }).collect();
     let digest = Sha256::digest(&name);
@@ -95,7 +95,7 @@ impl<'d> Deserialize<'d> for Shard {
     }
 }
 
-/// The number of one point, from 1. There is none beyond counting.
+/// The number of one grid point, from 1, or a number that is too large to count.
 struct PointNumber(usize);
 
 impl FromStr for PointNumber {
@@ -118,7 +118,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_share_is_i_of_n() {
+    fn a_share_is_read_from_its_number_and_count() {
         assert_eq!("2/8".parse(), Ok(Shard { index: 2, count: 8 }));
         for text in
             ["0/8", "9/8", "1/0", "1", "a/b", "1/8/2", "-1/8", "1/1000000001", "1/99999999999999999999"]
@@ -128,7 +128,7 @@ mod tests {
     }
 
     #[test]
-    fn every_thing_in_a_row_is_in_one_share() {
+    fn every_item_is_in_exactly_one_share() {
         let of = |text: &str, count| text.parse::<Shard>().unwrap().of(count).collect::<Vec<_>>();
         assert_eq!([of("1/3", 7), of("2/3", 7), of("3/3", 7)], [vec![0, 3, 6], vec![1, 4], vec![2, 5]]);
         assert_eq!([of("1/1", 2), of("3/4", 2), of("4/4", 0)], [vec![0, 1], vec![], vec![]]);
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn the_share_of_a_name_never_changes() {
         // First 8 bytes of `printf 'a/x.osim' | sha256sum`.
-        assert_eq!(of_name(b"a/x.osim"), 0xdc2e_ddeb_2914_d027);
-        assert_eq!(of_name(b"a\\x.osim"), of_name(b"a/x.osim"));
+        assert_eq!(hash_of_name(b"a/x.osim"), 0xdc2e_ddeb_2914_d027);
+        assert_eq!(hash_of_name(b"a\\x.osim"), hash_of_name(b"a/x.osim"));
     }
 }

@@ -1,15 +1,15 @@
-//! Numbers and ranges as people type them, read strictly: a wrong one is refused with what to type instead.
+//! Numbers and ranges in texts from users, read strictly; the error message says what to type.
 
 use osim_model::messages::shortest;
 
-/// `text` without white space around it, of whatever kind: what is typed or pasted may have a no-break space there, and it means
-/// nothing. The texts of models are OpenSim's, see `osim_model::xml::opensim_text`.
+/// `text` without the white space around it, of any kind: typed or pasted texts may have a no-break space there. For texts of
+/// models, see `osim_model::xml::opensim_text`.
 #[expect(clippy::disallowed_methods, reason = "the one place for texts of people, not of models")]
 pub fn trimmed(text: &str) -> &str {
     text.trim()
 }
 
-/// A spelling of a unit, and its size in the unit that is expected.
+/// A spelling of a unit, and the size of this unit in the expected unit.
 pub type UnitSpelling = (&'static str, f64);
 
 /// Units of mass, in kg. A pound is 0.45359237 kg by definition, an ounce its 16th part.
@@ -27,10 +27,10 @@ pub(crate) const MASSES: &[UnitSpelling] = &[
 pub(crate) const LENGTHS: &[UnitSpelling] =
     &[("mm", 1e-3), ("cm", 1e-2), ("um", 1e-6), ("µm", 1e-6), ("m", 1.0), ("inch", 0.0254), ("in", 0.0254)];
 
-/// A finite number above 0. `units` are spellings with a unit that are refused with the number to type.
+/// A finite number above 0. A number with one of `units` is refused, and the message gives the converted number.
 ///
 /// # Errors
-/// What was expected, and what to type.
+/// The expected form, and advice what to type.
 pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     let text = trimmed(text);
     if let Some(value) = plain_number(text) {
@@ -67,7 +67,7 @@ pub fn positive(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f6
     }
 }
 
-/// A number with a unit, converted to the expected unit, to the digits that a conversion leaves right.
+/// The number in a text with a unit, converted to the expected unit, without digits from rounding.
 pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     let small = text.to_ascii_lowercase();
     // A capital M is another unit, a million times as large or more.
@@ -81,16 +81,16 @@ pub fn converted(text: &str, units: &[UnitSpelling]) -> Option<f64> {
     digits.parse().ok().filter(|value: &f64| *value > 0.0 && value.is_finite())
 }
 
-/// A decimal number without words such as `inf` or `nan`.
+/// A decimal number; words such as `inf` or `nan` are not numbers.
 pub(crate) fn plain_number(text: &str) -> Option<f64> {
     let digits = text.bytes().all(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
     if digits { text.parse().ok() } else { None }
 }
 
-/// A finite number above 0, whatever it counts.
+/// A finite number above 0, for any quantity.
 ///
 /// # Errors
-/// It is none.
+/// The text is not such a number.
 pub(crate) fn positive_number(text: &str) -> Result<f64, String> {
     positive(text, "a number", &[])
 }
@@ -98,15 +98,15 @@ pub(crate) fn positive_number(text: &str) -> Result<f64, String> {
 /// A finite number, 0 or more.
 ///
 /// # Errors
-/// It is none.
+/// The text is not such a number.
 pub fn number(text: &str) -> Result<f64, String> {
     number_in(text, "a number", &[])
 }
 
-/// A number, with what is expected and spellings with a unit.
+/// A finite number; `expected` and `units` are for the error message.
 ///
 /// # Errors
-/// It is none.
+/// The text is not such a number.
 pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     if plain_number(trimmed(text)) == Some(0.0) {
         return Ok(0.0);
@@ -114,10 +114,10 @@ pub(crate) fn number_in(text: &str, expected: &str, units: &[UnitSpelling]) -> R
     positive(text, expected, units)
 }
 
-/// A number that is 0 or more, with what is expected and spellings with a unit.
+/// A number that is 0 or more; `expected` and `units` are for the error message.
 ///
 /// # Errors
-/// It is none.
+/// The text is not such a number.
 pub(crate) fn not_negative(text: &str, expected: &str, units: &[UnitSpelling]) -> Result<f64, String> {
     match plain_number(trimmed(text)) {
         Some(value) if value < 0.0 || !value.is_finite() => Err(format!("expected {expected}, 0 or more")),
@@ -132,19 +132,19 @@ pub fn factor(text: &str) -> Option<&str> {
 
 // Numbers along an axis, in words: `FROM..TO/COUNT`.
 
-/// A range as it is written; what its ends mean is for the reader to say.
+/// A range as it was typed; the caller interprets both ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range<'t> {
     /// First value of the range, as it was typed.
     pub first: &'t str,
     /// Last value of the range, as it was typed.
     pub last: &'t str,
-    /// The number of values in the range, both ends among them.
+    /// The number of values in the range, with both ends.
     pub count: u32,
 }
 
 impl<'t> Range<'t> {
-    /// Whether `text` is meant as a range.
+    /// Whether `text` looks like a range.
     pub fn is_meant(text: &str) -> bool {
         text.contains("..")
     }
@@ -157,20 +157,20 @@ impl<'t> Range<'t> {
         Some(Self { first: trimmed(first), last: trimmed(last), count })
     }
 
-    /// Whether both ends are factors, or both numbers; `None` where they are unlike.
+    /// Whether both ends are factors (true) or both are plain numbers (false); `None` if they differ.
     pub(crate) fn are_factors(&self) -> Option<bool> {
         let is_factor = factor(self.first).is_some();
         (is_factor == factor(self.last).is_some()).then_some(is_factor)
     }
 }
 
-/// The range with colons as it is written here; `None` if there are no colons between numbers, or it is empty.
+/// The range with colons in this program's spelling; `None` if there are no colons between numbers, or if the range is empty.
 pub fn respelled(text: &str) -> Option<String> {
     ColonRange::read(text)?.range
 }
 
-/// The text to write for a range with colons, as MATLAB has it: FROM:STEP:TO, or FROM:TO with steps of 1. `None` where there are no colons
-/// between numbers.
+/// The advice for a range with colons, as MATLAB has it: `FROM:STEP:TO`, or `FROM:TO` with steps of 1. `None` if there are no
+/// colons between numbers.
 pub(crate) fn with_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
     Some(match ColonRange::read(text)? {
@@ -183,11 +183,11 @@ pub(crate) fn with_colons(text: &str) -> Option<String> {
     })
 }
 
-/// A range whose numbers have colons between them.
+/// A range with colons between its numbers.
 struct ColonRange {
-    /// The range as it is written here; `None` if it has no values.
+    /// The range in this program's spelling; `None` if it has no values.
     range: Option<String>,
-    /// Whether the range is FROM:STEP:TO; otherwise FROM:TO:COUNT.
+    /// Whether the range is `FROM:STEP:TO`; else it is `FROM:TO:COUNT`.
     has_steps: bool,
 }
 
@@ -213,7 +213,7 @@ impl ColonRange {
     }
 }
 
-/// `count` numbers from `first` to `last`, equally far apart in their logarithms, both ends exact.
+/// `count` numbers from `first` to `last`, at equal distances of their logarithms; both ends are exact.
 pub fn spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
     let steps = f64::from(count - 1);
     (0..count).map(move |index| match index {
@@ -236,7 +236,7 @@ mod tests {
     }
 
     #[test]
-    fn ranges_of_matlab_are_answered_with_the_right_spelling() {
+    fn ranges_of_matlab_are_refused_with_the_right_spelling() {
         for (text, said) in [
             // In MATLAB this is empty: the last number is how many values there are.
             ("1e5:1e6:10", "write 1e5..1e6/10"),

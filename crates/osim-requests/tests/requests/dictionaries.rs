@@ -1,4 +1,4 @@
-//! Requests from dictionaries: what is read, and the messages about a wrong one.
+//! Tests of requests from dictionaries: their fields, and the messages about wrong fields.
 
 use osim_model::messages::{Input, Verb};
 use osim_requests::{Request, RequestFault, schema_of};
@@ -8,8 +8,8 @@ fn read(json: &Value) -> Result<Request, RequestFault> {
     Request::from_json(json.to_string().as_bytes())
 }
 
-/// A request to rescale `a.osim`, with these fields too.
-fn rescale(fields: &Value) -> Result<Request, RequestFault> {
+/// A request to rescale `a.osim` with additional `fields`.
+fn rescale_request(fields: &Value) -> Result<Request, RequestFault> {
     read(&with_fields(json!({"verb": "rescale", "models": ["a.osim"]}), fields))
 }
 
@@ -40,9 +40,10 @@ fn fields_have_the_names_of_the_options() {
 }
 
 #[test]
-fn what_says_nothing_is_left_out() {
+fn fields_with_default_values_are_left_out() {
     let request =
-        rescale(&json!({"models": "a.osim", "target_mass": 70, "select": null, "level": false})).unwrap();
+        rescale_request(&json!({"models": "a.osim", "target_mass": 70, "select": null, "level": false}))
+            .unwrap();
     assert_eq!(
         Value::Object(request.to_map()),
         json!({"verb": "rescale", "models": ["a.osim"], "target_mass": 70.0})
@@ -51,7 +52,7 @@ fn what_says_nothing_is_left_out() {
 }
 
 #[test]
-fn one_text_may_stand_alone_where_a_list_is_meant() {
+fn a_single_text_is_read_as_a_list() {
     let added = |feet: Value| {
         read(&json!({"verb": "add", "models": "a.osim", "from": "b.osim", "feet": feet, "pad": 0.01}))
     };
@@ -60,7 +61,7 @@ fn one_text_may_stand_alone_where_a_list_is_meant() {
 }
 
 #[test]
-fn a_wrong_field_is_named_with_what_to_write() {
+fn the_message_about_a_wrong_field_has_its_name_and_advice() {
     for (fields, field, hint) in [
         (json!({"target_mass": "20.9g"}), "target_mass", "type 0.0209"),
         (json!({"target_mas": 62}), "target_mas", "did you mean `target_mass`"),
@@ -85,7 +86,7 @@ fn a_wrong_field_is_named_with_what_to_write() {
         (json!({"outptu": null}), "outptu", "did you mean `output`"),
         (json!({"target-mass": 5}), "target-mass", "did you mean `target_mass`"),
     ] {
-        let fault = rescale(&fields).unwrap_err();
+        let fault = rescale_request(&fields).unwrap_err();
         assert_eq!(fault.field(), Some(field), "{fields}: {fault}");
         assert!(fault.to_string().contains(hint), "{fields}: {fault}");
     }
@@ -104,7 +105,7 @@ fn a_wrong_field_is_named_with_what_to_write() {
 }
 
 #[test]
-fn properties_keep_the_order_in_which_they_were_said() {
+fn properties_keep_their_given_order() {
     let request =
         read(&json!({"verb": "set", "models": "a.osim", "set": {"stiffness": "x2", "dissipation": 1}}));
     let Ok(Request::Set(request)) = request else { panic!("{request:?}") };
@@ -162,7 +163,7 @@ fn every_verb_has_a_schema_that_its_own_requests_fulfil() {
 }
 
 #[test]
-fn a_schema_knows_what_goes_together() {
+fn a_schema_has_the_relations_between_fields() {
     let schema = Value::from(schema_of(Verb::Rescale));
     let validator = jsonschema::validator_for(&schema).unwrap();
     for (fields, valid) in [
@@ -181,12 +182,12 @@ fn a_schema_knows_what_goes_together() {
             valid,
             "{fields}"
         );
-        assert_eq!(rescale(&fields).is_ok(), valid, "{fields}");
+        assert_eq!(rescale_request(&fields).is_ok(), valid, "{fields}");
     }
 }
 
 #[test]
-fn an_object_without_fields_says_nothing_in_the_schema_too() {
+fn an_object_of_defaults_is_valid_in_the_schema() {
     for (fields, valid) in [
         (json!({"verb": "transfer", "models": ["a.osim"], "from": "b.osim", "body_scale": {}}), true),
         (
@@ -208,7 +209,7 @@ fn an_object_without_fields_says_nothing_in_the_schema_too() {
 }
 
 #[test]
-fn texts_are_read_whatever_editor_wrote_them() {
+fn json_with_a_byte_order_mark_is_read() {
     let request = r#"{"verb": "explain"}"#;
     let marked = [b"\xEF\xBB\xBF", request.as_bytes()].concat();
     assert_eq!(Request::from_json(&marked), Request::from_json(request.as_bytes()));
@@ -219,7 +220,7 @@ fn texts_are_read_whatever_editor_wrote_them() {
 
 #[test]
 fn a_number_may_be_its_text_as_in_a_table() {
-    let request = rescale(&json!({"target_mass": "70", "jobs": "2"})).unwrap();
+    let request = rescale_request(&json!({"target_mass": "70", "jobs": "2"})).unwrap();
     assert_eq!(request.to_map()["jobs"], 2);
     assert_eq!(request.to_map()["target_mass"], 70.0);
 }
@@ -239,7 +240,7 @@ fn a_body_may_have_any_name() {
     assert!(read(&none).unwrap_err().to_string().contains("calcn_r: expected three factors above 0"));
 }
 
-/// Standard input is read once, and a request from there may name it nowhere as a file to be read.
+/// Standard input can be read only once, so that a request from standard input must not name it as a file to read.
 #[test]
 fn a_file_that_is_read_is_found_in_every_option() {
     for (fields, option) in [
@@ -271,7 +272,7 @@ fn a_file_that_is_read_is_found_in_every_option() {
     }
 }
 
-/// Each field that a front end offers is an [`Input`].
+/// Each field of a front end is an [`Input`].
 #[test]
 fn every_option_is_an_input() {
     const OPERANDS: [&str; 7] = ["verb", "models", "subject", "manifest", "file", "name", "set"];
