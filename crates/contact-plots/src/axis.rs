@@ -1,4 +1,4 @@
-//! Axes: what is written along them, where they begin and end, where their ticks are.
+//! Axes: their labels, their ends, and their ticks.
 
 use std::ops::Range;
 
@@ -13,42 +13,42 @@ use crate::text_width::width_pt;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Axis {
-    /// Text along the axis, with its unit.
+    /// The label along the axis: a quantity with its unit.
     pub label: String,
-    /// The range that the axis covers at least; it grows to hold all points.
+    /// The range that the axis covers at least, in the unit of the axis. The axis grows if points lie outside.
     pub range: Option<(f64, f64)>,
-    /// The limits of the axis, if it is to cover exactly these: what is outside is not drawn.
+    /// The limits of the axis, in the unit of the axis, if it must cover exactly these; points outside are not drawn.
     pub limits: Option<(f64, f64)>,
-    /// Whether equal ratios are equally far apart.
+    /// Whether the axis is logarithmic: equal ratios are equally far apart.
     pub logarithmic: bool,
 }
 
 impl Axis {
-    /// An axis that covers its points.
+    /// A linear axis that covers all its points.
     #[must_use]
     pub fn new(label: impl Into<String>) -> Self {
         Self { label: label.into(), range: None, limits: None, logarithmic: false }
     }
 
-    /// An axis that covers at least this range.
+    /// A linear axis that covers all its points and at least the range from `from` to `to`.
     #[must_use]
     pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self { range: Some((from, to)), ..Self::new(label) }
     }
 
-    /// A logarithmic axis that covers its points.
+    /// A logarithmic axis that covers all its points.
     #[must_use]
     pub fn logarithmic(label: impl Into<String>) -> Self {
         Self { logarithmic: true, ..Self::new(label) }
     }
 
-    /// Position of a value along the axis: the value, or its decimal logarithm.
+    /// Position of a value along the axis: the value, or its decimal logarithm on a logarithmic axis.
     pub(crate) fn place(&self, value: f64) -> f64 {
         if self.logarithmic { value.log10() } else { value }
     }
 
-    /// Start and end of the axis, as positions: the limits, or all values and the wanted range. `room` leaves some room above the values
-    /// and begins at 0.
+    /// Start and end of the axis as positions: its limits, or the range of all values and the wanted range. With `room`, the
+    /// axis begins at 0 and ends some way above the largest value.
     pub(crate) fn span(&self, values: impl Iterator<Item = f64>, room: bool) -> (f64, f64) {
         if let Some((from, to)) = self.limits {
             return (self.place(from), self.place(to));
@@ -69,12 +69,12 @@ impl Axis {
         if high > low { (low, high) } else { (low - 0.5, low + 0.5) }
     }
 
-    /// About `count` ticks over a span.
+    /// Ticks over a span of positions, about `count` of them.
     pub(crate) fn ticks(&self, span: (f64, f64), count: usize) -> Ticks {
         if self.logarithmic { Ticks::logarithmic(span) } else { Ticks::linear(span, count) }
     }
 
-    /// Refuses limits that are none, and a logarithmic axis of values that have no logarithm.
+    /// Refuses limits that do not go from a smaller to a larger number, and values without a logarithm on a logarithmic axis.
     pub(crate) fn check(&self, mut values: impl Iterator<Item = f64>) -> Result<(), PlotError> {
         let wrong = |(from, to): (f64, f64)| !from.is_finite() || !to.is_finite() || from >= to;
         if self.limits.is_some_and(wrong) {
@@ -91,20 +91,21 @@ impl Axis {
 /// Positions of ticks, and the texts at them.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Ticks {
-    /// Places with their labels.
+    /// Positions of the ticks with a label, each with its label.
     pub(crate) marks: Vec<(f64, String)>,
-    /// Positions of ticks without a text.
+    /// Positions of the ticks without a label.
     pub(crate) minor: Vec<f64>,
 }
 
 impl Ticks {
-    /// About `count` ticks of a linear axis.
+    /// Ticks of a linear axis, about `count` of them.
     pub(crate) fn linear((low, high): (f64, f64), count: usize) -> Self {
         let coord: RangedCoordf64 = (low..high).into();
         let at: Vec<f64> = coord.key_points(count);
         let largest = at.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
         let step = at.windows(2).map(|pair| pair[1] - pair[0]).fold(largest, f64::min);
-        let power = if (1e-3..1e5).contains(&largest) || largest == 0.0 { 0 } else { exponent(largest) };
+        let power =
+            if (1e-3..1e5).contains(&largest) || largest == 0.0 { 0 } else { decimal_exponent(largest) };
         let decimals = decimals(step / 10_f64.powi(power));
         let marks = at.into_iter().map(|value| {
             // What rounding leaves of 0 is 0.
@@ -114,7 +115,7 @@ impl Ticks {
         Self { marks: marks.collect(), minor: vec![] }
     }
 
-    /// The ticks of a logarithmic axis, whose places are decimal logarithms.
+    /// The ticks of a logarithmic axis from `low` to `high`; all positions are decimal logarithms.
     pub(crate) fn logarithmic((low, high): (f64, f64)) -> Self {
         let (low, high) = (10_f64.powf(low), 10_f64.powf(high));
         let marks = log_ticks(low, high).into_iter().map(|(at, label)| (at.log10(), label));
@@ -122,7 +123,7 @@ impl Ticks {
         Self { marks: marks.collect(), minor: minor.collect() }
     }
 
-    /// Places of the ticks with labels.
+    /// Positions of the ticks with a label.
     pub(crate) fn at(&self) -> Vec<f64> {
         self.marks.iter().map(|(at, _)| *at).collect()
     }
@@ -131,7 +132,7 @@ impl Ticks {
         self.marks.iter().find(|(tick, _)| *tick == at).map_or("", |(_, label)| label)
     }
 
-    /// The width of the widest label.
+    /// The width of the widest label, pt.
     pub(crate) fn width_pt(&self) -> f64 {
         self.marks.iter().map(|(_, label)| width_pt(label, TEXT_PT)).fold(0.0, f64::max)
     }
@@ -144,7 +145,7 @@ fn linear_label(value: f64, power: i32, decimals: usize) -> String {
     format!("{}×{}", fixed_decimals(value / 10_f64.powi(power), decimals), power_of_ten(power))
 }
 
-/// A linear coordinate of plotters, with ticks at given positions.
+/// A linear coordinate for the library `plotters`, with ticks at given positions.
 pub(crate) struct Scale {
     coord: RangedCoordf64,
     ticks: Vec<f64>,
@@ -174,11 +175,11 @@ impl Ranged for Scale {
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "an exponent of ten")]
-fn exponent(value: f64) -> i32 {
+fn decimal_exponent(value: f64) -> i32 {
     value.abs().log10().floor() as i32
 }
 
-/// Digits after the point that distinguish values that are `step` apart.
+/// Number of digits after the decimal point that are needed to distinguish values with a distance of `step`.
 fn decimals(step: f64) -> usize {
     (0..12)
         .find(|&digits| {
@@ -197,7 +198,7 @@ fn fixed_decimals(value: f64, decimals: usize) -> String {
     }
 }
 
-/// 10 with a raised exponent.
+/// 10 with its exponent as superscript.
 fn power_of_ten(power: i32) -> String {
     let raised = |c: char| match c {
         '-' => '⁻',
@@ -210,12 +211,12 @@ fn power_of_ten(power: i32) -> String {
     format!("10{}", power.to_string().chars().map(raised).collect::<String>())
 }
 
-/// Ticks of a logarithmic axis: 1, 2 and 5 of each decade where there is room for them, else the decades.
+/// The labelled ticks of a logarithmic axis: 1, 2 and 5 of each decade if there is room for them, else the decades.
 fn log_ticks(low: f64, high: f64) -> Vec<(f64, String)> {
     let decades = (high / low).log10();
     let steps: &[f64] = if decades < 1.8 { &[1.0, 2.0, 5.0] } else { &[1.0] };
     let mut ticks = Vec::new();
-    for power in exponent(low)..=exponent(high) {
+    for power in decimal_exponent(low)..=decimal_exponent(high) {
         for &step in steps {
             let at = step * 10_f64.powi(power);
             if at >= low * (1.0 - 1e-9) && at <= high * (1.0 + 1e-9) {
@@ -236,7 +237,7 @@ fn log_label(step: f64, power: i32) -> String {
 
 /// The unlabelled ticks of a logarithmic axis: 1 to 9 of each decade.
 fn minor_log_ticks(low: f64, high: f64) -> Vec<f64> {
-    (exponent(low)..=exponent(high))
+    (decimal_exponent(low)..=decimal_exponent(high))
         .flat_map(|power| (1..10).map(move |step| f64::from(step) * 10_f64.powi(power)))
         .filter(|at| (low..=high).contains(at))
         .collect()
@@ -276,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn limits_are_kept_and_must_be_some() {
+    fn limits_are_kept_and_must_go_from_a_smaller_to_a_larger_number() {
         let limited = Axis { limits: Some((0.0, 2.0)), ..Axis::new("F") };
         assert_eq!(limited.span([1.0, 30.0].into_iter(), true), (0.0, 2.0));
         assert!(limited.check(std::iter::empty()).is_ok());

@@ -1,4 +1,4 @@
-//! A document: its paper, its title, the area that the rest is drawn into, and the SVG that it becomes.
+//! An SVG document of a figure: its size on paper, its title, and the area in which the rest is drawn.
 
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
@@ -10,15 +10,15 @@ use crate::figure::Width;
 use crate::style::{TEXT_PT, TITLE_PT, text, units};
 use crate::text_width::lines;
 
-/// How wide a figure is on paper, and how large its letters are.
+/// The width of a figure on paper, and the size of its letters.
 ///
-/// Everything of a figure (margins, dashes, gaps) grows with its letters, so that a figure with larger letters is drawn as
-/// one on smaller paper and then enlarged.
+/// Margins, dashes and gaps of a figure have sizes in proportion to its letters. A figure with larger letters is laid out on
+/// smaller paper and then enlarged.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Paper {
-    /// The width in mm; `None` for the figure's own.
+    /// The width of the figure in mm; `None` for the figure's default width.
     pub width_mm: Option<f64>,
-    /// The size of its letters in points (1/72 inch); titles are a little larger.
+    /// The size of the figure's letters in points (1/72 inch); titles are a little larger.
     pub text_pt: f64,
 }
 
@@ -28,26 +28,27 @@ impl Default for Paper {
     }
 }
 
-/// Less than this between the axes, in points for letters of 7 points, shows nothing.
+/// The smallest useful distance between the two vertical edges of a plot, in points for letters of 7 points.
 const LEAST_PLOT_PT: f64 = 60.0;
 
 impl Paper {
-    /// The width in mm of a figure that is `default` by itself.
+    /// The width in mm of a figure with the default width `default`.
     pub(crate) fn width_mm(self, default: Width) -> f64 {
         self.width_mm.unwrap_or(default.mm())
     }
 
-    /// The width to lay a figure out in, in points for letters of [`TEXT_PT`].
+    /// The width in which a figure is laid out, in points for letters of [`TEXT_PT`].
     pub(crate) fn layout_pt(self, default: Width) -> f64 {
         self.width_mm(default) / 25.4 * 72.0 / self.enlarged()
     }
 
-    /// How much what was laid out is enlarged.
+    /// The factor by which the layout is enlarged on the paper.
     fn enlarged(self) -> f64 {
         self.text_pt / TEXT_PT
     }
 
-    /// Refuses a paper on which `beside_pt` leaves too little room for what is drawn between the axes.
+    /// Refuses a paper that leaves too little room between the axes; `beside_pt` is the room that tick labels and axis labels
+    /// need beside the plot.
     ///
     /// # Errors
     /// [`PlotError::TooNarrow`].
@@ -63,7 +64,7 @@ impl Paper {
 
 // The SVG document around what the plotting library drew: size on paper, title and description.
 
-/// The title of a document and a description of what it shows, for those who do not see it.
+/// The title of a document, and a description for readers who cannot see it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TitleAndDescription<'n> {
     pub(crate) title: &'n str,
@@ -71,7 +72,8 @@ pub(crate) struct TitleAndDescription<'n> {
 }
 
 impl<'n> TitleAndDescription<'n> {
-    /// The title; of a figure without one the first sentence of its description, as every picture needs a name.
+    /// The title of the document. If the figure has no title, the first sentence of its description, because every picture
+    /// needs a name.
     fn title(self) -> &'n str {
         if self.title.chars().any(|letter| !letter.is_ascii_whitespace()) {
             return self.title;
@@ -81,7 +83,7 @@ impl<'n> TitleAndDescription<'n> {
     }
 }
 
-/// Gives the library's document its width in millimetres, a role, a title and a description.
+/// Gives the SVG document of the library its width in millimetres, a role, a title and a description.
 fn with_size_and_title(
     drawn: &str,
     (width, height): (u32, u32),
@@ -99,20 +101,20 @@ fn with_size_and_title(
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
          viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
-        rounded(width_mm),
-        rounded(height_mm),
+        rounded_to_thousandth(width_mm),
+        rounded_to_thousandth(height_mm),
         escaped(names.title()),
         escaped(names.description),
     ))
 }
 
 /// A number rounded to a thousandth, without zeros at its end.
-fn rounded(mm: f64) -> f64 {
+fn rounded_to_thousandth(mm: f64) -> f64 {
     (1000.0 * mm).round() / 1000.0
 }
 
-/// Lines of one look that follow each other, as one path: the library draws each dash as an element of its own, which
-/// would be most of the document.
+/// Joins consecutive lines with the same colour and width to one path. The library draws each dash as an element, and these
+/// elements would be most of the document.
 fn join_polylines(body: &str) -> String {
     const POINTS: &str = " points=\"";
     let mut out = String::with_capacity(body.len());
@@ -148,7 +150,7 @@ fn write_run(out: &mut String, (look, lines): &(&str, Vec<&str>)) {
     }
 }
 
-/// Text as XML holds it. Characters that XML cannot hold at all are left out.
+/// Text with XML escapes; characters that XML does not allow are left out.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for letter in text.chars() {
@@ -156,20 +158,20 @@ fn escaped(text: &str) -> String {
             '<' => out.push_str("&lt;"),
             '>' => out.push_str("&gt;"),
             '&' => out.push_str("&amp;"),
-            other => out.extend(allowed(other)),
+            other => out.extend(allowed_in_xml(other)),
         }
     }
     out
 }
 
-fn allowed(letter: char) -> Option<char> {
+fn allowed_in_xml(letter: char) -> Option<char> {
     let control = letter < ' ' && !matches!(letter, '\n' | '\t');
     (!control && !matches!(letter, '\u{fffe}' | '\u{ffff}')).then_some(letter)
 }
 
-/// The text without what XML cannot hold, for the library, which escapes the rest itself.
+/// The text without characters that XML does not allow, for the library, which adds the XML escapes.
 pub(crate) fn printable(text: &str) -> String {
-    text.chars().filter_map(allowed).collect()
+    text.chars().filter_map(allowed_in_xml).collect()
 }
 
 // A document with its title above, into which the rest is drawn.
@@ -181,7 +183,7 @@ const TITLE_GAP_PT: f64 = 3.4;
 
 pub(crate) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// A title, broken into lines where it is wider than its figure; none takes no room.
+/// A title, broken into lines if it is wider than its figure. An empty title takes no room.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Title(Vec<String>);
 
@@ -190,7 +192,7 @@ impl Title {
         Self(lines(&printable(title), TITLE_PT, width_pt - 2.0 * MARGIN_PT))
     }
 
-    /// Distance from the top of the page to what is below the title, in points.
+    /// Distance from the top of the page to the content below the title, in points.
     pub(crate) fn bottom_pt(&self) -> f64 {
         let lines = f64::from(u32::try_from(self.0.len()).unwrap_or(u32::MAX));
         MARGIN_PT + if self.0.is_empty() { 0.0 } else { lines * TITLE_LINE_PT + TITLE_GAP_PT }
@@ -207,9 +209,9 @@ impl Title {
     }
 }
 
-/// The title and the names of a document, and how large it is.
+/// The title, the description and the size of a document.
 pub(crate) struct Sheet<'s> {
-    /// The width that `paper` gives a figure of this width.
+    /// The default width of the figure, if `paper` gives none.
     pub(crate) width: Width,
     pub(crate) paper: Paper,
     /// The height of the layout, in points for letters of 7 points.
@@ -218,7 +220,7 @@ pub(crate) struct Sheet<'s> {
     pub(crate) names: TitleAndDescription<'s>,
 }
 
-/// An SVG document with its title drawn at the top; `draw` draws the rest.
+/// An SVG document with its title at the top; `draw` draws the content below the title.
 pub(crate) fn document(
     sheet: &Sheet<'_>,
     draw: impl FnOnce(&Area<'_>) -> Result<(), PlotError>,

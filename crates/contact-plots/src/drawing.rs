@@ -1,4 +1,4 @@
-//! A figure of any kind, and the numbers in it.
+//! A figure of any kind, and its numbers as rows of a table.
 
 use crate::axis::Axis;
 use crate::document::Paper;
@@ -12,35 +12,36 @@ use crate::scene::{Scene, scene};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Drawing {
-    /// Curves in panels of axes.
+    /// Curves in panels, each with a pair of axes.
     Panels(Figure),
-    /// A quantity as colours.
+    /// A quantity over two parameters, shown by colours.
     HeatMap(HeatMap),
-    /// Circles, outlines and points in space.
+    /// Circles, outlines and points in space, seen from several sides.
     Scene(Scene),
 }
 
-/// One number or place of a figure, as a row of a table; what it does not have is empty.
+/// One number or place of a figure, as a row of a table. A column that does not apply is empty.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Datum {
-    /// The panel's letter and title, or the view's title.
+    /// The panel's letter and title, or the title of the view.
     pub panel: String,
-    /// `curve`, `point`, `limit`, `cell`, `outline`, `sphere`, `level`: what it is a part of.
+    /// The element of the figure to which the number belongs: `curve`, `point`, `limit`, `cell`, `outline`, `sphere`, or
+    /// `level`.
     pub kind: &'static str,
-    /// The name of that.
+    /// The name of this element.
     pub name: String,
     /// The quantity on the horizontal axis, with its unit.
     pub x_axis: String,
-    /// The value along it.
+    /// The value on the horizontal axis, in the unit of `x_axis`.
     pub x: Option<f64>,
     /// The quantity on the vertical axis, with its unit.
     pub y_axis: String,
-    /// The value along it.
+    /// The value on the vertical axis, in the unit of `y_axis`.
     pub y: Option<f64>,
-    /// The quantity of a third number, with its unit: of a cell, or the radius of a sphere.
+    /// The name of a third quantity with its unit: the quantity of a heat map, or the radius of a sphere.
     pub value_name: String,
-    /// The number that the drawing shows; `None` where it is not known.
+    /// The value of this third quantity; `None` if it is not known.
     pub value: Option<f64>,
 }
 
@@ -55,10 +56,10 @@ impl Drawing {
         }
     }
 
-    /// Draws it as an SVG document.
+    /// Draws the figure as an SVG document.
     ///
     /// # Errors
-    /// [`PlotError`]: there is nothing to draw, a number is none, or the paper is too narrow.
+    /// [`PlotError`]: there is nothing to draw, a number is not finite, or the paper is too narrow.
     pub fn svg(&self, paper: Paper) -> Result<String, PlotError> {
         match self {
             Self::Panels(panels) => figure(panels, paper),
@@ -67,7 +68,7 @@ impl Drawing {
         }
     }
 
-    /// The names of its curves, in the order of the legend; equal names once.
+    /// The names of the figure's curves, in the order of the legend; equal names once.
     #[must_use]
     pub fn curves(&self) -> Vec<&str> {
         let Self::Panels(figure) = self else { return Vec::new() };
@@ -80,7 +81,7 @@ impl Drawing {
         names
     }
 
-    /// Gives curves other names, in the order of the legend; those for which there is none keep theirs.
+    /// Gives curves new names, in the order of the legend; further curves keep their names.
     ///
     /// # Errors
     /// [`PlotError::Names`]: there are more names than curves.
@@ -103,7 +104,7 @@ impl Drawing {
     /// Limits the horizontal axis of all panels.
     ///
     /// # Errors
-    /// [`PlotError::NoAxis`]: the panels have several, or it does not consist of curves.
+    /// [`PlotError::NoAxis`]: the panels have several horizontal axes, or the figure has no curves.
     pub fn limit_x(&mut self, limits: (f64, f64)) -> Result<(), PlotError> {
         self.limit(limits, "horizontal", |panel| &mut panel.x)
     }
@@ -111,7 +112,7 @@ impl Drawing {
     /// Limits the vertical axis of all panels.
     ///
     /// # Errors
-    /// As [`limit_x`](Self::limit_x).
+    /// [`PlotError::NoAxis`]: the panels have several vertical axes, or the figure has no curves.
     pub fn limit_y(&mut self, limits: (f64, f64)) -> Result<(), PlotError> {
         self.limit(limits, "vertical", |panel| &mut panel.y)
     }
@@ -133,12 +134,12 @@ impl Drawing {
         if found.len() == 1 { Ok(()) } else { Err(PlotError::NoAxis { which, found }) }
     }
 
-    /// All numbers that are drawn, in the order of drawing, with those that limits of an axis hide.
+    /// All numbers of the figure, in the order of drawing, also those outside the limits of an axis.
     #[must_use]
     pub fn data(&self) -> Vec<Datum> {
         match self {
-            Self::Panels(figure) => panels(figure),
-            Self::HeatMap(map) => cells(map),
+            Self::Panels(figure) => data_of_panels(figure),
+            Self::HeatMap(map) => data_of_cells(map),
             Self::Scene(scene) => data_of_scene(scene),
         }
     }
@@ -168,7 +169,7 @@ impl Datum {
     }
 }
 
-fn panels(figure: &Figure) -> Vec<Datum> {
+fn data_of_panels(figure: &Figure) -> Vec<Datum> {
     let mut data = Vec::new();
     for (index, panel) in figure.panels.iter().enumerate() {
         let name = if figure.panels.len() > 1 {
@@ -189,7 +190,7 @@ fn panels(figure: &Figure) -> Vec<Datum> {
     data
 }
 
-fn cells(map: &HeatMap) -> Vec<Datum> {
+fn data_of_cells(map: &HeatMap) -> Vec<Datum> {
     let row = |kind, label: &str| Datum::new(kind, "", label, (&map.x_axis.label, &map.y_axis.label));
     let mut data = Vec::new();
     for (values, &y) in map.values.iter().zip(&map.y) {

@@ -1,6 +1,6 @@
-//! What can be wrong with the points of a figure.
+//! Errors of figures: their points, axes, names and sizes.
 
-/// Why a figure was not drawn.
+/// The reason why a figure was not drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
@@ -19,9 +19,9 @@ pub enum PlotError {
     /// More curves than can be distinguished.
     #[error("{count} curves cannot be distinguished, expected at most {most}")]
     TooMany {
-        /// How many there are.
+        /// Number of curves in the panel.
         count: usize,
-        /// How many may be.
+        /// Largest number of curves that can be distinguished.
         most: usize,
     },
     /// A logarithmic axis has a value that is not above 0.
@@ -37,12 +37,12 @@ pub enum PlotError {
         listed(.curves)
     )]
     Names {
-        /// How many names there are.
+        /// Number of the given names.
         wanted: usize,
-        /// Names of the curves in the panel.
+        /// Names of the curves in the figure.
         curves: Vec<String>,
     },
-    /// There is not one axis that could be limited.
+    /// The figure has no axis in the given direction, or several different ones.
     #[error("the figure has no single {which} axis to limit{}", listed(.found))]
     NoAxis {
         /// The direction of the axis: `horizontal` or `vertical`.
@@ -58,7 +58,7 @@ pub enum PlotError {
         /// Label of the axis.
         axis: String,
     },
-    /// An axis does not go from a smaller number to a larger one.
+    /// The limits of an axis do not go from a smaller number to a larger one.
     #[error("the axis '{axis}' has limits that are none, expected a number and a larger one")]
     Limits {
         /// Label of the axis.
@@ -69,30 +69,30 @@ pub enum PlotError {
         "{width_mm} mm are too narrow for letters of {text_pt} pt, expected a width of at least {least_mm:.0} mm"
     )]
     TooNarrow {
-        /// The width that was wanted.
+        /// The wanted width, mm.
         width_mm: f64,
-        /// The size of the letters.
+        /// The size of the letters, points.
         text_pt: f64,
-        /// The least width for the letters.
+        /// The smallest possible width for these letters, mm.
         least_mm: f64,
     },
-    /// A picture with so many pixels that the memory may not hold them.
+    /// A picture with more pixels than may fit into memory.
     #[error(
         "{width} × {height} pixels are more than the {} million that a picture may have: say a smaller dpi or width",
         .most / 1_000_000
     )]
     TooManyPixels {
-        /// Pixels from left to right.
+        /// Number of pixels from left to right.
         width: u32,
-        /// Pixels from top to bottom.
+        /// Number of pixels from top to bottom.
         height: u32,
-        /// How many there may be.
+        /// Largest allowed number of pixels.
         most: u64,
     },
-    /// The plotting library did not get through.
+    /// An error of the plotting library.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
-    /// The pixels or the page could not be made.
+    /// The PNG or the PDF could not be made.
     #[error("the picture could not be made: {0}")]
     Picture(String),
 }
@@ -111,7 +111,7 @@ fn counted(curves: usize) -> String {
     }
 }
 
-/// Names in quotes after a colon; nothing for none.
+/// The names in quotation marks, after a colon; an empty text if there are no names.
 fn listed(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
     if quoted.is_empty() { String::new() } else { format!(": {}", quoted.join(", ")) }

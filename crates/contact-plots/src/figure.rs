@@ -1,4 +1,4 @@
-//! The parts of a figure, the ranges of its panels, and the pieces of lines and areas inside of them.
+//! The parts of a figure, the axis ranges of its panels, and the parts of lines and areas within these ranges.
 
 use line_clipping::cohen_sutherland::clip_line;
 use line_clipping::sutherland_hodgman::clip_polygon;
@@ -8,13 +8,13 @@ use crate::axis::{Axis, Ticks};
 use crate::error::PlotError;
 use crate::style::Look;
 
-/// A point: along the horizontal axis, along the vertical axis.
+/// A point: value on the horizontal axis, value on the vertical axis.
 pub type Point = (f64, f64);
 
 /// A curve through points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
-    /// Name of the curve in the legend; equal names with equal looks share one entry. Empty for none.
+    /// Name of the curve in the legend; curves with equal names and equal looks share one entry. No entry for an empty name.
     pub label: String,
     /// Points of the curve, in order.
     pub points: Vec<Point>,
@@ -39,12 +39,12 @@ pub struct Area {
     pub points: Vec<Point>,
 }
 
-/// Which way a straight line runs.
+/// The direction of a straight line across a panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Direction {
-    /// A limit at one value of the horizontal axis.
+    /// A vertical line: a limit at one value of the horizontal axis.
     Vertical,
-    /// A limit at one value of the vertical axis.
+    /// A horizontal line: a limit at one value of the vertical axis.
     Horizontal,
 }
 
@@ -55,7 +55,7 @@ pub struct Limit {
     pub label: String,
     /// Value of the limit, in the units of its axis.
     pub at: f64,
-    /// Which way it runs.
+    /// The direction of the line.
     pub direction: Direction,
 }
 
@@ -76,15 +76,15 @@ impl Limit {
 /// A single point, as a filled dot.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Mark {
-    /// Name of the limit in the legend.
+    /// Name of the point in the legend.
     pub label: String,
-    /// Place of the label in the panel.
+    /// The point, in the units of the axes.
     pub at: Point,
-    /// Colour of the limit; the dash has no meaning here.
+    /// Colour of the point; its dash and width have no meaning.
     pub look: Look,
 }
 
-/// A panel: a pair of axes and what is drawn between them.
+/// A panel: a pair of axes and the curves, areas, limits and points between them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Panel {
     /// Title of the panel; may be empty.
@@ -95,11 +95,11 @@ pub struct Panel {
     pub y: Axis,
     /// Curves of the panel, the first at the bottom.
     pub curves: Vec<Curve>,
-    /// Areas below the curves.
+    /// Areas between curves and 0.
     pub areas: Vec<Area>,
     /// Limits and thresholds of the panel.
     pub limits: Vec<Limit>,
-    /// Single points on top.
+    /// Single points, above everything else in the panel.
     pub marks: Vec<Mark>,
 }
 
@@ -111,7 +111,7 @@ impl Panel {
         Self { title, x, y, curves: vec![], areas: vec![], limits: vec![], marks: vec![] }
     }
 
-    /// All points with the label of what they belong to.
+    /// All points of curves, areas and marks, each with the label of its curve, area or mark.
     pub(crate) fn points(&self) -> impl Iterator<Item = (&str, Point)> {
         let curves = self.curves.iter().flat_map(|c| c.points.iter().map(|&p| (c.label.as_str(), p)));
         let areas = self.areas.iter().flat_map(|a| a.points.iter().map(|&p| (a.label.as_str(), p)));
@@ -131,7 +131,7 @@ impl Panel {
     }
 }
 
-/// How wide a figure is.
+/// The default width of a figure on paper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[non_exhaustive]
 pub enum Width {
@@ -162,7 +162,7 @@ pub struct Figure {
     pub description: String,
     /// Width of the figure.
     pub width: Width,
-    /// Panels in a row.
+    /// Number of panels in a row.
     pub columns: usize,
     /// The panels, row by row.
     pub panels: Vec<Panel>,
@@ -175,7 +175,7 @@ impl Figure {
         Self { title: title.into(), description, width: Width::Column, columns: 1, panels }
     }
 
-    /// The figure, if the curves of each panel can be distinguished.
+    /// The figure itself, if the curves of each panel can be distinguished.
     ///
     /// # Errors
     /// [`PlotError::TooMany`]: a panel has more curves than [`Look::MOST_SERIES`].
@@ -188,11 +188,11 @@ impl Figure {
 
 // What a panel covers: from where to where its axes go, and what is between them.
 
-/// Ticks along an axis.
+/// Number of ticks along a horizontal axis, roughly.
 const X_TICKS: usize = 7;
 const Y_TICKS: usize = 6;
 
-/// The spans of a panel's axes, as places along them (logarithms on a logarithmic axis), and their ticks.
+/// The ends of a panel's axes as positions (logarithms on a logarithmic axis), and their ticks.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Frame<'p> {
     panel: &'p Panel,
@@ -213,7 +213,7 @@ impl<'p> Frame<'p> {
         Self { panel, x, y, x_ticks: panel.x.ticks(x, X_TICKS), y_ticks: panel.y.ticks(y, Y_TICKS) }
     }
 
-    /// Position of a point in the panel.
+    /// Position of a point in the panel: values, or their logarithms on a logarithmic axis.
     pub(crate) fn place(&self, (x, y): Point) -> Point {
         (self.panel.x.place(x), self.panel.y.place(y))
     }
@@ -222,13 +222,13 @@ impl<'p> Frame<'p> {
         points.iter().map(|&point| self.place(point)).collect()
     }
 
-    /// Whether a point is between the axes.
+    /// Whether a position is between the axes.
     pub(crate) fn contains_point(&self, point: Point) -> bool {
         let (x, y) = self.place(point);
         (self.x.0..=self.x.1).contains(&x) && (self.y.0..=self.y.1).contains(&y)
     }
 
-    /// Position of a limit along its axis, if it is in the panel.
+    /// Position of a limit along its axis; `None` if it is outside the panel.
     pub(crate) fn limit(&self, limit: &Limit) -> Option<f64> {
         let (axis, (low, high)) = match limit.direction {
             Direction::Vertical => (&self.panel.x, self.x),
@@ -238,7 +238,7 @@ impl<'p> Frame<'p> {
         (low..=high).contains(&at).then_some(at)
     }
 
-    /// How far along the horizontal axis a limit is, from 0 to 1.
+    /// Position of a vertical limit along the horizontal axis, as a share from 0 to 1; `None` if it is outside.
     pub(crate) fn share_along_x(&self, limit: &Limit) -> Option<f64> {
         let at = self.limit(limit).filter(|_| limit.direction == Direction::Vertical)?;
         Some((at - self.x.0) / (self.x.1 - self.x.0))
@@ -249,7 +249,7 @@ impl<'p> Frame<'p> {
 
 type Span = (f64, f64);
 
-fn window((left, right): Span, (low, high): Span) -> Window {
+fn clip_window((left, right): Span, (low, high): Span) -> Window {
     Window::new(left, right, low, high)
 }
 
@@ -259,7 +259,7 @@ fn corner((x, y): Point) -> line_clipping::Point {
 
 /// The parts of a polyline that are between `x.0` and `x.1`, `y.0` and `y.1`.
 pub(crate) fn clip_polyline(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point>> {
-    let window = window(x, y);
+    let window = clip_window(x, y);
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
         let Some(inside) = clip_line(LineSegment::new(corner(pair[0]), corner(pair[1])), window) else {
@@ -284,7 +284,7 @@ pub(crate) fn clip_area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point
     if corners.len() < 3 {
         return None;
     }
-    let inside = clip_polygon(&Polygon::new(&corners), window(x, y));
+    let inside = clip_polygon(&Polygon::new(&corners), clip_window(x, y));
     let inside: Vec<Point> = inside.vertices.iter().map(|corner| (corner.x, corner.y)).collect();
     (inside.len() > 2).then_some(inside)
 }
@@ -296,13 +296,13 @@ mod tests {
     const UNIT: Span = (0.0, 1.0);
 
     #[test]
-    fn a_line_within_stays_as_it_is() {
+    fn a_line_between_the_edges_is_not_cut() {
         let points = [(0.0, 0.0), (0.3, 1.0), (1.0, 0.5)];
         assert_eq!(clip_polyline(&points, UNIT, UNIT), [points.to_vec()]);
     }
 
     #[test]
-    fn a_line_that_leaves_and_comes_back_is_two() {
+    fn a_line_that_leaves_and_comes_back_becomes_two_lines() {
         let points = [(0.0, 0.5), (0.5, 1.5), (1.0, 0.5)];
         assert_eq!(
             clip_polyline(&points, UNIT, UNIT),

@@ -1,4 +1,4 @@
-//! A quantity over two parameters, as colours.
+//! Heat maps: a quantity over two parameters, shown by colours.
 
 use plotters::chart::{ChartBuilder, LabelAreaPosition};
 use plotters::element::{PathElement, Rectangle};
@@ -18,40 +18,40 @@ const COLOUR_BAR_WIDTH_PT: f64 = 9.0;
 const COLOUR_BAR_GAP_PT: f64 = 9.0;
 const RIGHT_MARGIN_PT: f64 = 6.0;
 const SLICES: u32 = 64;
-/// Ticks along an axis and along the colour bar.
+/// Number of ticks along an axis and along the colour bar, roughly.
 const TICKS_PER_AXIS: usize = 7;
-/// Cells without a value.
+/// The colour of a cell without a value.
 const COLOUR_OF_EMPTY_CELLS: RGBColor = RGBColor(0xBB, 0xBB, 0xBB);
 
-/// A limit of the quantity, drawn between the cells that are within and those that are outside.
+/// A limit of the quantity, drawn as a line between cells below the limit and cells above it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatLimit {
-    /// Name of the contour in the legend.
+    /// Name of the limit line in the legend.
     pub label: String,
-    /// Value of the cells along the contour.
+    /// Value of the quantity at the limit, in the unit of the heat map's `value_axis`.
     pub at: f64,
 }
 
-/// A quantity over two parameters.
+/// A heat map: a quantity over two parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatMap {
     /// Title above the map.
     pub title: String,
     /// Description of the map in full sentences.
     pub description: String,
-    /// The horizontal parameter; its cells say how far it goes.
+    /// Axis of the horizontal parameter; it ends with the outer edges of the cells.
     pub x_axis: Axis,
-    /// Values of the horizontal axis: rising, each the middle of a cell.
+    /// Values of the horizontal parameter, each at the middle of a column of cells; they must rise.
     pub x: Vec<f64>,
-    /// Axis of the vertical parameter.
+    /// Axis of the vertical parameter; it ends with the outer edges of the cells.
     pub y_axis: Axis,
-    /// Values of the vertical axis: rising, each the middle of a cell.
+    /// Values of the vertical parameter, each at the middle of a row of cells; they must rise.
     pub y: Vec<f64>,
-    /// The quantity: a row for each of `y`, in it a value for each of `x`; `None` where there is none.
+    /// The quantity: for each value of `y` a row with one value for each value of `x`; `None` if the value is not known.
     pub values: Vec<Vec<Option<f64>>>,
-    /// How the quantity becomes a colour: with limits, all values beyond have the colour of the limit.
+    /// Axis of the quantity, along the colour bar. If it has limits, values outside have the colour of the nearer limit.
     pub value_axis: Axis,
-    /// A limit of the quantity.
+    /// A limit of the quantity, if a line is to show it.
     pub limit: Option<HeatLimit>,
     /// A point to mark, with its name in the legend.
     pub mark: Option<(String, Point)>,
@@ -60,8 +60,8 @@ pub struct HeatMap {
 /// Draws a heat map with its colour bar, as an SVG document.
 ///
 /// # Errors
-/// [`PlotError`]: fewer than two values along an axis, values that do not rise, a logarithmic axis with values that are not
-/// above 0, a quantity that is not a finite number, none at all, or too little room on the paper.
+/// [`PlotError`]: fewer than two values along an axis, values that do not rise, a logarithmic axis with values that are not above
+/// 0, a quantity that is not a finite number, no value at all, or too little room on the paper.
 pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
     let layout = HeatLayout::of(map, paper.layout_pt(Width::Column))?;
     paper.check(Width::Column, layout.beside_pt + layout.bar_room_pt + 2.0 * MARGIN_PT + RIGHT_MARGIN_PT)?;
@@ -79,7 +79,7 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
     })
 }
 
-/// Edges of the cells around values, halfway between their places along the axis.
+/// Edges of the cells around the values: halfway between neighbouring positions along the axis.
 fn cell_edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
     axis.check(values.iter().copied())?;
     if values.iter().any(|value| !value.is_finite()) || values.windows(2).any(|pair| pair[0] >= pair[1]) {
@@ -101,10 +101,10 @@ struct HeatLayout {
     title: Title,
     x_edges: Vec<f64>,
     y_edges: Vec<f64>,
-    /// The smallest and the largest value that has a colour of its own.
+    /// The smallest and the largest position on the colour bar.
     span: (f64, f64),
     beside_pt: f64,
-    /// The colour bar with its ticks and name.
+    /// Room for the colour bar with its ticks and its label, pt.
     bar_room_pt: f64,
     bar_ticks: Ticks,
     legend: Legend,
@@ -119,7 +119,7 @@ impl HeatLayout {
         let beside_pt = NAME_PT + 3.0 * TICK_PT + y_ticks.width_pt().max(8.0);
         let bar_room_pt =
             COLOUR_BAR_GAP_PT + COLOUR_BAR_WIDTH_PT + 3.0 * TICK_PT + bar_ticks.width_pt() + NAME_PT;
-        let legend = Legend::new(entries(map, span), width_pt - 2.0 * MARGIN_PT - beside_pt);
+        let legend = Legend::new(legend_entries(map, span), width_pt - 2.0 * MARGIN_PT - beside_pt);
         let title = Title::new(&map.title, width_pt);
         Ok(Self { width_pt, title, x_edges, y_edges, span, beside_pt, bar_room_pt, bar_ticks, legend })
     }
@@ -186,7 +186,8 @@ impl HeatLayout {
         }
     }
 
-    /// A rectangle for each cell, a little larger to the right and to the top so that no seam shows; the next one covers that.
+    /// A rectangle for each cell. It is a little too large to the right and to the top, so that no gap shows; the next cells
+    /// cover the excess.
     fn cells(&self, map: &HeatMap) -> Vec<Rectangle<(f64, f64)>> {
         let (right, top) = (last_edge(&self.x_edges), last_edge(&self.y_edges));
         let mut cells = Vec::new();
@@ -195,14 +196,14 @@ impl HeatLayout {
                 let to = ((x[1] + 0.1 * (x[1] - x[0])).min(right), (y[1] + 0.1 * (y[1] - y[0])).min(top));
                 cells.push(Rectangle::new(
                     [(x[0], y[0]), to],
-                    colour(&map.value_axis, self.span, *value).filled(),
+                    colour_of_value(&map.value_axis, self.span, *value).filled(),
                 ));
             }
         }
         cells
     }
 
-    /// Edges between cells on either side of the limit.
+    /// The edges between cells on different sides of the limit.
     fn limit(&self, map: &HeatMap) -> Vec<Vec<Point>> {
         let Some(limit) = &map.limit else { return Vec::new() };
         let within = |row: usize, column: usize| {
@@ -267,15 +268,15 @@ impl HeatLayout {
     }
 }
 
-/// The colour of a value; a grey where there is none.
-fn colour(axis: &Axis, (low, high): (f64, f64), value: Option<f64>) -> RGBColor {
+/// The colour of a value; grey for `None`.
+fn colour_of_value(axis: &Axis, (low, high): (f64, f64), value: Option<f64>) -> RGBColor {
     value.map_or(COLOUR_OF_EMPTY_CELLS, |value| {
         ViridisRGB.get_color_normalized(axis.place(value).clamp(low, high), low, high)
     })
 }
 
-/// Entries of the legend: only what the map shows.
-fn entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String)> {
+/// The legend entries, only for elements that the map shows.
+fn legend_entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String)> {
     let mut entries = Vec::new();
     if let Some(limit) = &map.limit {
         entries.push((Sample::Border, limit.label.clone()));

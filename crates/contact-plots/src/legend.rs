@@ -1,4 +1,4 @@
-//! Names of curves below a figure, and of vertical limits above a panel.
+//! The legend of names below a figure, and the names of vertical limits above a panel.
 
 use plotters::coord::Shift;
 use plotters::element::{Circle, DashedPathElement, PathElement, Rectangle};
@@ -13,12 +13,12 @@ use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, te
 use crate::text_width::{lines, width_with_reserve_pt};
 
 const ROW_PT: f64 = 10.0;
-/// Distance between lines of one name.
+/// Distance between lines of one name, pt.
 const LINE_PT: f64 = 8.2;
 pub(crate) const SAMPLE_PT: f64 = 18.0;
 const ENTRY_GAP_PT: f64 = 4.0;
 
-/// The sample of an entry, left of its name.
+/// The sample of a legend entry: the line, area or point to the left of its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Sample {
     Line(Look),
@@ -30,7 +30,7 @@ pub(crate) enum Sample {
     Cell(RGBColor),
 }
 
-/// The entries of a legend and how they are laid out.
+/// The entries of a legend, and their arrangement in columns.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
     entries: Vec<Entry>,
@@ -66,8 +66,8 @@ impl Legend {
         Self::new(entries, room_pt)
     }
 
-    /// A legend with as many columns as hold every name in one line, else with one, in which longer names take several lines: no name is
-    /// cut.
+    /// A legend with as many columns as possible if each name fits into one line; else with one column, in which long names
+    /// take several lines. No name is cut.
     pub(crate) fn new(entries: Vec<(Sample, String)>, room_pt: f64) -> Self {
         let name = |(_, label): &(Sample, String)| width_with_reserve_pt(label, TEXT_PT);
         let widest = SAMPLE_PT + 3.0 * ENTRY_GAP_PT + entries.iter().map(name).fold(0.0, f64::max);
@@ -81,31 +81,31 @@ impl Legend {
         Self { entries: entries.into_iter().map(entry).collect(), columns, column_pt }
     }
 
-    /// Entries of one column; the last may have fewer.
+    /// Number of entries in a column; the last column may have fewer.
     fn rows(&self) -> usize {
         self.entries.len().div_ceil(self.columns)
     }
 
-    /// How much room it takes below the panels.
+    /// Height of the legend below the panels, pt.
     pub(crate) fn height_pt(&self) -> f64 {
         let columns = self.entries.chunks(self.rows().max(1));
         let highest = columns.map(|column| column.iter().map(Entry::height_pt).sum()).fold(0.0, f64::max);
         if self.entries.is_empty() { 0.0 } else { highest + ENTRY_GAP_PT }
     }
 
-    /// Draws it with its upper left corner at `(left_pt, top_pt)`.
+    /// Draws the legend with its upper left corner at `(left_pt, top_pt)`.
     pub(crate) fn draw(
         &self,
         area: &DrawingArea<SVGBackend<'_>, Shift>,
         at_pt: (f64, f64),
     ) -> Result<(), PlotError> {
         self.draw_with_samples(area, at_pt, &|index, left, middle| match self.entries.get(index) {
-            Some(entry) => draw_sample(area, entry.sample, left, middle),
+            Some(entry) => draw_legend_sample(area, entry.sample, left, middle),
             None => Ok(()),
         })
     }
 
-    /// Draws it with samples that `sample` draws, given the index of an entry, the left end of the sample and its middle.
+    /// Draws the legend. `sample` draws a sample, given the index of its entry, its left end and its middle, in points.
     pub(crate) fn draw_with_samples(
         &self,
         area: &DrawingArea<SVGBackend<'_>, Shift>,
@@ -137,7 +137,7 @@ impl Entry {
     }
 }
 
-fn draw_sample(
+fn draw_legend_sample(
     area: &DrawingArea<SVGBackend<'_>, Shift>,
     sample: Sample,
     left: f64,
@@ -172,7 +172,8 @@ fn draw_sample(
     .map_err(PlotError::drawing)
 }
 
-/// The wide dark stroke below [`core_stroke`]: a white line with a dark rim is visible on every colour of a heat map.
+/// The wide dark stroke below [`core_stroke`]: together they make a white line with a dark rim, visible on every colour of a heat
+/// map.
 pub(crate) fn rim_stroke() -> ShapeStyle {
     stroke(RGBColor(0, 0, 0), 2.2)
 }
@@ -193,10 +194,10 @@ pub(crate) fn draw_cross(area: &DrawingArea<SVGBackend<'_>, Shift>, at: (i32, i3
 pub(crate) const LIMIT_ROW_PT: f64 = 8.5;
 const LIMIT_GAP_PT: f64 = 4.0;
 
-/// A name and how far along the axis its middle is, in points.
+/// A vertical limit, and the position of the middle of its name along the axis, in points.
 pub(crate) type PlacedLimit<'p> = (&'p Limit, f64);
 
-/// Named vertical limits within the panel, split into rows in which no two names touch.
+/// The named vertical limits within the panel, in rows in which no two names touch.
 pub(crate) fn limit_rows<'p>(panel: &'p Panel, frame: &Frame<'_>, plot_pt: f64) -> Vec<Vec<PlacedLimit<'p>>> {
     let mut rows: Vec<Vec<PlacedLimit<'p>>> = Vec::new();
     let named = panel.limits.iter().filter(|limit| !limit.label.is_empty());

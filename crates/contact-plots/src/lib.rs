@@ -1,8 +1,9 @@
-//! Figures of contact forces: series of points in, SVG text out, and PDF and PNG from that; or letters for a terminal
+//! Figures of contact forces: from series of points to SVG text, and from this to PDF and PNG; or to letters for a terminal
 //! ([`text()`]).
 //!
-//! It computes no physics and reads no file. Callers bring the points, in [`Panel`]s, a [`HeatMap`] or a [`Scene`], and get a
-//! [`Drawing`], whose curves can be renamed and axes limited; what it draws is one SVG document as a `String`.
+//! This crate computes no physics and reads no file. The caller puts points into [`Panel`]s, a [`HeatMap`] or a [`Scene`], and
+//! these into a [`Drawing`]. The curves of a drawing can be renamed and its axes limited. The result is one SVG document as a
+//! `String`.
 //!
 //! ```
 //! use contact_plots::{Axis, Curve, Drawing, Figure, Limit, Look, Panel, Paper};
@@ -20,18 +21,19 @@
 //!
 //! # What a figure promises
 //!
-//! - It is drawn for a paper: 90 mm wide (one column) or 190 mm (the page), text of 7 and 8 pt in Arial or a font of the
-//!   same metrics, unless [`Paper`] says otherwise. The size is in its `width` and `height`; a page may override it, the
-//!   `viewBox` scales.
-//! - Curves differ in dash as well as in colour, colours are those of Okabe and Ito, heat maps are viridis: readable
-//!   without colour vision and in grey. The background is white.
-//! - It has `role="img"`, a `<title>` and a `<desc>`, and no `id`: several stand inline in one page without a clash.
-//! - Points that are not finite are refused ([`PlotError`]), never drawn somewhere.
+//! - The SVG has a size on paper: 90 mm wide (one column) or 190 mm (the page), with text of 7 and 8 pt in Arial or a font of the
+//!   same metrics, unless [`Paper`] gives another size. The size is in `width` and `height` of the SVG; a page may override it,
+//!   and the `viewBox` scales.
+//! - Curves differ in dash as well as in colour. Their colours are those of Okabe and Ito, and heat maps have the colours
+//!   viridis: figures are readable without colour vision and in grey. The background is white.
+//! - The SVG has `role="img"`, a `<title>` and a `<desc>`, and no `id`: several figures can be inline in one page without a
+//!   conflict.
+//! - Points that are not finite are refused ([`PlotError`]).
 //!
 //! # Limitations
 //!
-//! Texts are placed by the widths of Arial's letters; where a viewer has neither Arial nor a font of the same widths, and its
-//! own is more than 6 % wider, names may come closer to each other than they should. PDF and PNG bring their font along.
+//! Texts are placed by the widths of Arial's letters. If a viewer has neither Arial nor a font of the same widths, and its own
+//! font is more than 6 % wider, names may touch. PDF and PNG contain their font.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![warn(missing_docs)]

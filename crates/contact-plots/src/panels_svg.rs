@@ -15,19 +15,19 @@ use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
 use crate::style::{INK, LIMIT, SHADE, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
 use crate::text_width::cut;
 
-/// The row of a panel's title.
+/// Height of the row with a panel's title, pt.
 const PANEL_TITLE_PT: f64 = 13.0;
-/// Tick labels and the axis's name below a panel.
+/// Room below a panel for the tick labels and the axis label, pt.
 pub(crate) const BELOW_PT: f64 = 22.5;
-/// Distance from the axis's name beside a panel to its tick labels.
+/// Distance from the axis label beside a panel to its tick labels, pt.
 pub(crate) const NAME_PT: f64 = 10.0;
 pub(crate) const TICK_PT: f64 = 2.2;
-/// Room on the right for half of the last tick's label.
+/// Room on the right for half of the last tick label, pt.
 const RIGHT_MARGIN_PT: f64 = 5.0;
 const PANEL_GAP_PT: f64 = 8.0;
-/// The least width of panels side by side, between their axes; below each other they are wider.
+/// The smallest width of a plot for panels side by side, pt; narrower panels are placed below each other.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
-/// Height over width of what is drawn between the axes.
+/// Height of the plot between the axes, divided by its width.
 const ASPECT: f64 = 0.62;
 
 type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Scale, Scale>>;
@@ -66,11 +66,11 @@ struct Layout {
     columns: usize,
     rows: usize,
     panel_pt: (f64, f64),
-    /// Room for tick labels and the axis's name left of each panel.
+    /// Room for tick labels and the axis label left of each panel, pt.
     beside_pt: f64,
-    /// Room for the panel's title.
+    /// Room for the panel's title, pt.
     title_pt: f64,
-    /// Room for the names of limits.
+    /// Room for the names of limits above a panel, pt.
     limits_pt: f64,
     legend: Legend,
     letters: bool,
@@ -157,7 +157,7 @@ impl Layout {
         area.draw_text(&letter(index), &style, (0, units(1.2))).map_err(PlotError::drawing)
     }
 
-    /// The names of vertical limits, above the panel.
+    /// Draws the names of vertical limits above the panel.
     fn draw_limit_names(&self, area: &Area<'_>, panel: &Panel, frame: &Frame<'_>) -> Result<(), PlotError> {
         let plot_width = self.panel_pt.0 - self.beside_pt - RIGHT_MARGIN_PT;
         for (row, limits) in limit_rows(panel, frame, plot_width).into_iter().enumerate() {
@@ -194,13 +194,13 @@ fn draw_axes(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Res
         .map_err(PlotError::drawing)
 }
 
-/// The library draws no ticks without labels.
+/// Draws the ticks without labels, because the library draws only ticks with labels.
 fn draw_minor_ticks(root: &Area<'_>, chart: &Chart<'_, '_>, frame: &Frame<'_>) -> Result<(), PlotError> {
     let corner = |x: f64, y: f64| chart.backend_coord(&(x, y));
     minor_ticks(root, (&frame.x_ticks.minor, &frame.y_ticks.minor), (frame.x.0, frame.y.0), &corner)
 }
 
-/// Ticks at places along both axes, which begin at a corner.
+/// Draws ticks at the given positions along both axes from their common corner.
 pub(crate) fn minor_ticks(
     root: &Area<'_>,
     (along_x, along_y): (&[f64], &[f64]),

@@ -1,4 +1,4 @@
-//! Pictures and pages of a figure, as PNG and PDF. Both read the SVG with a font of our own, so that they are the same on every machine.
+//! Figures as PNG and PDF. Both are made from the SVG with the same built-in font, so that they are equal on every machine.
 
 use std::sync::{Arc, OnceLock};
 
@@ -13,12 +13,12 @@ use resvg::usvg::{self, Tree, fontdb::Database};
 use crate::error::PlotError;
 use crate::text_width::FONT;
 
-/// The name of the font.
+/// Family name of the built-in font.
 const FONT_NAME: &str = "Arimo";
-/// Units to the inch in `usvg`.
+/// Units of `usvg` per inch.
 const UNITS_PER_INCH: f32 = 96.0;
 
-/// The font, read when the first picture is made.
+/// The built-in font, which is read when the first picture is made.
 fn fonts() -> Arc<Database> {
     static FONTS: OnceLock<Arc<Database>> = OnceLock::new();
     let read = || {
@@ -30,28 +30,28 @@ fn fonts() -> Arc<Database> {
     Arc::clone(FONTS.get_or_init(read))
 }
 
-/// A figure, read.
+/// The parsed SVG of a figure.
 ///
 /// # Errors
-/// [`PlotError::Picture`] where the SVG is none.
-fn tree(svg: &str) -> Result<Tree, PlotError> {
+/// [`PlotError::Picture`]: `svg` is not a valid SVG.
+fn parsed_svg(svg: &str) -> Result<Tree, PlotError> {
     let options =
         usvg::Options { fontdb: fonts(), font_family: FONT_NAME.to_owned(), ..usvg::Options::default() };
     Tree::from_str(svg, &options).map_err(|error| PlotError::Picture(error.to_string()))
 }
 
-/// Pixels of the largest picture. Making one takes 7 bytes a pixel.
+/// The largest number of pixels in a picture. Memory for 7 bytes per pixel is needed.
 #[cfg(feature = "png")]
 const MOST_PIXELS: u64 = 100_000_000;
 
-/// The picture of a figure, as the bytes of a PNG file: white below, `dpi` pixels to the inch of its size on paper.
+/// A figure as the bytes of a PNG file with a white background and `dpi` pixels per inch of its size on paper.
 ///
 /// # Errors
-/// [`PlotError::Picture`] where the SVG is none, [`PlotError::TooManyPixels`] where the picture would be too large.
+/// [`PlotError::Picture`]: `svg` is not a valid SVG; [`PlotError::TooManyPixels`]: the picture would be too large.
 #[cfg(feature = "png")]
 pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
     let raster = |error: &dyn std::fmt::Display| PlotError::Picture(error.to_string());
-    let tree = tree(svg)?;
+    let tree = parsed_svg(svg)?;
     let scale = dpi / UNITS_PER_INCH;
     let size = tree.size().to_int_size().scale_by(scale).ok_or_else(|| raster(&"no size"))?;
     let (width, height) = (size.width(), size.height());
@@ -64,7 +64,7 @@ pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
     encoded(&pixels, dpi).map_err(|error| raster(&error))
 }
 
-/// PNG bytes that say how large a pixel is, so that word processors place the figure in its true size.
+/// The bytes of a PNG file that contains the size of a pixel, so that word processors place the figure in its true size.
 #[cfg(feature = "png")]
 fn encoded(pixels: &tiny_skia::Pixmap, dpi: f32) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
@@ -91,19 +91,19 @@ fn encoded(pixels: &tiny_skia::Pixmap, dpi: f32) -> Result<Vec<u8>, png::Encodin
     Ok(bytes)
 }
 
-/// Points to the inch in PDF.
+/// Points per inch in PDF.
 #[cfg(feature = "pdf")]
 const POINTS_PER_INCH: f32 = 72.0;
 
-/// A figure as the bytes of a PDF file with one page of its size on paper. Its text can be selected and searched, and the
-/// letters of the font that are used are in the file. `title` is what a reader shows as the title of the document.
+/// A figure as the bytes of a PDF file with one page of the figure's size on paper. Its text can be selected and searched, and
+/// the file contains the used letters of the font. `title` is the document title that a PDF reader shows.
 ///
 /// # Errors
-/// [`PlotError::Picture`] where the SVG is none, or has no size.
+/// [`PlotError::Picture`]: `svg` is not a valid SVG, or it has no size.
 #[cfg(feature = "pdf")]
 pub fn pdf(svg: &str, title: &str) -> Result<Vec<u8>, PlotError> {
     let failed = |why: &str| PlotError::Picture(why.to_owned());
-    let tree = tree(svg)?;
+    let tree = parsed_svg(svg)?;
     let points = |units: f32| units * POINTS_PER_INCH / UNITS_PER_INCH;
     let (width, height) = (points(tree.size().width()), points(tree.size().height()));
     let size = Size::from_wh(width, height).ok_or_else(|| failed("it has no size"))?;

@@ -1,39 +1,40 @@
 //! Sizes, colours and dashes.
 //!
-//! The plotting library draws in whole pixels. A figure is therefore drawn large, [`UNITS_PER_PT`] pixels to the point,
-//! and its `viewBox` brings it down to its size.
+//! The plotting library draws in whole pixels. A figure is therefore drawn with [`UNITS_PER_PT`] pixels per point, and its
+//! `viewBox` scales it to its size.
 
 use plotters::style::{Color, FontFamily, FontStyle, FontTransform, RGBColor, ShapeStyle, TextStyle};
 use plotters::style::{FontDesc, IntoFont};
 
 /// Drawing units per point (1/72 inch).
 pub(crate) const UNITS_PER_PT: f64 = 20.0;
-/// Text of ticks, labels and legends: the 7 pt that journals ask for at least.
+/// Size of letters of ticks, labels and legends, pt; journals ask for at least this size.
 pub(crate) const TEXT_PT: f64 = 7.0;
-/// Size of letters of titles.
+/// Size of letters of titles, pt.
 pub(crate) const TITLE_PT: f64 = 8.0;
-/// Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (the PNG's) on Linux.
+/// Fonts for the texts: Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (also used for PNG) on
+/// Linux.
 pub(crate) const FAMILY: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
 pub(crate) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub(crate) const LIMIT: RGBColor = RGBColor(0x66, 0x66, 0x66);
-/// A shaded area's colour.
+/// The colour of a shaded area.
 pub(crate) const SHADE: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 pub(crate) const SHADE_OPACITY: f64 = 0.28;
 
-/// Points as drawing units.
+/// Converts points to drawing units.
 #[expect(clippy::cast_possible_truncation, reason = "a page is some thousand units wide")]
 pub(crate) fn units(pt: f64) -> i32 {
     (pt * UNITS_PER_PT).round() as i32
 }
 
-/// A count of things on a page.
+/// Converts a count to a floating-point number.
 #[expect(clippy::cast_precision_loss, reason = "panels, rows, letters")]
 pub(crate) fn float(count: usize) -> f64 {
     count as f64
 }
 
-/// Text of a size in points; never bold, which the font of PNG pictures does not have.
+/// A text style with letters of `size_pt`; never bold, because the font of PNG pictures has no bold letters.
 pub(crate) fn text<'a>(size_pt: f64) -> TextStyle<'a> {
     // The library divides every font size by 1.24 when it writes SVG.
     let size = size_pt * UNITS_PER_PT * 1.24;
@@ -41,12 +42,12 @@ pub(crate) fn text<'a>(size_pt: f64) -> TextStyle<'a> {
     TextStyle::from(font.into_font()).color(&INK).transform(FontTransform::None)
 }
 
-/// A line of a width in points.
+/// A line style with a width in points.
 pub(crate) fn stroke(colour: RGBColor, width_pt: f64) -> ShapeStyle {
     colour.stroke_width(units(width_pt).unsigned_abs())
 }
 
-/// How a curve is dashed.
+/// The dashes of a curve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Dash {
@@ -56,7 +57,7 @@ pub enum Dash {
     Dashed,
     /// A line of longer dashes.
     LongDashed,
-    /// Short dashes, as dots.
+    /// A line of short dashes, like dots.
     Dotted,
 }
 
@@ -72,7 +73,7 @@ impl Dash {
     }
 }
 
-/// How a curve looks: a colour (red, green, blue), a dash, a width in points.
+/// The look of a curve: a colour (red, green, blue), a dash, a width in points.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
     /// Red, green and blue, 0 to 255.
@@ -84,14 +85,15 @@ pub struct Look {
 }
 
 impl Look {
-    /// The law without its smoothing.
+    /// The look of the Hertz law without smoothing.
     pub const HERTZ: Self = Self::of((0x00, 0x72, 0xB2), Dash::Solid, 1.1);
-    /// The Hertz law with the constant indentation.
+    /// The look of the Hertz law with the constant indentation.
     pub const WITH_CONSTANT: Self = Self::of((0xD5, 0x5E, 0x00), Dash::Dashed, 1.1);
-    /// The law of the file, where it is smoothed.
+    /// The look of a model's own smoothed law.
     pub const OWN: Self = Self::of((0x22, 0x22, 0x22), Dash::Dotted, 1.5);
 
-    /// Okabe and Ito's colours that are dark enough for thin lines on white; without colour, dash and width differ.
+    /// The colours of Okabe and Ito that are dark enough for thin lines on white. Also without colour, dash and width
+    /// distinguish them.
     const SERIES: [Self; 8] = [
         Self::of((0x00, 0x72, 0xB2), Dash::Solid, 1.2),
         Self::of((0xD5, 0x5E, 0x00), Dash::Dashed, 1.2),
@@ -103,14 +105,14 @@ impl Look {
         Self::of((0x22, 0x22, 0x22), Dash::Dotted, 0.8),
     ];
 
-    /// How many series can be distinguished.
+    /// Number of series that can be distinguished.
     pub const MOST_SERIES: usize = Self::SERIES.len();
 
     const fn of(colour: (u8, u8, u8), dash: Dash, width_pt: f64) -> Self {
         Self { colour, dash, width_pt }
     }
 
-    /// The look of series number `index` of several; they repeat after [`Look::MOST_SERIES`].
+    /// The look of the series number `index`, from 0; looks repeat after [`Look::MOST_SERIES`].
     #[must_use]
     pub fn series(index: usize) -> Self {
         Self::SERIES.get(index % Self::MOST_SERIES).copied().unwrap_or(Self::HERTZ)
@@ -138,7 +140,7 @@ mod tests {
         }
     }
 
-    /// Relative luminance and contrast on white, as WCAG 2.1 defines them: thin lines need 3 : 1.
+    /// Relative luminance and contrast on white, as WCAG 2.1 defines them: thin lines need a contrast of 3 : 1.
     #[test]
     fn every_line_stands_out_from_white() {
         let linear = |c: u8| {

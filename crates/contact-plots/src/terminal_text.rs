@@ -1,12 +1,12 @@
-//! A panel in letters, for a terminal: each letter of Braille holds two by four dots.
+//! A panel as text for a terminal: each Braille letter holds two by four dots.
 
 use crate::error::PlotError;
 use crate::figure::{self, Frame, Panel, Point};
 use crate::style::float;
 
-/// The curves of a panel with its axes, in lines of at most `columns` letters, `rows` of them between the axes.
+/// The curves of a panel with its axes, as text lines of at most `columns` letters; `rows` of the lines are between the axes.
 ///
-/// Areas, limits, marks and how curves look are left out: letters could not distinguish them.
+/// Areas, limits, marks and the looks of curves are left out, because letters could not distinguish them.
 ///
 /// ```
 /// use contact_plots::{Axis, Curve, Look, Panel, text};
@@ -73,7 +73,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     Ok(text)
 }
 
-/// Labels below their ticks, without those that would run into each other.
+/// A line with labels below their ticks, without labels that would overlap.
 fn line_of_labels(labels: &[(usize, String)], margin: usize, columns: usize) -> String {
     let mut line = String::new();
     for (at, label) in labels {
@@ -86,10 +86,10 @@ fn line_of_labels(labels: &[(usize, String)], margin: usize, columns: usize) -> 
     line
 }
 
-/// Dots in a letter, from left to right and from top to bottom.
+/// Number of dots in a letter, from left to right and from top to bottom.
 const DOTS_ACROSS: usize = 2;
 const DOTS_DOWN: usize = 4;
-/// The bit of each dot of a letter, row by row, as Unicode numbers them.
+/// The bit of each dot in a Braille letter, row by row, in Unicode's numbering.
 const DOT_BITS: [[u8; DOTS_ACROSS]; DOTS_DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
 struct Dots {

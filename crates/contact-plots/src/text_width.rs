@@ -1,5 +1,5 @@
-//! How wide a text is, letter by letter, and how it is broken into lines: names that must not touch, and must not be cut,
-//! need more than an estimate.
+//! Widths of texts from the widths of their letters, and the breaking of texts into lines. An estimate is not enough, because
+//! names must not touch and must not be cut.
 
 use std::sync::OnceLock;
 
@@ -7,12 +7,12 @@ use textwrap::core::Fragment;
 use textwrap::wrap_algorithms::wrap_first_fit;
 use ttf_parser::Face;
 
-/// The width of a letter that the font does not have, as a share of the size of the text: no letter of a plain font is wider.
+/// The width of a letter that the font does not have, as a share of the text size. No letter of a plain font is wider.
 const WIDEST_LETTER: f64 = 1.0;
-/// If a viewer has no Arial, the font in its place may be wider by this factor.
+/// Factor by which the letters of a viewer without Arial may be wider.
 const OTHER_FONT_FACTOR: f64 = 1.06;
 const ELLIPSIS: char = '…';
-/// A word too long for a line is broken after one of these: they part the names of files.
+/// A word too long for a line is broken after one of these characters, which separate the parts of file names.
 const BREAK_AFTER: [char; 6] = ['_', '-', '/', '\\', '.', ','];
 
 /// The width of a text in Arial, or a font of the same metrics, in points.
@@ -20,7 +20,7 @@ pub(crate) fn width_pt(text: &str, size_pt: f64) -> f64 {
     text.chars().map(letter_width).sum::<f64>() * size_pt
 }
 
-/// The width of a text, and room for a wider font where a viewer has no Arial.
+/// The width of a text in points, with a reserve for viewers without Arial.
 pub(crate) fn width_with_reserve_pt(text: &str, size_pt: f64) -> f64 {
     OTHER_FONT_FACTOR * width_pt(text, size_pt)
 }
@@ -38,13 +38,13 @@ fn letter_width(letter: char) -> f64 {
     advance().unwrap_or(WIDEST_LETTER)
 }
 
-/// The font, read when the first text is measured.
+/// The built-in font, which is read when the first text is measured.
 fn face() -> Option<&'static Face<'static>> {
     static FACE: OnceLock<Option<Face<'static>>> = OnceLock::new();
     FACE.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
 }
 
-/// The text, cut with an ellipsis where it would be wider than `most_pt`.
+/// The text, cut and ended with an ellipsis if it is wider than `most_pt`.
 pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
     if width_pt(text, size_pt) <= most_pt {
         return text.to_owned();
@@ -63,8 +63,8 @@ pub(crate) fn cut(text: &str, size_pt: f64, most_pt: f64) -> String {
     short
 }
 
-/// Lines of at most `most_pt` (but always of one letter), broken at blanks; a longer word is broken where the parts of a name
-/// end, or anywhere. No line for a text without letters.
+/// Lines of at most `most_pt`, but of at least one letter, broken at blanks. A longer word is broken after the parts of a name,
+/// or anywhere. No line for a text without letters.
 pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
     let words = text.split_ascii_whitespace();
     let pieces: Vec<WordPiece<'_>> = words.flat_map(|word| pieces_of_word(word, size_pt, most_pt)).collect();
@@ -77,7 +77,7 @@ pub(crate) fn lines(text: &str, size_pt: f64, most_pt: f64) -> Vec<String> {
 struct WordPiece<'t> {
     text: &'t str,
     width: f64,
-    /// The blank after it; 0 within a word.
+    /// Width of the blank after the word, pt; 0 within a word.
     blank: f64,
 }
 
@@ -107,7 +107,7 @@ fn join_pieces(row: &[WordPiece<'_>]) -> String {
     line
 }
 
-/// A word as pieces that each fit into a line.
+/// The pieces of a word; each fits into a line.
 fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<WordPiece<'_>> {
     let parts: Vec<&str> = if width_with_reserve_pt(word, size_pt) <= most_pt {
         vec![word]
@@ -128,7 +128,7 @@ fn pieces_of_word(word: &str, size_pt: f64, most_pt: f64) -> Vec<WordPiece<'_>> 
         .collect()
 }
 
-/// A part that is too long for a line, cut into as many as are needed.
+/// The pieces of a `part` that is too long for a line; it is cut between any two letters.
 fn letter_by_letter(part: &str, size_pt: f64, most_pt: f64) -> Vec<&str> {
     let (mut cuts, mut width) = (vec![0], 0.0);
     for (at, letter) in part.char_indices() {
@@ -143,8 +143,8 @@ fn letter_by_letter(part: &str, size_pt: f64, most_pt: f64) -> Vec<&str> {
     cuts.windows(2).filter_map(|pair| part.get(pair[0]..pair[1])).collect()
 }
 
-/// Arimo (SIL Open Font License 1.1), the letters figures need; `fonts/README.md` says how it was made. Its letters are as
-/// wide as Arial's.
+/// The font Arimo (SIL Open Font License 1.1) with the letters that figures need; `fonts/README.md` describes how it was made.
+/// Its letters have the same widths as Arial's.
 pub(crate) const FONT: &[u8] = include_bytes!("../fonts/Arimo-subset.ttf");
 
 #[cfg(test)]

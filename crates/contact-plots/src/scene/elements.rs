@@ -3,71 +3,71 @@
 use crate::error::PlotError;
 use crate::figure::Point;
 
-/// Which state of a thing is drawn, where there are two.
+/// The state that an element shows, in a scene that compares two states of the same objects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
-    /// The only one, or the later one: in colour, with its name.
+    /// The present state, or the only one: drawn in colour, with its name.
     Now,
-    /// The earlier one: a dashed line below it.
+    /// The earlier state: drawn as a dashed line below the present one.
     Before,
 }
 
-/// The line around something, closed, with a light shade inside.
+/// A closed outline, such as that of a bone, with a light shade inside.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outline {
-    /// Corners of the outline, in order.
+    /// Corners of the outline in order, in the units of the axes.
     pub points: Vec<Point>,
-    /// Which state it shows.
+    /// The state that the outline shows.
     pub state: State,
 }
 
-/// A circle in its true size.
+/// A circle, such as a contact sphere, drawn to scale.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ball {
-    /// Text at the circle; empty for nothing.
+    /// Text at the circle; an empty text is not drawn.
     pub name: String,
-    /// Centre of the circle.
+    /// Centre of the circle, in the units of the axes.
     pub centre: Point,
     /// Radius of the circle, in the units of the axes.
     pub radius: f64,
-    /// Which state it shows.
+    /// The state that the circle shows.
     pub state: State,
-    /// Whether the circle is outside of what it belongs to: then it is drawn so that nobody overlooks it.
+    /// Whether the circle is far from the outlines to which it belongs; it is then drawn in a conspicuous colour.
     pub misplaced: bool,
 }
 
-/// A point with its name.
+/// A marked point with its name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spot {
-    /// Text at the point; empty for nothing.
+    /// Text at the point; an empty text is not drawn.
     pub name: String,
-    /// Place of the point.
+    /// Place of the point, in the units of the axes.
     pub at: Point,
-    /// Which state it shows.
+    /// The state that the point shows.
     pub state: State,
 }
 
 /// The meaning of a level line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LevelKind {
-    /// The ground: a line with hatching below.
+    /// The ground: a line with short strokes below it.
     Ground,
-    /// The lowest place of what is drawn: a dashed line.
+    /// The lowest point of the objects: a dashed line.
     Lowest,
 }
 
 /// A horizontal line through a view.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Level {
-    /// Text at the end of the level line; empty for nothing.
+    /// Text at the end of the level line; an empty text is not drawn.
     pub name: String,
-    /// Position of the level line on the vertical axis.
+    /// Position of the level line on the vertical axis, in its units.
     pub at: f64,
     /// Meaning of the level line.
     pub kind: LevelKind,
 }
 
-/// A thing from one side.
+/// A view of an object from one side.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct View {
     /// The direction from which the view is seen.
@@ -76,9 +76,9 @@ pub struct View {
     pub x_label: String,
     /// Text along the vertical axis, with its unit.
     pub y_label: String,
-    /// Whether values of the vertical axis grow downwards.
+    /// Whether values on the vertical axis grow downwards.
     pub y_down: bool,
-    /// Outlines, below everything else.
+    /// Outlines of the view, below everything else.
     pub outlines: Vec<Outline>,
     /// Circles of the view.
     pub balls: Vec<Ball>,
@@ -88,25 +88,25 @@ pub struct View {
     pub levels: Vec<Level>,
 }
 
-/// A thing from all its sides, one below the other over one horizontal axis.
+/// All views of one object, one below the other, with a common horizontal axis.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Block {
     /// Title of the block.
     pub title: String,
-    /// Remarks below it, a paragraph each.
+    /// Remarks below the views, a paragraph each.
     pub remarks: Vec<String>,
     /// Views of the block.
     pub views: Vec<View>,
 }
 
-/// Names of what is drawn, for the legend.
+/// Names for the legend of a scene.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SceneNames {
     /// Name of circles of the present state.
     pub now: String,
     /// Name of circles of the earlier state.
     pub before: String,
-    /// Name of circles that are misplaced.
+    /// Name of circles that are far from their outlines.
     pub misplaced: String,
     /// Name of points in the legend.
     pub spot: String,
@@ -114,25 +114,25 @@ pub struct SceneNames {
     pub outline: String,
     /// Name of the line of the ground.
     pub ground: String,
-    /// Name of the line of the lowest place.
+    /// Name of the line at the lowest point.
     pub lowest: String,
 }
 
-/// A figure of things in space.
+/// A figure of objects in space, seen from several sides.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scene {
     /// Title of the scene.
     pub title: String,
     /// Description of the scene in full sentences.
     pub description: String,
-    /// The things, side by side in pairs.
+    /// The objects of the scene, arranged in pairs side by side.
     pub blocks: Vec<Block>,
     /// Names in the legend; an empty name has no entry.
     pub names: SceneNames,
 }
 
 impl Scene {
-    /// Refuses what cannot be drawn.
+    /// Refuses a scene without content, or with numbers that are not finite.
     pub(super) fn check(&self) -> Result<(), PlotError> {
         if self.blocks.is_empty() || self.blocks.iter().any(|block| block.views.is_empty()) {
             return Err(PlotError::Empty { what: "the figure has no view" });
@@ -160,7 +160,7 @@ impl View {
         }
     }
 
-    /// Corners of boxes around everything that is drawn in the view.
+    /// Corners of boxes around all elements of the view.
     pub(super) fn corners(&self) -> impl Iterator<Item = Point> + '_ {
         let balls = self.balls.iter().flat_map(|ball| {
             let ((x, y), r) = (ball.centre, ball.radius);

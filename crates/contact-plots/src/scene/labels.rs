@@ -1,11 +1,13 @@
-//! Where names go: beside what they name, never over each other.
+//! Places names beside the elements that they name, so that no two names overlap.
 //!
-//! Each name is tried around its point, nearer places first. A place costs its distance and whatever the name would hide; the
-//! cheapest is taken. Boxes of names never overlap: there is always room further up or down, and the view grows.
+//! For each name, places around its point are tried, nearer places first. The cost of a place is its distance, plus costs for
+//! everything that the name would hide; the cheapest place is taken. Boxes of names never overlap: there is always room further
+//! up or down, because the view can grow.
 
 use crate::figure::Point;
 
-/// Directions in which a place is tried, a circle in 16 parts; constants, as a picture is the same on every machine.
+/// Directions around a point in which places are tried: a circle in 16 parts. They are constants, so that a picture is the same
+/// on every machine.
 const LABEL_DIRECTIONS: [(f64, f64); 16] = [
     (1.0, 0.0),
     (-1.0, 0.0),
@@ -24,18 +26,18 @@ const LABEL_DIRECTIONS: [(f64, f64); 16] = [
     (0.383, 0.924),
     (-0.383, 0.924),
 ];
-/// The least distance from a point to the nearest edge of its name.
+/// The smallest distance from a point to the nearest edge of its name.
 const LEAST_DISTANCE_PT: f64 = 3.0;
 const STEP_PT: f64 = 3.5;
 const MOST_DISTANCE_STEPS: u32 = 400;
-/// Distance between the boxes of two names.
+/// Smallest distance between the boxes of two names.
 const LABEL_GAP_PT: f64 = 1.0;
-/// A name that is nearer to its point than this has no line to it.
+/// Distance of a name from its point above which a line connects them.
 pub(super) const LEADER_PT: f64 = 5.0;
-/// How often all names are placed again, now that the others have their places.
+/// Number of rounds in which all names are placed again around the other names.
 const PLACING_ROUNDS: usize = 3;
 
-/// Costs of a place for a name that hides or crosses something, in points of distance.
+/// Costs of a place where a name hides or crosses something, in points of distance.
 const COST_OF_CIRCLE: f64 = 3.0;
 const COST_OF_LEVEL: f64 = 30.0;
 const COST_OF_POINT: f64 = 60.0;
@@ -73,7 +75,7 @@ impl Rect {
         x > self.left - margin && x < self.right + margin && y > self.top - margin && y < self.bottom + margin
     }
 
-    /// The place of the box that is nearest to `point`.
+    /// The point of the box that is nearest to `point`.
     pub(super) fn nearest(&self, (x, y): Point) -> Point {
         (x.clamp(self.left, self.right), y.clamp(self.top, self.bottom))
     }
@@ -100,29 +102,29 @@ impl Rect {
     }
 }
 
-/// A name, before it has a place.
+/// A name without a place.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct NameToPlace {
     /// The point that the name is for.
     pub at: Point,
-    /// Width and height of the name.
+    /// Width and height of the name, pt.
     pub size: (f64, f64),
 }
 
-/// Shapes that names should not hide.
+/// Shapes that names should not hide, in points on the page.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Obstacles {
-    /// Marked points that names should not hide.
+    /// Marked points.
     pub points: Vec<Point>,
     /// Circles: centre and radius.
     pub circles: Vec<(Point, f64)>,
-    /// Horizontal lines that names should not hide.
+    /// Vertical positions of horizontal lines.
     pub levels: Vec<f64>,
-    /// Boxes of texts that have their places.
+    /// Boxes of texts that are already placed.
     pub boxes: Vec<Rect>,
 }
 
-/// A box for each name, in their order; from `left` to `right`, as far up and down as it takes.
+/// A box for each name, in the order of `names`; all boxes are between `left` and `right`, and as far up and down as needed.
 pub(super) fn place_names(
     names: &[NameToPlace],
     (left, right): (f64, f64),
@@ -191,7 +193,7 @@ impl Search<'_> {
         best.map(|(_, place)| place)
     }
 
-    /// The box, moved sideways until it is in the view.
+    /// The box, moved sideways so that it is between the left and right edge of the view.
     fn moved_into_view(&self, place: Rect) -> Rect {
         let by = (self.span.0 - place.left).max(0.0) - (place.right - self.span.1).max(0.0);
         Rect { left: place.left + by, right: place.right + by, ..place }
@@ -215,7 +217,7 @@ impl Search<'_> {
             }
         });
         let over_own_point = if place.contains_point(self.name.at, 1.5) { COST_OF_POINT } else { 0.0 };
-        let circles = self.obstacles.circles.iter().filter(|circle| crosses(place, circle));
+        let circles = self.obstacles.circles.iter().filter(|circle| circle_crosses_box(place, circle));
         let levels = self.obstacles.levels.iter().filter(|&&y| place.contains_point((place.left, y), 0.5));
         let names = self.others.iter().map(|(at, other)| {
             let their_end = other.nearest(*at);
@@ -232,8 +234,8 @@ impl Search<'_> {
     }
 }
 
-/// Whether the line of a circle passes through a box.
-fn crosses(place: &Rect, &(centre, radius): &(Point, f64)) -> bool {
+/// Whether the line of a circle passes through the box of a name.
+fn circle_crosses_box(place: &Rect, &(centre, radius): &(Point, f64)) -> bool {
     let nearest = place.nearest(centre);
     let far = |low: f64, high: f64, at: f64| if (at - low).abs() > (high - at).abs() { low } else { high };
     let farthest = (far(place.left, place.right, centre.0), far(place.top, place.bottom, centre.1));

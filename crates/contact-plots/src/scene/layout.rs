@@ -1,4 +1,4 @@
-//! Where everything of a scene goes: one scale for all, views below each other, names around what they name.
+//! The layout of a scene: one scale for all objects, views below each other, and names beside their elements.
 
 use super::elements::{Block, LevelKind, Scene, View};
 use super::labels::{NameToPlace, Obstacles, Rect, place_names};
@@ -12,33 +12,33 @@ use crate::text_width::{cut, lines, width_pt};
 
 pub(super) const LINE_PT: f64 = 8.6;
 const BLOCK_GAP_PT: f64 = 10.0;
-/// The row of the name of a block.
+/// Height of the row with the title of a block, pt.
 const BLOCK_TITLE_PT: f64 = 13.0;
-/// Room on the right for half of the last tick's label.
+/// Room on the right for half of the last tick label, pt.
 pub(super) const RIGHT_PT: f64 = 5.0;
-/// The least width of things side by side, between their axes; below each other they are wider.
+/// The smallest width of a plot for blocks side by side, pt; narrower blocks are placed below each other.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
-/// Distance between what is drawn and the edge of its view.
+/// Distance between the elements and the edge of their view, pt.
 const PAD_PT: f64 = 4.0;
 const NAME_HEIGHT_PT: f64 = 7.6;
-/// The longest name, as a share of a view.
+/// The largest width of a name, as a share of the view's width.
 const LONGEST_NAME: f64 = 0.45;
-/// The longest text at a line, which has nothing beside it.
+/// The largest width of a text at a level line, as a share of the view's width.
 const LONGEST_LEVEL_NAME: f64 = 0.9;
-/// Shapes smaller than this part of their block are not seen: 2 points or so.
+/// Smallest visible size of an outline, as a share of its block: about 2 points.
 const VISIBLE_SHARE: f64 = 0.01;
-/// No view is drawn higher than this, without its names.
+/// The largest height of a view without its names, pt.
 const HIGHEST_PT: f64 = 260.0;
-/// Things that are this much larger than others have a scale of their own.
+/// Largest ratio of sizes of two objects with the same scale; larger objects have a scale of their own.
 const MOST_SCALE_RATIO: f64 = 4.0;
-/// A view with more names than this wants a page.
+/// Largest number of names in a view that fits a column; a view with more names needs the width of a page.
 const CROWDED_NAMES: usize = 12;
-/// If a view has more names than this, all are left out: nobody could read them.
+/// If a view has more names than this, all names are left out, because nobody could read them.
 const MOST_NAMES: usize = 80;
-/// How wide a thing is taken to be that has no width.
+/// The width of an object whose points all have the same horizontal value, in the units of the axis.
 const NO_WIDTH: f64 = 1.0;
 
-/// A name and its box on the page.
+/// A name and its box on the page, in points.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Name {
     pub text: String,
@@ -46,7 +46,7 @@ pub(super) struct Name {
     pub place: Rect,
 }
 
-/// A view on the page: where its box is and which values are at its edges.
+/// A view on the page: its place, and the values at its edges.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlacedView<'s> {
     pub view: &'s View,
@@ -54,15 +54,15 @@ pub(super) struct PlacedView<'s> {
     pub top: f64,
     pub width: f64,
     pub height: f64,
-    /// Points of the page for each unit of the axes.
+    /// Scale: points on the page per unit of the axes.
     scale: f64,
-    /// The value at the left edge.
+    /// The value of the horizontal axis at the left edge.
     x_left: f64,
-    /// Room for the vertical axis' numbers and name.
+    /// Room for the tick labels and the label of the vertical axis, pt.
     pub beside: f64,
-    /// Distance of 0 on the vertical axis from the top edge; 0 may be outside of the view.
+    /// Distance on the page of the value 0 from the top edge of the view, pt; 0 may be outside the view.
     zero: f64,
-    /// Names of circles and points, and of lines.
+    /// The names of circles, points and level lines.
     pub names: Vec<Name>,
     pub level_names: Vec<Name>,
 }
@@ -81,16 +81,16 @@ impl PlacedView<'_> {
     }
 
     pub(super) fn x_ticks(&self) -> Ticks {
-        ticks((self.x_left, self.x_left + self.width / self.scale), self.width)
+        round_ticks((self.x_left, self.x_left + self.width / self.scale), self.width)
     }
 
     pub(super) fn y_ticks(&self) -> Ticks {
         let (a, b) =
             (self.sign() * -self.zero / self.scale, self.sign() * (self.height - self.zero) / self.scale);
-        ticks((a.min(b), a.max(b)), self.height)
+        round_ticks((a.min(b), a.max(b)), self.height)
     }
 
-    /// Names are placed where the view begins at (0, 0); this brings them to where it is.
+    /// The view with its names moved from a place at (0, 0) to `(left, top)`, in points.
     fn moved_to(mut self, left: f64, top: f64) -> Self {
         for name in self.names.iter_mut().chain(&mut self.level_names) {
             name.at = (name.at.0 + left, name.at.1 + top);
@@ -101,7 +101,7 @@ impl PlacedView<'_> {
         self
     }
 
-    /// This view with more room above and below.
+    /// The view with more room above and below, in points.
     fn with_more_room(mut self, above: f64, below: f64) -> Self {
         for name in self.names.iter_mut().chain(&mut self.level_names) {
             name.at.1 += above;
@@ -114,8 +114,8 @@ impl PlacedView<'_> {
     }
 }
 
-/// Round values, with room between them; those outside the view are left out.
-fn ticks((low, high): (f64, f64), length_pt: f64) -> Ticks {
+/// Ticks at round values with enough distance, without those outside the view.
+fn round_ticks((low, high): (f64, f64), length_pt: f64) -> Ticks {
     let count = (2..9).rev().find(|&count| length_pt >= 22.0 * float(count)).unwrap_or(2);
     let mut ticks = Ticks::linear((low, high), count);
     ticks.marks.retain(|(at, _)| (low..=high).contains(at));
@@ -129,21 +129,21 @@ pub(super) struct PlacedBlock<'s> {
     pub left: f64,
     pub top: f64,
     pub views: Vec<PlacedView<'s>>,
-    /// Lines of remarks, and where the first begins.
+    /// Lines of the remarks.
     pub remarks: Vec<String>,
     pub remarks_top: f64,
 }
 
 /// Positions of all parts of a scene.
 pub(super) struct SceneLayout<'s> {
-    /// How wide the scene is by itself.
+    /// The default width of the scene.
     pub width: Width,
     pub title: Title,
     pub height_pt: f64,
     pub blocks: Vec<PlacedBlock<'s>>,
     pub legend: Legend,
     pub legend_at: Point,
-    /// Room for the numbers and the name of vertical axes.
+    /// Room for the tick labels and the labels of vertical axes, pt.
     pub beside: f64,
 }
 
@@ -202,7 +202,7 @@ fn count_names(view: &View) -> usize {
     balls + view.spots.iter().filter(|spot| !spot.name.is_empty()).count()
 }
 
-/// The widest number at a vertical axis; names may make views a little higher.
+/// The width of the widest tick label of vertical axes, pt; the axes may become longer when names are placed.
 fn longest_tick(scene: &Scene) -> f64 {
     let corners = scene.blocks.iter().flat_map(|block| &block.views).flat_map(View::corners);
     let largest = corners.fold(100.0_f64, |most, (_, y)| most.max(y.abs()));
@@ -238,7 +238,7 @@ pub(super) fn has_outlines(block: &Block) -> bool {
     })
 }
 
-/// The scale of each block, and whether it is smaller than that of the others: things of like size share one.
+/// The scale of each block, and whether it is smaller than the scale of other blocks. Objects of similar size share one scale.
 fn scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
     let scale_alone = |block: &Block| {
         let (low, high) = x_span(block);
@@ -252,7 +252,7 @@ fn scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
     alone.iter().map(|scale| if alike(scale) { (common, false) } else { (*scale, true) }).collect()
 }
 
-/// A view at (0, 0), as high as its content and its names.
+/// A view placed at (0, 0), as high as its elements and names need.
 fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f64, f64)) -> PlacedView<'s> {
     let (low, high) = x_span(block);
     let x_left = f64::midpoint(low, high) - width / scale / 2.0;
@@ -271,7 +271,7 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     };
     placed.level_names = level_names(&placed);
     if count_names(view) <= MOST_NAMES {
-        placed.names = names(&placed);
+        placed.names = placed_names(&placed);
     }
     let (from, to) = y_span(view);
     let ends = [placed.at((0.0, from)).1, placed.at((0.0, to)).1];
@@ -280,7 +280,8 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     placed.with_more_room(PAD_PT - top, bottom + PAD_PT)
 }
 
-/// Texts at level lines: the ground on the left, the lowest place on the right, so that close lines do not run together.
+/// The texts at level lines: for the ground on the left, for the lowest point on the right, so that texts at close lines do not
+/// touch.
 fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
     let mut names: Vec<Name> = Vec::new();
     for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {
@@ -304,7 +305,7 @@ fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
     names
 }
 
-fn names(placed: &PlacedView<'_>) -> Vec<Name> {
+fn placed_names(placed: &PlacedView<'_>) -> Vec<Name> {
     let view = placed.view;
     let balls = view.balls.iter().map(|ball| (&ball.name, ball.centre));
     let spots = view.spots.iter().map(|spot| (&spot.name, spot.at));
@@ -330,7 +331,7 @@ fn names(placed: &PlacedView<'_>) -> Vec<Name> {
     named.map(|((text, wanted), place)| Name { text, at: wanted.at, place }).collect()
 }
 
-/// Views of one row side by side: as high as each other, and on one axis where that takes little more room.
+/// Gives the views of one row the same height, and a common vertical axis if this needs little more room.
 fn align_axes(mut row: Vec<Vec<PlacedView<'_>>>) -> Vec<Vec<PlacedView<'_>>> {
     let most = row.iter().map(Vec::len).max().unwrap_or(0);
     for index in 0..most {

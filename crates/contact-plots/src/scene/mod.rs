@@ -1,4 +1,4 @@
-//! Things in space, seen from several sides: circles, points and outlines with names, on axes of one scale.
+//! Objects in space, seen from several sides: circles, points and outlines with names, with the same scale on all axes.
 
 mod elements;
 mod labels;
@@ -18,14 +18,13 @@ pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Sp
 use labels::LEADER_PT;
 use layout::{LINE_PT, Name, PlacedBlock, PlacedView, RIGHT_PT, SceneLayout, has_outlines};
 
-/// Draws things from several sides, as an SVG document: a unit of length is as long in every direction, and circles are
-/// circles.
+/// Draws objects from several sides, as an SVG document. The scale is the same in all directions, so that circles stay circles.
 ///
 /// # Errors
 /// [`PlotError`]: nothing to draw, a point that is not a finite number, or too little room on the paper.
 pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
     scene.check()?;
-    let entries = entries(scene);
+    let entries = legend_entries(scene);
     let named = entries.iter().map(|(_, name)| (Sample::Shade, name.clone())).collect();
     let layout = SceneLayout::of(scene, paper, |room| Legend::new(named, room));
     paper.check(layout.width, layout.beside + 2.0 * MARGIN_PT + RIGHT_PT)?;
@@ -43,14 +42,14 @@ pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
         layout.legend.draw_with_samples(root, layout.legend_at, &|index, left, middle| match entries
             .get(index)
         {
-            Some((shown, _)) => sample(root, *shown, left, middle),
+            Some((shown, _)) => draw_sample_at(root, *shown, left, middle),
             None => Ok(()),
         })
     })
 }
 
-/// Entries of the legend: only what the scene shows.
-fn entries(scene: &Scene) -> Vec<(SceneSample, String)> {
+/// The legend entries, only for elements that the scene shows.
+fn legend_entries(scene: &Scene) -> Vec<(SceneSample, String)> {
     let views = || scene.blocks.iter().flat_map(|block| &block.views);
     let balls = || views().flat_map(|view| &view.balls);
     let level = |kind| views().any(|view| view.levels.iter().any(|level| level.kind == kind));
@@ -138,7 +137,7 @@ fn draw_level(root: &Area<'_>, view: &PlacedView<'_>, (y, kind): (f64, LevelKind
     level(root, (view.left, view.left + view.width), y, kind)
 }
 
-/// The line from a name to what it names, where both are apart.
+/// Draws the line from a name to its element, if they are apart.
 fn draw_leader(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
     let end = name.place.nearest(name.at);
     let (dx, dy) = (end.0 - name.at.0, end.1 - name.at.1);
@@ -199,7 +198,7 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
 
 const RADIUS_PT: f64 = 3.6;
 
-/// A kind of mark.
+/// A kind of element in the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum SceneSample {
     Ball,
@@ -211,8 +210,8 @@ enum SceneSample {
     Ground,
 }
 
-/// Draws a sample of the legend, with its left end and its middle on the page.
-fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {
+/// Draws a sample of the legend; `left` is its left end and `middle` its vertical middle on the page, in points.
+fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Result<(), PlotError> {
     let centre = (left + SAMPLE_PT / 2.0, middle);
     let ends = (left, left + SAMPLE_PT);
     match sample {
@@ -232,21 +231,21 @@ fn sample(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) -> Resul
 
 // The marks of a scene, which its legend shows too.
 
-/// Bones: a grey that both colours stand out from.
+/// The colour of bones: a grey on which the other colours are clearly visible.
 const BONE: RGBColor = RGBColor(0x88, 0x88, 0x88);
 const BONE_OPACITY: f64 = 0.22;
 const PRESENT_LOOK: Look = Look::HERTZ;
 const MISPLACED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
-/// The line of what is astray: twice as wide as that of others.
+/// Width of the line of a misplaced circle, pt: twice that of other circles.
 const MISPLACED_PT: f64 = 2.2;
-/// A ring of dashes has this many corners.
+/// Number of corners of a dashed circle.
 const RING_CORNERS: u32 = 120;
 const BALL_OPACITY: f64 = 0.13;
-/// A line of dashes on the page.
+/// A dashed line on the page.
 type Dashes = DashedPathElement<std::vec::IntoIter<(i32, i32)>, i32>;
 const SPOT_PT: f64 = 1.7;
 
-/// A circle with a light shade inside.
+/// Draws a circle with a light shade inside.
 fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
     let (colour, width) =
         if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(PRESENT_LOOK), PRESENT_LOOK.width_pt) };
@@ -255,7 +254,7 @@ fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Resul
     draw(root, &Circle::new(at, radius, stroke(colour, width)))
 }
 
-/// A circle of dashes; the library's circles have none.
+/// A dashed circle; the library has only circles with solid lines.
 fn ring((x, y): Point, radius: f64) -> Dashes {
     let corner = |index: u32| {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(index) / f64::from(RING_CORNERS)).sin_cos();
@@ -268,14 +267,14 @@ fn dashed(points: Vec<(i32, i32)>, colour: RGBColor, width_pt: f64) -> Dashes {
     DashedPathElement::new(points, units(2.4), units(1.8), stroke(colour, width_pt))
 }
 
-/// A square that stands on its corner, white inside.
+/// Draws a square that stands on its corner, white inside.
 fn spot(root: &Area<'_>, (x, y): Point, size: f64) -> Result<(), PlotError> {
     let corners = [(x, y - size), (x + size, y), (x, y + size), (x - size, y), (x, y - size)].map(place);
     draw(root, &Polygon::new(corners.to_vec(), RGBColor(255, 255, 255).filled()))?;
     draw(root, &PathElement::new(corners.to_vec(), stroke(INK, 0.8)))
 }
 
-/// A horizontal line: dashed at the lowest place, with strokes below it for the ground.
+/// Draws a horizontal line: dashed for the lowest point, with short strokes below it for the ground.
 fn level(root: &Area<'_>, (left, right): (f64, f64), y: f64, kind: LevelKind) -> Result<(), PlotError> {
     let line = [place((left, y)), place((right, y))];
     if kind == LevelKind::Lowest {

@@ -1,4 +1,4 @@
-//! The figures as documents: they parse, they say what they show, and points stand where they belong.
+//! Tests of figures as SVG documents: they are valid XML, have texts for their content, and have points at the right places.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -13,7 +13,7 @@ fn points_on_line(slope: f64) -> Vec<Point> {
     (-10..=10).map(|i| f64::from(i) / 20.0).map(|x| (x, slope * (x + 0.5))).collect()
 }
 
-/// A figure of lines, each with its name and slope, with a limit, a shade and a mark.
+/// A figure of straight lines with the given names and slopes, with a limit, a shade and a mark.
 fn force_figure(lines: &[(&str, f64)]) -> Figure {
     let mut panel = Panel::new("", Axis::new("x̂ = x/R (–)"), Axis::new("force (N)"));
     let curve = |(index, (name, slope)): (usize, &(&str, f64))| {
@@ -26,7 +26,7 @@ fn force_figure(lines: &[(&str, f64)]) -> Figure {
     Figure::in_column("Contact force", "Force against indentation.".to_owned(), vec![panel])
 }
 
-fn heat() -> HeatMap {
+fn heat_map_of_two_parameters() -> HeatMap {
     let values = (0..4).map(|row| (0..5).map(|column| Some(f64::from(row * 5 + column))).collect()).collect();
     HeatMap {
         title: "Peak force".to_owned(),
@@ -42,7 +42,7 @@ fn heat() -> HeatMap {
     }
 }
 
-/// The SVG of a figure in its own width.
+/// The SVG of a figure in its default width.
 fn svg_of(figure: Figure) -> Result<String, PlotError> {
     Drawing::Panels(figure).svg(Paper::default())
 }
@@ -52,7 +52,7 @@ fn force_svg(lines: &[(&str, f64)]) -> String {
 }
 
 #[test]
-fn a_panel_says_what_its_axes_and_all_that_is_in_it_are() {
+fn a_panel_has_texts_for_its_axes_and_elements() {
     let svg = Svg::read(&force_svg(&[("mouse", 1.0), ("horse", 2.0)]));
     svg.says(&[
         "Contact force",
@@ -71,7 +71,7 @@ fn a_panel_says_what_its_axes_and_all_that_is_in_it_are() {
 }
 
 #[test]
-fn points_stand_where_the_ticks_say() {
+fn points_are_at_the_values_of_the_ticks() {
     let svg = Svg::read(&force_svg(&[("human", 100.0)]));
     let (x, y) = (svg.scale_of_x(), svg.scale_of_y());
     // The first curve is the solid one: from (−0.5, 0) to (0.5, 100).
@@ -87,7 +87,7 @@ fn points_stand_where_the_ticks_say() {
 
 #[test]
 fn a_heat_map_has_decades_and_a_named_bar() {
-    let svg = Svg::read(&contact_plots::heat_map(&heat(), Paper::default()).unwrap());
+    let svg = Svg::read(&contact_plots::heat_map(&heat_map_of_two_parameters(), Paper::default()).unwrap());
     svg.says(&[
         "E₁* (N/m²)",
         "α (s/m)",
@@ -102,14 +102,17 @@ fn a_heat_map_has_decades_and_a_named_bar() {
     ]);
     // 20 cells and the bar's slices, of many colours.
     assert!(svg.fills.len() > 30, "{}", svg.fills.len());
-    let mut gap = heat();
+    let mut gap = heat_map_of_two_parameters();
     gap.values[1][2] = None;
     Svg::read(&contact_plots::heat_map(&gap, Paper::default()).unwrap()).says(&["no value"]);
 }
 
 #[test]
-fn several_figures_stand_in_one_page_without_a_clash() {
-    for svg in [force_svg(&[("human", 1.0)]), contact_plots::heat_map(&heat(), Paper::default()).unwrap()] {
+fn several_figures_in_one_page_have_no_common_ids() {
+    for svg in [
+        force_svg(&[("human", 1.0)]),
+        contact_plots::heat_map(&heat_map_of_two_parameters(), Paper::default()).unwrap(),
+    ] {
         let read = Svg::read(&svg);
         assert_eq!(read.attribute("role"), "img");
         assert_eq!(read.attribute("width"), "90mm");
@@ -121,14 +124,14 @@ fn several_figures_stand_in_one_page_without_a_clash() {
 }
 
 #[test]
-fn names_are_text_whatever_they_hold() {
+fn names_with_markup_are_written_as_text() {
     let odd = "a<b> & \"c\" \u{1}";
     let svg = Svg::read(&force_svg(&[(odd, 1.0), ("plain", 1.0)]));
     svg.says(&["a<b> & \"c\""]);
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused() {
+fn figures_that_cannot_be_drawn_are_refused() {
     let mut broken = force_figure(&[("Hertz (1)", 1.0)]);
     broken.panels[0].curves[0].points[3].1 = f64::NAN;
     assert_eq!(svg_of(broken), Err(PlotError::NotFinite { curve: "Hertz (1)".to_owned() }));
@@ -138,7 +141,7 @@ fn what_cannot_be_drawn_is_refused() {
     assert!(force_figure(&many[1..]).distinct().is_ok());
     let empty = Figure::in_column("", String::new(), vec![]);
     assert!(matches!(contact_plots::figure(&empty, Paper::default()), Err(PlotError::Empty { .. })));
-    let mut map = heat();
+    let mut map = heat_map_of_two_parameters();
     map.x[0] = 0.0;
     assert_eq!(
         contact_plots::heat_map(&map, Paper::default()),

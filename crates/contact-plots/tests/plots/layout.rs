@@ -1,4 +1,4 @@
-//! What is asked of a figure's layout: its size, its names, the limits of its axes; and the numbers in it.
+//! Tests of a figure's layout: its size, its names, the limits of its axes; and of its data.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -9,7 +9,7 @@ use contact_plots::{
     PlotError, Width,
 };
 
-/// A straight line from (0, 0) to (10, 100), with a shade below and a mark at its end.
+/// A panel with a straight line from (0, 0) to (10, 100), a shade below it and a mark at its end.
 fn panel_with_line(label: &str) -> Panel {
     let points: Vec<(f64, f64)> = (0..=10).map(|i| (f64::from(i), f64::from(10 * i))).collect();
     let mut panel = Panel::new("", Axis::new("x (mm)"), Axis::new("y (N)"));
@@ -24,7 +24,7 @@ fn figure_of_panels(title: &str, panels: Vec<Panel>) -> Figure {
     Figure { title: title.to_owned(), description, width: Width::Column, columns: panels.len(), panels }
 }
 
-fn drawn(figure: Figure, paper: Paper) -> String {
+fn drawn_svg(figure: Figure, paper: Paper) -> String {
     Drawing::Panels(figure).svg(paper).unwrap()
 }
 
@@ -32,7 +32,7 @@ fn paper_of_width(width_mm: f64, text_pt: f64) -> Paper {
     Paper { width_mm: Some(width_mm), text_pt }
 }
 
-/// The size of letters on paper, in points.
+/// The size of the letters of the text `content` on paper, in points.
 fn letters_pt(text: &str, content: &str) -> f64 {
     let svg = Svg::read(text);
     let units: f64 = svg.attribute("viewBox").split(' ').nth(2).unwrap().parse().unwrap();
@@ -43,9 +43,10 @@ fn letters_pt(text: &str, content: &str) -> f64 {
 }
 
 #[test]
-fn a_figure_is_as_wide_and_its_letters_as_large_as_asked_for() {
+fn a_figure_has_the_wanted_width_and_letter_size() {
     for (mm, pt) in [(85.0, 7.0), (85.0, 9.5), (120.5, 6.0), (190.0, 12.0)] {
-        let text = drawn(figure_of_panels("Title", vec![panel_with_line("line")]), paper_of_width(mm, pt));
+        let text =
+            drawn_svg(figure_of_panels("Title", vec![panel_with_line("line")]), paper_of_width(mm, pt));
         let svg = Svg::read(&text);
         assert_eq!(svg.attribute("width"), format!("{mm}mm"));
         assert!((letters_pt(&text, "x (mm)") - pt).abs() < 0.05, "{pt}: {}", letters_pt(&text, "x (mm)"));
@@ -60,11 +61,11 @@ fn paper_that_is_too_narrow_is_refused_with_the_least_width() {
     assert!(
         figure.svg(paper_of_width(f64::NAN, 7.0)).is_err() && figure.svg(paper_of_width(90.0, 0.0)).is_err()
     );
-    let wide = Svg::read(&drawn(
+    let wide = Svg::read(&drawn_svg(
         figure_of_panels("", vec![panel_with_line("line"), panel_with_line("line")]),
         paper_of_width(190.0, 7.0),
     ));
-    let narrow = Svg::read(&drawn(
+    let narrow = Svg::read(&drawn_svg(
         figure_of_panels("", vec![panel_with_line("line"), panel_with_line("line")]),
         paper_of_width(60.0, 7.0),
     ));
@@ -75,8 +76,10 @@ fn paper_that_is_too_narrow_is_refused_with_the_least_width() {
 #[test]
 fn a_figure_without_a_title_has_no_empty_band_and_still_a_name() {
     let height = |svg: &Svg| svg.attribute("viewBox").split(' ').nth(3).unwrap().parse::<f64>().unwrap();
-    let with = Svg::read(&drawn(figure_of_panels("Title", vec![panel_with_line("line")]), Paper::default()));
-    let without = Svg::read(&drawn(figure_of_panels("", vec![panel_with_line("line")]), Paper::default()));
+    let with =
+        Svg::read(&drawn_svg(figure_of_panels("Title", vec![panel_with_line("line")]), Paper::default()));
+    let without =
+        Svg::read(&drawn_svg(figure_of_panels("", vec![panel_with_line("line")]), Paper::default()));
     // One row of 8 pt and what is around it, in units of 1/20 pt.
     assert!((height(&with) - height(&without) - 20.0 * 13.0).abs() <= 1.0);
     assert_eq!(without.title, "A line.");
@@ -88,7 +91,7 @@ fn no_name_of_a_legend_is_cut_and_no_title() {
         "a_model_with_a_long_name_that_was_scaled_by_the_tool_and_then_rescaled, 0.396 m/s, restitution 0.55";
     let title =
         "What the contacts of a model with a very long name do while they are pressed and let go again";
-    let text = drawn(figure_of_panels(title, vec![panel_with_line(name)]), Paper::default());
+    let text = drawn_svg(figure_of_panels(title, vec![panel_with_line(name)]), Paper::default());
     let svg = Svg::read(&text);
     assert!(!text.contains('…'));
     let written: String = svg.texts.concat();
@@ -157,7 +160,7 @@ fn a_logarithmic_axis_puts_equal_ratios_equally_far_apart() {
     let mut panel = Panel::new("", Axis::logarithmic("E (N/m²)"), Axis::new("y"));
     let points = vec![(1e5, 0.0), (1e6, 1.0), (1e7, 2.0)];
     panel.curves.push(Curve { label: String::new(), points, look: Look::HERTZ });
-    let svg = Svg::read(&drawn(figure_of_panels("t", vec![panel.clone()]), Paper::default()));
+    let svg = Svg::read(&drawn_svg(figure_of_panels("t", vec![panel.clone()]), Paper::default()));
     svg.says(&["10⁵", "10⁶", "10⁷"]);
     let line = svg.longest_line("#0072B2");
     assert!(((line[1].0 - line[0].0) - (line[2].0 - line[1].0)).abs() <= 1.0, "{line:?}");

@@ -1,4 +1,4 @@
-//! Pixels and pages made of figures.
+//! Tests of PNG and PDF files of figures.
 
 #![cfg(any(feature = "png", feature = "pdf"))]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -43,10 +43,10 @@ fn a_png_has_the_size_of_the_figure_and_something_on_it() {
     assert!(contact_plots::png("no picture", 300.0).is_err());
 }
 
-/// 1 m at 2400 pixels to the inch: 94,488 pixels to the side, far more than any memory holds.
+/// A figure 1 m wide at 2400 pixels per inch has 94,488 pixels on each side, far more than fits into memory.
 #[cfg(feature = "png")]
 #[test]
-fn a_picture_of_too_many_pixels_is_refused_before_memory_is_asked_for() {
+fn a_picture_of_too_many_pixels_is_refused_before_memory_is_allocated() {
     let error = contact_plots::png(&svg(1000.0), 2400.0).unwrap_err();
     assert!(
         matches!(error, contact_plots::PlotError::TooManyPixels { width: 94_400..94_600, .. }),
@@ -57,7 +57,7 @@ fn a_picture_of_too_many_pixels_is_refused_before_memory_is_asked_for() {
     ));
 }
 
-/// Readers of PDF look at the page in tests/plots; here, that it is a document, and of the size of the figure.
+/// The PDF is a document with one page of the size of the figure. Its look is checked elsewhere, with PDF readers.
 #[cfg(feature = "pdf")]
 #[test]
 fn a_pdf_is_one_page_of_the_size_of_the_figure() {

@@ -1,4 +1,4 @@
-//! Things in space as documents: equal axes, names apart, nothing that a page could clash with.
+//! Tests of scenes as SVG documents: equal axes, names that do not touch, no ids.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -9,15 +9,15 @@ use contact_plots::{
 };
 use resvg::usvg;
 
-fn ball(name: &str, centre: (f64, f64), radius: f64) -> Ball {
+fn named_ball(name: &str, centre: (f64, f64), radius: f64) -> Ball {
     Ball { name: name.to_owned(), centre, radius, state: State::Now, misplaced: false }
 }
 
-fn spot(name: &str, at: (f64, f64)) -> Spot {
+fn named_spot(name: &str, at: (f64, f64)) -> Spot {
     Spot { name: name.to_owned(), at, state: State::Now }
 }
 
-fn view(balls: Vec<Ball>) -> View {
+fn view_of_balls(balls: Vec<Ball>) -> View {
     View {
         title: "from the right".to_owned(),
         x_label: "x (mm)".to_owned(),
@@ -27,7 +27,7 @@ fn view(balls: Vec<Ball>) -> View {
     }
 }
 
-fn names() -> SceneNames {
+fn scene_names() -> SceneNames {
     SceneNames {
         now: "sphere".to_owned(),
         before: "before".to_owned(),
@@ -39,16 +39,21 @@ fn names() -> SceneNames {
     }
 }
 
-/// The scene on the paper it wants.
+/// The SVG of a scene in its default width.
 fn drawn_scene(data: &Scene) -> Result<String, PlotError> {
     scene(data, Paper::default())
 }
 
 fn scene_of_blocks(blocks: Vec<Block>) -> Scene {
-    Scene { title: "Feet".to_owned(), description: "Feet from two sides.".to_owned(), blocks, names: names() }
+    Scene {
+        title: "Feet".to_owned(),
+        description: "Feet from two sides.".to_owned(),
+        blocks,
+        names: scene_names(),
+    }
 }
 
-fn foot(title: &str) -> Block {
+fn foot_block(title: &str) -> Block {
     let balls = [
         ("s1", (1.9, -10.0), -4.0),
         ("s2", (148.0, -10.0), -19.0),
@@ -57,10 +62,10 @@ fn foot(title: &str) -> Block {
         ("s5", (239.0, -10.0), 14.0),
         ("s6", (224.0, -10.0), -29.0),
     ];
-    let mut side = view(balls.map(|(name, at, _)| ball(name, at, 32.0)).to_vec());
-    let mut top = view(balls.map(|(name, (x, _), z)| ball(name, (x, z), 32.0)).to_vec());
-    side.spots = vec![spot("subtalar_r", (0.0, 30.0)), spot("mtp_r", (163.0, -1.8))];
-    top.spots = vec![spot("subtalar_r", (0.0, 0.0)), spot("mtp_r", (163.0, 1.0))];
+    let mut side = view_of_balls(balls.map(|(name, at, _)| named_ball(name, at, 32.0)).to_vec());
+    let mut top = view_of_balls(balls.map(|(name, (x, _), z)| named_ball(name, (x, z), 32.0)).to_vec());
+    side.spots = vec![named_spot("subtalar_r", (0.0, 30.0)), named_spot("mtp_r", (163.0, -1.8))];
+    top.spots = vec![named_spot("subtalar_r", (0.0, 0.0)), named_spot("mtp_r", (163.0, 1.0))];
     side.outlines = vec![Outline {
         points: vec![(-20.0, 0.0), (10.0, 50.0), (180.0, 10.0), (180.0, -5.0), (70.0, 5.0)],
         state: State::Now,
@@ -74,7 +79,7 @@ fn foot(title: &str) -> Block {
     Block { title: title.to_owned(), remarks: vec![], views: vec![side, top] }
 }
 
-/// Boxes of all texts as the font of PNG pictures draws them, in pixels of 1/96 inch, each with its text.
+/// The texts of an SVG with their boxes in the font of PNG pictures, in pixels of 1/96 inch.
 fn text_boxes(svg: &str) -> Vec<(String, usvg::Rect)> {
     let mut fonts = usvg::fontdb::Database::new();
     let font = concat!(env!("CARGO_MANIFEST_DIR"), "/fonts/Arimo-subset.ttf");
@@ -101,7 +106,7 @@ fn collect_texts(group: &usvg::Group, boxes: &mut Vec<(String, usvg::Rect)>) {
     }
 }
 
-/// No two texts of the figure touch.
+/// Asserts that no two texts of the figure touch, and that there are at least `least` texts.
 #[track_caller]
 fn assert_texts_apart(svg: &str, least: usize) {
     let boxes = text_boxes(svg);
@@ -119,16 +124,19 @@ fn assert_texts_apart(svg: &str, least: usize) {
 }
 
 #[test]
-fn hundreds_of_names_are_left_out_in_words() {
-    let block =
-        Block { title: "Platform".to_owned(), remarks: vec![], views: vec![view(scattered_balls(300))] };
+fn hundreds_of_names_are_left_out_with_a_remark() {
+    let block = Block {
+        title: "Platform".to_owned(),
+        remarks: vec![],
+        views: vec![view_of_balls(scattered_balls(300))],
+    };
     let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![block])).unwrap());
     assert_eq!(svg.circles("#0072B2").len(), 300 + 1);
     svg.says(&["Without names, as there are more than 80."]);
     assert!(!svg.texts.iter().any(|text| text.starts_with("Obstacle")));
 }
 
-/// Places that look random and are the same in every run.
+/// Circles at places that look random and are the same in every run.
 fn scattered_balls(count: u32) -> Vec<Ball> {
     let fraction = |value: f64| value - value.floor();
     let at = |index: u32| {
@@ -136,20 +144,21 @@ fn scattered_balls(count: u32) -> Vec<Ball> {
         (along, if index.is_multiple_of(2) { -200.0 } else { 200.0 })
     };
     (0..count)
-        .map(|index| ball(&format!("Obstacle{index}"), at(index), 50.0 + f64::from(index % 30)))
+        .map(|index| named_ball(&format!("Obstacle{index}"), at(index), 50.0 + f64::from(index % 30)))
         .collect()
 }
 
 #[test]
 fn circles_are_circles_in_their_places() {
     let svg = Svg::read(
-        &drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap(),
+        &drawn_scene(&scene_of_blocks(vec![foot_block("calcn_r (right)"), foot_block("calcn_l (left)")]))
+            .unwrap(),
     );
     // Twice six spheres in each of two feet; the legend's is smaller.
     let circles = svg.circles("#0072B2");
     let legend = circles.iter().filter(|circle| circle.radius < 100.0).count();
     assert_eq!((circles.len(), legend), (25, 1));
-    let expected = foot("");
+    let expected = foot_block("");
     let (side, top) = (&expected.views[0].balls, &expected.views[1].balls);
     // The scale, from the spheres of the first view that are furthest apart; then everything follows.
     let scale = (circles[4].centre.0 - circles[0].centre.0) / (side[4].centre.0 - side[0].centre.0);
@@ -165,7 +174,7 @@ fn circles_are_circles_in_their_places() {
         }
     }
     // The numbers along the axis of one foot go up, too.
-    let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap());
+    let svg = Svg::read(&drawn_scene(&scene_of_blocks(vec![foot_block("calcn_r (right)")])).unwrap());
     let (x, circles) = (svg.scale_of_x(), svg.circles("#0072B2"));
     for (circle, ball) in circles[..6].iter().zip(side) {
         assert!((x.value(circle.centre.0) - ball.centre.0).abs() < 0.15, "{circle:?} is not {ball:?}");
@@ -174,7 +183,7 @@ fn circles_are_circles_in_their_places() {
 
 #[test]
 fn height_lines_are_drawn_at_their_heights() {
-    let document = drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap();
+    let document = drawn_scene(&scene_of_blocks(vec![foot_block("calcn_r (right)")])).unwrap();
     let svg = Svg::read(&document);
     let circle = svg.circles("#0072B2")[0];
     let dashed = svg.longest_line("#666666");
@@ -192,10 +201,10 @@ fn height_lines_are_drawn_at_their_heights() {
     ]);
 }
 
-/// The scene is a foot as wide as a column; the texts at its lines are longer than any name.
+/// A scene of one foot in a column; the texts at its level lines are longer than any name.
 #[test]
-fn what_lines_say_is_written_whole() {
-    let mut block = foot("calcn_r (right)");
+fn texts_at_level_lines_are_not_cut() {
+    let mut block = foot_block("calcn_r (right)");
     let (lowest, ground) = ("lowest bottom, y = \u{2212}13.71 mm", "floor, y = \u{2212}31.71 mm");
     for (level, name) in block.views[0].levels.iter_mut().zip([lowest, ground]) {
         level.name = name.to_owned();
@@ -216,12 +225,12 @@ fn what_lines_say_is_written_whole() {
     );
 }
 
-/// A foot of 0.2 m beside a sphere 20 m away is not seen.
+/// A foot of 0.2 m beside a sphere 20 m away is too small to be seen.
 #[test]
-fn the_legend_explains_what_is_seen() {
+fn the_legend_has_only_visible_elements() {
     let legend = |far: f64| {
-        let mut block = foot("calcn_r (right)");
-        block.views[0].balls.push(ball("far", (0.0, -far), 32.0));
+        let mut block = foot_block("calcn_r (right)");
+        block.views[0].balls.push(named_ball("far", (0.0, -far), 32.0));
         text_boxes(&drawn_scene(&scene_of_blocks(vec![block])).unwrap())
             .iter()
             .any(|(text, _)| text == "bone")
@@ -233,15 +242,16 @@ fn the_legend_explains_what_is_seen() {
 #[test]
 fn names_of_spheres_never_touch_in_a_drawing() {
     assert_texts_apart(
-        &drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)"), foot("calcn_l (left)")])).unwrap(),
+        &drawn_scene(&scene_of_blocks(vec![foot_block("calcn_r (right)"), foot_block("calcn_l (left)")]))
+            .unwrap(),
         40,
     );
-    assert_texts_apart(&drawn_scene(&scene_of_blocks(vec![foot("calcn_r (right)")])).unwrap(), 24);
+    assert_texts_apart(&drawn_scene(&scene_of_blocks(vec![foot_block("calcn_r (right)")])).unwrap(), 24);
     for count in [1, 12, 13, 46, 80] {
         let block = Block {
             title: "Platform".to_owned(),
             remarks: vec![],
-            views: vec![view(scattered_balls(count))],
+            views: vec![view_of_balls(scattered_balls(count))],
         };
         assert_texts_apart(
             &drawn_scene(&scene_of_blocks(vec![block])).unwrap(),
@@ -249,15 +259,18 @@ fn names_of_spheres_never_touch_in_a_drawing() {
         );
     }
     // Long names, all in one place.
-    let long = |index: usize| ball(&format!("{index} {}", "WiM".repeat(40)), (0.0, 0.0), 10.0);
-    let block =
-        Block { title: "W".repeat(300), remarks: vec![], views: vec![view((0..20).map(long).collect())] };
+    let long = |index: usize| named_ball(&format!("{index} {}", "WiM".repeat(40)), (0.0, 0.0), 10.0);
+    let block = Block {
+        title: "W".repeat(300),
+        remarks: vec![],
+        views: vec![view_of_balls((0..20).map(long).collect())],
+    };
     assert_texts_apart(&drawn_scene(&scene_of_blocks(vec![block.clone(), block])).unwrap(), 45);
 }
 
 #[test]
-fn before_and_what_is_astray_look_different_without_colour() {
-    let mut block = foot("calcn_r (right)");
+fn earlier_and_misplaced_circles_differ_without_colour() {
+    let mut block = foot_block("calcn_r (right)");
     block.views[0].balls[0].misplaced = true;
     let before = Ball { name: String::new(), state: State::Before, ..block.views[0].balls[1].clone() };
     block.views[0].balls.push(before);
@@ -272,7 +285,7 @@ fn before_and_what_is_astray_look_different_without_colour() {
 #[test]
 fn hostile_names_are_text_and_nothing_has_an_id() {
     let odd = "<script>&\"'\u{0}\u{1b}[31m]]>";
-    let mut block = foot(odd);
+    let mut block = foot_block(odd);
     block.remarks = vec![odd.to_owned(), String::new(), "x".repeat(400)];
     block.views[0].balls[0].name = odd.to_owned();
     block.views[0].spots[0].name = odd.to_owned();
@@ -284,9 +297,11 @@ fn hostile_names_are_text_and_nothing_has_an_id() {
 }
 
 #[test]
-fn things_of_another_size_have_a_scale_of_their_own() {
-    let ball_of =
-        |radius: f64| Block { views: vec![view(vec![ball("ball", (0.0, 0.0), radius)])], ..Block::default() };
+fn objects_of_another_size_have_their_own_scale() {
+    let ball_of = |radius: f64| Block {
+        views: vec![view_of_balls(vec![named_ball("ball", (0.0, 0.0), radius)])],
+        ..Block::default()
+    };
     let svg = Svg::read(
         &drawn_scene(&scene_of_blocks(vec![ball_of(10.0), ball_of(20.0), ball_of(1000.0)])).unwrap(),
     );
@@ -297,16 +312,19 @@ fn things_of_another_size_have_a_scale_of_their_own() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_refused() {
+fn scenes_that_cannot_be_drawn_are_refused() {
     let refused = |blocks| drawn_scene(&scene_of_blocks(blocks)).unwrap_err();
     assert!(matches!(refused(vec![]), PlotError::Empty { .. }));
     assert!(matches!(refused(vec![Block::default()]), PlotError::Empty { .. }));
-    let with = |ball: Ball| vec![Block { views: vec![view(vec![ball])], ..Block::default() }];
+    let with = |ball: Ball| vec![Block { views: vec![view_of_balls(vec![ball])], ..Block::default() }];
     for (at, radius) in [((f64::NAN, 0.0), 1.0), ((0.0, f64::INFINITY), 1.0), ((0.0, 0.0), f64::NAN)] {
-        assert_eq!(refused(with(ball("s1", at, radius))), PlotError::NotFinite { curve: "s1".to_owned() });
+        assert_eq!(
+            refused(with(named_ball("s1", at, radius))),
+            PlotError::NotFinite { curve: "s1".to_owned() }
+        );
     }
     // Nothing but a point, and nothing at all, have a picture.
-    let mut point = View { spots: vec![spot("mtp_r", (5.0, 5.0))], ..view(vec![]) };
+    let mut point = View { spots: vec![named_spot("mtp_r", (5.0, 5.0))], ..view_of_balls(vec![]) };
     assert!(
         drawn_scene(&scene_of_blocks(vec![Block { views: vec![point.clone()], ..Block::default() }])).is_ok()
     );

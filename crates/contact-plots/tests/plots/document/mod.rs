@@ -1,4 +1,4 @@
-//! A figure's SVG, read as strictly as XML goes.
+//! Test helper that reads the SVG of a figure with a strict XML reader.
 
 use std::collections::HashSet;
 
@@ -10,12 +10,12 @@ pub(crate) struct Svg {
     root: Vec<(String, String)>,
     pub(crate) title: String,
     pub(crate) description: String,
-    /// Texts, trimmed, with their places.
+    /// The texts of the figure, without white space around them.
     pub(crate) texts: Vec<String>,
     places: Vec<(f64, f64)>,
-    /// Lines with their colours.
+    /// The lines of the figure, each with its colour.
     lines: Vec<(String, Vec<(f64, f64)>)>,
-    /// Circles with the colour of their line; filled ones have none.
+    /// Circles with the colour of their line; `None` for filled circles.
     circles: Vec<(Option<String>, Circle)>,
     /// Colours of filled shapes.
     pub(crate) fills: HashSet<String>,
@@ -133,35 +133,35 @@ impl Svg {
         self.places[index]
     }
 
-    /// Circles with a line of that colour.
+    /// Circles whose line has this colour.
     pub(crate) fn circles(&self, colour: &str) -> Vec<Circle> {
         let circles = self.circles.iter().filter(|(stroke, _)| stroke.as_deref() == Some(colour));
         circles.map(|(_, circle)| *circle).collect()
     }
 
-    /// The line of that colour with the most points.
+    /// The line of this colour with the most points.
     pub(crate) fn longest_line(&self, colour: &str) -> &[(f64, f64)] {
         let lines = self.lines.iter().filter(|(stroke, _)| stroke == colour);
         lines.map(|(_, points)| points.as_slice()).max_by_key(|points| points.len()).unwrap()
     }
 
-    /// Curves of that colour in the order of the panels: lines of many points, dashed or not.
+    /// Curves of this colour in the order of the panels: lines of many points, dashed or not.
     pub(crate) fn curves(&self, colour: &str) -> Vec<&[(f64, f64)]> {
         let lines = self.lines.iter().filter(|(stroke, points)| stroke == colour && points.len() > 20);
         lines.map(|(_, points)| points.as_slice()).collect()
     }
 
-    /// Along the horizontal axis, from its tick labels (those that share the lowest row of numbers).
+    /// The scale of the horizontal axis, from its tick labels: the numbers in the lowest row.
     pub(crate) fn scale_of_x(&self) -> Scale {
         Scale::of(&self.ticks(|(_, y)| y, |(x, _)| x))
     }
 
-    /// Along the vertical axis, likewise.
+    /// The scale of the vertical axis, from its tick labels.
     pub(crate) fn scale_of_y(&self) -> Scale {
         Scale::of(&self.ticks(|(x, _)| x, |(_, y)| y))
     }
 
-    /// Numbers among the texts that share `common`, with the place along the axis.
+    /// The numbers among the texts with the same coordinate `common`, each with its position along the axis.
     fn ticks(&self, common: fn((f64, f64)) -> f64, along: fn((f64, f64)) -> f64) -> Vec<(f64, f64)> {
         let number = |text: &String| text.replace('−', "-").parse::<f64>().ok();
         let all: Vec<((f64, f64), f64)> =
