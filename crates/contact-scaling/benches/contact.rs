@@ -1,4 +1,4 @@
-//! `cargo bench -p contact-scaling`: a drop test takes at most 2 ms, closed forms take nanoseconds.
+//! Benchmarks, run with `cargo bench -p contact-scaling`: a drop test takes at most 2 ms, closed forms take nanoseconds.
 
 #![allow(clippy::unwrap_used)]
 

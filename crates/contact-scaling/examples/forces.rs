@@ -1,6 +1,7 @@
-//! Normal forces of OpenSim's two contact classes: one line in, one force (N) out, with all its digits.
+//! Normal forces of OpenSim's two contact classes: reads lines of parameters and prints the force of each line (N), with all
+//! digits.
 //!
-//! A line is the class and `NAME=NUMBER` words, named as OpenSim names them, in SI units:
+//! A line is the name of the class and texts `NAME=NUMBER`, with OpenSim's names, in SI units:
 //!
 //! ```text
 //! SmoothSphereHalfSpaceForce radius=0.032 stiffness=1e6 dissipation=2 constant_contact_force=1e-5
@@ -80,7 +81,7 @@ fn contact(surface: SurfaceValues, smoothing: Option<SmoothingValues>) -> Result
     Ok(Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing })?)
 }
 
-/// The `NAME=NUMBER` words of a line that no one has taken yet.
+/// The `NAME=NUMBER` texts of a line that are not used yet.
 struct Given<'a>(BTreeMap<&'a str, f64>);
 
 impl<'a> Given<'a> {

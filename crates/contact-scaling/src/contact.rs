@@ -1,11 +1,11 @@
-//! The contact parameters of a sphere as OpenSim takes them, its friction, and published contacts.
+//! The contact parameters of a sphere in OpenSim's form, its friction, and published contacts.
 
 use std::borrow::Cow;
 
 use crate::error::{DomainError, non_negative, positive};
 use crate::{Ratios, Scale, ScaleValues, SmoothingValues};
 
-/// 2^(3/2): E₁* of each of two equal surfaces over the composite E*, by OpenSim's mixing rule (A.3), (A.4).
+/// 2^(3/2), without unit: E₁* of each of two equal surfaces divided by their composite E*, by OpenSim's mixing rule (A.3), (A.4).
 pub const EQUAL_SURFACES: f64 = 2.0 * std::f64::consts::SQRT_2;
 
 /// The parameters of one contact, by name and not yet checked.
@@ -33,7 +33,7 @@ pub struct ContactValues {
 pub struct Contact(ContactValues);
 
 impl Contact {
-    /// Checks the parameters and keeps them.
+    /// Checks the parameters and makes a contact of them.
     ///
     /// # Errors
     /// [`DomainError`] unless E₁* > 0, α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
@@ -48,7 +48,7 @@ impl Contact {
         Ok(Self(values))
     }
 
-    /// Keeps parameters that are known to be valid.
+    /// A contact of parameters that are known to be valid.
     pub(crate) fn unchecked(values: ContactValues) -> Self {
         Self(values)
     }
@@ -77,7 +77,7 @@ impl Contact {
         self.0.dissipation
     }
 
-    /// cf, bd and bv, where the law is the smoothed one.
+    /// cf, bd and bv; `None` if the law is not smoothed.
     #[must_use]
     pub fn smoothing(&self) -> Option<SmoothingValues> {
         self.0.smoothing
@@ -104,12 +104,12 @@ impl Contact {
 
 // Friction of one sphere that slips, as both contact classes of OpenSim have it.
 
-/// The numbers of a file from which friction follows.
+/// The friction parameters of a sphere, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionValues {
-    /// `static_friction`, the coefficient near rest.
+    /// Coefficient of friction near slip speed 0, without unit: OpenSim's `static_friction`.
     pub static_friction: f64,
-    /// `dynamic_friction`, the coefficient far above the transition velocity.
+    /// Coefficient of friction far above the transition velocity, without unit: OpenSim's `dynamic_friction`.
     pub dynamic_friction: f64,
     /// Coefficient of viscous friction, s/m: OpenSim's `viscous_friction`.
     pub viscous_friction: f64,
@@ -117,14 +117,14 @@ pub struct FrictionValues {
     pub transition_velocity: f64,
 }
 
-/// The friction of one sphere: how many times its normal force it brakes.
+/// The friction of one sphere: friction force divided by normal force, at each slip speed.
 ///
-/// Coefficients ≥ 0 and a transition velocity above 0: checked once.
+/// Coefficients are 0 or above, the transition velocity is above 0: checked once, in [`Friction::new`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction(FrictionValues);
 
 impl Friction {
-    /// Friction by these values.
+    /// Checks the friction parameters and makes a friction of them.
     ///
     /// # Errors
     /// [`DomainError`] unless coefficients are finite and 0 or above, and the transition velocity is finite and above 0.
@@ -144,7 +144,7 @@ impl Friction {
 
     /// Friction force over normal force at the slip speed v (m/s): min(v/vt, 1) (μd + 2 (μs − μd)/(1 + (v/vt)²)) + μv v.
     ///
-    /// Not in the paper: Simbody's `HuntCrossleyForce` has it so, and the smoothed class the same.
+    /// Not in the paper: both contact classes of OpenSim use this formula of Simbody's `HuntCrossleyForce`.
     ///
     /// ```
     /// # use contact_scaling::{Friction, FrictionValues};
@@ -165,9 +165,10 @@ impl Friction {
         relative.min(1.0) * dry + viscous_friction * slip_speed_m_s
     }
 
-    /// The coefficient of two surfaces that have their own: 2 a b/(a + b), and 0 where both are 0.
+    /// The common coefficient of friction of two surfaces with different coefficients a and b, without unit: 2 a b/(a + b),
+    /// and 0 if both are 0.
     ///
-    /// Not in the paper: Simbody's `HuntCrossleyForce` mixes so.
+    /// Not in the paper: the mixing rule of Simbody's `HuntCrossleyForce`.
     ///
     /// ```
     /// # use contact_scaling::Friction;
@@ -181,20 +182,20 @@ impl Friction {
 
 // Published contacts, each with its source and the scale it was made for.
 
-/// A contact somebody published, with the body it was made for.
+/// A published contact, with the scale of the body that it was made for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preset {
-    /// The name to ask for it by: `falisse2022`.
+    /// Name of the preset, such as `falisse2022`.
     pub name: Cow<'static, str>,
-    /// Who published it, where.
+    /// The publication of the contact.
     pub source: Cow<'static, str>,
-    /// The body the contact was made for.
+    /// The scale of the body that the contact was made for.
     pub scale: Scale,
-    /// Contact of the preset's spheres.
+    /// Contact of each sphere of the preset.
     pub contact: Contact,
 }
 
-/// The human of Falisse et al. (2022): the paper's base, and the model its readers know.
+/// The contacts of the human model of Falisse et al. (2022), from which the paper scales to all animals.
 ///
 /// 62 kg on 6 spheres of R = 0.032 m with E₁* = 1 MPa, α = 2 s/m, cf = 1e-5 m², bd = 300 1/m and bv = 50 s/m,
 /// under OpenSim's own gravity of 9.80665 m/s².
@@ -222,7 +223,7 @@ pub fn falisse2022() -> Preset {
     }
 }
 
-/// The preset of that name, if there is one.
+/// The preset called `name`; `None` if there is none.
 ///
 /// ```
 /// assert!(contact_scaling::preset("falisse2022").is_some());
@@ -233,7 +234,7 @@ pub fn preset(name: &str) -> Option<Preset> {
     PRESETS.iter().find(|(known, _)| *known == name).map(|(_, make)| make())
 }
 
-/// The names [`preset`] knows.
+/// The names of all presets, for [`preset`].
 pub fn preset_names() -> impl Iterator<Item = &'static str> {
     PRESETS.iter().map(|(name, _)| *name)
 }
@@ -284,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn far_above_the_transition_it_is_dynamic() {
+    fn friction_far_above_the_transition_velocity_is_dynamic() {
         let values = FrictionValues {
             static_friction: 0.9,
             dynamic_friction: 0.5,
@@ -299,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn every_preset_is_valid_and_answers_to_its_name() {
+    fn every_preset_is_valid_and_is_found_by_its_name() {
         for name in preset_names() {
             let found = preset(name).unwrap();
             assert_eq!(found.name, name);

@@ -1,23 +1,25 @@
-//! Steps from compliant contacts to the final ones: the paper's advice for finding gaits (section 4.3).
+//! Series of contacts from compliant to stiff ones, for the search of gaits by optimisation: the paper's advice in section 4.3.
 //!
-//! Stiff contacts make an optimisation fail more often, and compliant ones are not realistic. So a gait is first searched
-//! with compliant contacts, then E* is raised and α lowered, each solution being the next one's initial guess.
+//! With stiff contacts an optimisation fails more often, and compliant contacts are not realistic. So the gait is first searched
+//! with compliant contacts. Then E* is raised and α lowered step by step; each solution is the initial guess for the next
+//! optimisation.
 
 use crate::error::{DomainError, positive, within};
 
-/// A step of a continuation, as factors of the final contact.
+/// The contact for one optimisation of a series, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Step {
-    /// Dimensionless stiffness k̂ at the load of the last step, without unit (B.3).
+    /// Dimensionless stiffness k̂ under the load, without unit (B.3).
     pub dimensionless_stiffness: f64,
-    /// Factor of the last step's E*.
+    /// E* of this step divided by E* of the last step, without unit.
     pub modulus_factor: f64,
-    /// Factor of the last step's α.
+    /// α of this step divided by α of the last step, without unit.
     pub dissipation_factor: f64,
 }
 
-/// The largest number of steps: more than anybody takes, and few enough for the memory of any computer.
+/// The largest number of steps in a series. Each step is an optimisation, so nobody needs more; and the memory of any computer
+/// holds this number.
 pub const MOST_STEPS: u32 = 100_000;
 
 /// Ratio of the composite moduli that belong to two dimensionless stiffnesses at one load,
@@ -42,12 +44,12 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
     Ok(ratio * ratio.sqrt())
 }
 
-/// `count` steps from k̂ = `first` to k̂ = `last`, equally far apart in the logarithm of k̂; α falls likewise from
-/// `dissipation_ratio` times its last value to that value.
+/// A series of `count` steps from k̂ = `first` to k̂ = `last`, at equal distances of log k̂. In the same way, α falls from
+/// `dissipation_ratio` times its final value to its final value.
 ///
-/// The modulus factor of a step is the [`modulus_ratio`] of k̂ and `last`. k̂ and the factors are without unit. The
-/// factors of the last step are exactly 1. This is the advice of the paper's section 4.3; how far apart the steps
-/// are is our choice.
+/// The modulus factor of a step is the [`modulus_ratio`] of its k̂ and `last`. k̂ and the factors are without unit. The factors
+/// of the last step are exactly 1. The series is the advice of the paper's section 4.3; the equal distances are a choice of this
+/// crate.
 ///
 /// # Errors
 /// [`DomainError`] unless 0 < `first` < `last`, `dissipation_ratio` ≥ 1, all finite, and 2 ≤ `count` ≤ [`MOST_STEPS`].
@@ -119,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_that_lead_nowhere_are_refused() {
+    fn series_that_do_not_rise_or_are_too_long_are_refused() {
         for (first, last, ratio, count) in [
             (1.2, 1.2, 1.0, 3),
             (1.2, 0.5, 1.0, 3),

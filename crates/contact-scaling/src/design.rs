@@ -1,19 +1,19 @@
-//! Parameters from what is wanted: (11), and (11) with (B.2). Spheres, so η = 1 throughout.
+//! Parameters for a wanted indentation or stiffness: (11), and (11) with (B.2). For spheres, so the shape factor η is 1.
 //!
-//! Every modulus here is the composite E*. The `stiffness` to write into OpenSim is 2^(3/2) times it:
+//! All moduli in this module are composite moduli E*. OpenSim's `stiffness` is 2^(3/2) times E*:
 //! [`crate::modulus::of_equal_surfaces`].
 
 use crate::SharedLoad;
 use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
 
-/// A relative indentation that can be asked for: 0 < x̂ ≤ 1.
+/// `relative_indentation`, if 0 < x̂ ≤ 1.
 fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
     let ok = relative_indentation > 0.0 && relative_indentation <= 1.0;
     within(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
 }
 
-/// Composite modulus that makes spheres sink in by x̂ under a load, E* = 3 F / (4 R² x̂^(3/2) n), in N/m².
+/// Composite modulus with which spheres have the relative indentation x̂ under a load, E* = 3 F / (4 R² x̂^(3/2) n), in N/m².
 ///
 /// Sphere radius R in m; x̂ without unit, 0 < x̂ ≤ 1; load F in N on n spheres.
 ///
@@ -40,8 +40,8 @@ pub fn composite_modulus(
 
 /// Relative indentation of spheres under a load, x̂ = (3 F / (4 E* R² n))^(2/3), without unit.
 ///
-/// Composite modulus E* in N/m²; sphere radius R in m; load F in N on n spheres. Not bounded by 1: a
-/// sphere too soft for its load says so.
+/// Composite modulus E* in N/m²; sphere radius R in m; load F in N on n spheres. The result can be above 1: the spheres are then
+/// too soft for the load.
 ///
 /// Source: (11), solved for x̂.
 ///
@@ -64,12 +64,12 @@ pub fn relative_indentation(
     Ok(relative_depth(load.per_sphere_n(), modulus, radius))
 }
 
-/// [`relative_indentation`] of numbers that are known to be right: x̂ under `load` on one sphere.
+/// [`relative_indentation`] without checks: x̂ under the load `load` (N) on one sphere.
 pub(crate) fn relative_depth(load: f64, modulus: f64, radius: f64) -> f64 {
     depth(0.75 * load, modulus * (radius * radius))
 }
 
-/// Sphere radius that gives a stiffness at x̂ under a load, R = 3 F / (2 k x̂ n), in m.
+/// Sphere radius with which a sphere has the stiffness k at x̂ under a load, R = 3 F / (2 k x̂ n), in m.
 ///
 /// Stiffness k of one sphere in N/m; x̂ without unit, 0 < x̂ ≤ 1; load F in N on n spheres.
 ///
@@ -136,7 +136,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_was_asked_for_is_what_the_law_gives(
+        fn the_law_has_the_wanted_indentation_and_stiffness(
             f in 1.0..1e4, n in 1.0..20.0, x_hat in 0.01..1.0, k in 1e2..1e6,
         ) {
             let load = SharedLoad::new(f, n).unwrap();

@@ -1,8 +1,8 @@
-//! The dimensionless contact: what two similar contacts have in common.
+//! Dimensionless contacts: the parameters that are equal in two similar contacts.
 
 use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues, design};
 
-/// The parameters of a contact made dimensionless with a [`Scale`].
+/// The parameters of a contact, made dimensionless with a [`Scale`].
 ///
 /// | parameter | formed from |
 /// |---|---|
@@ -12,8 +12,8 @@ use crate::{Contact, ContactValues, EQUAL_SURFACES, Scale, SmoothingValues, desi
 /// | Hertz smoothing | bd R |
 /// | Hunt–Crossley smoothing | bv √(g R) |
 ///
-/// Contacts whose dimensionless parameters are equal move alike in dimensionless time: (8), (14),
-/// (C.2), (C.5), (C.10).
+/// Two bodies whose contacts have equal dimensionless parameters have the same motion in dimensionless time: (8), (14), (C.2),
+/// (C.5), (C.10).
 ///
 /// ```
 /// use contact_scaling::{DimensionlessContact, falisse2022};
@@ -85,15 +85,15 @@ impl DimensionlessContact {
 
     /// Relative indentation x̂ under body weight by the Hertz law: (3 / (4 Ê))^(2/3).
     ///
-    /// It is (11) solved for x̂, without cf and bd; a smoothed law rests elsewhere.
+    /// It is (11) solved for x̂, without cf and bd; with a smoothed law, the indentation at equilibrium is another.
     #[must_use]
     pub fn relative_indentation(&self) -> f64 {
         design::relative_depth(1.0, self.modulus, 1.0)
     }
 
-    /// Whether both contacts have the same parameters, each within `rel_tol` of the larger.
+    /// Whether two contacts have equal parameters, each within `rel_tol` times the larger value.
     ///
-    /// A smoothed contact never agrees with one that is not.
+    /// A smoothed contact is never equal to a contact without smoothing.
     #[must_use]
     pub fn agrees_with(&self, other: &Self, rel_tol: f64) -> bool {
         let close = |a: f64, b: f64| (a - b).abs() <= rel_tol * a.abs().max(b.abs());
@@ -109,9 +109,9 @@ impl DimensionlessContact {
         smoothing && close(self.modulus, other.modulus) && close(self.dissipation, other.dissipation)
     }
 
-    /// The contact that has this dimensionless form on a body of scale `scale`.
+    /// The contact with these dimensionless parameters on a body of scale `scale`.
     ///
-    /// For rescaling prefer [`Contact::scaled`]: going through the dimensionless numbers changes last bits.
+    /// For rescaling prefer [`Contact::scaled`]: dimensionless parameters add rounding errors in the last bits.
     #[must_use]
     pub fn dimensional(&self, scale: &Scale) -> Contact {
         let radius = scale.radius_m();
@@ -136,7 +136,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn falisse_has_the_numbers_the_paper_names() {
+    fn dimensionless_parameters_of_falisse_are_those_of_the_paper() {
         let human = falisse2022();
         let d = DimensionlessContact::of(&human.contact, &human.scale);
         assert!((d.constant_indentation().unwrap() - 0.0988).abs() < 5e-5); // under (C.2)
@@ -147,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn smoothed_and_unsmoothed_never_agree() {
+    fn a_smoothed_and_an_unsmoothed_contact_never_agree() {
         let human = falisse2022();
         let plain = Contact::new(ContactValues { smoothing: None, ..human.contact.values() }).unwrap();
         let a = DimensionlessContact::of(&human.contact, &human.scale);

@@ -1,16 +1,15 @@
-//! Where a body rests on its spheres, by the Hertz law and by the law of the file.
+//! The indentation at which spheres carry the body weight at speed 0, by the Hertz law and by the model's own law.
 //!
-//! Spheres stand on one plane: with their bottoms level, so that all have the same indentation x, whatever their radii; or each at
-//! its own height ([`RaisedSpheres`]).
+//! The spheres touch one plane. Either their bottoms are at one height, so that all have the same indentation x, whatever their
+//! radii; or the bottoms are at different heights ([`RaisedSpheres`]).
 
 use crate::error::{DomainError, positive, within};
 use crate::hertz::depth;
 use crate::{Law, Spheres};
 
-/// Indentation at rest by the Hertz law, x = (F / Σ 4/3 E*_i √R_i)^(2/3), in m.
+/// Indentation at equilibrium by the Hertz law, x = (F / Σ 4/3 E*_i √R_i)^(2/3), in m.
 ///
-/// Load F in N, above 0; E*_i in N/m² and R_i in m of each sphere. For a smoothed law it is where the law
-/// would rest without its smoothing.
+/// Load F in N, above 0; E*_i in N/m² and R_i in m of each sphere. The smoothing of a smoothed law is left out.
 ///
 /// Source: (1) summed over the spheres, solved for x.
 ///
@@ -29,10 +28,10 @@ pub fn hertz_indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, Domain
     Ok(depth(load, positive("sum of force coefficients", sum)?))
 }
 
-/// Indentation at rest by the laws themselves, Σ F_i(x, 0) = F, in m.
+/// Indentation at equilibrium by the contact laws themselves, Σ F_i(x, 0) = F, in m.
 ///
-/// Load F in N, above 0. Where a smoothed law carries the load at several x, it is the first that a body
-/// lowered onto its spheres meets, and below 0 when the spheres hold it above the ground.
+/// Load F in N, above 0. If smoothed laws carry the load at several x, the result is the smallest of them: a body that is slowly
+/// lowered comes to it first. It is below 0 if the spheres hold the body above the ground.
 ///
 /// Source: (C.9) at ẋ = 0 summed over the spheres, solved for x.
 ///
@@ -49,12 +48,12 @@ pub fn indentation(spheres: &[Spheres], load_n: f64) -> Result<f64, DomainError>
     let hertz = hertz_indentation(spheres, load_n)?;
     let level: Vec<RaisedSpheres> =
         spheres.iter().map(|&spheres| RaisedSpheres { spheres, height_m: 0.0 }).collect();
-    first_rest(&level, load_n, hertz)
+    first_equilibrium(&level, load_n, hertz)
 }
 
-/// Indentation x of the lowest sphere at rest by the Hertz law, Σ 4/3 E*_i √R_i max(0, x − h_i)^(3/2) = F, in m.
+/// Indentation x of the lowest sphere at equilibrium by the Hertz law, Σ 4/3 E*_i √R_i max(0, x − h_i)^(3/2) = F, in m.
 ///
-/// Load F in N, above 0; h_i in m. The indentation of another sphere is x − h_i; below 0 it does not touch.
+/// Load F in N, above 0; height h_i in m. The indentation of sphere i is x − h_i; if it is below 0, the sphere does not touch.
 ///
 /// Source: (1) summed over the spheres, each at its own height, solved for x.
 ///
@@ -98,10 +97,10 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
     Ok(bisect_near(guess, 0.0, deepest, |x| force(x) >= load))
 }
 
-/// Indentation x of the lowest sphere at rest by the laws themselves, Σ F_i(x − h_i, 0) = F, in m.
+/// Indentation x of the lowest sphere at equilibrium by the contact laws themselves, Σ F_i(x − h_i, 0) = F, in m.
 ///
-/// Load F in N, above 0. Where the laws carry the load at several x, it is the first that a body lowered onto its spheres meets,
-/// and below 0 where they hold it above the ground.
+/// Load F in N, above 0; height h_i in m. If the laws carry the load at several x, the result is the smallest of them: a body
+/// that is slowly lowered comes to it first. It is below 0 if the spheres hold the body above the ground.
 ///
 /// Source: (C.9) at ẋ = 0 summed over the spheres, each at its own height, solved for x.
 ///
@@ -118,7 +117,7 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
 /// # Ok::<(), contact_scaling::DomainError>(())
 /// ```
 pub fn indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Result<f64, DomainError> {
-    first_rest(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
+    first_equilibrium(spheres, load_n, hertz_indentation_of_lowest(spheres, load_n)?)
 }
 
 fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
@@ -127,18 +126,18 @@ fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
 
 // The first rest of a body that is lowered onto spheres, level or at several heights.
 
-/// Spheres whose bottoms are above the lowest of the limb.
+/// Spheres whose bottoms are higher than the lowest sphere of the limb.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RaisedSpheres {
-    /// Spheres at this height.
+    /// The spheres at this height.
     pub spheres: Spheres,
-    /// How much higher their bottoms are than the lowest, m.
+    /// Height of their bottoms above the bottom of the lowest sphere, m.
     pub height_m: f64,
 }
 
 impl RaisedSpheres {
-    /// Spheres at a height.
+    /// `spheres` with their bottoms `height_m` (m) above the bottom of the lowest sphere.
     ///
     /// # Errors
     /// [`DomainError`] unless the height is finite and not below 0.
@@ -148,10 +147,10 @@ impl RaisedSpheres {
     }
 }
 
-/// The first rest that a body lowered onto its spheres meets; `hertz` is that of the Hertz law.
-fn first_rest(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
+/// The smallest indentation (m) at which the spheres carry the load at speed 0. `hertz` is the indentation by the Hertz law, m.
+fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64, DomainError> {
     let Some(step) = smallest_transition(spheres) else { return Ok(hertz) };
-    let mut in_reach: Vec<(f64, &RaisedSpheres)> = spheres.iter().map(|s| (unloaded_up_to(s), s)).collect();
+    let mut in_reach: Vec<(f64, &RaisedSpheres)> = spheres.iter().map(|s| (force_free_depth(s), s)).collect();
     in_reach.sort_by(|a, b| a.0.total_cmp(&b.0));
     // Those above carry nothing, to the last bit.
     let near = |x: f64| in_reach.iter().take_while(move |(from, _)| *from <= x).map(|(_, s)| *s);
@@ -228,7 +227,7 @@ fn first_rest(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Result<f64,
     Ok(bisect_near(guess, above, below, carried))
 }
 
-/// The root of `value` by Newton's method from `start`. It is a guess: nothing says that the steps end at a root.
+/// A root of `value` by Newton's method from `start`. The result is only a guess, because the steps may not converge.
 fn newton_root(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> f64 {
     // Each step doubles the digits that are right.
     const MOST_NEWTON_STEPS: usize = 8;
@@ -244,16 +243,16 @@ fn newton_root(start: f64, value: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f6
     x
 }
 
-/// The indentation of the lowest sphere up to which `sphere` carries nothing: a contact state is 0 in all digits 20 transitions
+/// The indentation (m) of the lowest sphere up to which the force of `sphere` is 0. A smoothed force is 0 in all digits at 20/bd
 /// before contact.
-fn unloaded_up_to(sphere: &RaisedSpheres) -> f64 {
+fn force_free_depth(sphere: &RaisedSpheres) -> f64 {
     match sphere.spheres.law() {
         Law::HuntCrossley(_) => sphere.height_m,
         Law::Smooth(law) => sphere.height_m - 20.0 / law.smoothing().hertz_smoothing,
     }
 }
 
-/// The heights at which spheres begin to touch, each once, the lowest first.
+/// The heights (m) at which spheres begin to touch, each once, from the lowest to the highest.
 fn contact_onsets(spheres: &[RaisedSpheres]) -> Vec<f64> {
     let mut heights: Vec<f64> = spheres.iter().map(|s| s.height_m).collect();
     heights.sort_by(f64::total_cmp);
@@ -261,7 +260,7 @@ fn contact_onsets(spheres: &[RaisedSpheres]) -> Vec<f64> {
     heights
 }
 
-/// The shortest 1/bd of the smoothed laws: the length over which the force can change.
+/// The smallest 1/bd of the smoothed laws, in m: over this length the force can change; `None` without smoothed laws.
 fn smallest_transition(spheres: &[RaisedSpheres]) -> Option<f64> {
     spheres.iter().fold(None, |shortest: Option<f64>, raised| match raised.spheres.law() {
         Law::HuntCrossley(_) => shortest,
@@ -272,10 +271,10 @@ fn smallest_transition(spheres: &[RaisedSpheres]) -> Option<f64> {
     })
 }
 
-/// The result of [`bisect`], equal to the last bit, and sooner if `guess` is close to it.
+/// The same result as [`bisect`] to the last bit, but in less time if `guess` is close to it.
 ///
 /// If `holds` is false a little before `guess` and true a little after it, it is not evaluated farther away, where most points of
-/// [`bisect`] are. A bad guess costs two evaluations; NaN, which means no guess, costs none.
+/// [`bisect`] are. A bad guess costs two evaluations; the guess NaN costs none.
 fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -> f64 {
     // Far more than rounding moves the point, and far less than a guess is to be wrong.
     const ROOT_TOLERANCE: f64 = 1e-12;
@@ -294,7 +293,7 @@ fn bisect_near(guess: f64, out: f64, within: f64, holds: impl Fn(f64) -> bool) -
     })
 }
 
-/// The point between `out` and `within` where `holds` begins, to the last bit.
+/// The point between `out` and `within` from which `holds` is true, to the last bit.
 fn bisect(mut out: f64, mut within: f64, holds: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (out + within);
@@ -329,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn without_smoothing_both_are_the_same() {
+    fn without_smoothing_the_equilibrium_is_that_of_the_hertz_law() {
         let values = ContactValues { smoothing: None, ..falisse2022().contact.values() };
         let law = Law::of(&Contact::new(values).unwrap(), 0.032).unwrap();
         let law = [Spheres::new(law, 3.0).unwrap()];
@@ -348,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn a_body_rests_where_opensim_leaves_it() {
+    fn the_equilibrium_is_that_of_drops_in_opensim() {
         // Drops in OpenSim 4.6, followed until they rest; Falisse's contact with this α and bv.
         const RESTS: [(f64, f64, f64); 4] = [
             (2.0, 50.0, 0.339_559_726),
@@ -364,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_rest_from_above_is_found() {
+    fn the_smallest_indentation_that_carries_the_load_is_found() {
         // With next to no cf the smoothed force rises before contact and falls again towards it.
         let sphere = [smooth_spheres(1e-12, 300.0, 0.032, 1.0)];
         let force = |x: f64| sphere[0].law().force(x, 0.0);
@@ -390,7 +389,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn the_load_is_carried_at_the_indentation_at_rest(
+        fn the_load_is_carried_at_the_indentation_of_equilibrium(
             load in 1e-3..1e5, cf in 1e-9..1e-3, bd in 1.0..5e3, r1 in 1e-3..0.3, r2 in 1e-3..0.3,
             alpha in 0.0..100.0, bv in 0.1..500.0,
         ) {
@@ -418,7 +417,7 @@ mod tests {
     }
 
     #[test]
-    fn a_sphere_out_of_reach_carries_nothing() {
+    fn a_sphere_far_above_the_ground_has_no_force() {
         let low = spheres_with_smoothing(None, 0.03);
         let alone = hertz_indentation(&[low], 500.0).unwrap();
         let both = [
@@ -442,7 +441,7 @@ mod tests {
     }
 
     #[test]
-    fn a_transition_of_no_length_ends() {
+    fn a_transition_of_nearly_no_length_is_searched_in_finite_time() {
         let foot = [
             RaisedSpheres::new(spheres_with_smoothing(smoothing(1e-5, 1e18), 0.03), 0.0),
             RaisedSpheres::new(spheres_with_smoothing(smoothing(1e-5, 1e18), 0.03), 0.5),
@@ -453,7 +452,7 @@ mod tests {
     }
 
     proptest! {
-        /// The laws are summed here by hand, each at its own indentation.
+        /// The forces are summed here without the tested functions, each at the indentation of its own sphere.
         #[test]
         fn the_load_is_carried_at_several_heights(
             load in 1.0..1e4, cf in 1e-9..1e-4, bd in 50.0..5e3, height in 0.0..0.05, r1 in 1e-2..0.1, r2 in 1e-2..0.1,

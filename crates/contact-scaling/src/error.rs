@@ -1,17 +1,17 @@
-//! The one way a number can be refused: it lies outside the domain of the equation.
+//! The error of a number outside the domain of an equation.
 
 /// A quantity that lies outside the domain of an equation.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DomainError {
-    /// A single quantity is not in the range its equation is defined for.
+    /// A quantity is outside the range for which its equation is defined.
     #[error("{quantity} is {value:?}, expected {expected}")]
     OutOfRange {
         /// Name of the refused quantity, without its unit: `"sphere radius"`.
         quantity: &'static str,
         /// The value that was given, in SI units.
         value: f64,
-        /// The range it must lie in: `"a finite number above 0"`.
+        /// The allowed range in words: `"a finite number above 0"`.
         expected: &'static str,
     },
 }
@@ -39,7 +39,7 @@ impl DomainError {
     }
 }
 
-/// `value`, if it lies in a domain the caller knows.
+/// `value`, if the condition `ok` of the caller is true; else an error with the `expected` range.
 pub(crate) fn within(
     ok: bool,
     quantity: &'static str,
@@ -74,7 +74,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn says_what_is_wrong_and_what_was_expected() {
+    fn the_message_has_the_value_and_the_expected_range() {
         let error = positive("sphere radius", -0.5).unwrap_err();
         assert_eq!(error.to_string(), "sphere radius is -0.5, expected a finite number above 0");
         assert_eq!((error.quantity(), error.value()), ("sphere radius", -0.5));
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn refuses_what_is_not_a_number() {
+    fn nan_is_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(positive("q", value).is_err());
             assert!(non_negative("q", value).is_err());

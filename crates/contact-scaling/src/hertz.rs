@@ -1,9 +1,9 @@
-//! The Hertz law of a sphere, (1) to (3), (B.1), (B.2), and with dissipation that of Hunt and Crossley (12).
+//! The Hertz law of a sphere, (1) to (3), (B.1), (B.2), and the law of Hunt and Crossley (12), which adds dissipation.
 
 use crate::Contact;
 use crate::error::{DomainError, non_negative, positive};
 
-/// The numbers in the Hertz law of one sphere, by name and not yet checked.
+/// The values of the Hertz law of one sphere, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzValues {
     /// E*, composite plane strain modulus, in N/m² (not OpenSim's `stiffness`, which is E₁*).
@@ -26,7 +26,7 @@ pub struct Hertz {
 }
 
 impl Hertz {
-    /// Checks the values and keeps them.
+    /// Checks the values and makes a law of them.
     ///
     /// # Errors
     /// [`DomainError`] unless E*, R and η are finite and above 0.
@@ -47,7 +47,7 @@ impl Hertz {
         Self::new(HertzValues { composite_modulus, radius_m, shape_factor: 1.0 })
     }
 
-    /// The law of a sphere of radius R (m) whose file holds `contact`: E* = E₁* / 2^(3/2).
+    /// The Hertz law of a sphere of radius R (m) with the parameters `contact` of a model file: E* = E₁* / 2^(3/2).
     ///
     /// # Errors
     /// As [`Hertz::new`].
@@ -107,7 +107,7 @@ impl Hertz {
 
     /// Elastic force F_e = 4/3 η √R E* x^(3/2), in N.
     ///
-    /// x in m, E* in N/m², R in m. No contact, no force: 0 at x ≤ 0.
+    /// x in m, E* in N/m², R in m. The force is 0 without contact, at x ≤ 0.
     ///
     /// Source: (1).
     ///
@@ -144,14 +144,14 @@ impl Hertz {
         4.0 / 3.0 * shape_factor * (radius_m * radius_m) * composite_modulus * power
     }
 
-    /// Indentation that carries a force: x = (F_e / (4/3 η √R E*))^(2/3), in m.
+    /// Indentation at which the force is F_e: x = (F_e / (4/3 η √R E*))^(2/3), in m.
     ///
     /// F_e in N, 0 or above.
     ///
     /// Source: (1), solved for x.
     ///
     /// # Errors
-    /// [`DomainError`] for a force that is negative or not finite: the law only pushes.
+    /// [`DomainError`] if the force is negative or not finite, because the law never pulls.
     ///
     /// ```
     /// # use contact_scaling::Hertz;
@@ -200,9 +200,9 @@ impl Hertz {
     }
 }
 
-/// The depth d with `coefficient` d^(3/2) = `force`: (1) solved for x, or (3) for x̂, as the coefficient is.
+/// The depth d with `coefficient` d^(3/2) = `force`: (1) solved for x, or (3) solved for x̂, depending on the coefficient.
 ///
-/// Every indentation by the Hertz law comes from here.
+/// All indentations by the Hertz law are computed here.
 pub(crate) fn depth(force: f64, coefficient: f64) -> f64 {
     let root = libm::cbrt(force / coefficient);
     root * root
@@ -228,7 +228,8 @@ impl HuntCrossley {
         Ok(Self { hertz, dissipation: non_negative("dissipation", dissipation)? })
     }
 
-    /// The law of a sphere of radius R (m) whose file holds `contact`; its smoothing is not looked at.
+    /// The Hunt–Crossley law of a sphere of radius R (m) with the parameters `contact` of a model file; its smoothing is
+    /// ignored.
     ///
     /// # Errors
     /// As [`Hertz::of`].
@@ -265,9 +266,9 @@ impl HuntCrossley {
         self.hertz.force(indentation_m) * (1.5 * self.dissipation * speed_m_s)
     }
 
-    /// Normal force F_c = F_e + F_d = F_e (1 + 3/2 α ẋ), in N, and never a pull.
+    /// Normal force F_c = F_e + F_d = F_e (1 + 3/2 α ẋ), in N; never below 0.
     ///
-    /// x in m, ẋ in m/s. Where the sum is below 0, at ẋ < −2/(3α), this gives 0, as Simbody does.
+    /// x in m, ẋ in m/s. If the sum is below 0, at ẋ < −2/(3α), the result is 0, as in Simbody.
     ///
     /// Source: (12), with the lower bound of Simbody's `HuntCrossleyForce`.
     ///
@@ -304,7 +305,7 @@ mod tests {
     }
 
     #[test]
-    fn no_contact_no_force_and_nan_stays_nan() {
+    fn without_contact_the_force_is_0_and_nan_stays_nan() {
         let law = Hertz::sphere(1e6, 0.032).unwrap();
         for f in [Hertz::force, Hertz::stiffness, Hertz::force_at_relative_indentation] {
             assert_eq!(f(&law, 0.0), 0.0);
@@ -336,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn force_is_the_sum_of_its_parts_while_it_pushes() {
+    fn force_is_elastic_plus_dissipative_force_unless_the_sum_is_negative() {
         let law = HuntCrossley::new(Hertz::sphere(1e6, 0.032).unwrap(), 0.7).unwrap();
         for speed in [-0.9, -0.1, 0.0, 0.3, 5.0] {
             let sum = law.hertz().force(0.004) + law.dissipative_force(0.004, speed);

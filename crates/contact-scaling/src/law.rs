@@ -1,20 +1,21 @@
-//! The two contact laws under one name, and the spheres a body stands on.
+//! The common type of the two contact laws, and the spheres of a body.
 
 use crate::error::positive;
 use crate::{Contact, DomainError, Hertz, HuntCrossley, SmoothSphere};
 
-/// The normal force of one sphere, by whichever class the model uses.
+/// The normal force of one sphere, by the force class of the model.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Law {
-    /// `HuntCrossleyForce`: (12), no force before contact.
+    /// The law of `HuntCrossleyForce`: (12), without a force before contact.
     HuntCrossley(HuntCrossley),
     /// The smoothed law of `SmoothSphereHalfSpaceForce`: (C.9).
     Smooth(SmoothSphere),
 }
 
 impl Law {
-    /// The law of a sphere of radius R (m) whose file holds `contact`: smoothed if the contact is.
+    /// The law of a sphere of radius R (m) with the parameters `contact` of a model file: smoothed if the contact has
+    /// smoothing.
     ///
     /// ```
     /// # use contact_scaling::{Law, falisse2022};
@@ -40,9 +41,9 @@ impl Law {
         }
     }
 
-    /// Normal force at rest (ẋ = 0), in N, at the indentation x (m): (1), or (C.9) for a smoothed law.
+    /// Normal force at speed 0 (ẋ = 0), in N, at the indentation x (m): (1), or (C.9) for a smoothed law.
     ///
-    /// Everything about a body at rest follows from this: where it rests, how stiff it stands, what just touches.
+    /// From it follow the equilibrium of a body, its stiffness, and the force of a sphere that just touches.
     ///
     /// ```
     /// # use contact_scaling::{Law, falisse2022};
@@ -58,7 +59,7 @@ impl Law {
         }
     }
 
-    /// A force (N) that the spring at rest does not exceed between two indentations (m), the deeper one last.
+    /// An upper bound (N) of the force at speed 0 between two indentations (m), of which `to_m` is the deeper one.
     pub(crate) fn rest_force_limit(&self, from_m: f64, to_m: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.hertz().force(to_m),
@@ -66,7 +67,7 @@ impl Law {
         }
     }
 
-    /// Slope of the force at rest, in N/m, at the indentation x (m).
+    /// Stiffness at speed 0, in N/m, at the indentation x (m): the slope of [`Self::rest_force`].
     #[must_use]
     pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {
         match self {
@@ -75,7 +76,7 @@ impl Law {
         }
     }
 
-    /// The Hertz law that this law is built on.
+    /// The Hertz law that this law extends.
     #[must_use]
     pub fn hertz(&self) -> &Hertz {
         match self {
@@ -105,10 +106,9 @@ impl Law {
     }
 }
 
-/// Equal spheres of a body: their law and how many there are.
+/// Equal spheres of a body: their law and their number.
 ///
-/// The count may be any number above 0, so that a load shared by part of the spheres (one stance limb of two)
-/// can be described.
+/// The number may be any number above 0, so that it can describe a load on a part of the spheres, such as one stance limb of two.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spheres {
     law: Law,
@@ -136,7 +136,7 @@ impl Spheres {
         self.count
     }
 
-    /// Normal force of all of them, in N, at the indentation x (m) and its rate ẋ (m/s).
+    /// Normal force of all these spheres, in N, at the indentation x (m) and its rate ẋ (m/s).
     #[must_use]
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         self.count * self.law.force(indentation_m, speed_m_s)

@@ -1,9 +1,9 @@
-//! How Hertz / Hunt–Crossley contact parameters scale with body size: the equations of
-//! P. A. van Bijlert (2026), "Scaling contact force parameters across body size, limb count, and number of
-//! contact spheres", Journal of Biomechanics, <https://doi.org/10.1016/j.jbiomech.2026.113420>.
+//! Scaling of Hertz and Hunt–Crossley contact parameters with body size: the equations of P. A. van Bijlert (2026), "Scaling
+//! contact force parameters across body size, limb count, and number of contact spheres", Journal of Biomechanics,
+//! <https://doi.org/10.1016/j.jbiomech.2026.113420>.
 //!
-//! Everything here is arithmetic on `f64` in SI units: no files, no XML, no terminal. Numbers in brackets, as
-//! in (10) or (C.5), are the paper's equation numbers.
+//! This crate only computes, with `f64` in SI units; it knows no files, no XML and no terminal. Numbers in brackets, as in (10)
+//! or (C.5), are the paper's equation numbers.
 //!
 //! # One idea
 //!
@@ -25,9 +25,9 @@
 //!
 //! # Limitations
 //!
-//! The Hertz law holds for small indentations (x̂ ≤ 0.16), the Hunt–Crossley law for a high restitution
-//! (c_r ≥ 0.8); outside them a contact is a damped non-linear spring, no longer a material. Contacts of common
-//! gait models stand outside both.
+//! The Hertz law holds for small indentations (x̂ ≤ 0.16), the Hunt–Crossley law for a high restitution (c_r ≥ 0.8). Beyond these
+//! limits a contact is only a damped non-linear spring and does not describe a material. Contacts of common gait models are
+//! beyond both limits.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![warn(missing_docs)]

@@ -1,20 +1,20 @@
-//! Where the two laws stop being those of a material, and what smoothing the paper starts from.
+//! The limits within which the two laws describe a material, and the smoothing that the paper recommends.
 
 use std::fmt;
 
-/// A design that asks for a limit gets it except for the last bits, which counts as within.
+/// Relative amount by which a figure may exceed a limit because of rounding, without unit.
 const LAST_BITS: f64 = 1e-9;
 
-/// The side of a limit on which a figure has to be.
+/// The allowed side of a limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
-    /// The figure is not above the limit.
+    /// A figure must not be above the limit.
     AtMost,
-    /// The figure is not below the limit.
+    /// A figure must not be below the limit.
     AtLeast,
 }
 
-/// A limit of a figure without unit: the one place that knows its number and where it comes from.
+/// A limit of a dimensionless figure, with its value and source; no other code repeats them.
 ///
 /// ```
 /// use contact_scaling::limits;
@@ -26,9 +26,9 @@ pub enum Bound {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Limit {
-    /// The limit's number.
+    /// Value of the limit, without unit.
     pub value: f64,
-    /// The side on which figures have to be.
+    /// The allowed side of the limit.
     pub bound: Bound,
     /// The quantity that is limited, in a few words.
     pub what: &'static str,
@@ -45,7 +45,7 @@ impl Limit {
         Self { value, bound: Bound::AtLeast, what, source }
     }
 
-    /// Whether `figure` is within the limit, or on it except for the last bits (1e-9 of it). NaN is not.
+    /// Whether `figure` is within the limit, or beyond it by at most 1e-9 of the limit; false for NaN.
     #[must_use]
     pub fn admits(&self, figure: f64) -> bool {
         match self.bound {
@@ -54,7 +54,7 @@ impl Limit {
         }
     }
 
-    /// The limit for sentences: `at most 0.16`.
+    /// The limit for sentences, such as `at most 0.16`.
     #[must_use]
     pub fn in_words(&self) -> String {
         let side = match self.bound {
@@ -65,7 +65,7 @@ impl Limit {
     }
 }
 
-/// The limit for tables: `<= 0.16`.
+/// The limit for tables, such as `<= 0.16`.
 impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let side = match self.bound {
@@ -91,21 +91,22 @@ pub const RESTITUTION: Limit = Limit::at_least(
     "Hunt and Crossley (1975), as cited in section 4.2 of the paper: below it their law is not accurate",
 );
 
-/// The largest constant relative indentation x̂_c = √cf / R that the paper starts from. Where x̂ ≤ 0.16 is wanted, 0.05.
+/// The largest constant relative indentation x̂_c = √cf / R that the paper recommends, without unit; 0.05 if x̂ ≤ 0.16 is wanted.
 pub const CONSTANT_INDENTATION: Limit = Limit::at_most(
     0.1,
     "constant indentation sqrt(cf)/R",
     "section C.1 of the paper starts from it; Falisse et al. (2022), who had no trouble with it, have 0.0988",
 );
 
-/// The largest width Δx̂ of the contact transition, from 5 % to 95 %: 0.29 with bd R = 10, 0.307 with the 9.6 of Falisse et al.
+/// The largest width Δx̂ of the contact transition, from 5 % to 95 %, without unit: 0.29 with bd R = 10, 0.307 with 9.6 as in
+/// Falisse et al.
 pub const TRANSITION_WIDTH: Limit = Limit::at_most(
     0.31,
     "width of the contact transition over R",
     "section C.2 of the paper starts from bd R = 10, which is 0.29; Falisse et al. (2022), who had no trouble with it, have 0.307",
 );
 
-/// The largest force of a sphere that just touches, over its share of the body weight.
+/// The largest force of a sphere that just touches (x = 0), divided by its share of the body weight; without unit.
 pub const TOUCHING_SHARE: Limit = Limit::at_most(
     0.1,
     "force of a sphere that just touches, over its share of body weight",
@@ -113,17 +114,16 @@ pub const TOUCHING_SHARE: Limit = Limit::at_most(
      \"does not have the issue\", have 0.074",
 );
 
-/// The fraction t of the contact state from which, and up to 1 − t, the width of the contact transition is given
-/// (section C.2).
+/// Threshold t for the width of the contact transition, without unit: the width is from s_c = t to s_c = 1 − t (section C.2).
 pub const TRANSITION_THRESHOLD: f64 = 0.05;
 
-/// x̂_c that the paper suggests where x̂ ≤ 0.16 is wanted (section C.1).
+/// Suggested x̂_c if x̂ ≤ 0.16 is wanted, without unit (section C.1).
 pub const SUGGESTED_CONSTANT_INDENTATION: f64 = 0.05;
 
-/// Width Δx̂ of the contact transition that is proposed: a round number within its limit.
+/// Suggested width Δx̂ of the contact transition, without unit: a round number within [`TRANSITION_WIDTH`].
 pub const SUGGESTED_TRANSITION_WIDTH: f64 = 0.3;
 
-/// Every limit of the paper.
+/// All limits of this module.
 pub const ALL: [Limit; 5] =
     [INDENTATION, RESTITUTION, CONSTANT_INDENTATION, TRANSITION_WIDTH, TOUCHING_SHARE];
 
@@ -132,7 +132,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_figure_on_the_limit_is_within() {
+    fn a_figure_equal_to_the_limit_is_allowed() {
         // 0.16 by way of a stiffness comes back as 0.16000000000000003.
         assert!(INDENTATION.admits(0.16 + f64::EPSILON) && !INDENTATION.admits(0.160_001));
         assert!(RESTITUTION.admits(0.8 - f64::EPSILON) && !RESTITUTION.admits(0.799_999));

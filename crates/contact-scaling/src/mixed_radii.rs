@@ -1,16 +1,16 @@
-//! Spheres of different radii that share one modulus.
+//! Spheres of different radii with one common modulus.
 
 use crate::error::{DomainError, positive};
 
-/// Mean of the squared radii, Σ R_i² / n, in m²: the R² of a set of spheres that share one `stiffness`.
+/// Mean of the squared radii, Σ R_i² / n, in m²: it replaces R² in (10) for spheres with one common `stiffness`.
 ///
-/// Radii R_i in m. One `ContactParameters` has one modulus for all its spheres; with this R² in (10) each
-/// keeps its x̂, and loads are ∝ R_i².
+/// Radii R_i in m. One `ContactParameters` has one modulus for all its spheres. With this mean in (10), each sphere keeps its x̂,
+/// and the loads on the spheres are proportional to R_i².
 ///
 /// Source: (3) summed over spheres of equal x̂ and E*.
 ///
 /// # Errors
-/// [`DomainError`] unless there is a radius, and each is finite and above 0.
+/// [`DomainError`] unless there is at least one radius, and each is finite and above 0.
 ///
 /// ```
 /// # use contact_scaling::mixed_radii;
@@ -39,7 +39,7 @@ mod tests {
     }
 
     #[test]
-    fn one_sphere_of_that_radius_stands_for_each() {
+    fn the_mean_radius_replaces_each_radius() {
         let (e, x_hat, radii) = (1e6, 0.2, [0.01, 0.02, 0.05]);
         let force = |r: f64| Hertz::sphere(e, r).unwrap().force_at_relative_indentation(x_hat);
         let sum: f64 = radii.iter().map(|&r| force(r)).sum();

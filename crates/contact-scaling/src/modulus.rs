@@ -1,17 +1,17 @@
-//! Plane strain moduli: from Young's modulus, of two surfaces together, and of each of two equal surfaces.
+//! Plane strain moduli: from Young's modulus, for two surfaces together, and for each of two equal surfaces.
 //!
-//! OpenSim's `stiffness` is E₁*, of one surface. The Hertz law takes E*, of both together.
+//! OpenSim's `stiffness` is E₁* of one surface. The Hertz law uses the composite modulus E* of both surfaces.
 
 use crate::EQUAL_SURFACES;
 use crate::error::{DomainError, non_negative, positive, within};
 
-/// How the moduli of two surfaces make one.
+/// The rule for the composite modulus of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum MixingRule {
-    /// (A.2), Johnson (1985): springs of both surfaces in series, for the modulus.
+    /// (A.2), Johnson (1985): 1/E* is the sum of 1/E₁* and 1/E₂*.
     Johnson,
-    /// (A.3), Sherman et al. (2011): what Simbody and OpenSim compute.
+    /// (A.3), Sherman et al. (2011): the rule of Simbody and OpenSim.
     Sherman,
 }
 
@@ -37,7 +37,7 @@ pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
 
 /// Composite modulus by Johnson's rule, E* = E₁* E₂* / (E₁* + E₂*), in N/m².
 ///
-/// Plane strain moduli E₁*, E₂* of the surfaces in N/m². OpenSim does not compute this.
+/// Plane strain moduli E₁*, E₂* of the surfaces in N/m². OpenSim does not use this rule.
 ///
 /// Source: (A.2).
 ///
@@ -76,9 +76,9 @@ pub fn composite_sherman(first_n_m2: f64, second_n_m2: f64) -> Result<f64, Domai
     Ok(k * k.sqrt())
 }
 
-/// Modulus of each of two equal surfaces, E₁* = 2^p E*, in N/m²: the `stiffness` to write.
+/// Modulus of each of two equal surfaces, E₁* = 2^p E*, in N/m²: the value for OpenSim's `stiffness`.
 ///
-/// Composite modulus E* in N/m²; p = 1 by Johnson's rule, 3/2 by Sherman's, which is OpenSim's.
+/// Composite modulus E* in N/m²; p = 1 by Johnson's rule, 3/2 by Sherman's rule, which OpenSim uses.
 ///
 /// Source: (A.4).
 ///
@@ -94,7 +94,7 @@ pub fn of_equal_surfaces(composite_n_m2: f64, rule: MixingRule) -> Result<f64, D
     Ok(equal_surfaces_factor(rule) * positive("composite modulus", composite_n_m2)?)
 }
 
-/// Composite modulus of two equal surfaces, E* = E₁* / 2^p, in N/m²: what the `stiffness` of a file amounts to.
+/// Composite modulus of two equal surfaces, E* = E₁* / 2^p, in N/m²; E₁* is the `stiffness` in a model file.
 ///
 /// Modulus E₁* of each surface in N/m²; p as in [`of_equal_surfaces`].
 ///
@@ -112,10 +112,10 @@ pub fn composite_of_equal(surface_n_m2: f64, rule: MixingRule) -> Result<f64, Do
     Ok(positive("plane strain modulus", surface_n_m2)? / equal_surfaces_factor(rule))
 }
 
-/// The `stiffness` that makes OpenSim behave as a measured material on rigid ground, 2^(3/2) E₁/(1 − ν₁²), in N/m².
+/// The `stiffness` with which OpenSim computes the contact of a measured material on rigid ground, 2^(3/2) E₁/(1 − ν₁²), in N/m².
 ///
-/// Young's modulus E₁ in N/m²; Poisson's ratio ν₁. On rigid ground E₂* → ∞ and E* → E₁*, but OpenSim takes
-/// its `stiffness` for both surfaces.
+/// Young's modulus E₁ in N/m²; Poisson's ratio ν₁ without unit. On rigid ground E₂* → ∞ and E* → E₁*, but OpenSim uses
+/// `stiffness` for both surfaces.
 ///
 /// Source: (A.5) with (A.1) and (A.4).
 ///
@@ -140,10 +140,10 @@ pub struct SurfaceValues {
     pub dissipation: f64,
 }
 
-/// Dissipation of two unequal surfaces as Simbody mixes it, α = α₁ s₁ + α₂ (1 − s₁), in s/m.
+/// Dissipation of two different surfaces by Simbody's mixing rule, α = α₁ s₁ + α₂ (1 − s₁), in s/m.
 ///
-/// s₁ = E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3)) is the share of the deformation the first surface takes; E in N/m²,
-/// α in s/m.
+/// s₁ = E₂*^(2/3) / (E₁*^(2/3) + E₂*^(2/3)) is the share of the deformation in the first surface, without unit; E in N/m², α in
+/// s/m.
 ///
 /// Source: Simbody's `HuntCrossleyForce` (Sherman et al. 2011).
 ///
@@ -193,7 +193,7 @@ fn equal_surfaces_factor(rule: MixingRule) -> f64 {
     }
 }
 
-/// E^(2/3), by a cube root that is the same on every platform.
+/// E^(2/3); the cube root gives the same bits on every platform.
 fn two_thirds(modulus: f64) -> f64 {
     let root = libm::cbrt(modulus);
     root * root
@@ -214,7 +214,7 @@ mod tests {
     }
 
     #[test]
-    fn poisson_has_its_thermodynamic_bounds() {
+    fn the_poisson_ratio_is_above_minus_1_and_at_most_one_half() {
         for refused in [-1.0, 0.51, f64::NAN] {
             assert_eq!(plane_strain(1e6, refused).unwrap_err().quantity(), "poisson's ratio");
         }
@@ -222,7 +222,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rigid_partner_leaves_the_soft_modulus() {
+    fn with_a_rigid_surface_the_composite_modulus_is_that_of_the_other() {
         // (A.5): E* → E₁* as E₂* → ∞, by Sherman's rule as slowly as (E₁*/E₂*)^(2/3).
         for rule in RULES {
             assert!((composite(1e6, 1e30, rule) / 1e6 - 1.0).abs() < 1e-14);

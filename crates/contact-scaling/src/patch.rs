@@ -40,9 +40,9 @@ pub fn diameter(indentation_m: f64, radius_m: f64) -> Result<f64, DomainError> {
     Ok(2.0 * radius(indentation_m, radius_m)?)
 }
 
-/// Radius of the contact patch over the sphere's, √x̂.
+/// Radius of the contact patch divided by the sphere radius, √x̂, without unit.
 ///
-/// x̂ without unit, 0 or above. The limit of the Hertz law, 0.4, is x̂ = 0.16.
+/// x̂ without unit, 0 or above. At the limit of the Hertz law, x̂ = 0.16, the result is 0.4.
 ///
 /// Source: Fig. 3 with (2).
 ///

@@ -1,7 +1,7 @@
-//! The restitution of the Hunt–Crossley law: (13), which is approximate, and what the law itself does.
+//! The restitution of the Hunt–Crossley law: the approximation (13), and the exact result of the law.
 //!
-//! For an impact without gravity the law can be integrated: with d = 3/2 α ẋ⁻ the restitution c solves
-//! h(d) = h(−c d), where h(z) = z − ln(1 + z). (13) is its beginning: c = 1 − 2/3 d + …
+//! For an impact without gravity the law can be integrated: with d = 3/2 α ẋ⁻ the restitution c solves h(d) = h(−c d), where h(z)
+//! = z − ln(1 + z). (13) is the start of its series: c = 1 − 2/3 d + …
 
 use crate::error::{DomainError, non_negative, positive, within};
 
@@ -10,13 +10,13 @@ const RESTITUTION: &str = "a number above 0, at most 1";
 
 /// Restitution by the approximation, c_r = 1 − α ẋ⁻, without unit.
 ///
-/// Dissipation α in s/m, speed before the impact ẋ⁻ in m/s, both 0 or above. Good for c_r ≳ 0.8; see
-/// [`exact`] for the law's own.
+/// Dissipation α in s/m, speed before the impact ẋ⁻ in m/s, both 0 or above. It is accurate for c_r ≳ 0.8; [`exact`] is accurate
+/// for all values.
 ///
 /// Source: (13).
 ///
 /// # Errors
-/// [`DomainError`] where α ẋ⁻ > 1: the approximation has no answer there, and 0 is not one.
+/// [`DomainError`] if α ẋ⁻ > 1, because the approximation has no valid result there.
 ///
 /// ```
 /// # use contact_scaling::restitution;
@@ -29,7 +29,7 @@ pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, D
     within(c >= 0.0, "restitution by (13)", c, CLOSED_UNIT)
 }
 
-/// Dissipation by the approximation, α = (1 − c_r) / ẋ⁻, in s/m: the largest that keeps c_r.
+/// Dissipation by the approximation, α = (1 − c_r) / ẋ⁻, in s/m: the largest with which the restitution is at least c_r.
 ///
 /// Restitution c_r without unit, 0 to 1; speed before the impact ẋ⁻ in m/s, above 0.
 ///
@@ -49,9 +49,9 @@ pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, Domai
     Ok((1.0 - c) / positive("impact speed", impact_speed_m_s)?)
 }
 
-/// Speed of the paper's drop when the spheres touch, ẋ⁻ = √(2 g · R/4) = √(g R / 2), in m/s.
+/// Impact speed of the paper's drop tests, ẋ⁻ = √(2 g · R/4) = √(g R / 2), in m/s.
 ///
-/// A fall from a quarter of the radius. Gravity g in m/s², sphere radius R in m, both above 0.
+/// The spheres fall from a height of a quarter of their radius. Gravity g in m/s², sphere radius R in m, both above 0.
 ///
 /// Source: the drop tests of Table 1.
 ///
@@ -67,10 +67,10 @@ pub fn drop_speed(gravity_m_s2: f64, radius_m: f64) -> Result<f64, DomainError> 
     Ok((positive("gravity", gravity_m_s2)? * positive("sphere radius", radius_m)? / 2.0).sqrt())
 }
 
-/// Restitution c of the law itself: d − ln(1 + d) = −c d − ln(1 − c d) with d = 3/2 α ẋ⁻, without unit.
+/// Exact restitution c of the law: d − ln(1 + d) = −c d − ln(1 − c d) with d = 3/2 α ẋ⁻, without unit.
 ///
-/// Dissipation α in s/m, speed before the impact ẋ⁻ in m/s, both 0 or above. Of an impact without gravity
-/// or other forces; above 0 however large α is.
+/// Dissipation α in s/m, speed before the impact ẋ⁻ in m/s, both 0 or above. For an impact without gravity or other forces; the
+/// result is above 0 for every α.
 ///
 /// Source: the integral of (12) over an impact; not in the paper.
 ///
@@ -86,10 +86,9 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
     Ok(restitution_from_loss(1.5 * loss(dissipation_s_m, impact_speed_m_s)?))
 }
 
-/// Dissipation with which the law itself has the restitution c: [`exact`] solved for α, in s/m.
+/// Dissipation with which the exact restitution of the law is c: [`exact`] solved for α, in s/m.
 ///
-/// Restitution c without unit, above 0 and at most 1; speed before the impact ẋ⁻ in m/s, above 0. No finite
-/// α brings the law to c = 0.
+/// Restitution c without unit, above 0 and at most 1; speed before the impact ẋ⁻ in m/s, above 0. With no finite α is c = 0.
 ///
 /// Source: the integral of (12) over an impact, solved for α; not in the paper.
 ///
@@ -108,14 +107,14 @@ pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64,
     Ok(loss_from_restitution(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
 }
 
-/// The product α ẋ⁻ of a dissipation and an impact speed.
+/// The product α ẋ⁻ of a dissipation and an impact speed, without unit.
 fn loss(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let product =
         non_negative("dissipation", dissipation_s_m)? * non_negative("impact speed", impact_speed_m_s)?;
     non_negative("dissipation times impact speed", product)
 }
 
-/// h(z) = z − ln(1 + z), without the cancellation at small z.
+/// h(z) = z − ln(1 + z), without cancellation at small z.
 ///
 /// With s = z/(2 + z), ln(1 + z) = 2 (s + s³/3 + s⁵/5 + …) and z − 2 s = z s.
 fn h(z: f64) -> f64 {
@@ -129,7 +128,7 @@ fn h(z: f64) -> f64 {
     s * (z - 2.0 * square * series)
 }
 
-/// c of d, by Newton steps on h(−y) = h(d), where y = c d.
+/// The restitution c for the loss d, by Newton steps on h(−y) = h(d), where y = c d.
 fn restitution_from_loss(d: f64) -> f64 {
     if d == 0.0 {
         return 1.0;
@@ -148,7 +147,7 @@ fn restitution_from_loss(d: f64) -> f64 {
     -z / d
 }
 
-/// d of c, by Newton steps on c(d), which falls and is convex: every step stays left of the root.
+/// The loss d for the restitution c, by Newton steps on c(d), which falls and is convex: every step stays left of the root.
 fn loss_from_restitution(c: f64) -> f64 {
     let mut d = 1.5 * (1.0 - c);
     for _ in 0..100 {
@@ -178,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn outside_the_domain_is_an_error_and_never_rounded_up() {
+    fn values_outside_the_domain_are_errors_and_are_never_clamped() {
         let error = approximate(2.0, 0.6).unwrap_err();
         assert_eq!(error.quantity(), "restitution by (13)");
         assert!((error.value() + 0.2).abs() < 1e-15);
@@ -191,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn exact_tends_to_13_to_first_order() {
+    fn exact_and_approximate_restitution_agree_to_first_order() {
         // c = 1 − a + a² + O(a³) with a = α ẋ⁻; (13) stops after a.
         for a in [1e-3, 1e-4, 1e-5, 1e-6] {
             let difference = exact(a, 1.0).unwrap() - approximate(a, 1.0).unwrap();

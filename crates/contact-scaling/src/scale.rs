@@ -1,4 +1,4 @@
-//! The scale of a body with contact spheres, a load and the spheres that share it, and the factors between two scales.
+//! The scale of a body with contact spheres, a load and the spheres that share it, and the scaling factors between two scales.
 
 use crate::error::{DomainError, at_least_one, positive};
 
@@ -9,13 +9,13 @@ pub struct ScaleValues {
     pub mass_kg: f64,
     /// Sphere radius R, in m.
     pub radius_m: f64,
-    /// Distinct spheres n that share the body weight; a mean over feet need not be whole.
+    /// Number n of spheres that share the body weight; a mean over feet need not be a whole number.
     pub sphere_count: f64,
     /// Magnitude of the gravitational acceleration g, in m/s².
     pub gravity_m_s2: f64,
 }
 
-/// The scale of a body: everything its dimensionless contact parameters are formed with.
+/// The scale of a body: the quantities by which its contact parameters are made dimensionless.
 ///
 /// M > 0, R > 0, g > 0 and n ≥ 1, all finite: checked once, in [`Scale::new`].
 ///
@@ -30,7 +30,7 @@ pub struct ScaleValues {
 pub struct Scale(ScaleValues);
 
 impl Scale {
-    /// Checks the four numbers and keeps them.
+    /// Checks the four numbers and makes a scale of them.
     ///
     /// # Errors
     /// [`DomainError`] unless M, R and g are finite and above 0, and n is finite and at least 1.
@@ -42,7 +42,7 @@ impl Scale {
         Ok(Self(values))
     }
 
-    /// Keeps numbers that are known to be valid.
+    /// A scale of numbers that are known to be valid.
     pub(crate) fn unchecked(values: ScaleValues) -> Self {
         Self(values)
     }
@@ -65,7 +65,7 @@ impl Scale {
         self.0.radius_m
     }
 
-    /// Spheres n that share the body weight.
+    /// Number n of spheres that share the body weight.
     #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.0.sphere_count
@@ -83,19 +83,19 @@ impl Scale {
         self.mass_kg() * self.gravity_m_s2()
     }
 
-    /// Body weight on each sphere, M g / n, in N: (4) with its constant.
+    /// Body weight on each sphere, M g / n, in N: the load in (4).
     #[must_use]
     pub fn load_per_sphere_n(&self) -> f64 {
         self.body_weight_n() / self.sphere_count()
     }
 
-    /// The speed all speeds of the contact are compared with, √(g R), in m/s.
+    /// √(g R), in m/s: the speed by which the speeds of the contact are made dimensionless.
     #[must_use]
     pub fn speed_m_s(&self) -> f64 {
         (self.gravity_m_s2() * self.radius_m()).sqrt()
     }
 
-    /// The time all times of the contact are compared with, √(R / g), in s (Fig. 4).
+    /// √(R / g), in s: the time by which the times of the contact are made dimensionless (Fig. 4).
     #[must_use]
     pub fn time_s(&self) -> f64 {
         (self.radius_m() / self.gravity_m_s2()).sqrt()
@@ -106,7 +106,7 @@ impl Scale {
 
 /// A total load F, in N, on n spheres that share it equally (4).
 ///
-/// F > 0 and n ≥ 1, finite: checked once. The load need not be body weight: a multiple of it, or a bite.
+/// F > 0 and n ≥ 1, finite: checked once. The load may be body weight, a multiple of it, or another force such as a bite.
 ///
 /// ```
 /// # use contact_scaling::SharedLoad;
@@ -132,7 +132,7 @@ impl SharedLoad {
         })
     }
 
-    /// A multiple of the body weight of `scale` on its spheres.
+    /// The body weight of `scale` times `multiple`, on the spheres of `scale`.
     ///
     /// # Errors
     /// [`DomainError`] unless the load is finite and above 0.
@@ -146,7 +146,7 @@ impl SharedLoad {
         self.load_n
     }
 
-    /// The spheres n that share it.
+    /// Number n of spheres that share the load.
     #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.sphere_count
@@ -165,7 +165,7 @@ impl SharedLoad {
 // With ρ = R_b/R_a, μ = M_b/M_a, ν = n_a/n_b and γ = g_b/g_a. Each factor is formed first and the parameter
 // multiplied once, so that a ratio of exactly 1 changes no bit of it.
 
-/// The four ratios of two scales, target over origin, by name and not yet checked.
+/// The four ratios between two scales, target divided by origin, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RatioValues {
     /// μ = M_b / M_a.
@@ -174,11 +174,11 @@ pub struct RatioValues {
     pub sphere_count: f64,
     /// ρ = R_b / R_a.
     pub radius: f64,
-    /// γ = g_b / g_a; 1 unless the target lives elsewhere.
+    /// γ = g_b / g_a; 1 unless the target has another gravity.
     pub gravity: f64,
 }
 
-/// How much larger the target of a rescaling is than its origin.
+/// The ratios between the target and the origin of a rescaling, and the factors of all contact parameters.
 ///
 /// ```
 /// use contact_scaling::Ratios;
@@ -193,7 +193,7 @@ pub struct RatioValues {
 pub struct Ratios(RatioValues);
 
 impl Ratios {
-    /// Checks the four ratios and keeps them.
+    /// Checks the four ratios, and makes them available as factors.
     ///
     /// # Errors
     /// [`DomainError`] unless each ratio, and each factor formed from them, is finite and above 0.
@@ -212,7 +212,7 @@ impl Ratios {
         Ok(ratios)
     }
 
-    /// The ratios that lead from scale `a` to scale `b`.
+    /// The ratios from scale `a` to scale `b`.
     ///
     /// # Errors
     /// [`DomainError`] if a ratio leaves the range of `f64`.
@@ -225,7 +225,7 @@ impl Ratios {
         })
     }
 
-    /// The ratios of two isometric bodies: ρ = ∛μ, equal sphere counts, equal gravity.
+    /// The ratios of two geometrically similar bodies: ρ = ∛μ, equal sphere counts, equal gravity.
     ///
     /// # Errors
     /// [`DomainError`] unless the mass ratio is finite and above 0.
@@ -252,7 +252,7 @@ impl Ratios {
         self.0.mass
     }
 
-    /// n_b / n_a, which is 1/ν.
+    /// n_b / n_a = 1/ν.
     #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.0.sphere_count
@@ -272,7 +272,7 @@ impl Ratios {
 
     /// Factor of E* and of E₁* (`stiffness`): μ ν / ρ² · γ.
     ///
-    /// It keeps the relative indentation x̂ at body weight. Source: (8) to (10); γ is the gravity extension.
+    /// With this factor the relative indentation x̂ under body weight stays. Source: (8) to (10); γ is the gravity extension.
     #[must_use]
     pub fn plane_strain_modulus(&self) -> f64 {
         self.mass() / self.sphere_count() / (self.radius() * self.radius()) * self.gravity()
@@ -280,7 +280,7 @@ impl Ratios {
 
     /// Factor of α (`dissipation`): ρ^(−1/2) γ^(−1/2).
     ///
-    /// It keeps α times a speed that grows as √(g R), and with it the restitution. Source: (14).
+    /// With this factor α times a speed ∝ √(g R) stays, and so does the restitution. Source: (14).
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         1.0 / (self.radius() * self.gravity()).sqrt()
@@ -288,7 +288,7 @@ impl Ratios {
 
     /// Factor of α (`dissipation`) by mass instead of radius: μ^(−1/6) γ^(−1/2).
     ///
-    /// It is equal to [`Ratios::dissipation`] where R ∝ M^(1/3). Source: (14), its other proportionality.
+    /// It is equal to [`Ratios::dissipation`] if R ∝ M^(1/3). Source: (14), its second proportionality.
     #[must_use]
     pub fn dissipation_by_mass(&self) -> f64 {
         1.0 / (libm::cbrt(self.mass()) * self.gravity()).sqrt()
@@ -296,7 +296,7 @@ impl Ratios {
 
     /// Factor of cf (`constant_contact_force`, m²): ρ².
     ///
-    /// It keeps the constant relative indentation √cf / R. Source: (C.2).
+    /// With this factor the constant relative indentation √cf / R stays. Source: (C.2).
     #[must_use]
     pub fn constant_contact_force(&self) -> f64 {
         self.radius() * self.radius()
@@ -304,7 +304,7 @@ impl Ratios {
 
     /// Factor of bd (`hertz_smoothing`, 1/m): 1/ρ.
     ///
-    /// It keeps the share of R over which contact sets in, bd R. Source: (C.5).
+    /// With this factor bd R stays: contact begins over the same share of R. Source: (C.5).
     #[must_use]
     pub fn hertz_smoothing(&self) -> f64 {
         1.0 / self.radius()
@@ -312,7 +312,7 @@ impl Ratios {
 
     /// Factor of bv (`hunt_crossley_smoothing`, s/m): ρ^(−1/2) γ^(−1/2).
     ///
-    /// It keeps bv √(g R). Source: (C.10); γ is the gravity extension.
+    /// With this factor bv √(g R) stays. Source: (C.10); γ is the gravity extension.
     #[must_use]
     pub fn hunt_crossley_smoothing(&self) -> f64 {
         self.dissipation()
@@ -320,7 +320,7 @@ impl Ratios {
 
     /// Factor of `transition_velocity` (m/s): √(γ ρ).
     ///
-    /// A speed grows as √(g R). Source: the friction extension, not in the paper.
+    /// The velocity is scaled like other speeds, ∝ √(g R). Source: the friction extension, not in the paper.
     #[must_use]
     pub fn transition_velocity(&self) -> f64 {
         (self.gravity() * self.radius()).sqrt()
@@ -328,7 +328,7 @@ impl Ratios {
 
     /// Factor of `viscous_friction` (s/m): 1/√(γ ρ).
     ///
-    /// An inverse speed. Source: the friction extension, not in the paper.
+    /// It is the inverse of the factor of speeds. Source: the friction extension, not in the paper.
     #[must_use]
     pub fn viscous_friction(&self) -> f64 {
         self.dissipation()
@@ -374,7 +374,7 @@ mod tests {
 
     type Factor = fn(&Ratios) -> f64;
 
-    /// Each factor with its exponents in μ, ν, ρ, γ (theory: the table under (C.10)).
+    /// Each factor with its exponents of μ, ν, ρ, γ (from the table under (C.10)).
     const FACTORS_AND_EXPONENTS: [(&str, Factor, [f64; 4]); 8] = [
         ("stiffness", Ratios::plane_strain_modulus, [1.0, 1.0, -2.0, 1.0]),
         ("dissipation", Ratios::dissipation, [0.0, 0.0, -0.5, -0.5]),
@@ -412,7 +412,7 @@ mod tests {
     }
 
     #[test]
-    fn ratios_whose_factors_leave_f64_are_refused() {
+    fn ratios_with_factors_outside_f64_are_refused() {
         let far = RatioValues { mass: 1e300, sphere_count: 1.0, radius: 1e-100, gravity: 1.0 };
         assert_eq!(Ratios::new(far).unwrap_err().quantity(), "factor of the plane strain modulus");
     }

@@ -1,9 +1,9 @@
-//! Any three of load, radius, indentation, modulus and stiffness give the other two: (3) and (B.2) together.
+//! Computes two of load, radius, indentation, modulus and stiffness from the other three: (3) and (B.2) together.
 
 use crate::design;
 use crate::error::{DomainError, positive, within};
 
-/// The known quantities of one sphere at its load, not yet checked; those that are `None` are to be found.
+/// The known quantities of one sphere under its load, not yet checked; a quantity that is `None` is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KnownQuantities {
     /// Load on each sphere F/n, in N.
@@ -14,11 +14,11 @@ pub struct KnownQuantities {
     pub relative_indentation: Option<f64>,
     /// Composite modulus E*, in N/m².
     pub composite_modulus_n_m2: Option<f64>,
-    /// Stiffness k of one sphere at that load, in N/m.
+    /// Stiffness k of one sphere under its load, in N/m.
     pub stiffness_n_m: Option<f64>,
 }
 
-/// All quantities of one sphere at its load.
+/// All quantities of one sphere under its load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Sizing {
@@ -26,15 +26,15 @@ pub struct Sizing {
     pub load_per_sphere_n: f64,
     /// Sphere radius R, in m.
     pub radius_m: f64,
-    /// Relative indentation x̂, without unit; above 1 where a sphere is too soft for its load.
+    /// Relative indentation x̂, without unit; above 1 if the sphere is too soft for its load.
     pub relative_indentation: f64,
     /// Composite modulus E*, in N/m².
     pub composite_modulus_n_m2: f64,
-    /// Stiffness k of one sphere at that load, in N/m.
+    /// Stiffness k of one sphere under its load, in N/m.
     pub stiffness_n_m: f64,
 }
 
-/// Why there is no sizing.
+/// The reason why the quantities cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SizingError {
@@ -49,7 +49,7 @@ pub enum SizingError {
         /// Names of the quantities that are not known.
         missing: Vec<&'static str>,
     },
-    /// More than three are given, and they do not belong together.
+    /// More than three quantities are given, and they contradict each other.
     #[error("the {quantity} is given as {given}, but {follows} follows from the other quantities")]
     Contradictory {
         /// The quantity that contradicts the others.
@@ -61,7 +61,7 @@ pub enum SizingError {
     },
 }
 
-/// How far (relative) a quantity that was given may lie from what the others say.
+/// Largest relative difference of a given quantity from the value that follows from the others.
 const CONSISTENCY_TOLERANCE: f64 = 1e-6;
 
 impl KnownQuantities {
@@ -75,13 +75,13 @@ impl KnownQuantities {
         ]
     }
 
-    /// Finds the quantities that are not known.
+    /// Computes the quantities that are not known.
     ///
     /// With f = F/n: f = 4/3 R² E* x̂^{3/2} (3) and k = 2 R E* √x̂ (B.2).
     ///
     /// # Errors
-    /// [`SizingError`] where fewer than three are known, a number is outside its domain, or more than three are known
-    /// and contradict each other.
+    /// [`SizingError`] if fewer than three quantities are known, if a number is outside its domain, or if more than three are
+    /// known and contradict each other.
     ///
     /// ```
     /// use contact_scaling::sizing::KnownQuantities;
@@ -126,11 +126,11 @@ impl KnownQuantities {
         Ok(sizing)
     }
 
-    /// Finds what is missing for a smoothed contact at rest. Its force and stiffness are `speed_state` times those of Hertz:
-    /// [`crate::smoothing::speed_state_at_rest`].
+    /// Computes the quantities that are not known, for a smoothed contact at speed 0. Its force and stiffness are
+    /// `speed_state` times those of the Hertz law: [`crate::smoothing::speed_state_at_rest`], without unit.
     ///
     /// # Errors
-    /// Those of [`KnownQuantities::solve`], and a `speed_state` that is not above 0.
+    /// The errors of [`KnownQuantities::solve`], and a `speed_state` that is not above 0.
     ///
     /// ```
     /// use contact_scaling::sizing::KnownQuantities;
@@ -163,7 +163,7 @@ impl KnownQuantities {
         }
     }
 
-    /// Radius, indentation and modulus from any three, then load and stiffness by (3) and (B.2).
+    /// Computes radius, indentation and modulus from any three quantities, then load and stiffness by (3) and (B.2).
     fn solve_checked(&self) -> Option<Sizing> {
         let (f, r, x) = (self.load_per_sphere_n, self.radius_m, self.relative_indentation);
         let (e, k) = (self.composite_modulus_n_m2, self.stiffness_n_m);
@@ -222,7 +222,8 @@ impl Sizing {
 mod tests {
     use super::*;
 
-    /// Table 1's human at body weight: 62 · 9.81 / 6 N, R, and mpmath 1.4.1's x̂, E*, k for E₁* = 1 MPa.
+    /// The human of Table 1 under body weight: load per sphere 62 · 9.81 / 6 N, R, and x̂, E*, k for E₁* = 1 MPa, computed
+    /// with mpmath 1.4.1.
     const HUMAN_AT_BODY_WEIGHT: [f64; 5] =
         [101.37, 0.032, 0.353_300_157_597_401_94, 353_553.390_593_273_76, 13_449.523_437_277_24];
 
@@ -238,7 +239,7 @@ mod tests {
     }
 
     #[test]
-    fn any_three_quantities_of_a_size_give_the_rest() {
+    fn any_three_quantities_give_the_other_two() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() >= 3) {
             let sizing = quantities_of_mask(mask).solve().unwrap();
             for ((name, found), expected) in sizing.by_name().into_iter().zip(HUMAN_AT_BODY_WEIGHT) {
@@ -248,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn fewer_than_three_say_what_is_missing() {
+    fn with_fewer_than_three_quantities_the_error_names_the_missing_ones() {
         for mask in (0_usize..32).filter(|mask| mask.count_ones() < 3) {
             assert!(matches!(quantities_of_mask(mask).solve(), Err(SizingError::Insufficient { .. })));
         }

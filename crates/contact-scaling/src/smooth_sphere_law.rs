@@ -5,19 +5,19 @@ use crate::{Contact, Hertz, SmoothingValues, smoothing};
 
 /// The normal force of one `SmoothSphereHalfSpaceForce`.
 ///
-/// α ≥ 0, cf ≥ 0, bd > 0, bv > 0, all finite: checked once. Indentation x in m, negative before contact, its
-/// rate ẋ in m/s, positive while going in; NaN gives NaN.
+/// α ≥ 0, cf ≥ 0, bd > 0, bv > 0, all finite: checked once. Indentation x in m, negative before contact; its rate ẋ in m/s,
+/// positive while the indentation grows. NaN gives NaN.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothSphere {
     hertz: Hertz,
     dissipation: f64,
     smoothing: SmoothingValues,
-    /// The speed state at ẋ = 0.
+    /// The speed state at ẋ = 0, without unit.
     at_rest: f64,
 }
 
 impl SmoothSphere {
-    /// A Hertz law with the dissipation α (s/m), smoothed.
+    /// A Hertz law with the dissipation α (s/m) and smoothing.
     ///
     /// # Errors
     /// [`DomainError`] unless α ≥ 0, cf ≥ 0, bd > 0 and bv > 0, all finite.
@@ -31,7 +31,8 @@ impl SmoothSphere {
         Ok(law)
     }
 
-    /// The law of a sphere of radius R (m) whose file holds `contact`; OpenSim's own smoothing where it has none.
+    /// The smoothed law of a sphere of radius R (m) with the parameters `contact` of a model file; without smoothing in
+    /// `contact`, OpenSim's default smoothing is used.
     ///
     /// # Errors
     /// As [`Hertz::of`].
@@ -40,7 +41,7 @@ impl SmoothSphere {
         Self::new(Hertz::of(contact, radius_m)?, contact.dissipation(), smoothing)
     }
 
-    /// The law without its smoothing.
+    /// The Hertz law of the sphere, without smoothing and dissipation.
     #[must_use]
     pub fn hertz(&self) -> &Hertz {
         &self.hertz
@@ -60,7 +61,7 @@ impl SmoothSphere {
 
     /// Hertz force with the constant indentation, F_cf = 4/3 η √R E* (x² + cf)^(3/4), in N.
     ///
-    /// x in m, cf in m², E* in N/m², R in m. The same before contact as in it: even in x.
+    /// x in m, cf in m², E* in N/m², R in m. The force is equal at x and −x, so that it is also above 0 before contact.
     ///
     /// Source: (C.1), printed there as √(x² + cf)^(3/2).
     ///
@@ -96,7 +97,7 @@ impl SmoothSphere {
 
     /// Smoothed elastic force, F_s = F_cf s_c(x), in N.
     ///
-    /// x in m. Not 0 before contact, which is what the smoothing is for.
+    /// x in m. The force is above 0 also before contact; smoothing has this purpose.
     ///
     /// Source: (C.3).
     ///
@@ -130,7 +131,7 @@ impl SmoothSphere {
 
     /// Smoothed normal force, F = (F_s + 3/2 F_s α ẋ)(½ + ½ tanh(bv (ẋ + 2/(3α)))), in N.
     ///
-    /// x in m, ẋ in m/s. A pull is smoothed away, not excluded: F can be slightly below 0.
+    /// x in m, ẋ in m/s. A pulling force is reduced, but not excluded: F can be slightly below 0.
     ///
     /// Source: (C.9).
     ///
@@ -146,9 +147,10 @@ impl SmoothSphere {
         elastic * (1.0 + 1.5 * self.dissipation * speed_m_s) * self.speed_state(speed_m_s)
     }
 
-    /// Normal force at rest, F = F_s (½ + ½ tanh(2 bv/(3α))), in N.
+    /// Normal force at speed 0, F = F_s (½ + ½ tanh(2 bv/(3α))), in N.
     ///
-    /// x in m, bv in s/m, α in s/m. It is what a body rests on; (C.3) alone is more where α is large against bv.
+    /// x in m, bv in s/m, α in s/m. This force carries a body at equilibrium; it is less than (C.3) if α is large compared
+    /// with bv.
     ///
     /// Source: (C.9) at ẋ = 0.
     ///
@@ -163,13 +165,14 @@ impl SmoothSphere {
         self.elastic_force(indentation_m) * self.at_rest
     }
 
-    /// A force (N) that is not exceeded at rest between two indentations (m): F_cf grows with |x|, the contact state with x.
+    /// An upper bound (N) of the force at speed 0 between two indentations (m): F_cf grows with |x|, the contact state with
+    /// x.
     pub(crate) fn rest_force_limit(&self, from_m: f64, to_m: f64) -> f64 {
         let farthest = from_m.abs().max(to_m.abs());
         self.constant_indentation_force(farthest) * self.contact_state(to_m) * self.at_rest
     }
 
-    /// Stiffness at rest, ∂F/∂x = ∂F_s/∂x (½ + ½ tanh(2 bv/(3α))), in N/m.
+    /// Stiffness at speed 0, ∂F/∂x = ∂F_s/∂x (½ + ½ tanh(2 bv/(3α))), in N/m.
     ///
     /// x in m, bv in s/m, α in s/m.
     ///
@@ -242,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn without_smoothing_it_is_the_unsmoothed_law() {
+    fn with_negligible_smoothing_the_force_is_that_of_hunt_crossley() {
         // cf → 0, bd → ∞, bv → ∞.
         let sharp = falisse(|s| {
             s.constant_contact_force = 0.0;
@@ -282,7 +285,7 @@ mod tests {
     }
 
     #[test]
-    fn at_rest_is_at_speed_0() {
+    fn the_rest_force_is_the_force_at_speed_0() {
         for alpha in [0.0, 1e-9, 2.0, 20.0, 50.0, 1e9] {
             let law =
                 SmoothSphere::new(*falisse(|_| ()).hertz(), alpha, SmoothingValues::OPENSIM_DEFAULT).unwrap();

@@ -1,29 +1,30 @@
-//! The smoothing parameters cf, bd and bv: OpenSim's defaults, and values from what is wanted by (C.2), (C.5) to (C.8), (C.10).
+//! The smoothing parameters cf, bd and bv: OpenSim's defaults, and values for wanted widths and indentations by (C.2), (C.5) to
+//! (C.8), (C.10).
 //!
-//! Thresholds t are shares of the contact state: a width reaches from s_c = t to s_c = 1 − t.
+//! A threshold t is a value of the contact state s_c, without unit: a width is the distance from s_c = t to s_c = 1 − t.
 
 use crate::error::{DomainError, non_negative, positive, within};
 
 /// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothingValues {
-    /// cf, in m² in spite of its name (C.1): `constant_contact_force`. 0 is legal.
+    /// cf, in m² in spite of its name (C.1): OpenSim's `constant_contact_force`. 0 is allowed.
     pub constant_contact_force: f64,
-    /// bd, in 1/m: `hertz_smoothing`.
+    /// bd, in 1/m: OpenSim's `hertz_smoothing`.
     pub hertz_smoothing: f64,
-    /// bv, in s/m: `hunt_crossley_smoothing`.
+    /// bv, in s/m: OpenSim's `hunt_crossley_smoothing`.
     pub hunt_crossley_smoothing: f64,
 }
 
 impl SmoothingValues {
-    /// The values that OpenSim takes if a file has none: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
+    /// OpenSim's default values, for a file without these elements: cf = 1e-5 m², bd = 300 1/m, bv = 50 s/m.
     pub const OPENSIM_DEFAULT: Self =
         Self { constant_contact_force: 1e-5, hertz_smoothing: 300.0, hunt_crossley_smoothing: 50.0 };
 }
 
 const BELOW_HALF: &str = "a number between 0 and 0.5";
 
-/// atanh(1 − 2 t).
+/// atanh(1 − 2 t); an error with the `expected` range unless `ok`.
 fn half_width(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
     Ok(libm::atanh(1.0 - 2.0 * within(ok, "threshold", threshold, expected)?))
 }
@@ -35,7 +36,7 @@ fn full_width(threshold: f64) -> Result<f64, DomainError> {
 
 /// Constant contact "force" for a constant relative indentation, cf = (R x̂_c)², in m².
 ///
-/// x̂_c without unit, 0 or above (suggested: 0.1, or 0.05 where x̂ < 0.16 is wanted); sphere radius R in m.
+/// x̂_c without unit, 0 or above (suggested: 0.1, or 0.05 if x̂ ≤ 0.16 is wanted); sphere radius R in m.
 ///
 /// Source: (C.2).
 ///
@@ -53,7 +54,7 @@ pub fn constant_contact_force(constant_indentation: f64, radius_m: f64) -> Resul
     Ok(x * x)
 }
 
-/// Constant relative indentation of a file, x̂_c = √cf / R, without unit.
+/// Constant relative indentation of a smoothed contact, x̂_c = √cf / R, without unit.
 ///
 /// cf in m², 0 or above; sphere radius R in m.
 ///
@@ -90,7 +91,7 @@ pub fn hertz_smoothing(dimensionless: f64, radius_m: f64) -> Result<f64, DomainE
     Ok(positive("dimensionless hertz smoothing", dimensionless)? / positive("sphere radius", radius_m)?)
 }
 
-/// Relative indentation where the contact state is 1 − t: x̂_t = atanh(1 − 2 t) / (bd R), without unit.
+/// Relative indentation at which the contact state is 1 − t: x̂_t = atanh(1 − 2 t) / (bd R), without unit.
 ///
 /// Threshold t without unit, 0 < t < 1 (below 0 for t > ½); bd in 1/m; sphere radius R in m.
 ///
@@ -115,7 +116,7 @@ pub fn threshold_indentation(
     Ok(half / (bd * positive("sphere radius", radius_m)?))
 }
 
-/// Relative indentation over which contact sets in, Δx̂ = 2 atanh(1 − 2 t) / (bd R), without unit.
+/// Width of the contact transition in relative indentation, Δx̂ = 2 atanh(1 − 2 t) / (bd R), without unit.
 ///
 /// From s_c = t to s_c = 1 − t; t without unit, 0 < t < ½; bd in 1/m; sphere radius R in m.
 ///
@@ -138,7 +139,7 @@ pub fn transition_width(
     Ok(full_width(threshold)? / (bd * positive("sphere radius", radius_m)?))
 }
 
-/// Hertz smoothing for a wanted width, bd = 2 atanh(1 − 2 t) / (Δx̂ R), in 1/m.
+/// Hertz smoothing for a wanted width of the contact transition, bd = 2 atanh(1 − 2 t) / (Δx̂ R), in 1/m.
 ///
 /// From s_c = t to s_c = 1 − t over Δx̂; t and Δx̂ without unit, 0 < t < ½, Δx̂ > 0; sphere radius R in m.
 ///
@@ -176,9 +177,9 @@ pub fn hunt_crossley_smoothing(reduced_s_per_root_m: f64, radius_m: f64) -> Resu
     Ok(reduced / positive("sphere radius", radius_m)?.sqrt())
 }
 
-/// Hunt–Crossley smoothing for a wanted width in speed, bv = 2 atanh(1 − 2 t) / Δv, in s/m.
+/// Hunt–Crossley smoothing for a wanted width of the speed state, bv = 2 atanh(1 − 2 t) / Δv, in s/m.
 ///
-/// From t to 1 − t of the speed state over Δv; t without unit, 0 < t < ½; Δv in m/s, above 0.
+/// Over the width Δv, the speed state goes from t to 1 − t; t without unit, 0 < t < ½; Δv in m/s, above 0.
 ///
 /// Source: (C.10) with Δẋ = Δv / √R.
 ///
@@ -194,9 +195,9 @@ pub fn hunt_crossley_smoothing_for_speed_width(threshold: f64, width_m_s: f64) -
     Ok(full_width(threshold)? / positive("speed width", width_m_s)?)
 }
 
-/// Hunt–Crossley smoothing as printed, bv = 2 atanh(1 − 2 t) / (Δẋ √R), in s/m.
+/// Hunt–Crossley smoothing in the form that the paper prints, bv = 2 atanh(1 − 2 t) / (Δẋ √R), in s/m.
 ///
-/// Its Δẋ is not a speed but a speed over √R, in √m/s; t without unit, 0 < t < ½; sphere radius R in m.
+/// Δẋ is not a speed but a speed divided by √R, in √m/s; t without unit, 0 < t < ½; sphere radius R in m.
 ///
 /// Source: (C.10), its second form.
 ///
@@ -218,10 +219,10 @@ pub fn hunt_crossley_smoothing_for_reduced_width(
     Ok(full_width(threshold)? / (width * positive("sphere radius", radius_m)?.sqrt()))
 }
 
-/// Speed state of a smoothed contact at rest, ½ + ½ tanh(2 bv/(3α)), without unit, from ½ to 1.
+/// Speed state of a smoothed contact at speed 0, ½ + ½ tanh(2 bv/(3α)), without unit, from ½ to 1.
 ///
-/// Dissipation α in s/m, 0 or above; bv in s/m. The share that a smoothed contact at rest has of the force without
-/// smoothing of speeds; 1 for α = 0.
+/// Dissipation α in s/m, 0 or above; bv in s/m. At speed 0, the force of a smoothed contact is (C.3) times this factor; the
+/// factor is 1 for α = 0.
 ///
 /// Source: (C.9), its second factor at ẋ = 0.
 ///
@@ -239,7 +240,7 @@ pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f
     Ok(speed_state(alpha, positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
 }
 
-/// The second factor of (C.9), of numbers that are known to be right.
+/// The second factor of (C.9), without unit, for numbers that are known to be valid.
 pub(crate) fn speed_state(alpha: f64, bv: f64, speed_m_s: f64) -> f64 {
     0.5 + 0.5 * libm::tanh(bv * (speed_m_s + 2.0 / (3.0 * alpha)))
 }
@@ -275,7 +276,7 @@ mod tests {
         }
 
         #[test]
-        fn the_law_reaches_its_threshold_there(t in 0.01..0.99, r in 1e-3..0.5, bd in 50.0..5000.0) {
+        fn the_contact_state_at_the_threshold_indentation_is_1_minus_t(t in 0.01..0.99, r in 1e-3..0.5, bd in 50.0..5000.0) {
             let smoothing = SmoothingValues { hertz_smoothing: bd, ..SmoothingValues::OPENSIM_DEFAULT };
             let law = SmoothSphere::new(Hertz::sphere(1e6, r).unwrap(), 1.0, smoothing).unwrap();
             let x = threshold_indentation(t, bd, r).unwrap() * r;

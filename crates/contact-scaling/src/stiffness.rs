@@ -25,7 +25,8 @@ pub fn dimensionless(stiffness_n_m: f64, radius_m: f64, load: &SharedLoad) -> Re
     Ok(k * positive("sphere radius", radius_m)? / load.per_sphere_n())
 }
 
-/// Dimensionless stiffness of the Hertz law at the load that gives x̂: k̂ = 3 / (2 x̂), without unit.
+/// Dimensionless stiffness of the Hertz law under the load at which the relative indentation is x̂: k̂ = 3 / (2 x̂), without
+/// unit.
 ///
 /// x̂ without unit, above 0.
 ///
@@ -45,7 +46,7 @@ pub fn dimensionless_hertz(relative_indentation: f64) -> Result<f64, DomainError
 
 /// Natural frequency of small oscillations, f_n = √(k / M) / (2π), in Hz.
 ///
-/// Stiffness k of one sphere in N/m; mass M on that sphere in kg: a body's mass over its n spheres.
+/// Stiffness k of one sphere in N/m; mass M on this sphere in kg: the body mass divided by the number n of spheres.
 ///
 /// Source: (B.4).
 ///
@@ -62,7 +63,8 @@ pub fn natural_frequency(stiffness_n_m: f64, mass_on_sphere_kg: f64) -> Result<f
     Ok((k / positive("mass on the sphere", mass_on_sphere_kg)?).sqrt() / TAU)
 }
 
-/// Natural frequency about the rest under body weight, f_n,eq = √(3/2 · g / (x̂_eq R)) / (2π), in Hz.
+/// Natural frequency of small oscillations about the equilibrium under body weight, f_n,eq = √(3/2 · g / (x̂_eq R)) / (2π), in
+/// Hz.
 ///
 /// x̂_eq without unit; sphere radius R in m; gravity g in m/s².
 ///

@@ -1,6 +1,6 @@
-//! Table 1 of the paper: what it prints, and the same computed.
+//! Table 1 of the paper: its printed numbers, and the same numbers computed.
 //!
-//! `printed.csv` is typed from the paper. Figures, the models of `fixtures/table1` and the tests of printed numbers read it.
+//! `printed.csv` was typed from the paper. Figures, the models of `fixtures/table1` and the tests of printed numbers read it.
 //!
 //! ```
 //! use contact_scaling::table1;
@@ -12,36 +12,36 @@
 use crate::drop_test::{DropError, DropTest};
 use crate::{Contact, ContactValues, DomainError, Hertz, Ratios, Scale, ScaleValues, falisse2022};
 
-/// Gravity of the drop tests, m/s²: "gravity on Earth" in the paper, whose digits follow from 9.81 and not from OpenSim's 9.80665.
+/// Gravity of the drop tests, m/s². The paper says "gravity on Earth"; its digits follow from 9.81, not from OpenSim's 9.80665.
 pub const GRAVITY_M_S2: f64 = 9.81;
 
-/// Height of the drop tests, in radii (Section 3).
+/// Height of the drop tests, in sphere radii (Section 3).
 pub const HEIGHT_RADII: f64 = 0.25;
 
 /// Duration of the drop tests, s (Section 3).
 pub const DURATION_S: f64 = 2.0;
 
 /// The rows of the table.
-fn lines() -> impl Iterator<Item = &'static str> {
+fn rows_of_file() -> impl Iterator<Item = &'static str> {
     // The first two lines say what it is, and name the columns.
     include_str!("table1/printed.csv").lines().skip(2)
 }
 
-/// A column of Table 1 that is computed; the others (mass, spheres, radius) are given.
+/// A computed column of Table 1; the other columns (mass, spheres, radius) are given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Column {
     /// Composite modulus E*, MPa.
     CompositeModulus,
-    /// Plane strain modulus E₁*, MPa: OpenSim's `stiffness` in its millions.
+    /// Plane strain modulus E₁*, MPa: OpenSim's `stiffness` in millions of N/m².
     PlaneStrainModulus,
-    /// Dissipation α that is the same for all, s/m.
+    /// Dissipation α with the same value for all animals, s/m.
     BaseDissipation,
-    /// Dissipation α ∝ R^(−1/2), s/m.
+    /// Dissipation α scaled by R^(−1/2), s/m.
     ScaledDissipation,
-    /// x̂ at the end of the drop test.
+    /// Relative indentation x̂ at the end of the drop test, without unit.
     FinalIndentation,
-    /// Stiffness k of one sphere there, kN/m.
+    /// Stiffness k of one sphere at the end of the drop test, kN/m.
     ContactStiffness,
 }
 
@@ -56,7 +56,7 @@ impl Column {
         Self::ContactStiffness,
     ];
 
-    /// Name of the column for programs; it ends in the unit, where there is one.
+    /// Name of the column for programs; it ends with the unit, if there is one.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -69,7 +69,7 @@ impl Column {
         }
     }
 
-    /// Label of the column, in plain letters.
+    /// Label of the column, without special letters.
     #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
@@ -82,7 +82,7 @@ impl Column {
         }
     }
 
-    /// The unit in which the paper prints it; empty for a pure number.
+    /// The unit of the column in the paper; empty for a pure number.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
@@ -93,7 +93,7 @@ impl Column {
         }
     }
 
-    /// Number of the equation that gives it; empty where it is given, or the result of the drop test.
+    /// Number of the equation of the column; empty if the column is given, or is a result of the drop test.
     #[must_use]
     pub const fn equation(self) -> &'static str {
         match self {
@@ -114,9 +114,9 @@ pub struct Compared {
     pub column: Column,
     /// The number as the paper prints it.
     pub printed: &'static str,
-    /// The number as it is computed, in the unit of the paper.
+    /// The computed number, in the unit of the paper.
     pub computed: f64,
-    /// The number computed from the rounded number that the paper prints for the human, if it can also be computed in this way.
+    /// The number computed from the rounded number of the human in the paper; `None` if this is not possible.
     pub from_rounded: Option<f64>,
 }
 
@@ -133,13 +133,13 @@ impl Compared {
         self.computed - self.printed_value()
     }
 
-    /// The difference over the printed number.
+    /// The difference divided by the printed number, without unit.
     #[must_use]
     pub fn relative_difference(&self) -> f64 {
         self.difference() / self.printed_value()
     }
 
-    /// Half a unit of the last digit that is printed.
+    /// Half a unit of the last printed digit, in the unit of the paper.
     #[must_use]
     pub fn half_last_digit(&self) -> f64 {
         // An index of bytes says where the point is; what follows it are the decimals.
@@ -153,8 +153,8 @@ impl Compared {
         self.is_near(self.computed)
     }
 
-    /// Whether the printed number is not that from the exact one of the human, but that from the rounded one: then the paper has computed
-    /// it so.
+    /// Whether the printed number does not follow from the exact number of the human, but from the rounded one: the paper
+    /// then was computed from the rounded number.
     #[must_use]
     pub fn is_from_rounded(&self) -> bool {
         !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.is_near(value))
@@ -174,18 +174,18 @@ pub struct Animal {
     printed: [&'static str; Column::ALL.len()],
 }
 
-/// The rows of the table, in its order; the first is the human from which all others are scaled.
+/// The rows of the table, in order; the first is the human from which all others are scaled.
 pub fn animals() -> impl Iterator<Item = Animal> {
-    lines().filter_map(Animal::of_line)
+    rows_of_file().filter_map(Animal::of_line)
 }
 
-/// The animals called `taxon`, in the order of the table.
+/// The animals with the name `taxon`, in the order of the table.
 pub fn called(taxon: &str) -> impl Iterator<Item = Animal> {
     animals().filter(move |animal| animal.taxon() == taxon)
 }
 
 impl Animal {
-    /// The row that a line holds; `None` where it holds none.
+    /// The animal in a line of the file; `None` if the line has no animal.
     fn of_line(line: &'static str) -> Option<Self> {
         let mut cells = line.split(',');
         let taxon = cells.next()?;
@@ -202,13 +202,13 @@ impl Animal {
         self.taxon
     }
 
-    /// Mass, spheres and radius of the body, under [`GRAVITY_M_S2`].
+    /// Mass, number of spheres and sphere radius of the animal, under [`GRAVITY_M_S2`].
     #[must_use]
     pub const fn scale(&self) -> Scale {
         self.scale
     }
 
-    /// The text that the paper prints in a column, digit by digit.
+    /// The text that the paper prints in a column.
     #[must_use]
     pub fn printed(&self, column: Column) -> &'static str {
         let index = Column::ALL.iter().position(|&known| known == column);
@@ -218,15 +218,15 @@ impl Animal {
     /// The contact of the 62 kg human, scaled to this animal by (10), (14), (C.2), (C.5) and (C.10).
     ///
     /// # Errors
-    /// None with the numbers of the table.
+    /// None for the numbers of the table.
     pub fn contact(&self) -> Result<Contact, DomainError> {
         Ok(falisse2022().contact.scaled(&self.ratios()?))
     }
 
-    /// The contact of this animal without smoothing, as a `HuntCrossleyForce` has it. The paper's drop tests use it.
+    /// The contact of the animal without smoothing, for a `HuntCrossleyForce`, as in the paper's drop tests.
     ///
     /// # Errors
-    /// None with the numbers of the table.
+    /// None for the numbers of the table.
     pub fn plain_contact(&self) -> Result<Contact, DomainError> {
         Contact::new(ContactValues { smoothing: None, ..self.contact()?.values() })
     }
@@ -237,10 +237,10 @@ impl Animal {
         Ratios::between(&Scale::new(human)?, &self.scale)
     }
 
-    /// Every column, printed and computed. The drop test is done, as in the paper: from a quarter of the radius, for 2 s.
+    /// All columns, printed and computed. It runs the drop test of the paper: from a quarter of the radius, for 2 s.
     ///
     /// # Errors
-    /// None with the numbers of the table.
+    /// None for the numbers of the table.
     pub fn compared(&self) -> Result<Vec<Compared>, DropError> {
         let contact = self.plain_contact()?;
         let radius = self.scale.radius_m();
@@ -261,7 +261,7 @@ impl Animal {
         Column::ALL.into_iter().map(of).collect()
     }
 
-    /// E* in MPa, scaled by (10) from the three digits that are printed for the human.
+    /// E* in MPa, scaled by (10) from the three digits that the paper prints for the human.
     fn modulus_of_rounded(&self) -> Result<Option<f64>, DomainError> {
         let human =
             animals().next().and_then(|human| human.printed(Column::CompositeModulus).parse::<f64>().ok());
@@ -296,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_from_a_rounded_one_is_told_apart() {
+    fn a_number_computed_from_a_rounded_one_is_recognised() {
         let seen = Compared { from_rounded: Some(0.09155), ..compared("0.0916", 0.0915) };
         assert!(seen.is_from_rounded());
         assert!(!Compared { from_rounded: Some(0.0915), ..seen }.is_from_rounded());

@@ -1,7 +1,7 @@
-//! A body let fall on its spheres: one vertical degree of freedom, bottoms of the spheres level.
+//! Drop tests: a body falls on its spheres, with one vertical degree of freedom and the bottoms of all spheres at one height.
 //!
-//! M ẍ = M g − Σ F_i(x, ẋ), with x the common indentation of the spheres, −height before contact. It is the
-//! experiment of the paper's Table 1 and Fig. 4.
+//! The equation of motion is M ẍ = M g − Σ F_i(x, ẋ). x is the common indentation of the spheres; before contact it is minus
+//! their height. It is the experiment of the paper's Table 1 and Fig. 4.
 //!
 //! ```
 //! use contact_scaling::drop_test::DropTest;
@@ -33,13 +33,13 @@ pub struct DropTest {
 }
 
 impl DropTest {
-    /// Samples of a series where nobody said how many.
+    /// The default number of samples in a series.
     pub const SAMPLES: usize = 1001;
 
-    /// A drop test of a body on these spheres. Spheres of the same law are taken together.
+    /// A drop test of a body on `spheres`. Spheres with the same law become one entry.
     ///
     /// # Errors
-    /// [`DropError::Domain`] where a number is outside its domain or there is no sphere.
+    /// [`DropError::Domain`] if a number is outside its domain, or if there is no sphere.
     pub fn new(spheres: impl IntoIterator<Item = Spheres>, values: DropValues) -> Result<Self, DropError> {
         positive("mass", values.mass_kg)?;
         positive("gravity", values.gravity_m_s2)?;
@@ -73,36 +73,36 @@ impl DropTest {
         Self::new([Spheres::new(law, scale.sphere_count())?], values)
     }
 
-    /// The conditions, by name.
+    /// Mass, gravity, height, duration and number of samples, by name.
     #[must_use]
     pub fn values(&self) -> DropValues {
         self.values
     }
 
-    /// The spheres, equal ones together.
+    /// The spheres of the body; spheres with the same law are one entry.
     #[must_use]
     pub fn spheres(&self) -> &[Spheres] {
         &self.spheres
     }
 
-    /// The radius lengths are compared with: √(Σ R_i² / n), in m.
+    /// √(Σ R_i² / n), in m: the radius by which lengths are made dimensionless.
     #[must_use]
     pub fn reference_radius_m(&self) -> f64 {
         self.body().length_m
     }
 
-    /// Follows the body.
+    /// Computes the motion of the body from the release to the end of the duration.
     ///
     /// # Errors
-    /// [`DropError::Integration`] where the contact is too stiff for the duration; [`DropError::Domain`] where no
-    /// indentation carries the body weight.
+    /// [`DropError::Integration`] if the contact is too stiff for the duration; [`DropError::Domain`] if no indentation
+    /// carries the body weight.
     pub fn run(&self) -> Result<DropReport, DropError> {
         let body = self.body();
         let record = motion::integrate(&body, &self.values)?;
         DropReport::new(&body, &self.values, record)
     }
 
-    /// A drop test of these spheres under other conditions, which were checked before.
+    /// A drop test of the same spheres with other values, which are known to be valid.
     fn with_checked_values(&self, values: DropValues) -> Self {
         Self { values, spheres: self.spheres.clone() }
     }
@@ -112,7 +112,7 @@ impl DropTest {
     }
 }
 
-/// Merges spheres of the same law into one entry.
+/// Makes one entry of all spheres with the same law.
 fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Spheres>, DomainError> {
     let mut groups: Vec<Spheres> = Vec::new();
     for one in spheres {
@@ -130,9 +130,9 @@ fn group_by_law(spheres: impl IntoIterator<Item = Spheres>) -> Result<Vec<Sphere
 pub struct Sample {
     /// Time since the release, in s.
     pub time_s: f64,
-    /// Height of the spheres' bottoms above the ground, in m; below 0 in contact, where it is −x.
+    /// Height of the spheres' bottoms above the ground, in m; in contact it is −x, below 0.
     pub height_m: f64,
-    /// Rate of the height, in m/s; below 0 while falling.
+    /// Rate of the height, in m/s; negative while the body falls.
     pub speed_m_s: f64,
     /// Normal force of all spheres, in N.
     pub force_n: f64,
@@ -144,17 +144,17 @@ pub struct Sample {
 pub struct FirstContact {
     /// Time at which the bottoms reach the ground, in s.
     pub start_s: f64,
-    /// Speed of the bottoms at that moment, in m/s: the ẋ⁻ of (13).
+    /// Speed of the bottoms at `start_s`, in m/s: the ẋ⁻ of (13).
     pub impact_speed_m_s: f64,
-    /// The end of this contact; `None` if the body never leaves the ground again.
+    /// The lift-off at the end of the first contact; `None` if the body does not leave the ground again.
     pub end: Option<LiftOff>,
-    /// Restitution of an impact without gravity at this speed, by the law itself.
+    /// Restitution of an impact without gravity at the impact speed, by the exact equation of the law; without unit.
     pub restitution_exact: f64,
-    /// Restitution of that impact by the approximation (13); `None` if the result is below 0.
+    /// Restitution of the same impact by the approximation (13), without unit; `None` if (13) gives less than 0.
     pub restitution_approximate: Option<f64>,
 }
 
-/// How a contact ends: the body leaves the ground.
+/// The lift-off at the end of a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct LiftOff {
@@ -170,21 +170,22 @@ pub struct LiftOff {
 pub struct DropReport {
     /// The motion, at equal steps of time.
     pub series: Vec<Sample>,
-    /// FallingBody weight M g, in N.
+    /// Body weight M g, in N.
     pub body_weight_n: f64,
-    /// The radius lengths are compared with, √(Σ R_i² / n), in m.
+    /// √(Σ R_i² / n), in m: the radius by which lengths are made dimensionless.
     pub reference_radius_m: f64,
-    /// The time times are compared with, √(R / g), in s.
+    /// √(R / g), in s: the time by which times are made dimensionless.
     pub reference_time_s: f64,
     /// Indentation x at the end of the series, in m.
     pub final_indentation_m: f64,
-    /// Indentation at rest by the Hertz law (11), in m.
+    /// Indentation at equilibrium under body weight by the Hertz law (11), in m.
     pub hertz_indentation_m: f64,
-    /// Indentation at rest by the laws themselves, in m; below 0 where smoothing holds the body above the ground.
+    /// Indentation at equilibrium under body weight by the contact laws, in m; negative if a smoothed force holds the body
+    /// above the ground.
     pub equilibrium_indentation_m: f64,
-    /// Stiffness of one sphere (their mean) at rest by the Hertz law (B.1), in N/m.
+    /// Mean stiffness of a sphere at the equilibrium of the Hertz law (B.1), in N/m.
     pub hertz_stiffness_n_m: f64,
-    /// Stiffness of one sphere (their mean) at rest by the laws themselves, (C.9) at ẋ = 0 for a smoothed one, in N/m.
+    /// Mean stiffness of a sphere at the equilibrium of the contact laws, in N/m; (C.9) at ẋ = 0 for a smoothed law.
     pub equilibrium_stiffness_n_m: f64,
     /// The largest normal force of all spheres, in N.
     pub peak_force_n: f64,
@@ -212,7 +213,7 @@ impl DropReport {
         })
     }
 
-    /// Largest normal force over body weight.
+    /// Largest normal force divided by body weight, without unit.
     #[must_use]
     pub fn peak_force_bw(&self) -> f64 {
         self.peak_force_n / self.body_weight_n
@@ -250,21 +251,21 @@ fn series(body: &FallingBody<'_>, values: &DropValues, record: Record) -> Vec<Sa
     record.states.into_iter().enumerate().map(sample).collect()
 }
 
-/// How far two drops lie apart, each in its own dimensionless form.
+/// The largest differences between two drops in dimensionless form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Difference {
-    /// Largest difference of height / R.
+    /// Largest difference of height / R, without unit.
     pub height: f64,
-    /// Largest difference of force / (M g).
+    /// Largest difference of force / (M g), without unit.
     pub force: f64,
-    /// The dimensionless time t / √(R/g) to which both were followed.
+    /// The dimensionless time t / √(R/g) up to which both drops were compared.
     pub until: f64,
 }
 
-/// The largest differences of two drops at equal dimensionless times, up to the end of the shorter one.
+/// The largest differences between two drops at equal dimensionless times, up to the end of the shorter drop.
 ///
-/// Both are run again on common dimensionless times, with the larger number of samples.
+/// Both drops are computed again at common dimensionless times, with the larger of the two numbers of samples.
 ///
 /// # Errors
 /// As [`DropTest::run`].

@@ -1,4 +1,4 @@
-//! The conditions of a drop test, its body, and the integration of its motion.
+//! The values of a drop test, the falling body, and the integration of its motion.
 
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, solve_ode};
@@ -6,29 +6,29 @@ use differential_equations::prelude::{ControlFlag, Error, Interpolation, Solout,
 
 use crate::{DomainError, Law, Spheres};
 
-/// The conditions of a drop test, by name and not yet checked.
+/// The values of a drop test, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DropValues {
-    /// FallingBody mass M, in kg.
+    /// Body mass M, in kg.
     pub mass_kg: f64,
     /// Gravity g, in m/s².
     pub gravity_m_s2: f64,
     /// Height of the spheres' bottoms above the ground at the start, in m.
     pub height_m: f64,
-    /// How long to follow the body, in s.
+    /// Duration of the computed motion, in s.
     pub duration_s: f64,
-    /// Points of the series, both ends included.
+    /// Number of samples in the series, with both ends.
     pub samples: usize,
 }
 
-/// Why a drop test has no result.
+/// The reason why a drop test has no result.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DropError {
     /// A number is outside its domain.
     #[error(transparent)]
     Domain(#[from] DomainError),
-    /// The integration did not get through: the contact is too stiff or too dissipative for its duration.
+    /// The integration failed: the contact is too stiff or too dissipative for the duration.
     #[error(
         "the drop could not be followed past {time_s:?} s, expected a softer contact or a shorter duration"
     )]
@@ -38,15 +38,15 @@ pub enum DropError {
     },
 }
 
-/// A body on its spheres, with the length, time and force that make its motion dimensionless.
+/// A body with spheres, and the length, time and force by which its motion is made dimensionless.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FallingBody<'a> {
     pub(super) spheres: &'a [Spheres],
-    /// M g, in N.
+    /// Body weight M g, in N.
     pub(super) weight_n: f64,
-    /// L = √(Σ R_i² / n), in m.
+    /// Reference length L = √(Σ R_i² / n), in m.
     pub(super) length_m: f64,
-    /// √(L / g), in s.
+    /// Reference time √(L / g), in s.
     pub(super) time_s: f64,
 }
 
@@ -58,7 +58,7 @@ impl<'a> FallingBody<'a> {
         Self { spheres, weight_n: mass_kg * gravity_m_s2, length_m, time_s: (length_m / gravity_m_s2).sqrt() }
     }
 
-    /// √(g L), in m/s.
+    /// Reference speed √(g L), in m/s.
     pub(super) fn speed_m_s(&self) -> f64 {
         self.length_m / self.time_s
     }
@@ -68,12 +68,12 @@ impl<'a> FallingBody<'a> {
         self.spheres.iter().map(|s| s.force(indentation_m, speed_m_s)).sum()
     }
 
-    /// Normal force over body weight, from the dimensionless state.
+    /// Normal force of all spheres divided by body weight, from the dimensionless state.
     pub(super) fn force(&self, state: [f64; 2]) -> f64 {
         self.force_n(state[0] * self.length_m, state[1] * self.speed_m_s()) / self.weight_n
     }
 
-    /// Normal force over body weight of the spheres with a smoothed law, which act before contact too.
+    /// Normal force divided by body weight of the spheres with a smoothed law, which have a force before contact, too.
     fn flight_force(&self, state: [f64; 2]) -> f64 {
         let smooth = self.spheres.iter().filter(|s| matches!(s.law(), Law::Smooth(_)));
         let (x, rate) = (state[0] * self.length_m, state[1] * self.speed_m_s());
@@ -86,8 +86,8 @@ impl<'a> FallingBody<'a> {
         self.spheres.iter().map(|s| s.count() * quantity(s)).sum::<f64>() / count
     }
 
-    /// The α of all spheres together: at one x their forces add up to one Hunt–Crossley law with the mean of
-    /// α_i weighted by √R_i E*_i, as long as none is held at 0.
+    /// The common α of all spheres, in s/m. At equal x their forces add up to one Hunt–Crossley law; its α is the mean of α_i
+    /// with the weights √R_i E*_i, while no force is limited to 0.
     pub(super) fn dissipation(&self) -> f64 {
         let strength = |s: &Spheres| s.count() * s.law().hertz().coefficient();
         let all: f64 = self.spheres.iter().map(strength).sum();
@@ -100,32 +100,34 @@ impl<'a> FallingBody<'a> {
 // The Hertz force is only once differentiable where contact begins. There the integration stops, on the point
 // itself, and starts again; in between the motion is smooth.
 
-/// Indentation and its rate, dimensionless.
+/// The dimensionless state: indentation and its rate.
 pub(super) type DepthAndSpeed = [f64; 2];
 
-/// Local error bounds. Its dense output, not its steps, limits the method: at 1e-11 and 1e-12 the series of the
-/// 62 kg human is off by 1.1e-8 R, at 3e-13 and 3e-14 by 6e-10 R (tests/scaling/drop_test.rs), in 0.5 ms instead of 0.3.
+/// Relative bound of the local error. Not the steps, but the interpolation within them limits the accuracy: with the bounds 1e-11
+/// and 1e-12, the series of the 62 kg human has an error of 1.1e-8 R; with 3e-13 and 3e-14 of 6e-10 R
+/// (`tests/scaling/drop_test.rs`), in 0.5 ms instead of 0.3.
 const RELATIVE_TOLERANCE: f64 = 3e-13;
 const ABSOLUTE_TOLERANCE: f64 = 3e-14;
-/// Steps between two contact events; the paper's drops take some hundreds.
+/// The largest number of steps between two contact events; the paper's drops need some hundreds.
 const MOST_STEPS: usize = 1_000_000;
-/// Contact events of one drop.
+/// The largest number of contact events in one drop.
 const MOST_CONTACT_EVENTS: usize = 100_000;
-/// Points of a step at which the force is computed to find its peak.
+/// Number of points of a step at which the force is computed to find its peak.
 const PEAK_SAMPLES: u32 = 8;
-/// By this share of the largest force all points of a step may be below it, and the step is still searched for a larger one.
+/// A step is searched for a larger force if its largest computed force is at most this share below the largest force so far.
 const PEAK_MARGIN: f64 = 1e-3;
 
-/// The moments that are recorded during a drop, dimensionless.
+/// The dimensionless states and events that are recorded during a drop.
 #[derive(Debug, Default)]
 pub(super) struct Record {
     pub(super) states: Vec<DepthAndSpeed>,
     pub(super) peak_force: f64,
-    /// Times and speeds at which x = 0 was crossed, first downwards, then in turn.
+    /// Dimensionless times and speeds at the crossings of x = 0; the first crossing is downwards, then the direction
+    /// alternates.
     pub(super) crossings: Vec<(f64, f64)>,
 }
 
-/// Integrates the motion of the body, which starts at rest at its height.
+/// Integrates the motion of the body from its release at speed 0.
 pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<Record, DropError> {
     let end = values.duration_s / body.time_s;
     let mut state = [-values.height_m / body.length_m, 0.0];
@@ -169,7 +171,7 @@ fn time_reached(error: &Error<f64, DepthAndSpeed>, start: f64) -> f64 {
     }
 }
 
-/// The equation of motion. In flight only smoothed forces act, even where a stage reaches into the ground.
+/// The equation of motion. In flight only smoothed forces act, even if a stage of the integrator is below the ground.
 struct Fall<'a> {
     body: &'a FallingBody<'a>,
     contact: bool,
@@ -182,7 +184,7 @@ impl ODE<f64, DepthAndSpeed> for Fall<'_> {
     }
 }
 
-/// Watches the steps: fills the series, finds the peak force and the crossings of x = 0.
+/// Observes the steps of the integrator: records samples, the peak force and the crossings of x = 0.
 struct DropObserver<'a> {
     body: &'a FallingBody<'a>,
     record: Record,
@@ -193,20 +195,21 @@ struct DropObserver<'a> {
 }
 
 impl DropObserver<'_> {
-    /// Dimensionless time of the next sample, if one is still missing.
+    /// Dimensionless time of the next sample; `None` if all samples are recorded.
     fn next_sample(&self) -> Option<f64> {
         let next = self.record.states.len();
         (next < self.samples).then(|| self.end * (next as f64 / (self.samples - 1) as f64))
     }
 
-    /// Fills what is missing for the last rounding error of the end.
+    /// Records the last samples if the integration ends earlier by a rounding error.
     fn finish(mut self, last: DepthAndSpeed) -> Record {
         self.record.states.resize(self.samples, last);
         self.record
     }
 
-    /// Computes the force at points of a step. Where one is nearly as large as the peak so far, a search between its neighbours follows: of
-    /// a step that begins just before the peak, every later point is below the end of the step before.
+    /// Computes the force at some points of a step. If the largest of them is nearly as large as the peak so far, the maximum
+    /// between its neighbours is searched: if a step begins just before the peak, the forces at its later points can all be
+    /// smaller than the peak.
     fn find_peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<DepthAndSpeed>) {
         let width = (to - from) / f64::from(PEAK_SAMPLES);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
@@ -225,7 +228,7 @@ impl DropObserver<'_> {
     }
 }
 
-/// The largest value of a function that has one maximum.
+/// The largest value of `f` between `low` and `high`; `f` has one maximum there.
 fn golden_section_maximum(mut low: f64, mut high: f64, f: &mut impl FnMut(f64) -> f64) -> f64 {
     const GOLDEN_SHARE: f64 = 0.618_033_988_749_894_9;
     let (mut a, mut b) = (high - GOLDEN_SHARE * (high - low), low + GOLDEN_SHARE * (high - low));
@@ -289,7 +292,7 @@ impl Solout<f64, DepthAndSpeed> for DropObserver<'_> {
     }
 }
 
-/// Time and speed at which x changes its sign between two times, to the last bit of the time.
+/// Time and speed at which x changes its sign between two times; the time is exact to the last bit.
 fn crossing(
     before: f64,
     now: f64,

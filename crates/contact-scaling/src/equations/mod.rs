@@ -1,6 +1,6 @@
-//! A register of every equation: number, formula, symbols with units, and where it comes from.
+//! A register of all equations: number, formula, symbols with units, and source.
 //!
-//! The functions of this crate compute; the register says what they compute, for help texts and reports. A test compares it
+//! The functions of this crate compute; the register has their formulas for help texts and reports. A test compares the register
 //! with `docs/reference/equations.md`, formula by formula.
 //!
 //! ```
@@ -21,12 +21,12 @@ use crate::equations::symbols::{
 };
 pub use symbols::{Equation, Form, Symbol};
 
-/// Every equation, in the order of the paper, then those beyond it.
+/// All equations: first those of the paper in its order, then further ones.
 pub fn all() -> impl Iterator<Item = &'static Equation> {
     [paper::LAWS, paper::SURFACES, paper::STIFFNESS, paper::SMOOTH, BEYOND_PAPER].into_iter().flatten()
 }
 
-/// The equation with this number or name: `10`, `(10)`, `C.5`, `eq. (C.5)`, `exact`.
+/// The equation with this number or name, such as `10`, `(10)`, `C.5`, `eq. (C.5)`, `exact`; `None` if there is none.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Equation> {
     let name = normalised_name(name);
@@ -35,7 +35,7 @@ pub fn find(name: &str) -> Option<&'static Equation> {
     })
 }
 
-/// How a text refers to the equation of this label: numbers of the paper are in brackets, as there.
+/// The text that refers to the equation with this label: numbers of the paper are in brackets, as in the paper.
 ///
 /// ```
 /// use contact_scaling::equations::reference;
@@ -47,7 +47,7 @@ pub fn reference(label: &str) -> String {
     if is_number { format!("({label})") } else { label.to_owned() }
 }
 
-/// A name without brackets, blanks, full stops and the word "equation"; a hyphen stays, for codes of warnings have one.
+/// A name without brackets, blanks, full stops and the word "equation". Hyphens stay, because codes of warnings contain hyphens.
 fn normalised_name(name: &str) -> String {
     let letters: String = name.to_lowercase().chars().filter(|&c| c.is_alphanumeric() || c == '-').collect();
     let number = letters.strip_prefix("equation").or_else(|| letters.strip_prefix("eq"));
@@ -148,7 +148,7 @@ mod tests {
     use super::{all, find, normalised_name};
 
     #[test]
-    fn every_name_means_one_equation() {
+    fn every_name_belongs_to_one_equation() {
         let mut seen = BTreeSet::new();
         for equation in all() {
             for name in std::iter::once(&equation.label).chain(equation.aliases) {
@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_found_however_they_are_written() {
+    fn equations_are_found_by_all_forms_of_their_numbers() {
         for name in ["C.10", "(C.10)", "c10", "Eq. (C.10)", "equation C.10"] {
             assert_eq!(find(name).unwrap().label, "C.10", "{name}");
         }
@@ -167,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn every_symbol_of_an_equation_stands_in_its_formulas() {
+    fn every_symbol_of_an_equation_is_in_its_formulas() {
         for equation in all() {
             assert!(!equation.title.is_empty() && !equation.source.is_empty() && !equation.forms.is_empty());
             let formulas: String = equation.forms.iter().map(|form| form.formula).collect();

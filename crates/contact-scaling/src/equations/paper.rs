@@ -1,4 +1,4 @@
-//! The equations of the paper: force laws and how they scale, then its appendices A to C.
+//! The equations of the paper: force laws and their scaling, then its appendices A to C.
 
 use crate::equations::symbols::{
     ALPHA, ALPHA_1, ALPHA_2, B_V, B_X, BD, BV, C_R, CF, E, E_1, E_2, E_A, E_B, ETA, Equation, F, F_C,

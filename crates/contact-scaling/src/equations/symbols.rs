@@ -1,4 +1,4 @@
-//! An equation and its symbols, as the register has them.
+//! The types of the register of equations, and all symbols.
 #![allow(missing_docs, reason = "each constant says what it is")]
 
 /// A symbol of an equation, with its meaning and unit.
@@ -6,7 +6,7 @@
 pub struct Symbol {
     /// The symbol as it is written in the formulas.
     pub symbol: &'static str,
-    /// Meaning of the symbol; OpenSim's property name is in it where it has one.
+    /// Meaning of the symbol, with OpenSim's property name if there is one.
     pub meaning: &'static str,
     /// SI unit; `1` for a pure number.
     pub unit: &'static str,
@@ -113,18 +113,18 @@ pub const U_V: Symbol = symbol("viscous_friction", "friction that grows with sli
 
 // One equation, as the register has it.
 
-/// An equation, perhaps in several forms.
+/// An equation in one or several forms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Equation {
-    /// The paper's number without brackets (`10`, `C.5`), or a name where the paper has no number.
+    /// The paper's number without brackets (`10`, `C.5`), or a name if the paper has no number.
     pub label: &'static str,
     /// Other names under which the equation is found.
     pub aliases: &'static [&'static str],
-    /// What the equation says, in a few words.
+    /// Content of the equation in a few words.
     pub title: &'static str,
-    /// The equation as printed first, then solved for something else or between two bodies.
+    /// The printed form first, then forms that are solved for another symbol or hold between two bodies.
     pub forms: &'static [Form],
-    /// Every symbol of the formulas.
+    /// All symbols in the formulas.
     pub symbols: &'static [Symbol],
     /// Source of the equation: the paper's section, or another publication.
     pub source: &'static str,
@@ -133,13 +133,14 @@ pub struct Equation {
 /// A way to write an equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Form {
-    /// What sets the form apart, such as `for x`; empty for the first form.
+    /// The difference from the first form, such as `for x`; empty for the first form.
     pub variant: &'static str,
     /// The formula in Unicode.
     pub formula: &'static str,
-    /// The function of this crate that computes it, as `Type::name` or `module::name`; empty for a step of a derivation.
+    /// The function of this crate that computes the form, as `Type::name` or `module::name`; empty for a step of a
+    /// derivation.
     pub function: &'static str,
-    /// Unit of the result; `1` for a pure number, empty where nothing is computed.
+    /// Unit of the result; `1` for a pure number, empty if no function computes it.
     pub unit: &'static str,
 }
 

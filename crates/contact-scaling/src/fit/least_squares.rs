@@ -1,10 +1,10 @@
-//! The model of a fit and its solutions: in closed form, or by Levenberg–Marquardt where the onset is unknown.
+//! The model of a fit and its solutions: in closed form, or by Levenberg–Marquardt if the onset of contact is not known.
 
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSide, MPSuccess};
 
 use super::measurement::{FitError, Parameter, Point};
 
-/// The parameters that are fitted, and the factor K = n 4/3 √R.
+/// The choice of fitted parameters, and the factor K = n 4/3 √R (`gain`).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FitModel {
     pub(super) gain: f64,
@@ -12,7 +12,7 @@ pub(super) struct FitModel {
     pub(super) with_onset: bool,
 }
 
-/// Values of the parameters; E* α instead of α, so that the force is linear in both.
+/// Values of the parameters. It has the product E* α instead of α, because the force is linear in E* and E* α.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Parameters {
     pub(super) modulus: f64,
@@ -34,18 +34,18 @@ impl FitModel {
         names
     }
 
-    /// K u^(3/2), by which E* is multiplied.
+    /// K u^(3/2), the factor of E* in the force; u is the indentation from the onset.
     pub(super) fn elastic(&self, point: &Point, onset: f64) -> f64 {
         let u = (point.indentation - onset).max(0.0);
         self.gain * (u * u.sqrt())
     }
 
-    /// K 3/2 u^(3/2) ẋ, by which E* α is multiplied.
+    /// K 3/2 u^(3/2) ẋ, the factor of E* α in the force; u is the indentation from the onset.
     pub(super) fn dissipative(&self, point: &Point, onset: f64) -> f64 {
         self.elastic(point, onset) * (1.5 * point.speed)
     }
 
-    /// ∂F/∂x₀ = −3/2 K √u (E* + E* α 3/2 ẋ).
+    /// Derivative of the force by the onset, ∂F/∂x₀ = −3/2 K √u (E* + E* α 3/2 ẋ).
     fn onset_slope(&self, p: &Parameters, point: &Point) -> f64 {
         let u = (point.indentation - p.onset).max(0.0);
         -1.5 * self.gain * u.sqrt() * (p.modulus + p.modulus_dissipation * (1.5 * point.speed))
@@ -55,7 +55,7 @@ impl FitModel {
         p.modulus * self.elastic(point, p.onset) + p.modulus_dissipation * self.dissipative(point, p.onset)
     }
 
-    /// ∂F by E*, α and x₀, those that are fitted.
+    /// Derivatives of the force by the fitted ones of E*, α and x₀.
     pub(super) fn gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
         let alpha = p.dissipation();
         let (elastic, dissipative) = (self.elastic(point, p.onset), self.dissipative(point, p.onset));
@@ -68,10 +68,10 @@ impl FitModel {
 
 // The closed form where the onset is known: F is linear in E* and E* α.
 
-/// How far from 1 the correlation of the two columns must be.
+/// Smallest sine of the angle between the elastic and the dissipative column for which E* and α can be distinguished.
 const SMALLEST_ANGLE: f64 = 1e-6;
 
-/// The parameters of least squares for this onset.
+/// The least-squares parameters for a known onset.
 pub(super) fn solve_with_known_onset(
     model: &FitModel,
     points: &[Point],
@@ -105,13 +105,13 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 // The search where the onset is not known: a coarse scan, then Levenberg–Marquardt on all parameters.
 
-/// Onsets tried before the search, over the range of the indentation.
+/// Number of onsets that are tried before the search, over the range of the indentation.
 const SCAN: u32 = 64;
 
-/// The parameters of least squares with a fitted onset.
+/// The least-squares parameters with a fitted onset.
 pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
     let (low, high) = range(points, |p| p.indentation);
-    let start = scan(model, points, low, high)?;
+    let start = best_of_tried_onsets(model, points, low, high)?;
     let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
     let length = high - low;
     let sum = |p: &Parameters| points.iter().map(|at| (at.force - model.force(p, at)).powi(2)).sum::<f64>();
@@ -129,8 +129,13 @@ pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Par
     solve_with_known_onset(model, points, onset)
 }
 
-/// The best of some onsets, each with its closed form.
-fn scan(model: &FitModel, points: &[Point], low: f64, high: f64) -> Result<Parameters, FitError> {
+/// The best of some onsets, each with its closed-form parameters.
+fn best_of_tried_onsets(
+    model: &FitModel,
+    points: &[Point],
+    low: f64,
+    high: f64,
+) -> Result<Parameters, FitError> {
     let needed = model.names().len() + 1;
     if points.len() < needed {
         return Err(FitError::TooFewPoints { found: points.len(), needed });
@@ -162,7 +167,7 @@ fn range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(value(p)), high.max(value(p))))
 }
 
-/// The problem as rmpfit takes it; every unknown is near 1.
+/// The problem in the form of the library `rmpfit`; the unknowns are scaled to be near 1.
 struct Search<'a> {
     model: &'a FitModel,
     points: &'a [Point],
@@ -274,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn one_speed_does_not_tell_dissipation_from_stiffness() {
+    fn one_speed_does_not_distinguish_dissipation_from_stiffness() {
         let error = solve_with_known_onset(&MODEL, &points(|_| 0.2), 0.0).unwrap_err();
         assert_eq!(error, FitError::Undetermined { parameter: "dissipation" });
         assert!(solve_with_known_onset(&MODEL, &points(|_| 0.0), 0.0).is_err());

@@ -1,66 +1,66 @@
-//! Measurements, how they are to be fitted, and the points that a fit uses.
+//! Measurements, the options of a fit, and the points that a fit uses.
 
 use crate::DomainError;
 
 /// Measured indentations, speeds and forces, one value per row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measurement<'a> {
-    /// Indentation x, in m; the zero may be anywhere if the onset is fitted.
+    /// Indentation x, in m; its zero is arbitrary if the onset is fitted.
     pub indentation_m: &'a [f64],
-    /// Force of all spheres together, in N; above 0 where they are pressed.
+    /// Force of all spheres together, in N; positive when they are compressed.
     pub force_n: &'a [f64],
-    /// How fast the indentation changes, if that is known. Without it α is not fitted.
+    /// The rate of the indentation, if known. Without a rate, α is not fitted.
     pub rate: Rate<'a>,
 }
 
-/// How fast the indentation changes.
+/// The rate of the indentation, or the times from which it follows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Rate<'a> {
-    /// The rate is not known: the force is taken as the elastic one.
+    /// The rate is not known: the whole force counts as elastic.
     Unknown,
-    /// ẋ, in m/s, positive while going in.
+    /// ẋ, in m/s; positive while the indentation grows.
     Speed(&'a [f64]),
-    /// Time, in s, rising from row to row; ẋ is taken from it by differences over three rows.
+    /// Time, in s, which must rise from row to row; ẋ is computed from it by differences over three rows.
     Time(&'a [f64]),
 }
 
-/// The indentation at which contact begins: given, or to be fitted; exhaustive, so that a match on it is complete.
+/// The indentation at which contact begins: given, or fitted. The enum is exhaustive, so that a match covers all cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Onset {
     /// Contact begins at this indentation, in m: usually 0.
     At(f64),
-    /// The onset is not known, and fitted.
+    /// The onset is not known and is fitted.
     Fitted,
 }
 
-/// The part of the measurement to fit: one way, the other, or both; there is no fourth.
+/// The part of the measurement to fit: loading, unloading, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Branch {
     /// Both branches of the measurement.
     Both,
-    /// Going in: ẋ ≥ 0, or the rows up to the deepest where no rate is known.
+    /// Loading: rows with ẋ ≥ 0; without a rate, rows up to the largest indentation.
     Loading,
-    /// Coming out: ẋ < 0, or the rows after the deepest where no rate is known.
+    /// Unloading: rows with ẋ < 0; without a rate, rows after the largest indentation.
     Unloading,
 }
 
-/// Numbers that a fit needs, by name and not yet checked.
+/// The numbers and options of a fit, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FitValues {
     /// Sphere radius R, in m.
     pub radius_m: f64,
-    /// Spheres n that share the force.
+    /// Number n of spheres that share the force.
     pub sphere_count: f64,
-    /// The indentation at which contact begins.
+    /// The onset of contact: given, or fitted.
     pub onset: Onset,
     /// The part of the measurement to fit.
     pub branch: Branch,
 }
 
-/// A fitted parameter, in the order of the covariance.
+/// A fitted parameter; the covariance has the parameters in this order.
 ///
-/// Exhaustive: code that writes the covariance needs a name for each row, and a new parameter must not go without one.
+/// The enum is exhaustive, because code that writes the covariance needs a name for each row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
     /// Composite modulus E*, in N/m².
@@ -83,7 +83,7 @@ impl Parameter {
     }
 }
 
-/// Why a measurement has no fit. Rows count from 0.
+/// The reason why a measurement has no fit. Rows are numbered from 0.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FitError {
@@ -95,12 +95,12 @@ pub enum FitError {
     Lengths {
         /// Name of the column.
         column: &'static str,
-        /// Rows of the measurement.
+        /// Number of rows of the column.
         rows: usize,
-        /// The rows of the indentation.
+        /// Number of rows of the indentation.
         expected: usize,
     },
-    /// A value is not a number, or infinite.
+    /// A value is not a finite number.
     #[error("{column} in row {row} is {value:?}, expected a finite number")]
     NotFinite {
         /// Name of the column.
@@ -121,10 +121,10 @@ pub enum FitError {
     TooFewPoints {
         /// The number of rows in contact.
         found: usize,
-        /// Rows the fit needs: one more than it has parameters.
+        /// Smallest number of rows for the fit: the number of parameters plus one.
         needed: usize,
     },
-    /// The data do not determine all parameters: for α, speeds must vary.
+    /// The data do not determine all parameters. For α, the speed must differ between rows.
     #[error("the data do not determine {parameter}, expected rows that differ in it")]
     Undetermined {
         /// Name of the parameter.
@@ -135,7 +135,7 @@ pub enum FitError {
         "the composite modulus comes out as {value:?} N/m2, expected a force that rises with the indentation"
     )]
     NoStiffness {
-        /// The modulus that came out.
+        /// The computed composite modulus, in N/m².
         value: f64,
     },
     /// Every row in contact has the same indentation.
@@ -146,21 +146,21 @@ pub enum FitError {
         /// The indentation, in m.
         indentation_m: f64,
     },
-    /// A constant force explains the data as well as the law does: R² is 0 or less, or the force never changes.
+    /// The law explains the data no better than a constant force: R² is 0 or less, or the measured force is constant.
     #[error(
         "the law explains the force no better than a constant does{}, expected a force that follows the indentation",
         r_squared_in_words(*r_squared)
     )]
     NoLaw {
-        /// R²; not finite where the force never changes.
+        /// R², without unit; not finite if the measured force is constant.
         r_squared: f64,
     },
-    /// The search for the onset did not come to an end.
+    /// The search for the onset did not converge.
     #[error("the search for the contact onset did not converge, expected data with a clear onset")]
     NotConverged,
 }
 
-/// A force that never changes has no R squared.
+/// R² in words for the message; a constant force has no R².
 fn r_squared_in_words(r_squared: f64) -> String {
     if r_squared.is_finite() {
         format!(" (R squared is {r_squared:?})")
@@ -177,11 +177,11 @@ pub(super) struct Point {
     pub(super) row: usize,
     pub(super) indentation: f64,
     pub(super) force: f64,
-    /// 0 where no rate is known.
+    /// Rate of the indentation, in m/s; 0 if the rate is not known.
     pub(super) speed: f64,
 }
 
-/// The rows of the branch that is to be fitted.
+/// The rows of the branch to fit, as points.
 pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<Vec<Point>, FitError> {
     let Measurement { indentation_m, force_n, rate } = measurement;
     check("indentation", indentation_m, indentation_m.len())?;
@@ -229,7 +229,7 @@ fn deepest_row(indentation: &[f64]) -> usize {
     (0..indentation.len()).fold(0, deeper)
 }
 
-/// ẋ at each row: the slope there of the parabola through it and its neighbours.
+/// ẋ at each row, in m/s: the slope of the parabola through the row and its two neighbours.
 fn speeds_from_times(indentation: &[f64], times: &[f64]) -> Result<Vec<f64>, FitError> {
     if let Some(row) = times.windows(2).position(|pair| pair[1] <= pair[0]) {
         return Err(FitError::TimeOrder { row });
@@ -274,7 +274,7 @@ mod tests {
     }
 
     #[test]
-    fn branches_are_told_by_speed_or_by_depth() {
+    fn branches_are_distinguished_by_speed_or_by_depth() {
         let x = [0.0, 1.0, 2.0, 1.0, 0.5];
         let rows = |rate, branch| {
             let points = collect(&Measurement { indentation_m: &x, force_n: &x, rate }, branch).unwrap();

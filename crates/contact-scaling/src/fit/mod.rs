@@ -1,8 +1,8 @@
 //! Contact parameters from measured indentation and force.
 //!
-//! The model is (1) with (12) on n equal spheres: F = n 4/3 √R E* (x − x₀)^(3/2) (1 + 3/2 α ẋ), and F = 0 before
-//! the onset x₀. Errors are taken to be in the force, independent and of equal size. Where the onset is known
-//! the model is linear in E* and E* α and solved in closed form; where it is not, by Levenberg–Marquardt.
+//! The model is (1) with (12) for n equal spheres: F = n 4/3 √R E* (x − x₀)^(3/2) (1 + 3/2 α ẋ), and F = 0 before the onset x₀.
+//! Errors are assumed in the force only, independent and of equal size. With a known onset, the model is linear in E* and E* α,
+//! and the solution has a closed form; with an unknown onset, it is found by Levenberg–Marquardt.
 //!
 //! ```
 //! use contact_scaling::fit::{Branch, FitValues, Measurement, Onset, Rate, fit};
@@ -27,13 +27,13 @@ use measurement::Point;
 pub use measurement::{Branch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
 pub use result::{Doubt, Estimate, Fit};
 
-/// Indentations that differ by less than this share are one.
+/// Indentations count as equal if they differ by less than this share of the largest distance from the onset.
 const SAME_INDENTATION: f64 = 1e-9;
 
 /// Fits the contact parameters to a measurement.
 ///
 /// # Errors
-/// [`FitError`] where the measurement is not well-formed or does not determine the parameters.
+/// [`FitError`] if the measurement is not valid, or does not determine the parameters.
 pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, FitError> {
     let radius = positive("sphere radius", values.radius_m)?;
     let count = at_least_one("sphere count", values.sphere_count)?;
@@ -52,12 +52,12 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
     if parameters.modulus <= 0.0 || !parameters.modulus.is_finite() {
         return Err(FitError::NoStiffness { value: parameters.modulus });
     }
-    several_indentations(&points, parameters.onset)?;
+    refuse_single_indentation(&points, parameters.onset)?;
     report(&model, &points, &parameters, radius)
 }
 
-/// Refuses a measurement of a single indentation: the curve of every law goes through one point.
-fn several_indentations(points: &[Point], onset: f64) -> Result<(), FitError> {
+/// Refuses a measurement at a single indentation, because every law goes through one point.
+fn refuse_single_indentation(points: &[Point], onset: f64) -> Result<(), FitError> {
     let touching = points.iter().map(|p| p.indentation).filter(|&indentation| indentation > onset);
     let (least, most) =
         touching.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), x| (x.min(least), x.max(most)));

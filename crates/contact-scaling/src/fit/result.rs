@@ -1,71 +1,72 @@
-//! Results of a fit: parameters, their uncertainty, and what the data leave in doubt.
+//! Results of a fit: parameters, their uncertainty, and the reasons to doubt them.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::least_squares::{FitModel, Parameters};
 use super::measurement::{FitError, Parameter, Point};
 
-/// Result of a fit: parameters, their uncertainty, and what the data leave in doubt.
+/// Result of a fit: parameters, their uncertainty, and the reasons to doubt them.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Fit {
     /// Fitted composite modulus E*, in N/m².
     pub composite_modulus: Estimate,
-    /// E₁* = 2^(3/2) E*, in N/m²: the `stiffness` to write.
+    /// Plane strain modulus E₁* = 2^(3/2) E*, in N/m²: the value for OpenSim's `stiffness`.
     pub plane_strain_modulus: Estimate,
-    /// α, in s/m; `None` where no rate is known. May come out below 0, which no file takes.
+    /// Dissipation α, in s/m; `None` if the rate is not known. It can be below 0, which no model file allows.
     pub dissipation: Option<Estimate>,
-    /// x₀, in m; `None` where it was given.
+    /// Onset of contact x₀, in m; `None` if it was given.
     pub onset_m: Option<Estimate>,
-    /// The parameters that rows and columns of the covariance belong to.
+    /// The parameters in the order of the rows and columns of the covariance.
     pub parameters: Vec<Parameter>,
     /// Covariance of the parameters, in their units.
     pub covariance: Vec<Vec<f64>>,
-    /// Why the result must not be taken as it is; empty where nothing speaks against it.
+    /// Reasons not to use the result as it is; empty if there are none.
     pub doubts: Vec<Doubt>,
-    /// Rows that were fitted, from 0.
+    /// Indices of the fitted rows, from 0.
     pub rows: Vec<usize>,
-    /// Measured less fitted force of these rows, in N.
+    /// Measured minus fitted force of the fitted rows, in N.
     pub residuals_n: Vec<f64>,
-    /// The number of rows less that of fitted parameters.
+    /// Number of fitted rows minus number of fitted parameters.
     pub degrees_of_freedom: usize,
     /// Standard deviation of the residuals, in N.
     pub residual_deviation_n: f64,
-    /// R²: the share of the force's variance that the model explains.
+    /// R², without unit: the share of the force's variance that the model explains.
     pub r_squared: f64,
-    /// The largest x̂ of these rows, from the onset.
+    /// The largest x̂ of the fitted rows, from the onset, without unit.
     pub largest_relative_indentation: f64,
-    /// Whether the largest indentation is within the Hertz law.
+    /// Whether the largest indentation is within the limit of the Hertz law.
     pub within_hertz_limit: bool,
-    /// The largest |ẋ| in contact, in m/s; `None` where no rate is known.
+    /// The largest |ẋ| in contact, in m/s; `None` if the rate is not known.
     pub largest_speed_m_s: Option<f64>,
-    /// Restitution by (13) at that speed; `None` also where (13) has none.
+    /// Restitution by (13) at the largest |ẋ|, without unit; `None` if the rate is not known, or if (13) has no result.
     pub restitution: Option<f64>,
-    /// Whether the largest rate is within the Hunt–Crossley law; `None` where no rate is known.
+    /// Whether the largest |ẋ| is within the limit of the Hunt–Crossley law; `None` if the rate is not known.
     pub within_hunt_crossley_limit: Option<bool>,
 }
 
-/// Below this R² the law explains less than half of what the force does.
+/// R² below which the law explains less than half of the force's variance.
 const LOW_R_SQUARED: f64 = 0.5;
 
-/// Residuals of less than this share of the largest force are those of calculated numbers.
+/// Residuals smaller than this share of the largest force are rounding errors: the data were calculated, not measured.
 const ROUNDING_OF_RESIDUALS: f64 = 1e-12;
 
-/// Why a result must not be taken as it is.
+/// A reason not to use a result as it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Doubt {
-    /// The law explains less than half of what the force does.
+    /// The law explains less than half of the force's variance.
     LowRSquared {
         /// Coefficient of determination R².
         r_squared: f64,
     },
-    /// The 95 % interval holds 0, or reaches below it where a value must be above: the data cannot distinguish the parameter from 0.
+    /// The 95 % interval of the parameter contains 0: the data cannot distinguish the parameter from 0.
     Undetermined {
         /// The doubtful parameter.
         parameter: Parameter,
     },
-    /// The fit has no residuals, as with calculated data: how sure the parameters are is not known, and their intervals are not numbers.
+    /// The fit has no residuals, as with calculated data: the uncertainty of the parameters is not known, and their intervals
+    /// are NaN.
     NoResiduals,
 }
 
@@ -81,13 +82,13 @@ impl Doubt {
     }
 }
 
-/// Whether nothing is left over but rounding.
+/// Whether all residuals are only rounding errors.
 pub(super) fn is_exact(residuals_n: &[f64], forces_n: impl Iterator<Item = f64>) -> bool {
     let most = forces_n.fold(0.0, |most: f64, force| most.max(force.abs()));
     residuals_n.iter().all(|residual| residual.abs() <= ROUNDING_OF_RESIDUALS * most)
 }
 
-/// Doubts about fitted parameters.
+/// The reasons to doubt fitted parameters; `exact` if the fit has no residuals.
 pub(super) fn doubts(
     r_squared: f64,
     exact: bool,
@@ -106,9 +107,9 @@ pub(super) fn doubts(
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Estimate {
-    /// The value of least squares.
+    /// The least-squares value.
     pub value: f64,
-    /// Standard error of the fitted parameter; not a number, as the interval, where nothing is left over that would show it.
+    /// Standard error of the value; NaN, as the interval, if the fit has no residuals.
     pub standard_error: f64,
     /// Lower end of the 95 % interval, by Student's t.
     pub low: f64,
@@ -132,14 +133,14 @@ impl Estimate {
     }
 }
 
-/// The t that holds 95 % of Student's distribution between −t and t.
+/// The value t with 95 % of Student's distribution between −t and t.
 pub(super) fn student_95(degrees_of_freedom: usize) -> Result<f64, FitError> {
     let student = StudentsT::new(0.0, 1.0, degrees_of_freedom as f64)
         .map_err(|_| FitError::TooFewPoints { found: degrees_of_freedom, needed: 1 })?;
     Ok(student.inverse_cdf(0.975))
 }
 
-/// s² (JᵀJ)⁻¹, with J the slopes of the force by the parameters.
+/// Covariance s² (JᵀJ)⁻¹; J has the derivatives of the force by the parameters.
 pub(super) fn covariance(
     model: &FitModel,
     points: &[Point],
@@ -170,7 +171,7 @@ pub(super) fn covariance(
     Ok((0..size).map(|i| (0..size).map(|j| entry(i, j)).collect()).collect())
 }
 
-/// Inverse of a small positive definite matrix, by Gauss–Jordan; the row that depends on others if there is one.
+/// Inverse of a small positive definite matrix, by Gauss–Jordan; the error is the index of a row that depends on other rows.
 fn inverse(mut matrix: Vec<Vec<f64>>) -> Result<Vec<Vec<f64>>, usize> {
     let size = matrix.len();
     for (i, row) in matrix.iter_mut().enumerate() {
@@ -212,7 +213,7 @@ mod tests {
     }
 
     #[test]
-    fn inverse_of_a_matrix_and_its_absence() {
+    fn a_regular_matrix_has_an_inverse_and_a_singular_one_has_none() {
         let inverse_of = inverse(vec![vec![1.0, 0.5], vec![0.5, 1.0]]).unwrap();
         assert!((inverse_of[0][0] - 4.0 / 3.0).abs() < 1e-15);
         assert!((inverse_of[0][1] + 2.0 / 3.0).abs() < 1e-15);

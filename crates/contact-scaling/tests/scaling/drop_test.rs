@@ -1,4 +1,4 @@
-//! Drop tests against another integrator, exact results, and each other (Fig. 4).
+//! Tests of drop tests against another integrator, exact results, and each other (Fig. 4).
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -7,10 +7,10 @@ use contact_scaling::{
     Contact, ContactValues, Law, Ratios, Scale, SmoothingValues, Spheres, restitution, table1,
 };
 
-/// Largest error of the series over its range.
-const SERIES: f64 = 1e-8;
+/// Largest allowed error of a series, divided by its range.
+const SERIES_TOLERANCE: f64 = 1e-8;
 
-/// A row of Table 1.
+/// The scale of the animal in row `animal` of Table 1.
 fn scale_of_animal(animal: usize) -> Scale {
     table1::animals().nth(animal).unwrap().scale()
 }
@@ -20,7 +20,7 @@ fn contact(plane_strain_modulus: f64, dissipation: f64, smooth: bool) -> Contact
     Contact::new(ContactValues { plane_strain_modulus, dissipation, smoothing }).unwrap()
 }
 
-/// The base contact on an animal: E₁* scaled by (10), α and smoothing scaled or not.
+/// The contact of the human, scaled to an animal: E₁* by (10); α and smoothing are scaled only if `all` is true.
 fn contact_of_animal(animal: usize, smooth: bool, all: bool) -> Contact {
     let ratios = Ratios::between(&scale_of_animal(0), &scale_of_animal(animal)).unwrap();
     let base = contact(1e6, 2.0, smooth);
@@ -57,7 +57,7 @@ fn assert_follows(name: &str, report: &DropReport) {
         assert!((sample.time_s - time).abs() < 1e-14);
         worst = worst.max((sample.height_m + x).abs() / range);
     }
-    assert!(worst < SERIES, "{name}: {worst:e}");
+    assert!(worst < SERIES_TOLERANCE, "{name}: {worst:e}");
 }
 
 #[test]
@@ -68,7 +68,7 @@ fn series_agree_with_another_integrator() {
 }
 
 #[test]
-fn every_animal_of_table_1_comes_to_rest_where_it_should() {
+fn every_animal_of_table_1_has_the_final_indentation_of_opensim() {
     for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
         for all in [true, false] {
             let report = drop_of_animal(animal, &contact_of_animal(animal, false, all)).run().unwrap();
@@ -90,7 +90,7 @@ fn every_animal_of_table_1_comes_to_rest_where_it_should() {
 }
 
 #[test]
-fn animals_with_scaled_contacts_fall_alike() {
+fn animals_with_scaled_contacts_have_the_same_dimensionless_fall() {
     for smooth in [false, true] {
         let human = drop_of_animal(0, &contact_of_animal(0, smooth, true));
         for (animal, name) in table1::animals().map(|animal| animal.taxon()).enumerate() {
@@ -195,7 +195,7 @@ fn spheres_of_different_radii_and_laws_share_the_load() {
 }
 
 #[test]
-fn force_and_motion_belong_together() {
+fn force_and_acceleration_satisfy_the_equation_of_motion() {
     // M v = ∫ (M g − F) dt at every sample, by the trapezoidal rule; both laws, and both in one body.
     let hard = Law::of(&contact(2e6, 0.5, false), 0.02).unwrap();
     let soft = Law::of(&contact(2e5, 1.0, true), 0.05).unwrap();
@@ -240,7 +240,8 @@ fn a_start_on_the_ground_is_a_contact_from_the_start() {
     assert_eq!((first.start_s, first.impact_speed_m_s), (0.0, 0.0));
 }
 
-/// The largest force may be anywhere within a step of the integrator, also before the first look at it: no sample of a fine series is larger.
+/// The peak force may be anywhere within a step of the integrator, also before its first point; no sample of a fine series is
+/// larger than the peak.
 #[test]
 fn no_sample_is_above_the_peak() {
     for (smooth, tenths) in [false, true].into_iter().flat_map(|smooth| (1..40).map(move |n| (smooth, n))) {

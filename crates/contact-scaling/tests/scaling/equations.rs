@@ -1,7 +1,7 @@
-//! Every equation against high-precision values, in other units, and in the docs.
+//! Tests of all equations: against high-precision values, in other units, and against the documentation.
 //!
-//! `TABLE` calls each public equation by its name with a flat list of inputs, and says what powers of length,
-//! mass and time these and the output have. The values are in `data/reference.csv` (mpmath, 50 digits).
+//! `TABLE` calls each public equation by its name with a flat list of inputs. It also has the powers of length, mass and time of
+//! the inputs and the output. The values are in `data/reference.csv` (mpmath, 50 digits).
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
@@ -17,7 +17,7 @@ use contact_scaling::{
     modulus, patch, restitution, smoothing, stiffness,
 };
 
-/// Powers of length, mass and time.
+/// Powers of length, mass and time in the unit of a quantity.
 type Dimension = [f64; 3];
 
 const ONE: Dimension = [0.0, 0.0, 0.0];
@@ -35,10 +35,10 @@ const FORCE: Dimension = [1.0, 1.0, -2.0];
 const STIFFNESS: Dimension = [0.0, 1.0, -2.0];
 const PRESSURE: Dimension = [-1.0, 1.0, -2.0];
 
-/// `values.csv` and this crate may differ by the rounding of a handful of operations.
+/// Largest relative difference from the values of `reference.csv`: the rounding of a few operations.
 const REFERENCE_TOLERANCE: f64 = 2e-15;
-/// Functions with a larger tolerance, because they look for a root or take the difference of large parts.
-const LOOSE: [(&str, f64); 8] = [
+/// Functions with a larger tolerance, because they search a root or subtract large numbers.
+const LARGER_TOLERANCES: [(&str, f64); 8] = [
     ("SmoothSphere::contact_state", 2e-14), // ½ + ½ tanh: cancels before contact
     ("SmoothSphere::elastic_force", 2e-14),
     ("SmoothSphere::speed_state", 2e-14),
@@ -48,7 +48,7 @@ const LOOSE: [(&str, f64); 8] = [
     ("SmoothSphere::rest_stiffness", 2e-14),
     ("restitution::exact_dissipation", 2e-14),
 ];
-/// Other units change the rounding of every input as well.
+/// Largest relative difference of results in other units, which also change the rounding of every input.
 const DIMENSION_TOLERANCE: f64 = 1e-12;
 
 struct Equation {
@@ -84,7 +84,7 @@ fn smooth(i: &[f64]) -> SmoothSphere {
     SmoothSphere::new(Hertz::sphere(i[0], i[1]).unwrap(), i[2], smoothing).unwrap()
 }
 
-fn standing(i: &[f64]) -> [Spheres; 1] {
+fn spheres_under_load(i: &[f64]) -> [Spheres; 1] {
     let values = ContactValues {
         plane_strain_modulus: i[0] * EQUAL_SURFACES,
         dissipation: i[2],
@@ -97,9 +97,9 @@ fn standing(i: &[f64]) -> [Spheres; 1] {
     [Spheres::new(Law::of(&Contact::new(values).unwrap(), i[1]).unwrap(), i[6]).unwrap()]
 }
 
-/// Spheres at height 0, and equal ones higher by the last input.
+/// Spheres at height 0, and equal spheres higher by the last input.
 fn at_two_heights(i: &[f64]) -> [RaisedSpheres; 2] {
-    let [spheres] = standing(i);
+    let [spheres] = spheres_under_load(i);
     [RaisedSpheres::new(spheres, 0.0).unwrap(), RaisedSpheres::new(spheres, i[8]).unwrap()]
 }
 
@@ -115,8 +115,10 @@ const HERTZ_X: &[Dimension] = &[PRESSURE, LENGTH, ONE, LENGTH];
 const HERTZ_X_HAT: &[Dimension] = &[PRESSURE, LENGTH, ONE, ONE];
 const HUNT_CROSSLEY: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, LENGTH, SPEED];
 const SMOOTH: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, LENGTH, SPEED];
-const STANDING: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE];
-const UNEVEN: &[Dimension] = &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE, LENGTH];
+const SPHERES_UNDER_LOAD: &[Dimension] =
+    &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE];
+const SPHERES_AT_TWO_HEIGHTS: &[Dimension] =
+    &[PRESSURE, LENGTH, PER_SPEED, AREA, PER_LENGTH, PER_SPEED, ONE, FORCE, LENGTH];
 const RATIOS: &[Dimension] = &[ONE, ONE, ONE, ONE];
 const SURFACES: &[Dimension] = &[PRESSURE, PER_SPEED, PRESSURE, PER_SPEED];
 
@@ -247,16 +249,16 @@ const TABLE: &[Equation] = &[
     eq("smoothing::speed_state_at_rest", &[PER_SPEED, PER_SPEED], ONE, |i| {
         smoothing::speed_state_at_rest(i[0], i[1]).unwrap()
     }),
-    eq("equilibrium::hertz_indentation", STANDING, LENGTH, |i| {
-        equilibrium::hertz_indentation(&standing(i), i[7]).unwrap()
+    eq("equilibrium::hertz_indentation", SPHERES_UNDER_LOAD, LENGTH, |i| {
+        equilibrium::hertz_indentation(&spheres_under_load(i), i[7]).unwrap()
     }),
-    eq("equilibrium::indentation", STANDING, LENGTH, |i| {
-        equilibrium::indentation(&standing(i), i[7]).unwrap()
+    eq("equilibrium::indentation", SPHERES_UNDER_LOAD, LENGTH, |i| {
+        equilibrium::indentation(&spheres_under_load(i), i[7]).unwrap()
     }),
-    eq("equilibrium::hertz_indentation_of_lowest", UNEVEN, LENGTH, |i| {
+    eq("equilibrium::hertz_indentation_of_lowest", SPHERES_AT_TWO_HEIGHTS, LENGTH, |i| {
         equilibrium::hertz_indentation_of_lowest(&at_two_heights(i), i[7]).unwrap()
     }),
-    eq("equilibrium::indentation_of_lowest", UNEVEN, LENGTH, |i| {
+    eq("equilibrium::indentation_of_lowest", SPHERES_AT_TWO_HEIGHTS, LENGTH, |i| {
         equilibrium::indentation_of_lowest(&at_two_heights(i), i[7]).unwrap()
     }),
     eq("mixed_radii::mean_square", &[LENGTH, LENGTH, LENGTH], AREA, |i| mixed_radii::mean_square(i).unwrap()),
@@ -270,7 +272,7 @@ const TABLE: &[Equation] = &[
     eq("Ratios::viscous_friction", RATIOS, ONE, |i| ratios(i).viscous_friction()),
 ];
 
-/// Rows of `reference.csv`: inputs and value, by function.
+/// Rows of `reference.csv` by function: inputs and value.
 fn reference() -> BTreeMap<&'static str, Vec<(Vec<f64>, f64)>> {
     let mut rows: BTreeMap<_, Vec<_>> = BTreeMap::new();
     for line in include_str!("../data/reference.csv").lines().filter(|l| !l.starts_with('#')).skip(1) {
@@ -287,7 +289,7 @@ fn every_equation_agrees_with_high_precision() {
     let mut wrong = Vec::new();
     for equation in TABLE {
         let name = equation.name;
-        let loose = LOOSE.iter().find(|(loose, _)| *loose == name);
+        let loose = LARGER_TOLERANCES.iter().find(|(loose, _)| *loose == name);
         let tolerance = loose.map_or(REFERENCE_TOLERANCE, |(_, t)| *t);
         let rows = reference.get(name).unwrap_or_else(|| panic!("{name} has no reference value"));
         for (inputs, expected) in rows {
@@ -339,7 +341,7 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Public functions whose docs name a `Source:`, as `Type::name` or `module::name`.
+/// Public functions whose doc comments contain `Source:`, as `Type::name` or `module::name`.
 fn equations_in_source() -> BTreeSet<String> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();

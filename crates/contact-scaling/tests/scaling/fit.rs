@@ -1,4 +1,4 @@
-//! Fits against high-precision least squares, in other units, and on seeded noise.
+//! Tests of fits: against high-precision least squares, in other units, and with noise from a fixed seed.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -102,7 +102,7 @@ fn a_fit_does_not_depend_on_units() {
     assert_close(there.largest_relative_indentation, here.largest_relative_indentation, 1e-9, "x hat");
 }
 
-/// A press in and out, with a law and Gaussian noise.
+/// Indentations, speeds and forces of a press in and out, by `law` and with Gaussian noise.
 fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Random) -> Data {
     let mut data = Data::default();
     for i in 0..80 {
@@ -116,7 +116,7 @@ fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Rand
     data
 }
 
-/// SplitMix64 with the Box–Muller transform: the same numbers everywhere.
+/// Random numbers by SplitMix64 with the Box–Muller transform: the same on every machine.
 struct Random(u64);
 
 impl Random {
@@ -139,7 +139,7 @@ fn law_of_the_press() -> HuntCrossley {
 }
 
 #[test]
-fn data_without_noise_give_the_truth() {
+fn data_without_noise_give_the_true_parameters() {
     let data = simulated_press(&law_of_the_press(), 0.0013, 0.0, &mut Random(1));
     for onset in [Onset::At(0.0013), Onset::Fitted] {
         let result = data.fit(0.02, true, onset).unwrap();
@@ -153,7 +153,7 @@ fn data_without_noise_give_the_truth() {
 }
 
 #[test]
-fn intervals_cover_the_truth_in_95_of_100_runs() {
+fn intervals_cover_the_true_parameters_in_95_of_100_runs() {
     const RUNS: u32 = 1000;
     let mut random = Random(2026);
     for onset in [Onset::At(0.0013), Onset::Fitted] {
@@ -179,7 +179,7 @@ fn intervals_cover_the_truth_in_95_of_100_runs() {
 }
 
 #[test]
-fn the_report_tells_its_limits() {
+fn the_result_has_the_limits_of_the_laws() {
     let result = simulated_press(&law_of_the_press(), 0.0, 0.1, &mut Random(7))
         .fit(0.02, true, Onset::At(0.0))
         .unwrap();
@@ -194,7 +194,7 @@ fn the_report_tells_its_limits() {
 }
 
 #[test]
-fn speed_from_time_serves_as_well() {
+fn rates_from_times_give_the_same_fit() {
     let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut Random(1));
     let times: Vec<f64> = (0..80).map(|i| std::f64::consts::PI * f64::from(i) / 79.0 / 40.0).collect();
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Time(&times) };
@@ -228,8 +228,8 @@ fn data_without_stiffness_are_refused() {
     assert!(matches!(empty.fit(0.02, true, Onset::At(0.0)), Err(FitError::TooFewPoints { .. })));
 }
 
-/// F = 2 x 4/3 sqrt(R) E* x^(3/2) (1 + 3/2 alpha v) with E* = 4e5 and R = 0.02, and what is added to it.
-fn measured(
+/// Data with F = 2 × 4/3 √R E* x^(3/2) (1 + 3/2 α v) plus `noise`, with E* = 4e5 N/m² and R = 0.02 m.
+fn data_with_noise(
     indentations: &[f64],
     alpha: f64,
     speed: impl Fn(usize) -> f64,
@@ -250,7 +250,7 @@ fn measured(
 fn one_indentation_determines_nothing() {
     // Every law passes through one point, also where it was measured ten times with an error.
     for noise in [0.0, 1.0] {
-        let data = measured(&[0.003; 10], 0.0, |_| 0.0, |row| noise * (row % 3) as f64);
+        let data = data_with_noise(&[0.003; 10], 0.0, |_| 0.0, |row| noise * (row % 3) as f64);
         for onset in [Onset::At(0.0), Onset::At(0.001), Onset::Fitted] {
             assert!(data.fit(0.02, false, onset).is_err(), "{onset:?}");
         }
@@ -260,11 +260,11 @@ fn one_indentation_determines_nothing() {
         }
     }
     // As many rows as a fit of modulus, dissipation and onset needs, at different speeds.
-    let data = measured(&[0.003; 4], 1.0, |row| row as f64 * 0.01, |_| 0.0);
+    let data = data_with_noise(&[0.003; 4], 1.0, |row| row as f64 * 0.01, |_| 0.0);
     let error = data.fit(0.02, true, Onset::Fitted).unwrap_err();
     assert_eq!(error, FitError::OneIndentation { indentation_m: 0.003 });
     // Rows before contact do not help: they have no force by any law.
-    let data = measured(&[-0.002, -0.001, 0.0, 0.003, 0.003, 0.003], 0.0, |_| 0.0, |_| 0.0);
+    let data = data_with_noise(&[-0.002, -0.001, 0.0, 0.003, 0.003, 0.003], 0.0, |_| 0.0, |_| 0.0);
     assert!(matches!(data.fit(0.02, false, Onset::At(0.0)), Err(FitError::OneIndentation { .. })));
 }
 
@@ -291,11 +291,11 @@ fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
 fn a_law_that_explains_little_is_doubted() {
     let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
     // An error as large as the largest force, with changing sign.
-    let data = measured(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 200.0 } else { -200.0 });
+    let data = data_with_noise(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 200.0 } else { -200.0 });
     let fit = data.fit(0.02, false, Onset::At(0.0)).unwrap();
     assert!(fit.r_squared < 0.5 && fit.r_squared > 0.0, "{}", fit.r_squared);
     assert!(fit.doubts.contains(&Doubt::LowRSquared { r_squared: fit.r_squared }));
-    let clear = measured(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 1.0 } else { -1.0 });
+    let clear = data_with_noise(&depths, 0.0, |_| 0.0, |row| if row % 2 == 0 { 1.0 } else { -1.0 });
     assert_eq!(clear.fit(0.02, false, Onset::At(0.0)).unwrap().doubts, []);
 }
 
@@ -304,20 +304,22 @@ fn a_dissipation_that_the_error_hides_is_doubted() {
     let depths: Vec<f64> = (1..=20).map(|row| f64::from(row) * 5e-4).collect();
     let noise = |row: usize| [0.9, -1.1, 0.3, -0.4, 1.2, -0.9, 0.2][row % 7];
     // Speeds of 1 micrometre per second: the force changes by a millionth, the error is a newton.
-    let slow =
-        measured(&depths, 0.5, |row| 1e-6 * (row % 4) as f64, noise).fit(0.02, true, Onset::At(0.0)).unwrap();
+    let slow = data_with_noise(&depths, 0.5, |row| 1e-6 * (row % 4) as f64, noise)
+        .fit(0.02, true, Onset::At(0.0))
+        .unwrap();
     let undetermined = Doubt::Undetermined { parameter: Parameter::Dissipation };
     assert_eq!(slow.doubts, [undetermined]);
     // At 0.1 to 0.3 m/s the same dissipation is plain.
-    let fast =
-        measured(&depths, 0.5, |row| 0.1 * (row % 4) as f64, noise).fit(0.02, true, Onset::At(0.0)).unwrap();
+    let fast = data_with_noise(&depths, 0.5, |row| 0.1 * (row % 4) as f64, noise)
+        .fit(0.02, true, Onset::At(0.0))
+        .unwrap();
     assert_eq!(fast.doubts, []);
 }
 
 #[test]
 fn calculated_data_have_no_interval() {
     let depths: Vec<f64> = (1..=9).map(|row| f64::from(row) * 1e-3).collect();
-    let fit = measured(&depths, 0.4, |row| 0.1 * (row % 3) as f64, |_| 0.0)
+    let fit = data_with_noise(&depths, 0.4, |row| 0.1 * (row % 3) as f64, |_| 0.0)
         .fit(0.02, true, Onset::At(0.0))
         .unwrap();
     assert_close(fit.composite_modulus.value, 4e5, 1e-12, "E*");

@@ -1,4 +1,4 @@
-//! The register of equations says what `docs/reference/equations.md` says, row by row.
+//! Tests that the register of equations has the same content as `docs/reference/equations.md`, row by row.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
@@ -7,7 +7,7 @@ use std::path::Path;
 
 use contact_scaling::equations;
 
-/// A row of a table of equations: label, variant, formula (perhaps with a remark behind it), functions, unit.
+/// A row of a table of equations: label, variant, formula (with a remark after it, if any), functions, unit.
 #[derive(Debug, PartialEq)]
 struct Row {
     label: String,

@@ -1,4 +1,4 @@
-//! Table 1 of the paper, every row and column, at the digits it prints.
+//! Tests of Table 1 of the paper, every row and column, to the printed digits.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
@@ -7,7 +7,7 @@ use contact_scaling::{
     Contact, ContactValues, DimensionlessContact, Hertz, Ratios, SharedLoad, design, stiffness,
 };
 
-/// A printed number, with the decimals it is printed to.
+/// Asserts that `value`, rounded to the decimals of `printed`, is the printed number.
 #[track_caller]
 fn assert_prints(value: f64, printed: &str, what: &str) {
     let decimals = printed.split_once('.').map_or(0, |(_, d)| d.len());
@@ -22,14 +22,14 @@ fn label_of_animal(animal: &Animal) -> String {
     format!("{} of {} kg", animal.taxon(), animal.scale().mass_kg())
 }
 
-/// The base of the table: E₁* = 1 MPa exactly, 2 s/m.
+/// The contact from which all rows are scaled: E₁* = 1 MPa exactly, α = 2 s/m.
 fn base_contact() -> Contact {
     let values = ContactValues { plane_strain_modulus: 1e6, dissipation: 2.0, smoothing: None };
     Contact::new(values).unwrap()
 }
 
 #[test]
-fn every_line_of_the_file_is_a_row() {
+fn every_line_of_the_file_is_a_row_of_the_table() {
     // The paper has seven, and nine numbers in each.
     assert_eq!(animals_of_table().len(), 7);
     for animal in animals_of_table() {
@@ -78,7 +78,7 @@ fn table_1_is_reproduced_in_every_column() {
 }
 
 #[test]
-fn the_comparison_agrees_but_for_the_one_number_that_the_paper_rounds_otherwise() {
+fn only_one_number_of_the_table_differs_and_it_follows_from_a_rounded_one() {
     let all: Vec<(Animal, Compared)> = animals_of_table()
         .into_iter()
         .flat_map(|animal| animal.compared().unwrap().into_iter().map(move |compared| (animal, compared)))
@@ -97,7 +97,7 @@ fn the_comparison_agrees_but_for_the_one_number_that_the_paper_rounds_otherwise(
 }
 
 #[test]
-fn all_rows_are_one_dimensionless_contact() {
+fn all_rows_have_the_same_dimensionless_contact() {
     let rows = animals_of_table();
     let first = DimensionlessContact::of(&base_contact(), &rows[0].scale());
     for animal in &rows {
