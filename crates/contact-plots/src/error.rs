@@ -42,7 +42,7 @@ pub enum PlotError {
         /// Names of the curves in the figure.
         curves: Vec<String>,
     },
-    /// The figure has no axis in the given direction, or several different ones.
+    /// The figure has no axis in the given direction, or several different axes.
     #[error("the figure has no single {which} axis to limit{}", listed(.found))]
     NoAxis {
         /// The direction of the axis: `horizontal` or `vertical`.

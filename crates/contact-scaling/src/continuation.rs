@@ -1,4 +1,4 @@
-//! Series of contacts from compliant to stiff ones, for the search of gaits by optimisation: the paper's advice in section 4.3.
+//! Series from compliant to stiff contacts, for the search of gaits by optimisation: the paper's advice in section 4.3.
 //!
 //! With stiff contacts an optimisation fails more often, and compliant contacts are not realistic. So the gait is first searched
 //! with compliant contacts. Then E* is raised and α lowered step by step; each solution is the initial guess for the next

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_is_refused() {
+    fn numbers_that_are_not_finite_are_refused() {
         for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             assert!(positive("q", value).is_err());
             assert!(non_negative("q", value).is_err());
@@ -91,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn bounds_belong_to_the_closed_domains_only() {
+    fn bounds_are_allowed_only_in_closed_domains() {
         assert!(positive("q", 0.0).is_err());
         assert_eq!(non_negative("q", 0.0), Ok(0.0));
         assert_eq!(at_least_one("q", 1.0), Ok(1.0));

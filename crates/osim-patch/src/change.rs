@@ -106,7 +106,7 @@ pub enum ChangedBy {
 }
 
 impl ChangedBy {
-    /// The text in the column `equation` of reports and JSON.
+    /// The text for this rule in the column `equation` of reports and JSON.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::Equation(numbers) => numbers,
@@ -188,7 +188,7 @@ impl PlaceChange {
 /// The text of the new `value` of `property`; `origin` describes the source of the value, for the error message.
 ///
 /// # Errors
-/// A value that is not finite, or in which the contact laws do not hold ([`FaultKind::NewValue`]).
+/// A value that is not finite, or outside the domain of the contact laws ([`FaultKind::NewValue`]).
 pub(crate) fn number_text(
     value: f64,
     property: Property,
@@ -225,7 +225,7 @@ fn refused_number(property: &str, value: f64, expected: &'static str, origin: St
     Fault::new(FaultKind::NewValue { property: property.to_owned(), value, expected, origin })
 }
 
-/// The factor of a property by the paper, and its equation.
+/// The factor of a property by the paper's rules, and the number of the equation.
 pub(crate) fn property_factor(
     property: Property,
     ratios: &Ratios,

@@ -194,14 +194,14 @@ fn scale_with_radius(
 }
 
 impl Design {
-    /// The mass and scope for the note after the design. `complete`: every property of every force was designed.
+    /// The mass and scope of the note after the design. `complete`: every property of every force was designed.
     ///
-    /// | what is wanted | the mass before | the note |
+    /// | wanted behaviour | mass before the design | note after the design |
     /// |---|---|---|
-    /// | nothing that a load decides | | as [`KeptMass::of`] has it |
-    /// | an indentation under the weight of M | M, said or taken | M, all |
-    /// | | another, or in doubt | M, partial; all where the design is complete |
-    /// | an indentation under a load in N | | no mass, partial |
+    /// | nothing that depends on a load | any | as in [`KeptMass::of`] |
+    /// | an indentation under the weight of M | M | M, all |
+    /// | an indentation under the weight of M | another mass, or in doubt | M, partial; all if the design is `complete` |
+    /// | an indentation under a load in N | any | no mass, partial |
     fn mass_for_note(&self, model: &Model, complete: bool) -> KeptMass {
         let Some(target) = &self.target_mass else {
             let kept = || KeptMass::of(model, None);

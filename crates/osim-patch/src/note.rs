@@ -135,17 +135,17 @@ pub(crate) struct KeptMass {
 }
 
 impl KeptMass {
-    /// The mass that a note keeps after a change of `model`; `contacts_mass` is the mass that its contacts were made for, and
-    /// its source:
+    /// The mass and scope of the note after a change of `model`; `contacts_mass` is the mass that its contacts were made for.
+    /// In the table, a note has a mass (M) or none, and the scope all or partial:
     ///
-    /// | the note before | who says the mass | the note afterwards |
+    /// | note before the change | source of `contacts_mass` | note after the change |
     /// |---|---|---|
-    /// | none | nobody: what the bodies weigh is taken | no mass, all |
-    /// | none, or any | the caller | that mass, all |
+    /// | none | the mass of the bodies | no mass, all |
+    /// | none, or any note | the caller | mass of the caller, all |
     /// | M, all | the note | M, all |
-    /// | no mass, all | nobody | no mass, all |
-    /// | the same, and the bodies were scaled since | nobody | no mass, partial |
-    /// | in doubt: partial, values changed since, not readable | nobody | what it gives, partial |
+    /// | no mass, all | the mass of the bodies | no mass, all |
+    /// | no mass, all, but the bodies were scaled later | the mass of the bodies | no mass, partial |
+    /// | in doubt: partial, values changed later, or not readable | not the caller | mass of the note if any, partial |
     pub(crate) fn of(model: &Model, contacts_mass: Option<&Mass>) -> Self {
         let said = contacts_mass.filter(|mass| mass.source == MassSource::ContactsMass);
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);

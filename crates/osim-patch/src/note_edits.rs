@@ -99,7 +99,7 @@ pub(crate) fn noted_sizes(model: &Model, followed: Option<&BTreeSet<SphereId>>) 
     sizes
 }
 
-/// Writes `note` into `document` and removes all earlier ones.
+/// Writes `note` into `document` and removes all earlier notes.
 pub(crate) fn write_note(document: &Document, note: &Note) -> Vec<Edit> {
     write_note_with(document, note, |credits| credits.edits(Some(note)))
 }

@@ -242,7 +242,7 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
     Some(format!("the lowest points of spheres move {moves}, because radii change and centres stay").into())
 }
 
-/// Distance in m above which the remark on moved sphere bottoms comes first: the model then stands at another height.
+/// Distance in m above which the remark on moved sphere bottoms comes first, because the body is then clearly higher or lower.
 const FAR_BOTTOMS_M: f64 = 0.005;
 
 /// Adds the remark on how far sphere bottoms move, for a change in which centres could move instead.

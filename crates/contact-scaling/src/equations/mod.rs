@@ -21,7 +21,7 @@ use crate::equations::symbols::{
 };
 pub use symbols::{Equation, Form, Symbol};
 
-/// All equations: first those of the paper in its order, then further ones.
+/// All equations: first the equations of the paper in its order, then further equations.
 pub fn all() -> impl Iterator<Item = &'static Equation> {
     [paper::LAWS, paper::SURFACES, paper::STIFFNESS, paper::SMOOTH, BEYOND_PAPER].into_iter().flatten()
 }

@@ -55,7 +55,7 @@ impl FitModel {
         p.modulus * self.elastic(point, p.onset) + p.modulus_dissipation * self.dissipative(point, p.onset)
     }
 
-    /// Derivatives of the force by the fitted ones of E*, α and x₀.
+    /// Derivatives of the force by each fitted parameter: E*, α, x₀.
     pub(super) fn gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
         let alpha = p.dissipation();
         let (elastic, dissipative) = (self.elastic(point, p.onset), self.dissipative(point, p.onset));

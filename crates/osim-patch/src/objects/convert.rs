@@ -23,7 +23,7 @@ const SMOOTHING: [Property; 3] =
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convert {
     pub to: ForceKind,
-    /// Constant contact force of new smoothed forces, N. A smoothing parameter that is `None` is computed from the
+    /// `constant_contact_force` of new smoothed forces, m². A smoothing parameter that is `None` is computed from the
     /// dimensionless smoothing of Falisse et al. (2022) and the radius of each sphere: (C.2), (C.5), (C.10).
     pub constant_contact_force: Option<f64>,
     /// Hertz smoothing of new forces, 1/m.

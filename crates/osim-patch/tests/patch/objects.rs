@@ -174,7 +174,7 @@ fn a_note_in_doubt_stays_in_doubt_after_a_removal() {
     assert_eq!(String::from_utf8_lossy(&after_removal(&half, &[])), document_with_sets(40000, ""));
 }
 
-/// A floor that the program made is removed once; a floor that has its place later belongs to somebody else.
+/// A floor that the program added is removed once; a user's floor that is later at the same place in the file stays.
 #[test]
 fn a_users_floor_is_not_taken_for_an_added_floor() {
     let model = Model::parse(document_with_sets(40000, "")).unwrap();

@@ -34,7 +34,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan,
     (plan, String::from_utf8(bytes).unwrap())
 }
 
-/// Number (from 1) of the first line of `text` that contains `what`.
+/// Number (from 1) of the first line of `text` that contains the text `what`.
 fn line_of(text: &str, what: &str) -> usize {
     text.lines().position(|line| line.contains(what)).unwrap() + 1
 }

@@ -58,7 +58,7 @@ impl ReproduceRequest {
 
 // Fig. 1 of the paper, which no equation gives: what it shows and what it needs.
 
-/// Three paragraphs about Fig. 1: the reason why it is not drawn, what is needed to draw it, and the way to make its models.
+/// Three paragraphs about Fig. 1: the reason why it is not drawn, the data needed to draw it, and the way to make its models.
 pub fn fig1() -> [Phrase; 3] {
     [WHY, NEEDS, MODELS].map(Phrase::template)
 }

@@ -38,7 +38,7 @@ impl Dialect for Page {
 }
 
 impl Speller for Page {
-    /// The action, and the fields with their values; without the model, because the page has it open.
+    /// The action, and the fields with their values; without the model, because the model is already open in the page.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let wanted: Vec<String> = fields.options.iter().flat_map(field_words).collect();

@@ -34,10 +34,10 @@ macro_rules! quantities {
                 self.0
             }
 
-            /// A number that was checked.
+            /// Checks the number and keeps it.
             ///
             /// # Errors
-            /// It lies outside the domain: what was expected.
+            /// The number is outside the domain; the message has the expected range.
             pub fn new(value: f64) -> Result<Self, String> {
                 shortest(value).parse()
             }
