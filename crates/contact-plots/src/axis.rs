@@ -106,7 +106,7 @@ impl Ticks {
         let step = at.windows(2).map(|pair| pair[1] - pair[0]).fold(largest, f64::min);
         let power =
             if (1e-3..1e5).contains(&largest) || largest == 0.0 { 0 } else { decimal_exponent(largest) };
-        let decimals = decimals(step / 10_f64.powi(power));
+        let decimals = decimals_for_step(step / 10_f64.powi(power));
         let marks = at.into_iter().map(|value| {
             // What rounding leaves of 0 is 0.
             let value = if value.abs() < 1e-9 * step { 0.0 } else { value };
@@ -180,7 +180,7 @@ fn decimal_exponent(value: f64) -> i32 {
 }
 
 /// Number of digits after the decimal point that are needed to distinguish values with a distance of `step`.
-fn decimals(step: f64) -> usize {
+fn decimals_for_step(step: f64) -> usize {
     (0..12)
         .find(|&digits| {
             let scaled = step * 10_f64.powi(digits);

@@ -39,11 +39,11 @@ impl Paper {
 
     /// The width in which a figure is laid out, in points for letters of [`TEXT_PT`].
     pub(crate) fn layout_pt(self, default: Width) -> f64 {
-        self.width_mm(default) / 25.4 * 72.0 / self.enlarged()
+        self.width_mm(default) / 25.4 * 72.0 / self.enlargement()
     }
 
     /// The factor by which the layout is enlarged on the paper.
-    fn enlarged(self) -> f64 {
+    fn enlargement(self) -> f64 {
         self.text_pt / TEXT_PT
     }
 
@@ -53,7 +53,7 @@ impl Paper {
     /// # Errors
     /// [`PlotError::TooNarrow`].
     pub(crate) fn check(self, default: Width, beside_pt: f64) -> Result<(), PlotError> {
-        let least_mm = (beside_pt + LEAST_PLOT_PT) * self.enlarged() / 72.0 * 25.4;
+        let least_mm = (beside_pt + LEAST_PLOT_PT) * self.enlargement() / 72.0 * 25.4;
         let width_mm = self.width_mm(default);
         if width_mm.is_finite() && self.text_pt > 0.0 && width_mm >= least_mm {
             return Ok(());

@@ -33,8 +33,8 @@ pub enum PlotError {
     /// More names than curves.
     #[error(
         "{wanted} names were given, and the figure has {} to name{}",
-        counted(.curves.len()),
-        listed(.curves)
+        counted_curves(.curves.len()),
+        listed_names(.curves)
     )]
     Names {
         /// Number of the given names.
@@ -43,7 +43,7 @@ pub enum PlotError {
         curves: Vec<String>,
     },
     /// The figure has no axis in the given direction, or several different axes.
-    #[error("the figure has no single {which} axis to limit{}", listed(.found))]
+    #[error("the figure has no single {which} axis to limit{}", listed_names(.found))]
     NoAxis {
         /// The direction of the axis: `horizontal` or `vertical`.
         which: &'static str,
@@ -103,7 +103,7 @@ impl PlotError {
     }
 }
 
-fn counted(curves: usize) -> String {
+fn counted_curves(curves: usize) -> String {
     match curves {
         0 => "no curve".to_owned(),
         1 => "1 curve".to_owned(),
@@ -112,7 +112,7 @@ fn counted(curves: usize) -> String {
 }
 
 /// The names in quotation marks, after a colon; an empty text if there are no names.
-fn listed(names: &[String]) -> String {
+fn listed_names(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
     if quoted.is_empty() { String::new() } else { format!(": {}", quoted.join(", ")) }
 }

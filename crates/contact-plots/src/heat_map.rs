@@ -113,7 +113,7 @@ struct HeatLayout {
 impl HeatLayout {
     fn of(map: &HeatMap, width_pt: f64) -> Result<Self, PlotError> {
         let (x_edges, y_edges) = (cell_edges(&map.x, &map.x_axis)?, cell_edges(&map.y, &map.y_axis)?);
-        let span = span(map)?;
+        let span = value_span(map)?;
         let bar_ticks = map.value_axis.ticks(span, TICKS_PER_AXIS);
         let y_ticks = map.y_axis.ticks((first_edge(&y_edges), last_edge(&y_edges)), TICKS_PER_AXIS);
         let beside_pt = NAME_PT + 3.0 * TICK_PT + y_ticks.width_pt().max(8.0);
@@ -298,7 +298,7 @@ fn legend_entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String
     entries
 }
 
-fn span(map: &HeatMap) -> Result<(f64, f64), PlotError> {
+fn value_span(map: &HeatMap) -> Result<(f64, f64), PlotError> {
     let values = || map.values.iter().flatten().flatten().copied();
     if values().any(|value| !value.is_finite()) {
         return Err(PlotError::NotFinite { curve: map.value_axis.label.clone() });

@@ -61,12 +61,12 @@ pub fn png(svg: &str, dpi: f32) -> Result<Vec<u8>, PlotError> {
     let mut pixels = tiny_skia::Pixmap::new(width, height).ok_or_else(|| raster(&"it has no pixels"))?;
     pixels.fill(tiny_skia::Color::WHITE);
     resvg::render(&tree, tiny_skia::Transform::from_scale(scale, scale), &mut pixels.as_mut());
-    encoded(&pixels, dpi).map_err(|error| raster(&error))
+    encoded_png(&pixels, dpi).map_err(|error| raster(&error))
 }
 
 /// The bytes of a PNG file that contains the size of a pixel, so that word processors place the figure in its true size.
 #[cfg(feature = "png")]
-fn encoded(pixels: &tiny_skia::Pixmap, dpi: f32) -> Result<Vec<u8>, png::EncodingError> {
+fn encoded_png(pixels: &tiny_skia::Pixmap, dpi: f32) -> Result<Vec<u8>, png::EncodingError> {
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, pixels.width(), pixels.height());
     encoder.set_color(png::ColorType::Rgb);

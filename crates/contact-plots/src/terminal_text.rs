@@ -28,7 +28,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let y_ticks = panel.y.ticks(y, rows / 2 + 1);
     let longest = y_ticks.marks.iter().map(|(_, label)| label.chars().count()).max();
     let margin = longest.unwrap_or(0) + 1;
-    let mut dots = Dots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
+    let mut dots = BrailleDots::new(columns.saturating_sub(margin + 1).max(1), rows.max(1));
     let place = |(x_value, y_value): Point| {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (
@@ -92,12 +92,12 @@ const DOTS_DOWN: usize = 4;
 /// The bit of each dot in a Braille letter, row by row, in Unicode's numbering.
 const DOT_BITS: [[u8; DOTS_ACROSS]; DOTS_DOWN] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
 
-struct Dots {
+struct BrailleDots {
     columns: usize,
     letters: Vec<u8>,
 }
 
-impl Dots {
+impl BrailleDots {
     fn new(columns: usize, rows: usize) -> Self {
         Self { columns, letters: vec![0; columns * rows] }
     }

@@ -74,10 +74,10 @@ pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Resul
     let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
     within(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
     within((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
-    (0..count).map(|index| step(first / last, last, ratio, index, count)).collect()
+    (0..count).map(|index| step_at(first / last, last, ratio, index, count)).collect()
 }
 
-fn step(
+fn step_at(
     ratio_of_stiffness: f64,
     last: f64,
     ratio_of_dissipation: f64,

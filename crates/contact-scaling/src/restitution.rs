@@ -117,7 +117,7 @@ fn loss(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError>
 /// h(z) = z − ln(1 + z), without cancellation at small z.
 ///
 /// With s = z/(2 + z), ln(1 + z) = 2 (s + s³/3 + s⁵/5 + …) and z − 2 s = z s.
-fn h(z: f64) -> f64 {
+fn z_minus_ln_1_plus_z(z: f64) -> f64 {
     if z.abs() > 0.5 {
         return z - libm::log1p(z);
     }
@@ -133,12 +133,12 @@ fn restitution_from_loss(d: f64) -> f64 {
     if d == 0.0 {
         return 1.0;
     }
-    let target = h(d);
+    let target = z_minus_ln_1_plus_z(d);
     // h is convex and falls on (−1, 0): from a point left of the root every step stays left of it.
     // Both −d and expm1(−1 − h) are; the nearer one starts.
     let mut z = libm::expm1(-1.0 - target).max(-d);
     for _ in 0..60 {
-        let step = (target - h(z)) * (1.0 + z) / z;
+        let step = (target - z_minus_ln_1_plus_z(z)) * (1.0 + z) / z;
         if !step.is_finite() || step <= f64::EPSILON * -z * 0.25 {
             break;
         }

@@ -143,7 +143,7 @@ mod tests {
     }
 
     /// A model whose body has two spheres, 1 m behind and 1 m ahead of its joint, in one force with a dissipation of 2 s/m.
-    fn see_saw() -> Model {
+    fn see_saw_model() -> Model {
         let sphere = |name: &str, x: i32| {
             format!(
                 "<ContactSphere name=\"{name}\"><socket_frame>/bodyset/b</socket_frame><location>{x} 0 0</location><radius>0.03</radius>\
@@ -171,7 +171,7 @@ mod tests {
             .map(|name| format!("/jointset/j/{name}/value\t/jointset/j/{name}/speed"))
             .join("\t");
         let text = format!("inDegrees=no\nendheader\ntime\t{names}\n0\t0\t{rad_s}\t0\t0\t0.02\t0\n");
-        let model = see_saw();
+        let model = see_saw_model();
         let table = Table::read(text.as_bytes()).unwrap();
         let recording = Recording::of(&model, &table, &RecordingOptions::default()).unwrap();
         LeftOutForces::of(&ContactStates::of(&model, &recording, &model.force_ids(), [0.0; 3]).unwrap())

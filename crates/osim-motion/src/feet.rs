@@ -49,7 +49,7 @@ impl Foot {
                     _ => name.clone(),
                 },
                 side: *side,
-                bodies: bodies(states, pairs),
+                bodies: bodies_of_pairs(states, pairs),
                 pairs: pairs.clone(),
             })
             .collect()
@@ -88,7 +88,7 @@ fn group_by_side(states: &ContactStates) -> Vec<(String, Option<Side>, Vec<usize
     vec![group("right", Some(Side::Right)), group("left", Some(Side::Left)), group("all contacts", None)]
 }
 
-fn bodies(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
+fn bodies_of_pairs(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
     let mut bodies: Vec<String> = Vec::new();
     for pair in pairs.iter().filter_map(|&index| states.pairs.get(index)) {
         if !bodies.contains(&pair.body) {

@@ -90,7 +90,7 @@ impl MeasuredForces {
         states: &ContactStates,
         weight_n: f64,
     ) {
-        let may_be_on = candidates(plate, feet);
+        let may_be_on = candidate_feet(plate, feet);
         for (frame, &time_s) in states.time_s.iter().enumerate() {
             let wrench = plate.at(time_s);
             add_to_frame(&mut self.total, frame, wrench);
@@ -130,7 +130,7 @@ fn add_to_frame(series: &mut [Option<Wrench>], frame: usize, wrench: Option<Wren
 
 /// Indices of the feet that may be on a plate: the foot with the body of the load, the feet of the side that the load or the
 /// columns name, or all feet.
-fn candidates(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
+fn candidate_feet(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
     let indices = |matches: &dyn Fn(&Foot) -> bool| -> Vec<usize> {
         feet.iter().enumerate().filter(|(_, foot)| matches(foot)).map(|(index, _)| index).collect()
     };
@@ -148,7 +148,7 @@ fn candidates(plate: &Plate, feet: &[Foot]) -> Vec<usize> {
 }
 
 fn assign_plate(plate: &Plate, feet: &[Foot]) -> PlateAssignment {
-    let (foot, by) = match candidates(plate, feet).as_slice() {
+    let (foot, by) = match candidate_feet(plate, feet).as_slice() {
         &[only] if plate.body.is_some() => (Some(only), Some(AssignedBy::Loads)),
         &[only] if Side::of_name(&plate.name).is_some() => (Some(only), Some(AssignedBy::Name)),
         &[only] => (Some(only), Some(AssignedBy::OnlyFoot)),

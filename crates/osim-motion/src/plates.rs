@@ -104,7 +104,8 @@ impl Plate {
         /// Times of two files that differ by no more than this are the same, s: by rounding, motion data can begin before the plates.
         const SAME_TIME_S: f64 = 1e-6;
         let after = self.time_s.partition_point(|&time| time < time_s);
-        match (after.checked_sub(1).and_then(|before| self.sample(before)), self.sample(after)) {
+        match (after.checked_sub(1).and_then(|before| self.wrench_of_row(before)), self.wrench_of_row(after))
+        {
             (Some((t0, w0)), Some((t1, w1))) => Some(w0.interpolate(&w1, (time_s - t0) / (t1 - t0))),
             (None, Some((first, wrench))) if first - time_s <= SAME_TIME_S => Some(wrench),
             (Some((last, wrench)), None) if time_s - last <= SAME_TIME_S => Some(wrench),
@@ -112,7 +113,7 @@ impl Plate {
         }
     }
 
-    fn sample(&self, row: usize) -> Option<(f64, Wrench)> {
+    fn wrench_of_row(&self, row: usize) -> Option<(f64, Wrench)> {
         Some((*self.time_s.get(row)?, *self.wrenches.get(row)?))
     }
 }

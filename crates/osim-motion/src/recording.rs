@@ -161,7 +161,7 @@ impl Recording {
             };
             let (values, speeds): (Vec<f64>, Vec<f64>) = kept;
             self.facts.kept.push(name);
-            self.set(index, &values, &speeds);
+            self.set_coordinate(index, &values, &speeds);
             return Ok(());
         };
         table.check_finite(column)?;
@@ -176,11 +176,11 @@ impl Recording {
             }
             None => splined_speeds(&table.time_s, &values, &label)?,
         };
-        self.set(index, &values, &speeds);
+        self.set_coordinate(index, &values, &speeds);
         Ok(())
     }
 
-    fn set(&mut self, index: usize, values: &[f64], speeds: &[f64]) {
+    fn set_coordinate(&mut self, index: usize, values: &[f64], speeds: &[f64]) {
         let count = self.coordinates.len();
         let places = self.values.iter_mut().skip(index).step_by(count);
         places.zip(values).for_each(|(place, value)| *place = *value);

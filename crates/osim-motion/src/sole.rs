@@ -104,7 +104,7 @@ impl PressureOnSole {
         for pair in &pairs {
             spheres_m.push(flat(pose.placement(&pair.body)?.point(pair.centre_m)));
         }
-        let middle_m = mean(&spheres_m);
+        let middle_m = mean_point(&spheres_m);
         spheres_m.iter_mut().for_each(|place| *place = difference(*place, middle_m));
         let in_foot = |frame: usize, wrench: &Wrench| {
             let contacts = foot.foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
@@ -130,14 +130,14 @@ impl PressureOnSole {
         let both = self.model_m.iter().zip(&self.measured_m);
         let differences: Vec<[f64; 2]> =
             both.filter_map(|(own, plate)| Some(difference((*own)?, (*plate)?))).collect();
-        (!differences.is_empty()).then(|| mean(&differences))
+        (!differences.is_empty()).then(|| mean_point(&differences))
     }
 }
 
 /// A point of the floor in the axes of a foot. The spheres are at `now` in ground, and at `before` (around 0) in the axes of the
 /// foot; the rotation between them is found by least squares.
 fn in_foot_axes(before: &[[f64; 2]], now: &[[f64; 2]], point: [f64; 2]) -> [f64; 2] {
-    let middle = mean(now);
+    let middle = mean_point(now);
     let (mut along, mut across) = (0.0, 0.0);
     for (old, new) in before.iter().zip(now) {
         let new = difference(*new, middle);
@@ -155,7 +155,7 @@ fn difference(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
     [one[0] - other[0], one[1] - other[1]]
 }
 
-fn mean(places: &[[f64; 2]]) -> [f64; 2] {
+fn mean_point(places: &[[f64; 2]]) -> [f64; 2] {
     let count = places.len().max(1) as f64;
     let sum = |axis: usize| places.iter().filter_map(|place| place.get(axis)).sum::<f64>() / count;
     [sum(0), sum(1)]

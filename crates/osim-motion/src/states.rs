@@ -242,7 +242,7 @@ enum Shape {
 
 /// A plane or sphere in one frame, as it faces another sphere near it.
 struct SurfaceInFrame {
-    carrier: MovingPlacement,
+    body_motion: MovingPlacement,
     normal: DVec3,
     /// Height of the centre of the other sphere above the surface along the normal, m.
     height_m: f64,
@@ -268,18 +268,18 @@ impl Surface {
 
     fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {
         let ground = MovingPlacement::still(Placement::IDENTITY);
-        let carrier = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
-        let away = centre_m - carrier.at.point(self.point_m);
+        let body_motion = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
+        let away = centre_m - body_motion.at.point(self.point_m);
         match self.shape {
             Shape::Plane(normal) => {
-                let normal = carrier.at.rotation.to_body(normal);
-                SurfaceInFrame { normal, height_m: away.dot(normal), carrier }
+                let normal = body_motion.at.rotation.to_body(normal);
+                SurfaceInFrame { normal, height_m: away.dot(normal), body_motion }
             }
             Shape::Sphere(radius_m) => {
                 let distance_m = away.length();
                 // Two centres at one place have no direction; any will do.
                 let normal = if distance_m > 0.0 { away / distance_m } else { DVec3::Y };
-                SurfaceInFrame { normal, height_m: distance_m - radius_m, carrier }
+                SurfaceInFrame { normal, height_m: distance_m - radius_m, body_motion }
             }
         }
     }
@@ -297,7 +297,7 @@ fn contact_state(
     // Between the bottom of the sphere, which is as deep as the indentation, and the plane.
     let along = pair.radius_m - indentation_m * (1.0 - pair.depth_share);
     let point_m = centre_m - along * normal;
-    let relative = moving.velocity_at(point_m) - surface.carrier.velocity_at(point_m);
+    let relative = moving.velocity_at(point_m) - surface.body_motion.velocity_at(point_m);
     let rate_m_s = -relative.dot(normal);
     let against_belt = relative - belt_m_s;
     let slip_m_s = against_belt - against_belt.dot(normal) * normal;

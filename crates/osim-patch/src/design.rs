@@ -16,7 +16,7 @@ use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, PLACES_STAY, bottoms_remark, rest_remark};
+use crate::rules::{self, PLACES_STAY, bottoms_remark, equilibrium_remark};
 
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -122,7 +122,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
         let by_radius =
             RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
         let own_ratios = Ratios::new(by_radius).map_err(Fault::new)?;
-        let sphere = DesignedForce { force, radius_m: radii.mean_new(force), own_ratios };
+        let sphere = DesignedForce { force, radius_m: radii.rms_new_radius(force), own_ratios };
         // If two forces share a sphere, the rest of one force alone means nothing.
         rests.extend(wanted.equilibrium_indentation(&plan, &sphere)?.filter(|_| !shared));
         for property in Property::ALL.into_iter().filter(|&property| properties.contains(property)) {
@@ -136,7 +136,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     }
     let mut remarks: Vec<Phrase> = vec![PLACES_STAY.into()];
     remarks.extend(bottoms_remark(&radii));
-    remarks.extend(rest_remark(&rests));
+    remarks.extend(equilibrium_remark(&rests));
     let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() {
         findings.push(rules::nothing_to_design());
@@ -248,13 +248,17 @@ impl Design {
         let (radius_m, smooth, model) = (sphere.radius_m, sphere.is_smooth(), plan.model);
         Ok(match property {
             Property::Stiffness => match self.modulus {
-                Some(modulus) => Some(self.modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?),
+                Some(modulus) => {
+                    Some(self.designed_modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?)
+                }
                 None => None,
             },
             Property::Dissipation => match self.restitution {
                 Some((restitution, speed)) => {
-                    let speed = speed
-                        .map_or_else(|| default_speed(self.gravity_m_s2.or(model.gravity()), radius_m), Ok)?;
+                    let speed = speed.map_or_else(
+                        || default_impact_speed(self.gravity_m_s2.or(model.gravity()), radius_m),
+                        Ok,
+                    )?;
                     Some((restitution::dissipation(restitution, speed).map_err(Fault::new)?, "13"))
                 }
                 None => None,
@@ -336,7 +340,7 @@ impl Design {
     }
 
     /// E₁* and its equation; `speed_state` is the factor on the Hertz force at speed 0.
-    fn modulus(
+    fn designed_modulus(
         &self,
         modulus: DesignModulus,
         radius_m: f64,
@@ -400,7 +404,7 @@ impl Design {
 }
 
 /// √(gR/2), the impact speed after a fall from a quarter of the radius, as in the paper's drop test.
-fn default_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
+fn default_impact_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
         None => Err(Fault::new(Needed::Gravity { purpose: GravityFor::ImpactSpeed })),

@@ -89,7 +89,7 @@ pub(crate) fn insert(tree: &Tree, parent: ElementId, order: &[&str], nodes: &[No
         }
         if children.is_empty() {
             // Only comments in it: OpenSim's "All properties of this object have their default values."
-            let comment = comments(tree, parent).next_back();
+            let comment = comment_spans(tree, parent).next_back();
             let span = comment.unwrap_or_else(|| tree.open_span(parent));
             return (span.end, white_space_before(tree, span.start));
         }
@@ -197,7 +197,7 @@ fn indentation(space: &str) -> &str {
     space.rsplit('\n').next().unwrap_or_default()
 }
 
-fn comments(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = Range<usize>> + '_ {
+fn comment_spans(tree: &Tree, parent: ElementId) -> impl DoubleEndedIterator<Item = Range<usize>> + '_ {
     tree.content(parent).filter(|piece| piece.kind == PieceKind::Comment).map(|piece| piece.span)
 }
 

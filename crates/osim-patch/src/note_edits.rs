@@ -122,7 +122,7 @@ fn write_note_with(
             Some(span) => Edit { span, text },
             None => insert_first(tree, root, &text),
         };
-        return std::iter::once(own).chain(comments.map(|span| removal(tree, span))).collect();
+        return std::iter::once(own).chain(comments.map(|span| removal_edit(tree, span))).collect();
     }
     match Credits::of(document) {
         Ok(Some(credits)) => edits_in_credits(tree, &credits, of(&credits)),
@@ -136,13 +136,13 @@ fn write_note_with(
 pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let tree = document.tree();
     let made = Note::find(document).map(|note| note.added_to_file).unwrap_or_default();
-    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| removal(tree, span)).collect();
+    let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| removal_edit(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
         let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
         let form =
             OPENED_CREDITS.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
         if is_bare && made.contains(MADE_CREDITS) {
-            edits.push(removal(tree, tree.span(credits.element)));
+            edits.push(removal_edit(tree, tree.span(credits.element)));
         } else if let (true, Some(form)) = (is_bare, form) {
             edits.push(form.restored(tree, credits.element));
         } else {
@@ -158,7 +158,7 @@ pub(crate) fn credits_after(document: &Document, edits: &[Edit]) -> Option<Strin
         return None;
     }
     let element = match Credits::of(document).ok()? {
-        Some(credits) => with_edits(document, document.tree().span(credits.element), edits)?,
+        Some(credits) => bytes_with_edits(document, document.tree().span(credits.element), edits)?,
         // Only a note is inserted there.
         None => {
             edits.iter().map(|edit| &edit.text).find(|text| text.contains("<credits>"))?.clone().into_bytes()
@@ -170,7 +170,7 @@ pub(crate) fn credits_after(document: &Document, edits: &[Edit]) -> Option<Strin
 }
 
 /// The bytes of `span` after the edits in it; `None` if the edits remove all of `span`.
-fn with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option<Vec<u8>> {
+fn bytes_with_edits(document: &Document, span: Range<usize>, edits: &[Edit]) -> Option<Vec<u8>> {
     let holds =
         |outer: &Range<usize>, inner: &Range<usize>| outer.start <= inner.start && inner.end <= outer.end;
     if edits.iter().any(|edit| edit.text.is_empty() && holds(&edit.span, &span)) {
@@ -198,7 +198,7 @@ fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>
     vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS}>") }]
 }
 
-fn removal(tree: &Tree, span: Range<usize>) -> Edit {
+fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
     Edit { span: with_white_space_before(tree, span), text: String::new() }
 }
 

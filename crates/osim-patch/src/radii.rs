@@ -34,12 +34,12 @@ impl Radii {
             let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
             let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
-            let pair = rule.pair(old, isometric);
+            let pair = rule.radius_pair(old, isometric);
             if pair.new != pair.old {
-                users.refuse_change(model, forces, sphere, rule.source())?;
+                users.refuse_change(model, forces, sphere, rule.change_reason())?;
             }
             let factor = rule.is_relative().then_some(pair.ratio);
-            plan.change_radius(sphere, NewValue { to: pair.new, factor, by: rule.by() })?;
+            plan.change_radius(sphere, NewValue { to: pair.new, factor, by: rule.changed_by() })?;
             radii.insert(sphere, pair);
         }
         Ok(Self(radii))
@@ -52,7 +52,7 @@ impl Radii {
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
-            Some(_) => self.mean_new(force) / self.mean_old(force),
+            Some(_) => self.rms_new_radius(force) / self.rms_old_radius(force),
         }
     }
 
@@ -62,12 +62,12 @@ impl Radii {
     }
 
     /// Root of the mean R² of the force's spheres before the change.
-    fn mean_old(&self, force: &Force) -> f64 {
+    fn rms_old_radius(&self, force: &Force) -> f64 {
         root_mean_square(self.pairs(force).iter().map(|pair| pair.old))
     }
 
     /// Root of the mean R² of the force's spheres after the change.
-    pub(crate) fn mean_new(&self, force: &Force) -> f64 {
+    pub(crate) fn rms_new_radius(&self, force: &Force) -> f64 {
         root_mean_square(self.pairs(force).iter().map(|pair| pair.new))
     }
 
@@ -128,7 +128,7 @@ impl Radii {
     }
 
     /// The largest ratio of new to old radius among the spheres of a force, divided by the smallest.
-    pub(crate) fn spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
+    pub(crate) fn ratio_spread(&self, force: &Force, old_radius: impl Fn(SphereId) -> f64) -> f64 {
         let ratios: Vec<f64> = force
             .spheres()
             .into_iter()
@@ -161,7 +161,7 @@ struct RadiusPair {
 }
 
 impl SphereRule {
-    fn by(self) -> ChangedBy {
+    fn changed_by(self) -> ChangedBy {
         match self {
             Self::Rule(RadiusRule::Isometric) | Self::Like(_) => ChangedBy::Equation("8"),
             Self::Followed(_) => ChangedBy::Follow,
@@ -170,7 +170,7 @@ impl SphereRule {
         }
     }
 
-    fn source(self) -> RadiusChangeReason {
+    fn change_reason(self) -> RadiusChangeReason {
         match self {
             Self::Rule(_) | Self::Like(_) => RadiusChangeReason::Rule,
             Self::Designed(_) => RadiusChangeReason::ContactStiffness,
@@ -183,7 +183,7 @@ impl SphereRule {
         matches!(self, Self::Rule(RadiusRule::Isometric | RadiusRule::Keep | RadiusRule::Factor(_)))
     }
 
-    fn pair(self, old: f64, isometric: f64) -> RadiusPair {
+    fn radius_pair(self, old: f64, isometric: f64) -> RadiusPair {
         let times = |ratio: f64| RadiusPair { old, new: if ratio == 1.0 { old } else { old * ratio }, ratio };
         match self {
             Self::Rule(RadiusRule::Isometric) => times(isometric),

@@ -141,7 +141,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let is_there = is_at_target(contacts_mass_kg, target_mass_kg);
     if is_there && gravity == 1.0 && !other_radius && wanted.bodies.is_none() {
         plan.findings.push(rules::already_at_target(&wanted.contacts_mass));
-        return Ok(finish(plan, wanted, selected, None, change));
+        return Ok(plan_with_note_and_remarks(plan, wanted, selected, None, change));
     }
     // A mass within a thousandth is the same: numbers stay, and only spheres move.
     let mass = if is_there && wanted.bodies.is_some() { 1.0 } else { target_mass_kg / contacts_mass_kg };
@@ -169,7 +169,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     if plan.changes.is_empty() && plan.moves.is_empty() {
         plan.findings.push(rules::nothing_to_rescale());
     }
-    Ok(finish(plan, wanted, selected, Some(&radii), change))
+    Ok(plan_with_note_and_remarks(plan, wanted, selected, Some(&radii), change))
 }
 
 fn scale_set(
@@ -201,7 +201,7 @@ fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Faul
     }
 }
 
-fn finish(
+fn plan_with_note_and_remarks(
     plan: PlanBuilder<'_>,
     wanted: &Rescale,
     selected: &Selected,

@@ -254,7 +254,7 @@ pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>
 }
 
 /// A remark on x/R of each sphere at equilibrium after a design, by the model's smoothed law; (11) gives x/R for the Hertz law.
-pub(crate) fn rest_remark(rests: &[f64]) -> Option<Phrase> {
+pub(crate) fn equilibrium_remark(rests: &[f64]) -> Option<Phrase> {
     let four = |x: f64| format!("{x:.4}");
     let least = rests.iter().copied().reduce(f64::min).map(four)?;
     let most = rests.iter().copied().reduce(f64::max).map(four)?;

@@ -90,7 +90,7 @@ impl Set {
 
 /// Whether the note records that the same values were assigned already. All changes since the last whole rescaling count, because
 /// none may be applied twice without a question. Level feet stay level if the operation is repeated.
-fn is_done(model: &Model, wanted: &Set) -> bool {
+fn is_assigned_already(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
     let mut of_set = steps.take_while(|step| step.verb() == Some(Verb::Set)).map(|step| &*step.operation);
     of_set.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
@@ -105,7 +105,7 @@ fn is_done(model: &Model, wanted: &Set) -> bool {
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
-    if relative && !wanted.repeat && is_done(model, wanted) {
+    if relative && !wanted.repeat && is_assigned_already(model, wanted) {
         return Err(Fault::new(Needed::Repetition { operation }));
     }
     let users = UnchangedUsers::find(model, &selected.forces);

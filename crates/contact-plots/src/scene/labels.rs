@@ -144,7 +144,7 @@ pub(super) fn place_names(
                 .filter(|(other, _)| *other != index)
                 .filter_map(|(_, (other, place))| Some((other.at, (*place)?)))
                 .collect();
-            let best = Search { name, span: (left, right), obstacles, others: &others }.cheapest_place();
+            let best = PlaceSearch { name, span: (left, right), obstacles, others: &others }.cheapest_place();
             // What is found later is kept only where it is free: it always is.
             if let Some(place) = places.get_mut(index) {
                 *place = best.or(*place);
@@ -158,14 +158,14 @@ pub(super) fn place_names(
     names.iter().zip(places).map(|(name, place)| place.unwrap_or_else(|| fallback(name))).collect()
 }
 
-struct Search<'s> {
+struct PlaceSearch<'s> {
     name: &'s NameToPlace,
     span: (f64, f64),
     obstacles: &'s Obstacles,
     others: &'s [(Point, Rect)],
 }
 
-impl Search<'_> {
+impl PlaceSearch<'_> {
     fn cheapest_place(&self) -> Option<Rect> {
         let (width, height) = self.name.size;
         let mut best: Option<(f64, Rect)> = None;

@@ -161,7 +161,7 @@ impl<'s> SceneLayout<'s> {
         let column = column(columns);
         let plot = column - beside - RIGHT_PT;
         let title = Title::new(&scene.title, width);
-        let scales = scales(scene, plot);
+        let scales = block_scales(scene, plot);
         let mut blocks = Vec::new();
         let mut top = title.bottom_pt();
         let rows = scene.blocks.chunks(columns).zip(scales.chunks(columns));
@@ -209,7 +209,7 @@ fn longest_tick(scene: &Scene) -> f64 {
     width_pt(&format!("-{:.0}", 1.3 * largest), TEXT_PT)
 }
 
-fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
+fn span_of_values(values: impl Iterator<Item = f64>) -> (f64, f64) {
     let (low, high) = values
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     match high - low {
@@ -220,11 +220,11 @@ fn span(values: impl Iterator<Item = f64>) -> (f64, f64) {
 }
 
 fn x_span(block: &Block) -> (f64, f64) {
-    span(block.views.iter().flat_map(View::corners).map(|(x, _)| x))
+    span_of_values(block.views.iter().flat_map(View::corners).map(|(x, _)| x))
 }
 
 fn y_span(view: &View) -> (f64, f64) {
-    span(view.corners().map(|(_, y)| y).chain(view.levels.iter().map(|level| level.at)))
+    span_of_values(view.corners().map(|(_, y)| y).chain(view.levels.iter().map(|level| level.at)))
 }
 
 /// Whether an outline of a block is large enough to be seen.
@@ -233,13 +233,13 @@ pub(super) fn has_outlines(block: &Block) -> bool {
     let whole = block.views.iter().map(|view| size(y_span(view))).fold(size(x_span(block)), f64::max);
     let mut outlines = block.views.iter().flat_map(|view| &view.outlines);
     outlines.any(|outline| {
-        let along = |axis: fn(&Point) -> f64| size(span(outline.points.iter().map(axis)));
+        let along = |axis: fn(&Point) -> f64| size(span_of_values(outline.points.iter().map(axis)));
         along(|point| point.0).max(along(|point| point.1)) >= VISIBLE_SHARE * whole
     })
 }
 
 /// The scale of each block, and whether it is smaller than the scale of other blocks. Objects of similar size share one scale.
-fn scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
+fn block_scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
     let scale_alone = |block: &Block| {
         let (low, high) = x_span(block);
         let highest = block.views.iter().map(y_span).map(|(low, high)| high - low).fold(0.0, f64::max);
@@ -276,7 +276,8 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     let (from, to) = y_span(view);
     let ends = [placed.at((0.0, from)).1, placed.at((0.0, to)).1];
     let boxes = placed.names.iter().chain(&placed.level_names).map(|name| name.place);
-    let (top, bottom) = span(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
+    let (top, bottom) =
+        span_of_values(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
     placed.with_more_room(PAD_PT - top, bottom + PAD_PT)
 }
 

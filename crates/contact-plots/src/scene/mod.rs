@@ -114,7 +114,7 @@ fn draw_outlines(root: &Area<'_>, view: &PlacedView<'_>) -> Result<(), PlotError
                 draw(root, &Polygon::new(points.clone(), BONE.mix(BONE_OPACITY).filled()))?;
                 draw(root, &PathElement::new(points, stroke(BONE, 0.6)))?;
             }
-            State::Before => draw(root, &dashed(points, BONE, 0.6))?,
+            State::Before => draw(root, &dashed_line(points, BONE, 0.6))?,
         }
     }
     Ok(())
@@ -123,18 +123,18 @@ fn draw_outlines(root: &Area<'_>, view: &PlacedView<'_>) -> Result<(), PlotError
 fn draw_ball(root: &Area<'_>, view: &PlacedView<'_>, ball: &Ball) -> Result<(), PlotError> {
     let (centre, radius) = (view.at(ball.centre), view.length(ball.radius));
     if ball.state == State::Before {
-        return draw(root, &ring(centre, radius));
+        return draw(root, &dashed_circle(centre, radius));
     }
-    circle(root, centre, radius, ball.misplaced)
+    draw_circle(root, centre, radius, ball.misplaced)
 }
 
 fn draw_spot(root: &Area<'_>, at: Point, state: State) -> Result<(), PlotError> {
     let size = if state == State::Now { SPOT_PT } else { 0.6 * SPOT_PT };
-    spot(root, at, size)
+    draw_square(root, at, size)
 }
 
 fn draw_level(root: &Area<'_>, view: &PlacedView<'_>, (y, kind): (f64, LevelKind)) -> Result<(), PlotError> {
-    level(root, (view.left, view.left + view.width), y, kind)
+    draw_level_line(root, (view.left, view.left + view.width), y, kind)
 }
 
 /// Draws the line from a name to its element, if they are apart.
@@ -215,12 +215,12 @@ fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) 
     let centre = (left + SAMPLE_PT / 2.0, middle);
     let ends = (left, left + SAMPLE_PT);
     match sample {
-        SceneSample::Ball => circle(root, centre, RADIUS_PT, false),
-        SceneSample::Misplaced => circle(root, centre, RADIUS_PT, true),
-        SceneSample::BallBefore => draw(root, &ring(centre, RADIUS_PT)),
-        SceneSample::Spot => spot(root, centre, 2.2),
-        SceneSample::Lowest => level(root, ends, middle, LevelKind::Lowest),
-        SceneSample::Ground => level(root, ends, middle - 1.5, LevelKind::Ground),
+        SceneSample::Ball => draw_circle(root, centre, RADIUS_PT, false),
+        SceneSample::Misplaced => draw_circle(root, centre, RADIUS_PT, true),
+        SceneSample::BallBefore => draw(root, &dashed_circle(centre, RADIUS_PT)),
+        SceneSample::Spot => draw_square(root, centre, 2.2),
+        SceneSample::Lowest => draw_level_line(root, ends, middle, LevelKind::Lowest),
+        SceneSample::Ground => draw_level_line(root, ends, middle - 1.5, LevelKind::Ground),
         SceneSample::Bone => {
             let corners = [place((left, middle - 3.0)), place((left + SAMPLE_PT, middle + 3.0))];
             draw(root, &Rectangle::new(corners, BONE.mix(BONE_OPACITY).filled()))?;
@@ -246,7 +246,7 @@ type Dashes = DashedPathElement<std::vec::IntoIter<(i32, i32)>, i32>;
 const SPOT_PT: f64 = 1.7;
 
 /// Draws a circle with a light shade inside.
-fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
+fn draw_circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
     let (colour, width) =
         if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(PRESENT_LOOK), PRESENT_LOOK.width_pt) };
     let (at, radius) = (place(centre), units(radius));
@@ -255,27 +255,32 @@ fn circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Resul
 }
 
 /// A dashed circle; the library has only circles with solid lines.
-fn ring((x, y): Point, radius: f64) -> Dashes {
+fn dashed_circle((x, y): Point, radius: f64) -> Dashes {
     let corner = |index: u32| {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(index) / f64::from(RING_CORNERS)).sin_cos();
         place((x + radius * cos, y + radius * sin))
     };
-    dashed((0..=RING_CORNERS).map(corner).collect(), INK, 0.8)
+    dashed_line((0..=RING_CORNERS).map(corner).collect(), INK, 0.8)
 }
 
-fn dashed(points: Vec<(i32, i32)>, colour: RGBColor, width_pt: f64) -> Dashes {
+fn dashed_line(points: Vec<(i32, i32)>, colour: RGBColor, width_pt: f64) -> Dashes {
     DashedPathElement::new(points, units(2.4), units(1.8), stroke(colour, width_pt))
 }
 
 /// Draws a square that stands on its corner, white inside.
-fn spot(root: &Area<'_>, (x, y): Point, size: f64) -> Result<(), PlotError> {
+fn draw_square(root: &Area<'_>, (x, y): Point, size: f64) -> Result<(), PlotError> {
     let corners = [(x, y - size), (x + size, y), (x, y + size), (x - size, y), (x, y - size)].map(place);
     draw(root, &Polygon::new(corners.to_vec(), RGBColor(255, 255, 255).filled()))?;
     draw(root, &PathElement::new(corners.to_vec(), stroke(INK, 0.8)))
 }
 
 /// Draws a horizontal line: dashed for the lowest point, with short strokes below it for the ground.
-fn level(root: &Area<'_>, (left, right): (f64, f64), y: f64, kind: LevelKind) -> Result<(), PlotError> {
+fn draw_level_line(
+    root: &Area<'_>,
+    (left, right): (f64, f64),
+    y: f64,
+    kind: LevelKind,
+) -> Result<(), PlotError> {
     let line = [place((left, y)), place((right, y))];
     if kind == LevelKind::Lowest {
         let dashes = DashedPathElement::new(line, units(2.0), units(1.6), stroke(LIMIT, 0.7));

@@ -272,7 +272,7 @@ impl Solout<f64, DepthAndSpeed> for DropObserver<'_> {
         let crossed = if self.contact { state[0] < 0.0 } else { state[0] > 0.0 };
         let mut stop = now;
         if crossed {
-            let (time, speed) = crossing(before, now, self.contact, &mut at);
+            let (time, speed) = crossing_time_and_speed(before, now, self.contact, &mut at);
             self.record.crossings.push((time, speed));
             if self.restart {
                 stop = time;
@@ -293,7 +293,7 @@ impl Solout<f64, DepthAndSpeed> for DropObserver<'_> {
 }
 
 /// Time and speed at which x changes its sign between two times; the time is exact to the last bit.
-fn crossing(
+fn crossing_time_and_speed(
     before: f64,
     now: f64,
     upward: bool,

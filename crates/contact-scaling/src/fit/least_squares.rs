@@ -110,7 +110,7 @@ const SCAN: u32 = 64;
 
 /// The least-squares parameters with a fitted onset.
 pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
-    let (low, high) = range(points, |p| p.indentation);
+    let (low, high) = value_range(points, |p| p.indentation);
     let start = best_of_tried_onsets(model, points, low, high)?;
     let force = points.iter().fold(0.0, |most: f64, p| most.max(p.force.abs()));
     let length = high - low;
@@ -161,7 +161,7 @@ fn best_of_tried_onsets(
     best.map(|(_, fitted)| fitted)
 }
 
-fn range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
+fn value_range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
     points
         .iter()
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| (low.min(value(p)), high.max(value(p))))

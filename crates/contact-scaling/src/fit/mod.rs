@@ -53,7 +53,7 @@ pub fn fit(measurement: &Measurement<'_>, values: &FitValues) -> Result<Fit, Fit
         return Err(FitError::NoStiffness { value: parameters.modulus });
     }
     refuse_single_indentation(&points, parameters.onset)?;
-    report(&model, &points, &parameters, radius)
+    fit_result(&model, &points, &parameters, radius)
 }
 
 /// Refuses a measurement at a single indentation, because every law goes through one point.
@@ -67,7 +67,7 @@ fn refuse_single_indentation(points: &[Point], onset: f64) -> Result<(), FitErro
     Ok(())
 }
 
-fn report(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
+fn fit_result(model: &FitModel, points: &[Point], fitted: &Parameters, radius: f64) -> Result<Fit, FitError> {
     let residuals_n: Vec<f64> = points.iter().map(|p| p.force - model.force(fitted, p)).collect();
     let degrees_of_freedom = points.len() - model.names().len();
     let square: f64 = residuals_n.iter().map(|r| r * r).sum();

@@ -293,7 +293,7 @@ impl<'t> FitProblem<'t> {
     }
 
     /// Whether any parameter is left to fit.
-    pub(super) fn is_free(&self) -> bool {
+    pub(super) fn has_free_parameters(&self) -> bool {
         self.settings.iter().any(|one| !one.fixed)
     }
 

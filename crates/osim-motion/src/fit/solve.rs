@@ -158,8 +158,9 @@ impl<'b> NearlyAsGood<'b> {
 
     pub(super) fn stiffness(&self) -> (f64, f64) {
         let wanted = FitWanted { stiffness: false, ..self.wanted };
-        let tried =
-            |log: f64| self.refitted(wanted, None, &Unknowns { stiffness_log: log, ..self.best.clone() });
+        let tried = |log: f64| {
+            self.refitted_rms_bw(wanted, None, &Unknowns { stiffness_log: log, ..self.best.clone() })
+        };
         let low = range_end(self.best.stiffness_log, -1.0, self.rms_bw, &tried);
         let high = range_end(self.best.stiffness_log, 1.0, self.rms_bw, &tried);
         (low.exp(), high.exp())
@@ -171,7 +172,7 @@ impl<'b> NearlyAsGood<'b> {
         let (least, most) = self.limits.dissipation;
         let tried = |dissipation: f64| {
             let start = Unknowns { dissipation: Some(dissipation.clamp(least, most)), ..self.best.clone() };
-            self.refitted(wanted, None, &start)
+            self.refitted_rms_bw(wanted, None, &start)
         };
         let low = range_end(value, -0.5, self.rms_bw, &tried).max(least);
         (low, range_end(value, 0.5, self.rms_bw, &tried).min(most))
@@ -185,19 +186,24 @@ impl<'b> NearlyAsGood<'b> {
             let mut heights_m = heights_m.clone();
             *heights_m.get_mut(trial)? = up_m.clamp(least_m, most_m);
             let start = self.best.clone().with_heights(height, heights_m);
-            self.refitted(self.wanted, Some(trial), &start)
+            self.refitted_rms_bw(self.wanted, Some(trial), &start)
         };
         let low_m = range_end(value, -HEIGHT_STEP_M, self.rms_bw, &tried).max(least_m);
         (low_m, range_end(value, HEIGHT_STEP_M, self.rms_bw, &tried).min(most_m))
     }
 
     /// The error after a fit of the `wanted` parameters from `start`; the others and the height of one trial are fixed.
-    fn refitted(&self, wanted: FitWanted, kept_height: Option<usize>, start: &Unknowns) -> Option<f64> {
+    fn refitted_rms_bw(
+        &self,
+        wanted: FitWanted,
+        kept_height: Option<usize>,
+        start: &Unknowns,
+    ) -> Option<f64> {
         let mut problem = FitProblem::new(&self.trials, wanted, start, &self.limits);
         if let Some(trial) = kept_height {
             problem.keep_height(trial);
         }
-        if !problem.is_free() {
+        if !problem.has_free_parameters() {
             return Some(problem.rms_bw(start));
         }
         let mut vector: Vec<f64> = problem.to_vector(start);

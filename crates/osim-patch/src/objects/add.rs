@@ -6,7 +6,7 @@ use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Prope
 use crate::edit::edited;
 use crate::insert::Node;
 use crate::objects::layout::{ContactLayout, NewContact};
-use crate::objects::nodes::{self, Carrier, NamesInList, Surfaces, Values};
+use crate::objects::nodes::{self, NamesInList, ParentFrame, Surfaces, Values};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
 };
@@ -72,8 +72,8 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         contact.sphere = names.reserve(&contact.sphere)?;
         contact.force = names.reserve(&contact.force)?;
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
-        let carrier = Carrier { name: &body.name, path: &body.path };
-        geometry.push(nodes::sphere_node(version, &carrier, contact)?);
+        let parent_frame = ParentFrame { name: &body.name, path: &body.path };
+        geometry.push(nodes::sphere_node(version, &parent_frame, contact)?);
         objects.push(added_object("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
         forces.push(force_node(
             model.document(),

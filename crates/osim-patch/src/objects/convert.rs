@@ -205,7 +205,7 @@ fn divide_force(
             }
             _ => Surfaces { sphere: &sphere_path, plane: &plane_path },
         };
-        let origin = |property: Property| origin(property, sphere, pair);
+        let origin = |property: Property| value_origin(property, sphere, pair);
         let written = Values { numbers: &values, origin: &origin };
         let node = nodes::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
             .map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
@@ -224,7 +224,7 @@ fn divide_force(
 }
 
 /// Source of the value of `property` in a new force, in words.
-fn origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String {
+fn value_origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> String {
     let (radius, path) = (readable(sphere.radius.number), &sphere.path);
     let by_radius = |equation: &str| format!("the radius {radius} m of {path} by equation ({equation})");
     match property {

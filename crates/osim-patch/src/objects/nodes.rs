@@ -15,15 +15,16 @@ use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non
 /// `body_name` from this version on.
 const FIRST_WITH_SOCKET_FRAME: u32 = 30505;
 
-pub(super) struct Carrier<'c> {
+/// The body or ground to which contact geometry is attached, or an offset frame on it.
+pub(super) struct ParentFrame<'c> {
     pub(super) name: &'c str,
-    /// Component path of the body or of ground.
+    /// Component path of the frame.
     pub(super) path: &'c str,
 }
 
-const GROUND: Carrier<'static> = Carrier { name: "ground", path: "/ground" };
+const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "/ground" };
 
-impl Carrier<'_> {
+impl ParentFrame<'_> {
     fn node(&self, version: u32) -> Node {
         if version < FIRST_WITH_SOCKET_FRAME {
             Node::leaf("body_name", crate::insert::escaped(self.name))
@@ -34,7 +35,7 @@ impl Carrier<'_> {
 }
 
 /// An element with three numbers; `name` is the object's name in the error message.
-fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
+fn triple_node(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
     // The mirror image of 0 is 0, without a minus.
     let values = values.map(|value| value + 0.0);
     let text = change::triple_text(values, tag, || format!("the place that {name} is to have"));
@@ -42,31 +43,35 @@ fn triple(tag: &str, values: [f64; 3], name: &str) -> Result<Node, Fault> {
 }
 
 /// The element `<ContactSphere>` of a new contact.
-pub(super) fn sphere_node(version: u32, carrier: &Carrier<'_>, contact: &NewContact) -> Result<Node, Fault> {
+pub(super) fn sphere_node(
+    version: u32,
+    parent_frame: &ParentFrame<'_>,
+    contact: &NewContact,
+) -> Result<Node, Fault> {
     let name = contact.sphere.as_str();
-    let place = triple("location", contact.location_m, name)?;
+    let place = triple_node("location", contact.location_m, name)?;
     let radius = change::number_text(contact.radius_m, Property::Radius, || {
         format!("the radius that {name} is to have")
     });
     let radius = Node::leaf("radius", radius.map_err(|fault| fault.at_element(name))?);
-    Ok(Node::object(Class::ContactSphere.tag(), name, vec![carrier.node(version), place, radius]))
+    Ok(Node::object(Class::ContactSphere.tag(), name, vec![parent_frame.node(version), place, radius]))
 }
 
 /// The element `<ContactHalfSpace>` with a location (m) and three angles (rad).
 fn half_space_node(
     version: u32,
-    carrier: &Carrier<'_>,
+    parent_frame: &ParentFrame<'_>,
     name: &str,
     [location_m, angles_rad]: [[f64; 3]; 2],
 ) -> Result<Node, Fault> {
-    let place = triple("location", location_m, name)?;
-    let turned = triple("orientation", angles_rad, name)?;
-    Ok(Node::object("ContactHalfSpace", name, vec![carrier.node(version), place, turned]))
+    let place = triple_node("location", location_m, name)?;
+    let turned = triple_node("orientation", angles_rad, name)?;
+    Ok(Node::object("ContactHalfSpace", name, vec![parent_frame.node(version), place, turned]))
 }
 
 /// The element `<ContactHalfSpace>` through the origin of ground; its normal points along `up`.
 pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Fault> {
-    half_space_node(version, &GROUND, name, [[0.0; 3], Orientation::facing(up)])
+    half_space_node(version, &GROUND_FRAME, name, [[0.0; 3], Orientation::facing(up)])
 }
 
 /// Parameters of a new force, and the source of each in words.
@@ -198,10 +203,10 @@ impl SurfacesInsideForces {
         for frame in [&sphere.frame, &plane.frame_path] {
             refuse_non_utf8_name(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
         }
-        Ok((self.sphere(model, force, sphere, names)?, self.plane(model, force, plane, names)?))
+        Ok((self.add_sphere(model, force, sphere, names)?, self.add_plane(model, force, plane, names)?))
     }
 
-    fn sphere(
+    fn add_sphere(
         &mut self,
         model: &Model,
         force: &Force,
@@ -212,12 +217,13 @@ impl SurfacesInsideForces {
         contact.sphere = names.reserve(&format!("{}_sphere", force.name))?;
         contact.location_m = sphere.location_m;
         contact.radius_m = sphere.radius_m()?;
-        let carrier = Carrier { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
-        self.geometry.push(sphere_node(model.document().version(), &carrier, &contact)?);
+        let parent_frame =
+            ParentFrame { name: sphere.body.as_deref().unwrap_or("ground"), path: &sphere.frame };
+        self.geometry.push(sphere_node(model.document().version(), &parent_frame, &contact)?);
         Ok(self.record_added("ContactSphere", contact.sphere, sphere.body.clone()))
     }
 
-    fn plane(
+    fn add_plane(
         &mut self,
         model: &Model,
         force: &Force,
@@ -234,9 +240,10 @@ impl SurfacesInsideForces {
             return Ok(path.clone());
         }
         let name = names.reserve(if plane.on_ground { "floor" } else { "half_space" })?;
-        let carrier = Carrier { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
+        let parent_frame =
+            ParentFrame { name: plane.body.as_deref().unwrap_or("ground"), path: &plane.frame_path };
         let version = model.document().version();
-        self.geometry.push(half_space_node(version, &carrier, &name, [location_m, angles_rad])?);
+        self.geometry.push(half_space_node(version, &parent_frame, &name, [location_m, angles_rad])?);
         let path = self.record_added("ContactHalfSpace", name, plane.body.clone());
         self.planes.push((plane.frame_path.clone(), bits, path.clone()));
         Ok(path)

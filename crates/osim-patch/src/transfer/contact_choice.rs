@@ -55,7 +55,7 @@ impl<'t> ReferenceRadii<'t> {
     }
 
     /// Whether all spheres have the radius `radius_m`.
-    fn are_all(&self, radius_m: f64) -> bool {
+    fn all_equal(&self, radius_m: f64) -> bool {
         self.one.is_some_and(|one| one.is_none_or(|one| one == radius_m))
     }
 }
@@ -79,19 +79,19 @@ impl<'t> ContactChoice<'t> {
         }
         if wanted.follow.is_some() {
             // Following has matched every sphere by its name already.
-            return Ok(Self::Paired { first, by_name: by_name(contacts) });
+            return Ok(Self::Paired { first, by_name: contacts_by_sphere_name(contacts) });
         }
-        let base = dimensionless(first)?;
+        let base = dimensionless_contact(first)?;
         let mut same = true;
         for contact in contacts {
-            same &= dimensionless(contact)?.agrees_with(&base, SAME_CONTACT);
+            same &= dimensionless_contact(contact)?.agrees_with(&base, SAME_CONTACT);
         }
         if same {
             return Ok(Self::One(first));
         }
-        let by_name = by_name(contacts);
+        let by_name = contacts_by_sphere_name(contacts);
         let unmatched =
-            names_of_unmatched(model, selected, |sphere| by_name.contains_key(name_of(model, sphere)));
+            names_of_unmatched(model, selected, |sphere| by_name.contains_key(sphere_name(model, sphere)));
         if unmatched.is_empty() {
             return Ok(Self::Paired { first, by_name });
         }
@@ -103,7 +103,7 @@ impl<'t> ContactChoice<'t> {
         match self {
             Self::One(contact) | Self::Named { contact, .. } => contact,
             // `make` has checked that every name is there.
-            Self::Paired { first, by_name } => by_name.get(name_of(model, sphere)).unwrap_or(first),
+            Self::Paired { first, by_name } => by_name.get(sphere_name(model, sphere)).unwrap_or(first),
         }
     }
 
@@ -118,9 +118,9 @@ impl<'t> ContactChoice<'t> {
         if let Self::Named { radius_m, .. } = self {
             return Some(*radius_m);
         }
-        let named = reference.by_name.get(name_of(model, sphere)).copied();
+        let named = reference.by_name.get(sphere_name(model, sphere)).copied();
         let first = self.contact_for_sphere(model, sphere).radius_m;
-        named.or(reference.are_all(first).then_some(first))
+        named.or(reference.all_equal(first).then_some(first))
     }
 
     /// Refuses isometric radii unless each sphere has a sphere of the same name in the reference, or all spheres of the
@@ -151,9 +151,9 @@ impl<'t> ContactChoice<'t> {
         let Some(first) = contacts.next() else {
             return Err(Fault::refused(format!("{} has no moving sphere", force.path)));
         };
-        let base = dimensionless(first)?;
+        let base = dimensionless_contact(first)?;
         for other in contacts {
-            if !dimensionless(other)?.agrees_with(&base, SAME_CONTACT) {
+            if !dimensionless_contact(other)?.agrees_with(&base, SAME_CONTACT) {
                 let needed = Needed::ReferenceContactOfForce { force: force.path.clone() };
                 return Err(Fault::new(needed).at_element(force.path.clone()));
             }
@@ -162,18 +162,18 @@ impl<'t> ContactChoice<'t> {
     }
 }
 
-fn name_of(model: &Model, sphere: SphereId) -> &str {
+fn sphere_name(model: &Model, sphere: SphereId) -> &str {
     model.sphere(sphere).map_or("", |sphere| sphere.name.as_str())
 }
 
 /// Names of the moving spheres of the chosen forces that are not `matched`.
 fn names_of_unmatched(model: &Model, selected: &Selected, matched: impl Fn(SphereId) -> bool) -> Vec<String> {
     let moving = moving_spheres(model, &selected.forces).into_iter();
-    moving.filter(|&sphere| !matched(sphere)).map(|sphere| name_of(model, sphere).to_owned()).collect()
+    moving.filter(|&sphere| !matched(sphere)).map(|sphere| sphere_name(model, sphere).to_owned()).collect()
 }
 
 /// The first contact of each sphere name.
-fn by_name(contacts: &[ReferenceContact]) -> HashMap<&str, &ReferenceContact> {
+fn contacts_by_sphere_name(contacts: &[ReferenceContact]) -> HashMap<&str, &ReferenceContact> {
     let mut found = HashMap::new();
     for contact in contacts {
         for name in &contact.spheres {
@@ -183,7 +183,7 @@ fn by_name(contacts: &[ReferenceContact]) -> HashMap<&str, &ReferenceContact> {
     found
 }
 
-fn dimensionless(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
+fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessContact, Fault> {
     let values = ScaleValues {
         mass_kg: 1.0,
         radius_m: contact.radius_m,
@@ -248,7 +248,7 @@ fn radius_ratio(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer, radii:
         .collect();
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let mean = old.iter().map(|radius| radius * radius).sum::<f64>() / old.len() as f64;
-    radii.mean_new(force) / mean.sqrt()
+    radii.rms_new_radius(force) / mean.sqrt()
 }
 
 /// E₁* or α of the reference divided by that of this model, for sphere and plane together; 1 if they are equal.

@@ -74,7 +74,7 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
             continue;
         }
         let from = chosen.contact_for_force(model, force)?;
-        let radius = radii.mean_new(force) / from.radius_m;
+        let radius = radii.rms_new_radius(force) / from.radius_m;
         let values =
             RatioValues { mass, sphere_count: wanted.sphere_count / reference.sphere_count, radius, gravity };
         let target = TargetForce {
@@ -247,7 +247,9 @@ fn check_factor_spread(
             Some(radius) => radius,
             None => chosen.contact_for_sphere(model, sphere).radius_m,
         };
-        let Some(text) = rules::factor_spread_message(force, radii.spread(force, old)) else { continue };
+        let Some(text) = rules::factor_spread_message(force, radii.ratio_spread(force, old)) else {
+            continue;
+        };
         if wanted.strict {
             return Err(Fault::new(FaultKind::StrictlyRefused { text }).at_element(force.path.clone()));
         }
@@ -284,7 +286,7 @@ fn compare_with_reference(
     });
     let here = Scale::new(ScaleValues {
         mass_kg: wanted.target_mass.kg,
-        radius_m: radii.mean_new(force),
+        radius_m: radii.rms_new_radius(force),
         sphere_count: wanted.sphere_count,
         gravity_m_s2: here_gravity,
     });
@@ -294,7 +296,7 @@ fn compare_with_reference(
             let values = RatioValues {
                 mass: wanted.target_mass.kg / wanted.reference.mass.kg,
                 sphere_count: wanted.sphere_count / wanted.reference.sphere_count,
-                radius: radii.mean_new(force) / from.radius_m,
+                radius: radii.rms_new_radius(force) / from.radius_m,
                 gravity: gravity_ratio,
             };
             from.contact.scaled(&Ratios::new(values).ok()?)

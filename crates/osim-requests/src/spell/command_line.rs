@@ -31,7 +31,7 @@ impl Dialect for CommandLine {
             }
             (Input::Output, None | Some(Example::Placeholder(_))) => "-o".to_owned(),
             (Input::OutputDir, None | Some(Example::Placeholder(_))) => "-d".to_owned(),
-            _ => option(input.name()),
+            _ => option_name(input.name()),
         };
         example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
     }
@@ -80,7 +80,7 @@ fn positional_words((_, value): &Field) -> Vec<String> {
 /// An option with its value, as one or several arguments.
 fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
     let is_one_word = option_named(verb, name).is_some_and(|option| option.list == List::Commas);
-    let option = option(name);
+    let option = option_name(name);
     let valued = |text: String| match text.starts_with('-') {
         true => format!("{option}={}", shell_quoted(&text)),
         false => format!("{option} {}", shell_quoted(&text)),
@@ -124,7 +124,7 @@ fn file_word(name: &str) -> Cow<'_, str> {
     if name.starts_with('-') && name != "-" { format!("./{name}").into() } else { name.into() }
 }
 
-fn option(field: &str) -> String {
+fn option_name(field: &str) -> String {
     format!("--{}", field.replace('_', "-"))
 }
 

@@ -22,7 +22,7 @@ impl Dialect for Matlab {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         let name = quoted(&option_name(input.name()));
         match example {
-            Some(example) => format!("{name}, {}", value_of(example)),
+            Some(example) => format!("{name}, {}", example_value(example)),
             None if is_flag(input) => format!("{name}, true"),
             None => name,
         }
@@ -32,18 +32,18 @@ impl Dialect for Matlab {
         let mut arguments = Vec::new();
         let inputs = &call.inputs;
         let first = inputs.iter().filter(|(input, _)| is_positional(*input));
-        arguments.extend(first.filter_map(|(_, example)| example.as_ref().map(value_of)));
+        arguments.extend(first.filter_map(|(_, example)| example.as_ref().map(example_value)));
         arguments.extend(call.with_model.then(|| quoted("model.osim")));
         let set = inputs.iter().filter(|(input, _)| is_assignment(call, *input));
         let set: Vec<String> = set
             .filter_map(|(input, example)| {
-                Some(format!("{}, {}", quoted(input.name()), value_of(example.as_ref()?)))
+                Some(format!("{}, {}", quoted(input.name()), example_value(example.as_ref()?)))
             })
             .collect();
         arguments.extend((!set.is_empty()).then(|| format!("'Set', struct({})", set.join(", "))));
         let named = inputs.iter().filter(|(input, _)| !is_assignment(call, *input) && !is_positional(*input));
         arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
-        function(call.verb, &arguments)
+        function_call(call.verb, &arguments)
     }
 }
 
@@ -62,7 +62,7 @@ impl Speller for Matlab {
         for (name, value) in fields.without(&[FieldGroup::Shown]) {
             arguments.extend([quoted(&option_name(name)), literal(value)]);
         }
-        function(fields.verb, &arguments)
+        function_call(fields.verb, &arguments)
     }
 
     fn script(&self, request: &Request) -> String {
@@ -76,12 +76,12 @@ impl FrontEnd for Matlab {
     }
 }
 
-fn function(verb: Verb, arguments: &[String]) -> String {
+fn function_call(verb: Verb, arguments: &[String]) -> String {
     format!("osimcontact.{}({})", verb.name().replace('-', "_"), arguments.join(", "))
 }
 
 /// An example value in MATLAB: placeholders and numbers unchanged, any other value as a text.
-fn value_of(example: &Example) -> String {
+fn example_value(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
         Example::Value(value) if value.parse::<f64>().is_ok_and(f64::is_finite) => value.clone(),
@@ -134,7 +134,7 @@ fn literal(value: &FieldValue) -> String {
             format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(", "))
         }
         FieldValue::List(items) => cell_array(items.iter().map(literal)),
-        FieldValue::Map(entries) if entries.iter().all(|(name, _)| is_field(name)) => {
+        FieldValue::Map(entries) if entries.iter().all(|(name, _)| is_field_name(name)) => {
             let pairs: Vec<String> =
                 entries.iter().flat_map(|(name, value)| [quoted(name), literal(value)]).collect();
             format!("struct({})", pairs.join(", "))
@@ -150,7 +150,7 @@ fn literal(value: &FieldValue) -> String {
 }
 
 /// Whether MATLAB allows `name` as the name of a struct field.
-fn is_field(name: &str) -> bool {
+fn is_field_name(name: &str) -> bool {
     let is_word = name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
     is_word && is_name && name.len() <= LONGEST_NAME && !RESERVED_NAMES.contains(&name)
@@ -265,6 +265,9 @@ mod tests {
             "transfer('a.osim', 'From', 'g.osim', 'FollowBodies', true, \
      'BodyScale', containers.Map({'foot l', 'toes'}, {[2, 2, 2], [1, 2, 3]}))",
         );
-        assert!(["end", "_a", "1a", "ä", ""].into_iter().all(|name| !is_field(name)) && is_field("calcn_r"));
+        assert!(
+            ["end", "_a", "1a", "ä", ""].into_iter().all(|name| !is_field_name(name))
+                && is_field_name("calcn_r")
+        );
     }
 }

@@ -35,7 +35,7 @@ pub struct Python;
 impl Dialect for Python {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
         let value = match example {
-            Some(example) => value_of(example),
+            Some(example) => example_value(example),
             None if is_flag(input) => "True".to_owned(),
             None => String::new(),
         };
@@ -45,7 +45,7 @@ impl Dialect for Python {
     fn call(&self, call: &Call) -> String {
         let mut arguments = Vec::new();
         arguments.extend(call.inputs.iter().filter_map(|(input, example)| {
-            Some(value_of(example.as_ref().filter(|_| is_positional(*input))?))
+            Some(example_value(example.as_ref().filter(|_| is_positional(*input))?))
         }));
         arguments.extend(call.with_model.then(|| python_quoted("model.osim")));
         // A figure is saved by a method of its own.
@@ -54,8 +54,8 @@ impl Dialect for Python {
         let named = named.filter(|(input, _)| !is_saved(input));
         arguments.extend(named.map(|(input, example)| self.input(*input, example.as_ref())));
         let saved = call.inputs.iter().find(|(input, _)| is_saved(input)).and_then(|(_, file)| file.as_ref());
-        let save = saved.map(|file| format!(".save({})", value_of(file))).unwrap_or_default();
-        format!("{}{save}", function(call.verb, &arguments))
+        let save = saved.map(|file| format!(".save({})", example_value(file))).unwrap_or_default();
+        format!("{}{save}", function_call(call.verb, &arguments))
     }
 }
 
@@ -66,8 +66,9 @@ impl Speller for Python {
         let fields = Fields::of(request);
         let written: Vec<String> =
             keywords(fields.only(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
-        let writes = is_plan(&fields) && !written.is_empty();
-        let write = if writes { format!(".write({})", joined(written.into_iter())) } else { String::new() };
+        let writes = plans_one_model(&fields) && !written.is_empty();
+        let write =
+            if writes { format!(".write({})", joined_arguments(written.into_iter())) } else { String::new() };
         format!("{}{write}", call_of(&fields))
     }
 
@@ -79,7 +80,7 @@ impl Speller for Python {
             Verb::Inspect => vec!["print(result.models)".to_owned()],
             Verb::Check => vec!["print(result.findings)".to_owned()],
             Verb::Plot => lines_for_figure(&fields),
-            _ if is_plan(&fields) => lines_for_plan(&fields),
+            _ if plans_one_model(&fields) => lines_for_plan(&fields),
             _ => vec![PRINT_RESULT.to_owned()],
         });
         lines.join("\n")
@@ -87,7 +88,7 @@ impl Speller for Python {
 }
 
 /// Whether the call plans the change of one model; the plan is then written by a second call.
-fn is_plan(fields: &Fields) -> bool {
+fn plans_one_model(fields: &Fields) -> bool {
     fields.changes && fields.models().len() == 1 && fields.only(FieldGroup::Many).next().is_none()
 }
 
@@ -104,20 +105,20 @@ fn call_of(fields: &Fields) -> String {
         _ if fields.changes => &[FieldGroup::Shown, FieldGroup::Output, FieldGroup::Many],
         _ => &[FieldGroup::Shown],
     };
-    if fields.changes && !is_plan(fields) && !fields.models().is_empty() {
+    if fields.changes && !plans_one_model(fields) && !fields.models().is_empty() {
         return call_of_many(fields);
     }
     let named = fields.without(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
     arguments.extend(keywords(named));
-    function(fields.verb, &arguments)
+    function_call(fields.verb, &arguments)
 }
 
 /// The Python call that changes many models, and writes them.
 fn call_of_many(fields: &Fields) -> String {
     let models = fields.models().iter().map(|model| literal("models", model));
-    let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined(models))];
+    let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined_arguments(models))];
     arguments.extend(keywords(fields.without(&[FieldGroup::Shown])));
-    format!("ocs.many({})", joined(arguments.into_iter()))
+    format!("ocs.many({})", joined_arguments(arguments.into_iter()))
 }
 
 /// The arguments of a field without a keyword: one value alone, several values as a list, or as several arguments if the function
@@ -135,7 +136,7 @@ fn positional_arguments(verb: Verb, (name, value): &Field) -> Vec<String> {
 fn lines_for_plan(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
-        None => format!("result.write({})", joined(keywords(fields.only(FieldGroup::Output)))),
+        None => format!("result.write({})", joined_arguments(keywords(fields.only(FieldGroup::Output)))),
     }];
     if fields.option("diff").is_some() {
         lines.push("print(result.diff())".to_owned());
@@ -153,10 +154,13 @@ fn lines_for_figure(fields: &Fields) -> Vec<String> {
 /// The line of a script that writes the file in the field `name` with the method `method` of the result.
 fn save_line(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
-    format!("result.{method}({})", joined(std::iter::once(literal(name, file)).chain(keywords(force))))
+    format!(
+        "result.{method}({})",
+        joined_arguments(std::iter::once(literal(name, file)).chain(keywords(force)))
+    )
 }
 
-fn joined(arguments: impl Iterator<Item = String>) -> String {
+fn joined_arguments(arguments: impl Iterator<Item = String>) -> String {
     arguments.collect::<Vec<_>>().join(", ")
 }
 
@@ -178,10 +182,12 @@ fn literal(name: &str, value: &FieldValue) -> String {
         FieldValue::Number(number) => digits(number),
         FieldValue::Text(text) if is_path(name) => python_quoted(&file_word(text)),
         FieldValue::Text(text) => python_quoted(text),
-        FieldValue::List(items) => format!("[{}]", joined(items.iter().map(|item| literal(name, item)))),
+        FieldValue::List(items) => {
+            format!("[{}]", joined_arguments(items.iter().map(|item| literal(name, item))))
+        }
         FieldValue::Map(entries) => {
             let entry = |(key, value): &Field| format!("{}: {}", python_quoted(key), literal(name, value));
-            format!("{{{}}}", joined(entries.iter().map(entry)))
+            format!("{{{}}}", joined_arguments(entries.iter().map(entry)))
         }
     }
 }
@@ -198,7 +204,7 @@ fn file_word(name: &str) -> Cow<'_, str> {
 
 impl FrontEnd for Python {}
 
-fn function(verb: Verb, arguments: &[String]) -> String {
+fn function_call(verb: Verb, arguments: &[String]) -> String {
     let name = match verb {
         Verb::Batch => "rescale_many".to_owned(),
         verb => verb.name().replace('-', "_"),
@@ -216,7 +222,7 @@ fn python_keyword(field: &str) -> String {
 
 /// An example value in Python. A placeholder is unchanged unless it looks like a text (`FILE.html`, `BODY=x,y,z`); a number is a
 /// number; any other value is a string.
-fn value_of(example: &Example) -> String {
+fn example_value(example: &Example) -> String {
     match example {
         Example::Placeholder(word) if !word.contains(['.', ',', '=']) => word.to_string(),
         Example::Value(value) if is_number(value) => value.clone(),
