@@ -105,8 +105,8 @@ impl Recording {
         row_of_frame(&self.values, frame, self.coordinates.len())
     }
 
-    /// The speeds of all coordinates in a frame, rad/s or m/s: OpenSim's generalised speeds for joints in `has_opensim_speeds`, derivatives of the
-    /// values for others.
+    /// The speeds of all coordinates in a frame, rad/s or m/s. For joints with `has_opensim_speeds` they are OpenSim's generalised
+    /// speeds, for other joints derivatives of the values.
     pub fn speeds(&self, frame: usize) -> &[f64] {
         row_of_frame(&self.speeds, frame, self.coordinates.len())
     }

@@ -42,7 +42,8 @@ const FLOOR: &str = "floor";
 /// # Errors
 /// - A file that is a set and no model, or a model with a set in another file.
 /// - A body that the model does not have ([`FaultKind::UnknownBody`]), or that is welded to ground.
-/// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could be the floor.
+/// - A `constant_contact_force` of 0, a name that OpenSim refuses, a radius that is not above 0, or several half-spaces that could
+///   be the floor.
 pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<RebuiltModel, Fault> {
     refuse_partial_model(model)?;
     layout.check()?;

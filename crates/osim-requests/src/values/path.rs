@@ -72,7 +72,7 @@ pub fn to_value(path: &Path) -> serde_json::Value {
     serde_json::to_value(WrittenPath::of(path)).unwrap_or_default()
 }
 
-/// Reads and writes a field that has one path or none.
+/// How a field has one path, or none.
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 pub struct Optional;
 
@@ -96,7 +96,7 @@ impl Optional {
     }
 }
 
-/// Reads and writes a field that has a list of paths, or a single path.
+/// How a field has a list of paths, or one alone in its place.
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline))]
 pub struct List;
 
