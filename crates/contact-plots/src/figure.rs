@@ -55,7 +55,7 @@ pub struct Limit {
     pub label: String,
     /// Value of the limit, in the units of its axis.
     pub at: f64,
-    /// The direction of the line.
+    /// Whether the line of the limit is vertical or horizontal.
     pub direction: Direction,
 }
 

@@ -33,13 +33,13 @@ pub(crate) enum Sample {
 /// The entries of a legend, and their arrangement in columns.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
-    entries: Vec<Entry>,
+    entries: Vec<LegendEntry>,
     columns: usize,
     column_pt: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-struct Entry {
+struct LegendEntry {
     sample: Sample,
     lines: Vec<String>,
 }
@@ -74,7 +74,7 @@ impl Legend {
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
         let column_pt = room_pt / float(columns);
         let room = column_pt - SAMPLE_PT - 2.0 * ENTRY_GAP_PT;
-        let entry = |(sample, label): (Sample, String)| Entry {
+        let entry = |(sample, label): (Sample, String)| LegendEntry {
             sample,
             lines: lines(&printable(&label), TEXT_PT, room),
         };
@@ -89,7 +89,8 @@ impl Legend {
     /// Height of the legend below the panels, pt.
     pub(crate) fn height_pt(&self) -> f64 {
         let columns = self.entries.chunks(self.rows().max(1));
-        let highest = columns.map(|column| column.iter().map(Entry::height_pt).sum()).fold(0.0, f64::max);
+        let highest =
+            columns.map(|column| column.iter().map(LegendEntry::height_pt).sum()).fold(0.0, f64::max);
         if self.entries.is_empty() { 0.0 } else { highest + ENTRY_GAP_PT }
     }
 
@@ -131,7 +132,7 @@ impl Legend {
     }
 }
 
-impl Entry {
+impl LegendEntry {
     fn height_pt(&self) -> f64 {
         ROW_PT + LINE_PT * float(self.lines.len().saturating_sub(1))
     }

@@ -212,7 +212,7 @@ pub(crate) fn depth(force: f64, coefficient: f64) -> f64 {
 
 /// The normal force of one sphere of a `HuntCrossleyForce`.
 ///
-/// α ≥ 0 and finite: checked once. Indentation x in m, its rate ẋ in m/s, positive while going in.
+/// α ≥ 0 and finite: checked once. Indentation x in m, its rate ẋ in m/s, positive while the indentation grows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HuntCrossley {
     hertz: Hertz,
@@ -251,7 +251,7 @@ impl HuntCrossley {
 
     /// Dissipative force F_d = 3/2 F_e α ẋ, in N.
     ///
-    /// F_e in N by (1) at x (m), α in s/m, ẋ in m/s. Negative while the sphere comes out; 0 at x ≤ 0.
+    /// F_e in N by (1) at x (m), α in s/m, ẋ in m/s. Negative while the indentation decreases; 0 at x ≤ 0.
     ///
     /// Source: (12).
     ///

@@ -98,9 +98,9 @@ fn bodies_of_pairs(states: &ContactStates, pairs: &[usize]) -> Vec<String> {
     bodies
 }
 
-/// A stance begins when the force along the normal rises above this part of body weight.
+/// A stance begins when the force along the normal rises above this share of body weight.
 pub const ON_BW: f64 = 0.05;
-/// A stance ends when the force along the normal falls below this part of body weight.
+/// A stance ends when the force along the normal falls below this share of body weight.
 pub(crate) const OFF_BW: f64 = 0.03;
 
 /// The frames of one stance: a foot is on the ground in all of them.

@@ -229,11 +229,11 @@ struct Surface {
     body: Option<usize>,
     /// A point of the plane, or the centre of the sphere, m.
     point_m: DVec3,
-    shape: Shape,
+    shape: SurfaceShape,
 }
 
 #[derive(Clone, Copy)]
-enum Shape {
+enum SurfaceShape {
     /// A plane with this unit normal.
     Plane(DVec3),
     /// A sphere with this radius, m.
@@ -256,14 +256,14 @@ impl Surface {
             return Err(unread().into());
         }
         let body = plane.body.as_deref().and_then(|body| paths.body(body));
-        Ok(Self { body, point_m, shape: Shape::Plane(normal) })
+        Ok(Self { body, point_m, shape: SurfaceShape::Plane(normal) })
     }
 
     fn from_sphere(model: &Model, id: SphereId, paths: &JointPaths<'_>) -> Result<Self, Fault> {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
         let body = sphere.body.as_deref().and_then(|body| paths.body(body));
-        Ok(Self { body, point_m, shape: Shape::Sphere(sphere.radius_m()?) })
+        Ok(Self { body, point_m, shape: SurfaceShape::Sphere(sphere.radius_m()?) })
     }
 
     fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {
@@ -271,11 +271,11 @@ impl Surface {
         let body_motion = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
         let away = centre_m - body_motion.at.point(self.point_m);
         match self.shape {
-            Shape::Plane(normal) => {
+            SurfaceShape::Plane(normal) => {
                 let normal = body_motion.at.rotation.to_body(normal);
                 SurfaceInFrame { normal, height_m: away.dot(normal), body_motion }
             }
-            Shape::Sphere(radius_m) => {
+            SurfaceShape::Sphere(radius_m) => {
                 let distance_m = away.length();
                 // Two centres at one place have no direction; any will do.
                 let normal = if distance_m > 0.0 { away / distance_m } else { DVec3::Y };

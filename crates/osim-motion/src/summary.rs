@@ -218,7 +218,7 @@ impl FootSummary {
         }
     }
 
-    /// The model's centre of pressure in a frame; `None` unless the normal force is above a part of body weight.
+    /// The model's centre of pressure in a frame; `None` if the normal force is too small.
     pub fn centre_of_pressure(
         &self,
         states: &ContactStates,

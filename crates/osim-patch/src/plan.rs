@@ -167,7 +167,7 @@ impl Plan {
         }
     }
 
-    /// Adds details of the change that only the caller knows to the note.
+    /// Adds to the note the details of the change that only the caller knows.
     pub fn add_details(&mut self, details: StepDetails) {
         let StepDetails { options, reference, stance_limbs, date } = details;
         self.note_stance_limbs(stance_limbs);

@@ -40,7 +40,7 @@ const NO_WIDTH: f64 = 1.0;
 
 /// A name and its box on the page, in points.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Name {
+pub(super) struct PlacedName {
     pub text: String,
     pub at: Point,
     pub place: Rect,
@@ -63,8 +63,8 @@ pub(super) struct PlacedView<'s> {
     /// Distance on the page of the value 0 from the top edge of the view, pt; 0 may be outside the view.
     zero: f64,
     /// The names of circles, points and level lines.
-    pub names: Vec<Name>,
-    pub level_names: Vec<Name>,
+    pub names: Vec<PlacedName>,
+    pub level_names: Vec<PlacedName>,
 }
 
 impl PlacedView<'_> {
@@ -283,8 +283,8 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
 
 /// The texts at level lines: for the ground on the left, for the lowest point on the right, so that texts at close lines do not
 /// touch.
-fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
-    let mut names: Vec<Name> = Vec::new();
+fn level_names(placed: &PlacedView<'_>) -> Vec<PlacedName> {
+    let mut names: Vec<PlacedName> = Vec::new();
     for level in placed.view.levels.iter().filter(|level| !level.name.is_empty()) {
         let text = cut(&printable(&level.name), TEXT_PT, LONGEST_LEVEL_NAME * placed.width);
         let width = width_pt(&text, TEXT_PT);
@@ -301,12 +301,12 @@ fn level_names(placed: &PlacedView<'_>) -> Vec<Name> {
             }
         };
         let place = Rect { left, right: left + width, top, bottom: top + NAME_HEIGHT_PT };
-        names.push(Name { text, at: (left, y), place });
+        names.push(PlacedName { text, at: (left, y), place });
     }
     names
 }
 
-fn placed_names(placed: &PlacedView<'_>) -> Vec<Name> {
+fn placed_names(placed: &PlacedView<'_>) -> Vec<PlacedName> {
     let view = placed.view;
     let balls = view.balls.iter().map(|ball| (&ball.name, ball.centre));
     let spots = view.spots.iter().map(|spot| (&spot.name, spot.at));
@@ -329,7 +329,7 @@ fn placed_names(placed: &PlacedView<'_>) -> Vec<Name> {
     let boxes: Vec<NameToPlace> = wanted.iter().map(|(_, wanted)| wanted.clone()).collect();
     let places = place_names(&boxes, (0.0, placed.width), &obstacles);
     let named = wanted.into_iter().zip(places);
-    named.map(|((text, wanted), place)| Name { text, at: wanted.at, place }).collect()
+    named.map(|((text, wanted), place)| PlacedName { text, at: wanted.at, place }).collect()
 }
 
 /// Gives the views of one row the same height, and a common vertical axis if this needs little more room.

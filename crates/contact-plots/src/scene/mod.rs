@@ -16,7 +16,7 @@ use crate::panels_svg::TICK_PT;
 use crate::style::{INK, LIMIT, Look, TEXT_PT, float, stroke, text, units};
 pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View};
 use labels::LEADER_PT;
-use layout::{LINE_PT, Name, PlacedBlock, PlacedView, RIGHT_PT, SceneLayout, has_outlines};
+use layout::{LINE_PT, PlacedBlock, PlacedName, PlacedView, RIGHT_PT, SceneLayout, has_outlines};
 
 /// Draws objects from several sides, as an SVG document. The scale is the same in all directions, so that circles stay circles.
 ///
@@ -138,7 +138,7 @@ fn draw_level(root: &Area<'_>, view: &PlacedView<'_>, (y, kind): (f64, LevelKind
 }
 
 /// Draws the line from a name to its element, if they are apart.
-fn draw_leader(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
+fn draw_leader(root: &Area<'_>, name: &PlacedName) -> Result<(), PlotError> {
     let end = name.place.nearest(name.at);
     let (dx, dy) = (end.0 - name.at.0, end.1 - name.at.1);
     if dx * dx + dy * dy < LEADER_PT * LEADER_PT {
@@ -147,7 +147,7 @@ fn draw_leader(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
     draw(root, &PathElement::new(vec![place(name.at), place(end)], stroke(INK, 0.4)))
 }
 
-fn draw_name(root: &Area<'_>, name: &Name) -> Result<(), PlotError> {
+fn draw_name(root: &Area<'_>, name: &PlacedName) -> Result<(), PlotError> {
     let at = &name.place;
     let corners = [place((at.left, at.top)), place((at.right, at.bottom))];
     draw(root, &Rectangle::new(corners, RGBColor(255, 255, 255).mix(0.65).filled()))?;

@@ -119,7 +119,7 @@ const PEAK_MARGIN: f64 = 1e-3;
 
 /// The dimensionless states and events that are recorded during a drop.
 #[derive(Debug, Default)]
-pub(super) struct Record {
+pub(super) struct DropRecord {
     pub(super) states: Vec<DepthAndSpeed>,
     pub(super) peak_force: f64,
     /// Dimensionless times and speeds at the crossings of x = 0; the first crossing is downwards, then the direction
@@ -128,14 +128,14 @@ pub(super) struct Record {
 }
 
 /// Integrates the motion of the body from its release at speed 0.
-pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<Record, DropError> {
+pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<DropRecord, DropError> {
     let end = values.duration_s / body.time_s;
     let mut state = [-values.height_m / body.length_m, 0.0];
     let mut time = 0.0;
     let mut contact = values.height_m == 0.0;
     let restart = body.spheres.iter().any(|s| matches!(s.law(), Law::HuntCrossley(_)));
     let mut observer =
-        DropObserver { body, record: Record::default(), samples: values.samples, end, contact, restart };
+        DropObserver { body, record: DropRecord::default(), samples: values.samples, end, contact, restart };
     if contact {
         observer.record.crossings.push((0.0, 0.0));
     }
@@ -187,7 +187,7 @@ impl ODE<f64, DepthAndSpeed> for Fall<'_> {
 /// Observes the steps of the integrator: records samples, the peak force and the crossings of x = 0.
 struct DropObserver<'a> {
     body: &'a FallingBody<'a>,
-    record: Record,
+    record: DropRecord,
     samples: usize,
     end: f64,
     contact: bool,
@@ -202,7 +202,7 @@ impl DropObserver<'_> {
     }
 
     /// Records the last samples if the integration ends earlier by a rounding error.
-    fn finish(mut self, last: DepthAndSpeed) -> Record {
+    fn finish(mut self, last: DepthAndSpeed) -> DropRecord {
         self.record.states.resize(self.samples, last);
         self.record
     }

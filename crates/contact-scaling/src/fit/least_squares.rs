@@ -118,7 +118,7 @@ pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Par
     if sum(&start).sqrt() <= 1e-14 * force {
         return Ok(start);
     }
-    let mut search = Search::new(model, points, &start, force, length);
+    let mut search = OnsetSearch::new(model, points, &start, force, length);
     let mut unknowns = search.to_unknowns(&start);
     let status = search.mpfit(&mut unknowns).map_err(|_| FitError::NotConverged)?;
     if matches!(status.success, MPSuccess::NotDone | MPSuccess::MaxIter) {
@@ -168,7 +168,7 @@ fn value_range(points: &[Point], value: impl Fn(&Point) -> f64) -> (f64, f64) {
 }
 
 /// The problem in the form of the library `rmpfit`; the unknowns are scaled to be near 1.
-struct Search<'a> {
+struct OnsetSearch<'a> {
     model: &'a FitModel,
     points: &'a [Point],
     force: f64,
@@ -179,7 +179,7 @@ struct Search<'a> {
     settings: Vec<MPPar>,
 }
 
-impl<'a> Search<'a> {
+impl<'a> OnsetSearch<'a> {
     fn new(model: &'a FitModel, points: &'a [Point], start: &Parameters, force: f64, length: f64) -> Self {
         let speed = points.iter().fold(0.0, |most: f64, p| most.max(p.speed.abs()));
         let config = MPConfig { ftol: 1e-15, xtol: 1e-14, gtol: 1e-14, ..MPConfig::new() };
@@ -208,7 +208,7 @@ impl<'a> Search<'a> {
     }
 }
 
-impl MPFitter for Search<'_> {
+impl MPFitter for OnsetSearch<'_> {
     fn eval(&mut self, unknowns: &[f64], deviates: &mut [f64]) -> MPResult<()> {
         let p = self.to_parameters(unknowns);
         for (deviate, point) in deviates.iter_mut().zip(self.points) {

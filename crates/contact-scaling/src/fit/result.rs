@@ -107,7 +107,7 @@ pub(super) fn doubts(
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Estimate {
-    /// The least-squares value.
+    /// The least-squares value of the parameter.
     pub value: f64,
     /// Standard error of the value; NaN, as the interval, if the fit has no residuals.
     pub standard_error: f64,

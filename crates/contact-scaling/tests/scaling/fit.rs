@@ -8,13 +8,13 @@ use contact_scaling::fit::{
 use contact_scaling::{Hertz, HuntCrossley};
 
 #[derive(Clone, Default)]
-struct Data {
+struct PressData {
     x: Vec<f64>,
     v: Vec<f64>,
     f: Vec<f64>,
 }
 
-impl Data {
+impl PressData {
     fn fit(&self, radius_m: f64, with_speed: bool, onset: Onset) -> Result<Fit, FitError> {
         let rate = if with_speed { Rate::Speed(&self.v) } else { Rate::Unknown };
         let measurement = Measurement { indentation_m: &self.x, force_n: &self.f, rate };
@@ -29,8 +29,8 @@ fn reference(name: &str) -> (f64, f64) {
     (cells[1].parse().unwrap(), cells[2].parse().unwrap_or(f64::NAN))
 }
 
-fn reference_data() -> Data {
-    let mut data = Data::default();
+fn reference_data() -> PressData {
+    let mut data = PressData::default();
     for line in include_str!("../data/fits.csv").lines().filter_map(|line| line.strip_prefix("data,")) {
         let row: Vec<f64> = line.trim_end_matches(',').split(' ').map(|x| x.parse().unwrap()).collect();
         data.x.push(row[0]);
@@ -87,7 +87,7 @@ fn a_fit_does_not_depend_on_units() {
     let (l, m, t) = (3.28_f64, 0.453, 60.0);
     let data = reference_data();
     let here = data.fit(0.02, true, Onset::Fitted).unwrap();
-    let elsewhere = Data {
+    let elsewhere = PressData {
         x: data.x.iter().map(|x| x * l).collect(),
         v: data.v.iter().map(|v| v * l / t).collect(),
         f: data.f.iter().map(|f| f * m * l / (t * t)).collect(),
@@ -103,8 +103,8 @@ fn a_fit_does_not_depend_on_units() {
 }
 
 /// Indentations, speeds and forces of a press in and out, by `law` and with Gaussian noise.
-fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Random) -> Data {
-    let mut data = Data::default();
+fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut RandomNumbers) -> PressData {
+    let mut data = PressData::default();
     for i in 0..80 {
         let phase = std::f64::consts::PI * f64::from(i) / 79.0;
         let x = 0.004 * phase.sin() - 0.0004;
@@ -117,9 +117,9 @@ fn simulated_press(law: &HuntCrossley, onset: f64, noise: f64, random: &mut Rand
 }
 
 /// Random numbers by SplitMix64 with the Box–Muller transform: the same on every machine.
-struct Random(u64);
+struct RandomNumbers(u64);
 
-impl Random {
+impl RandomNumbers {
     fn uniform(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -140,7 +140,7 @@ fn law_of_the_press() -> HuntCrossley {
 
 #[test]
 fn data_without_noise_give_the_true_parameters() {
-    let data = simulated_press(&law_of_the_press(), 0.0013, 0.0, &mut Random(1));
+    let data = simulated_press(&law_of_the_press(), 0.0013, 0.0, &mut RandomNumbers(1));
     for onset in [Onset::At(0.0013), Onset::Fitted] {
         let result = data.fit(0.02, true, onset).unwrap();
         assert_close(result.composite_modulus.value, 3e5, 1e-9, "E*");
@@ -155,7 +155,7 @@ fn data_without_noise_give_the_true_parameters() {
 #[test]
 fn intervals_cover_the_true_parameters_in_95_of_100_runs() {
     const RUNS: u32 = 1000;
-    let mut random = Random(2026);
+    let mut random = RandomNumbers(2026);
     for onset in [Onset::At(0.0013), Onset::Fitted] {
         let mut covered = [0_u32; 4];
         for _ in 0..RUNS {
@@ -180,7 +180,7 @@ fn intervals_cover_the_true_parameters_in_95_of_100_runs() {
 
 #[test]
 fn the_result_has_the_limits_of_the_laws() {
-    let result = simulated_press(&law_of_the_press(), 0.0, 0.1, &mut Random(7))
+    let result = simulated_press(&law_of_the_press(), 0.0, 0.1, &mut RandomNumbers(7))
         .fit(0.02, true, Onset::At(0.0))
         .unwrap();
     assert_eq!(result.parameters, [Parameter::CompositeModulus, Parameter::Dissipation]);
@@ -195,7 +195,7 @@ fn the_result_has_the_limits_of_the_laws() {
 
 #[test]
 fn rates_from_times_give_the_same_fit() {
-    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut Random(1));
+    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut RandomNumbers(1));
     let times: Vec<f64> = (0..80).map(|i| std::f64::consts::PI * f64::from(i) / 79.0 / 40.0).collect();
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Time(&times) };
     let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: Branch::Both };
@@ -206,7 +206,7 @@ fn rates_from_times_give_the_same_fit() {
 
 #[test]
 fn loading_and_unloading_are_fitted_apart() {
-    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut Random(1));
+    let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut RandomNumbers(1));
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Unknown };
     let modulus = |branch| {
         let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch };
@@ -218,12 +218,12 @@ fn loading_and_unloading_are_fitted_apart() {
 
 #[test]
 fn data_without_stiffness_are_refused() {
-    let data = Data { x: vec![0.001, 0.002, 0.003], v: vec![], f: vec![-1.0, -2.0, -3.0] };
+    let data = PressData { x: vec![0.001, 0.002, 0.003], v: vec![], f: vec![-1.0, -2.0, -3.0] };
     assert!(matches!(data.fit(0.02, false, Onset::At(0.0)), Err(FitError::NoStiffness { .. })));
     assert!(data.fit(0.02, false, Onset::Fitted).is_err());
     assert!(matches!(data.fit(0.02, false, Onset::At(0.1)), Err(FitError::TooFewPoints { .. })));
     assert!(matches!(data.fit(0.0, false, Onset::At(0.0)), Err(FitError::Domain(_))));
-    let empty = Data::default();
+    let empty = PressData::default();
     assert!(matches!(empty.fit(0.02, false, Onset::Fitted), Err(FitError::TooFewPoints { .. })));
     assert!(matches!(empty.fit(0.02, true, Onset::At(0.0)), Err(FitError::TooFewPoints { .. })));
 }
@@ -234,8 +234,8 @@ fn data_with_noise(
     alpha: f64,
     speed: impl Fn(usize) -> f64,
     noise: impl Fn(usize) -> f64,
-) -> Data {
-    let mut data = Data::default();
+) -> PressData {
+    let mut data = PressData::default();
     for (row, &x) in indentations.iter().enumerate() {
         let v = speed(row);
         data.x.push(x);
@@ -272,7 +272,7 @@ fn one_indentation_determines_nothing() {
 fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
     let depths: Vec<f64> = (1..=12).map(|row| f64::from(row) * 1e-3).collect();
     // The force is equal everywhere: its variance is 0, so R squared is not a number.
-    let constant = Data { x: depths.clone(), v: vec![0.0; 12], f: vec![50.0; 12] };
+    let constant = PressData { x: depths.clone(), v: vec![0.0; 12], f: vec![50.0; 12] };
     let error = constant.fit(0.02, false, Onset::At(0.0)).unwrap_err();
     assert!(
         matches!(error, FitError::NoLaw { .. }) && error.to_string().contains("(the force never changes)"),
@@ -280,7 +280,7 @@ fn a_force_that_does_not_follow_the_indentation_has_no_fit() {
     );
     // High where the indentation is small: the mean is nearer to the data than the law.
     let falling: Vec<f64> = depths.iter().map(|x| 100.0 - 5e3 * x).collect();
-    let falling = Data { x: depths, v: vec![0.0; 12], f: falling };
+    let falling = PressData { x: depths, v: vec![0.0; 12], f: falling };
     match falling.fit(0.02, false, Onset::At(0.0)) {
         Err(FitError::NoLaw { r_squared }) => assert!(r_squared < 0.0),
         other => panic!("{other:?}"),

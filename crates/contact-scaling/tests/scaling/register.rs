@@ -9,7 +9,7 @@ use contact_scaling::equations;
 
 /// A row of a table of equations: label, variant, formula (with a remark after it, if any), functions, unit.
 #[derive(Debug, PartialEq)]
-struct Row {
+struct EquationRow {
     label: String,
     variant: String,
     formula: String,
@@ -17,13 +17,13 @@ struct Row {
     unit: String,
 }
 
-fn rows_of_the_page() -> Vec<Row> {
+fn rows_of_the_page() -> Vec<EquationRow> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/reference/equations.md");
     let page = std::fs::read_to_string(path).unwrap();
     page.lines().filter_map(row).collect()
 }
 
-fn row(line: &str) -> Option<Row> {
+fn row(line: &str) -> Option<EquationRow> {
     let cells: Vec<&str> = line.strip_prefix('|')?.split('|').map(str::trim).collect();
     if cells[0] == "number" || cells[0].starts_with("---") {
         return None;
@@ -31,7 +31,7 @@ fn row(line: &str) -> Option<Row> {
     let (label, variant) = cells[0].split_once(", ").unwrap_or((cells[0], ""));
     let formula = cells[1].replace("\\*", "*").replace('`', "");
     let function = cells[2].split('`').skip(1).step_by(2).find(|name| name.contains("::")).unwrap_or("");
-    Some(Row {
+    Some(EquationRow {
         label: label.strip_prefix('(').and_then(|l| l.strip_suffix(')')).unwrap_or(label).to_owned(),
         variant: variant.replace("\\*", "*"),
         formula: formula.split(" (and ").next().unwrap().to_owned(),
@@ -40,9 +40,9 @@ fn row(line: &str) -> Option<Row> {
     })
 }
 
-fn rows_of_the_register() -> Vec<Row> {
+fn rows_of_the_register() -> Vec<EquationRow> {
     let rows = equations::all().flat_map(|equation| {
-        equation.forms.iter().map(|form| Row {
+        equation.forms.iter().map(|form| EquationRow {
             label: equation.label.to_owned(),
             variant: form.variant.to_owned(),
             formula: form.formula.to_owned(),
@@ -57,7 +57,7 @@ fn rows_of_the_register() -> Vec<Row> {
 fn the_register_and_the_page_agree() {
     let (mut page, mut register) = (rows_of_the_page(), rows_of_the_register());
     assert!(page.len() > 50, "the tables of docs/reference/equations.md were not understood");
-    let key = |row: &Row| (row.label.clone(), row.variant.clone(), row.formula.clone());
+    let key = |row: &EquationRow| (row.label.clone(), row.variant.clone(), row.formula.clone());
     page.sort_by_key(key);
     register.sort_by_key(key);
     for (page, register) in page.iter().zip(&register) {

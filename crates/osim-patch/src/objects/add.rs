@@ -6,7 +6,7 @@ use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Prope
 use crate::edit::edited;
 use crate::insert::Node;
 use crate::objects::layout::{ContactLayout, NewContact};
-use crate::objects::nodes::{self, NamesInList, ParentFrame, Surfaces, Values};
+use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame, SurfacePaths};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
 };
@@ -80,7 +80,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
             model.document(),
             &list,
             contact,
-            &Surfaces { sphere: &sphere, plane: &plane },
+            &SurfacePaths { sphere: &sphere, plane: &plane },
         )?);
         let path = format!("/forceset/{}", contact.force);
         force_objects.push(added_object(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
@@ -120,17 +120,17 @@ fn force_node(
     document: &Document,
     list: &NamesInList,
     contact: &NewContact,
-    paths: &Surfaces<'_>,
+    paths: &SurfacePaths<'_>,
 ) -> Result<Node, Fault> {
     // In the list of a HuntCrossleyForce, members of the geometry set are called by their names.
     let surfaces = match contact.kind {
         osim_model::ForceKind::HuntCrossley => {
-            Surfaces { sphere: list.name_of(paths.sphere), plane: list.name_of(paths.plane) }
+            SurfacePaths { sphere: list.name_of(paths.sphere), plane: list.name_of(paths.plane) }
         }
-        _ => Surfaces { sphere: paths.sphere, plane: paths.plane },
+        _ => SurfacePaths { sphere: paths.sphere, plane: paths.plane },
     };
     let origin = |_: Property| format!("the numbers that {} is to have", contact.force);
-    let values = Values { numbers: &contact.values, origin: &origin };
+    let values = ForceValues { numbers: &contact.values, origin: &origin };
     nodes::force(document, contact.kind, &contact.force, &surfaces, &values, true)
 }
 

@@ -11,7 +11,7 @@ use osim_model::{
 use crate::edit::{Edit, edited};
 use crate::insert::{indentation_unit, white_space_before};
 use crate::objects::layout::{ContactLayout, NewContact, SpherePlanePair, sphere_plane_pairs};
-use crate::objects::nodes::{self, NamesInList, Surfaces, SurfacesInsideForces, Values};
+use crate::objects::nodes::{self, ForceValues, NamesInList, SurfacePaths, SurfacesInsideForces};
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name};
 use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
@@ -201,12 +201,12 @@ fn divide_force(
         }
         let surfaces = match wanted.to {
             ForceKind::HuntCrossley => {
-                Surfaces { sphere: list.name_of(&sphere_path), plane: list.name_of(&plane_path) }
+                SurfacePaths { sphere: list.name_of(&sphere_path), plane: list.name_of(&plane_path) }
             }
-            _ => Surfaces { sphere: &sphere_path, plane: &plane_path },
+            _ => SurfacePaths { sphere: &sphere_path, plane: &plane_path },
         };
         let origin = |property: Property| value_origin(property, sphere, pair);
-        let written = Values { numbers: &values, origin: &origin };
+        let written = ForceValues { numbers: &values, origin: &origin };
         let node = nodes::force(model.document(), wanted.to, &name, &surfaces, &written, force.applies)
             .map_err(|fault| Fault::at(fault.kind, span.start).at_element(force.path.clone()))?;
         let written = node.text(&space, unit);

@@ -75,12 +75,13 @@ pub(super) fn floor(version: u32, name: &str, up: [f64; 3]) -> Result<Node, Faul
 }
 
 /// Parameters of a new force, and the source of each in words.
-pub(super) struct Values<'v> {
+pub(super) struct ForceValues<'v> {
     pub(super) numbers: &'v [(Property, f64)],
     pub(super) origin: &'v dyn Fn(Property) -> String,
 }
 
-pub(super) struct Surfaces<'s> {
+/// The two surfaces of a new force.
+pub(super) struct SurfacePaths<'s> {
     /// Component path of the sphere.
     pub(super) sphere: &'s str,
     /// Component path of the half-space.
@@ -96,8 +97,8 @@ pub(super) fn force(
     document: &Document,
     kind: ForceKind,
     name: &str,
-    surfaces: &Surfaces<'_>,
-    values: &Values<'_>,
+    surfaces: &SurfacePaths<'_>,
+    values: &ForceValues<'_>,
     applies: bool,
 ) -> Result<Node, Fault> {
     let escaped = crate::insert::escaped;

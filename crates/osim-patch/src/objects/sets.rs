@@ -101,7 +101,7 @@ impl ObjectSet {
         }
     }
 
-    /// The letters `made` without the letters of this set.
+    /// The letters `made` of the note, without the letters for elements of this set.
     pub(super) fn without_letters(&self, made: &str) -> String {
         let NoteLetters { set, objects, opened } = self.letters;
         let own = |letter: char| {

@@ -71,7 +71,7 @@ pub enum FieldGroup {
 }
 
 impl FieldGroup {
-    /// Name of the group in schemas.
+    /// Name of the option group in schemas.
     #[cfg(feature = "schemas")]
     pub(crate) const fn name(self) -> &'static str {
         match self {
