@@ -20,7 +20,7 @@ mod motion;
 use crate::error::{non_negative, positive, within};
 use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
 pub use motion::{DropError, DropValues};
-use motion::{DropRecord, FallingBody};
+use motion::{FallingBody, RecordedDrop};
 
 /// A drop test that can be run.
 ///
@@ -194,7 +194,7 @@ pub struct DropReport {
 }
 
 impl DropReport {
-    fn new(body: &FallingBody<'_>, values: &DropValues, record: DropRecord) -> Result<Self, DropError> {
+    fn new(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Result<Self, DropError> {
         let hertz = equilibrium::hertz_indentation(body.spheres, body.weight_n)?;
         let own = equilibrium::indentation(body.spheres, body.weight_n)?;
         let last = record.states.last().map_or(0.0, |state| state[0] * body.length_m);
@@ -220,7 +220,7 @@ impl DropReport {
     }
 }
 
-fn first_contact(body: &FallingBody<'_>, record: &DropRecord) -> Result<Option<FirstContact>, DropError> {
+fn first_contact(body: &FallingBody<'_>, record: &RecordedDrop) -> Result<Option<FirstContact>, DropError> {
     let Some(&(start, impact)) = record.crossings.first() else { return Ok(None) };
     let impact_speed_m_s = impact * body.speed_m_s();
     let alpha = body.dissipation();
@@ -237,7 +237,7 @@ fn first_contact(body: &FallingBody<'_>, record: &DropRecord) -> Result<Option<F
     }))
 }
 
-fn series(body: &FallingBody<'_>, values: &DropValues, record: DropRecord) -> Vec<Sample> {
+fn series(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Vec<Sample> {
     let last = (values.samples - 1) as f64;
     let sample = |(i, state): (usize, [f64; 2])| {
         let (x, rate) = (state[0] * body.length_m, state[1] * body.speed_m_s());

@@ -119,7 +119,7 @@ const PEAK_MARGIN: f64 = 1e-3;
 
 /// The dimensionless states and events that are recorded during a drop.
 #[derive(Debug, Default)]
-pub(super) struct DropRecord {
+pub(super) struct RecordedDrop {
     pub(super) states: Vec<DepthAndSpeed>,
     pub(super) peak_force: f64,
     /// Dimensionless times and speeds at the crossings of x = 0; the first crossing is downwards, then the direction
@@ -128,14 +128,20 @@ pub(super) struct DropRecord {
 }
 
 /// Integrates the motion of the body from its release at speed 0.
-pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<DropRecord, DropError> {
+pub(super) fn integrate(body: &FallingBody<'_>, values: &DropValues) -> Result<RecordedDrop, DropError> {
     let end = values.duration_s / body.time_s;
     let mut state = [-values.height_m / body.length_m, 0.0];
     let mut time = 0.0;
     let mut contact = values.height_m == 0.0;
     let restart = body.spheres.iter().any(|s| matches!(s.law(), Law::HuntCrossley(_)));
-    let mut observer =
-        DropObserver { body, record: DropRecord::default(), samples: values.samples, end, contact, restart };
+    let mut observer = DropObserver {
+        body,
+        record: RecordedDrop::default(),
+        samples: values.samples,
+        end,
+        contact,
+        restart,
+    };
     if contact {
         observer.record.crossings.push((0.0, 0.0));
     }
@@ -187,7 +193,7 @@ impl ODE<f64, DepthAndSpeed> for Fall<'_> {
 /// Observes the steps of the integrator: records samples, the peak force and the crossings of x = 0.
 struct DropObserver<'a> {
     body: &'a FallingBody<'a>,
-    record: DropRecord,
+    record: RecordedDrop,
     samples: usize,
     end: f64,
     contact: bool,
@@ -202,7 +208,7 @@ impl DropObserver<'_> {
     }
 
     /// Records the last samples if the integration ends earlier by a rounding error.
-    fn finish(mut self, last: DepthAndSpeed) -> DropRecord {
+    fn finish(mut self, last: DepthAndSpeed) -> RecordedDrop {
         self.record.states.resize(self.samples, last);
         self.record
     }
