@@ -1,4 +1,4 @@
-//! The indentation at which spheres carry the body weight at speed 0, by the Hertz law and by the model's own law.
+//! The indentation at which spheres carry the body weight at speed 0, by the Hertz law and by the model's contact law.
 //!
 //! The spheres touch one plane. Either their bottoms are at one height, so that all have the same indentation x, whatever their
 //! radii; or the bottoms are at different heights ([`RaisedSpheres`]).

@@ -12,7 +12,7 @@ use crate::table::{AngleUnit, MotionFault, Table};
 
 /// The smallest number of rows for a quintic spline.
 const LEAST_ROWS: usize = 6;
-/// The largest number of passes over couplers that depend on each other.
+/// The largest number of rounds in which couplers that depend on each other are applied.
 const MOST_COUPLER_PASSES: usize = 8;
 /// Largest angle, rad, that is plausible in radians; if a file has larger angles, its unit is in doubt.
 const FULL_TURN: f64 = std::f64::consts::TAU;

@@ -11,7 +11,7 @@ use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, digits
 const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
 const PRINT_RESULT: &str = "print(result)";
 
-/// Fields that are no keywords of the function that plans a change of one model; methods of the plan do their work.
+/// Fields without a keyword in the function that plans a change of one model; methods of the plan do their work.
 const DONE_BY_PLAN: [&str; 2] = ["dry_run", "report"];
 
 /// Fields that a row of a table has, but not a call for all rows.
