@@ -1,5 +1,5 @@
-//! Judges the planes that spheres press on: how they are turned against gravity, which body carries them, and which part of the weight
-//! presses on them.
+//! Judges the floors that spheres press on: how each plane is turned against gravity, which body carries it, and which part of the weight
+//! presses on it.
 
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_FLOOR_RAD};
@@ -7,15 +7,15 @@ use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum PlaneKind {
-    /// A level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
+    /// Nothing is wrong: a level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
     Fine,
-    /// A slope against level ground, in degrees.
+    /// A floor that slopes against level ground by this angle, degrees.
     Slope(f64),
-    /// A floor that leans by so many degrees, too steep to stand on.
+    /// A floor that leans by this angle, degrees: too steep to stand on.
     Steep(f64),
-    /// A floor under a gravity that points so many degrees away from straight into it.
+    /// A floor that is right, under a gravity that is wrong. The angle between gravity and straight into the floor, degrees.
     GravityMisaligned(f64),
-    /// A floor on a body of the limbs that press on it.
+    /// A floor on a body of the same limbs that press on it.
     OnLimb,
 }
 
@@ -25,7 +25,7 @@ pub(crate) struct JudgedPlane {
     pub(crate) kind: PlaneKind,
 }
 
-/// All planes that moving spheres press on by forces that are switched on.
+/// All planes that moving spheres press on by forces that are switched on, with the judgement of each.
 #[derive(Debug)]
 pub(crate) struct Floors(Vec<JudgedPlane>);
 
@@ -52,14 +52,14 @@ impl Floors {
     }
 }
 
-/// Two directions are about the same if the cosine of their angle is above that of 45 degrees.
+/// Cosine of 45 degrees. Two directions whose angle has a larger cosine are taken for about the same.
 const COS_45_DEGREES: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 struct PlaneJudge<'m> {
     trees: PosedTrees<'m>,
-    /// Spheres with a floor that they can stand on, or with one whose tilt is not known.
+    /// Spheres that press on a floor which is not too steep to stand on, or on a plane whose tilt is not known.
     with_floor: HashSet<SphereId>,
-    /// The top bodies of the trees that have such spheres.
+    /// The top bodies of the joint trees that have spheres in `with_floor`.
     trees_with_floor: HashSet<String>,
     /// Whether a limb presses on any plane.
     has_limbs: bool,
@@ -93,8 +93,8 @@ impl<'m> PlaneJudge<'m> {
         spheres
     }
 
-    /// A steep plane is fine as a wall: hands lean on it while the feet of the same body have a floor, or a ball meets a net while others
-    /// have a floor.
+    /// The kind of a steep plane. It is fine as a wall: hands lean on a wall while the feet of the same body have a floor, or a ball meets
+    /// a net while other bodies have a floor.
     fn kind_of_steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
         let standing = self.spheres_standing_on(plane);
         if standing.is_empty() {
@@ -106,7 +106,7 @@ impl<'m> PlaneJudge<'m> {
         }
     }
 
-    /// The spheres of `plane` that have no other floor and need one; all if the model has no limbs and nothing has a floor.
+    /// The spheres of `plane` that have no other floor and need one; all its spheres if the model has no limbs and no sphere has a floor.
     fn spheres_standing_on(&self, plane: &ContactPlane) -> Vec<SphereId> {
         if self.with_floor.is_empty() && !self.has_limbs {
             return plane.spheres.clone();
@@ -119,9 +119,9 @@ impl<'m> PlaneJudge<'m> {
         standing
     }
 
-    /// Whether gravity, and not the floor, is turned wrongly: seen from its spheres the body is where the floor's normal points, and not
-    /// opposite to gravity. If the body is at neither, as in a kicker whose foot is far back, a floor that faces y is right, because y is
-    /// up in nearly all models.
+    /// Whether gravity is turned wrongly, and not the floor: seen from the spheres, the body is in the direction of the floor's normal, and
+    /// not opposite to gravity. If the body is in neither direction, as in a kicker whose foot is far back, a floor that faces y is right,
+    /// because y is up in nearly all models.
     fn is_gravity_to_blame(&self, plane: &ContactPlane, spheres: &[SphereId]) -> bool {
         let Some(surface) = plane.surface else { return false };
         let body = self.trees.towards_body(spheres).unwrap_or_default();
@@ -154,19 +154,19 @@ fn spheres_bound_to(trees: &PosedTrees<'_>, plane: &ContactPlane) -> Vec<SphereI
 /// A floor that leans by no more than this, degrees, is level, as 180 of 204 planes under spheres in published models are.
 const LEVEL_DEGREES: f64 = 1.0;
 
-/// How a plane is turned against gravity.
+/// The tilt of a plane against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Tilt {
     /// Level to within a degree.
     Level,
-    /// A slope against level ground, in degrees.
+    /// The plane slopes by this angle against level ground, degrees.
     Slope(f64),
-    /// A plane that leans by so many degrees that nothing stands on it.
+    /// The plane leans by this angle, degrees, so much that nothing stands on it.
     Steep(f64),
 }
 
 impl Tilt {
-    /// `None` if it is not known: a number cannot be read or is in degrees, or the model has no gravity.
+    /// The tilt of `plane`. `None` if it is not known: a number cannot be read or is in degrees, or the model has no gravity.
     fn of(model: &Model, plane: &ContactPlane) -> Option<Self> {
         let is_up_known = model.gravity().is_some_and(|size| size > 0.0 && size.is_finite());
         let in_degrees = plane.orientations.iter().any(Orientation::is_in_degrees);
@@ -179,8 +179,9 @@ impl Tilt {
     }
 }
 
-/// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, else 1; of several
-/// floors that of the least steep. A plane that is too steep counts as level, as it will be once it is turned correctly.
+/// The part of the weight that presses the spheres of `forces` on their floor: the cosine of the angle of a slope, and 1 on level ground.
+/// Of several floors, the least steep counts. A plane that is too steep counts as level, because it will be level once it is turned
+/// correctly.
 pub fn weight_share_on_floor(model: &Model, forces: &[ForceId]) -> f64 {
     weight_share_at_pose(model, forces, &DefaultPose::of(model))
 }
@@ -196,8 +197,8 @@ pub(crate) fn weight_share_at_pose(model: &Model, forces: &[ForceId], pose: &Def
 
 // Which spheres a body stands on, and in which direction the body is from them.
 
-/// Spheres up to this share of the height of their body's tree, from its lowest origin, are under its feet. Spheres of hands that lean on
-/// a wall are higher.
+/// Spheres up to this part of the height of a joint tree, from its lowest origin, count as under its feet. The spheres of hands that lean
+/// on a wall are higher.
 const FOOT_HEIGHT: f64 = 0.25;
 
 /// The joint trees of a model at its default pose.
@@ -205,7 +206,7 @@ struct PosedTrees<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     movements: Movements,
-    /// Each tree under the name of its top body.
+    /// Each tree, by the name of its top body.
     trees: HashMap<String, BodyTree>,
 }
 
@@ -215,7 +216,7 @@ struct BodyTree {
     count: usize,
     /// Mass (kg) and origin (m, in ground) of each body for which both are known.
     bodies: Vec<(f64, DVec3)>,
-    /// The lowest and the highest of these origins along up, m.
+    /// The lowest and the highest of the origins in `bodies` along the direction up, m.
     heights_m: Option<[f64; 2]>,
 }
 
@@ -233,13 +234,13 @@ impl<'m> PosedTrees<'m> {
         Self { model, pose, movements, trees }
     }
 
-    /// Whether joints connect the body with others.
+    /// Whether joints connect `body` with other bodies.
     fn is_connected(&self, body: &str) -> bool {
         self.tree(body).is_some_and(|tree| tree.count > 1)
     }
 
-    /// The spheres of limbs among those of `plane`: they move in ground, and their bodies have a side or are connected with others. A ball
-    /// has neither.
+    /// The spheres of `plane` that belong to limbs: they move in ground, and their bodies have a side or are connected with other bodies.
+    /// The sphere of a ball has neither.
     fn limb_spheres(&self, plane: &ContactPlane) -> Vec<SphereId> {
         let is_limb = |sphere: &Sphere, body: &str| {
             let has_side = Side::of_name(body).or_else(|| Side::of_name(&sphere.name)).is_some();
@@ -252,12 +253,12 @@ impl<'m> PosedTrees<'m> {
         plane.spheres.iter().copied().filter(is_on_limb).collect()
     }
 
-    /// The top body of the tree that carries the sphere.
+    /// The name of the top body of the tree that carries the sphere.
     fn top_of(&self, sphere: SphereId) -> Option<&str> {
         Some(self.movements.top(self.body_of(sphere)?))
     }
 
-    /// Whether the sphere is under a foot of its tree at the default pose.
+    /// Whether the sphere is at the height of the feet of its tree at the default pose.
     fn is_low(&self, sphere: SphereId) -> bool {
         let height = self.centre(sphere).map(|centre| centre.dot(self.model.up()));
         let heights = self.body_of(sphere).and_then(|body| self.tree(body)?.heights_m);
@@ -294,7 +295,7 @@ impl BodyTree {
     }
 }
 
-/// `None` if the sum of the weights is not above 0.
+/// The mean of the points with their weights; `None` if the sum of the weights is not above 0.
 fn weighted_mean(points: impl Iterator<Item = (f64, DVec3)>) -> Option<DVec3> {
     let start = (0.0, DVec3::ZERO);
     let (weight, sum) =

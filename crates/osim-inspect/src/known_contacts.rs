@@ -1,4 +1,4 @@
-//! Recognises contacts: published ones by their dimensionless values, and those of the reference model that the caller names.
+//! Recognises contacts: published contacts by their dimensionless values, and the contacts of the reference model that the caller names.
 
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
@@ -16,9 +16,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::sides::BothSides;
 
-/// Values whose relative difference is no more than this are the same.
+/// Values whose relative difference is at most this are the same.
 const SAME_VALUE: f64 = 1e-6;
-/// Values that differ by no more than this, relatively, have the same findings: a radius that differs by 2 % changes other values by up to 6 %.
+/// Values whose relative difference is at most this give the same findings. A radius that differs by 2 % changes other values by up to 6 %.
 const SIMILAR_VALUE: f64 = 0.07;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
@@ -60,8 +60,8 @@ impl KnownContacts {
         Self::find_like(&contacts_of_sets(model, forces)?, count, mass_kg, entries(), &Likeness::EXACT)
     }
 
-    /// The severity that the table gives a finding about these `forces` if their contacts are not known, but those numbers are as published on
-    /// which the finding depends: what was published so is a remark, whatever the other numbers are.
+    /// The severity that the table gives a finding about `forces`, if their contacts are not known but the numbers on which the finding
+    /// depends are the published ones. A fault that was published is only a remark, whatever the other numbers are.
     pub(crate) fn severity_of_similar(
         model: &Model,
         forces: &[ForceId],
@@ -112,26 +112,26 @@ impl KnownContacts {
         entries.clone().into_iter().find_map(under_body).or_else(|| entries.into_iter().find_map(at_any_mass))
     }
 
-    /// Whether they are for exactly this mass, kg.
+    /// Whether the contacts are made for exactly this mass, kg.
     pub(crate) fn is_made_for(&self, mass_kg: f64) -> bool {
         Likeness::EXACT.is_close(self.made_for_kg, mass_kg)
     }
 
-    /// Whether they were published under a body of another mass than they are made for.
+    /// Whether the contacts were published under a body of another mass than the mass that they are made for.
     pub fn is_published_under_other_body(&self) -> bool {
         entries().iter().any(|entry| entry.name == self.name && entry.made_for_kg != entry.body_kg())
     }
 
-    /// The severity that a finding has with these contacts, if the table gives one: what was published so is a remark.
+    /// The severity that the table gives a finding about these contacts, if it gives one. A fault that was published is only a remark.
     pub fn severity(&self, code: FindingCode) -> Option<Severity> {
         entries().iter().find(|entry| entry.name == self.name)?.severity(code)
     }
 }
 
-/// The contact of one parameter set of a model, and how many spheres have it.
+/// The contact of one parameter set of a model, and the number of spheres with this contact.
 struct SetContact {
     spheres: usize,
-    /// The root of the mean square of the radii.
+    /// Root mean square of the radii of the spheres.
     radius_m: f64,
     composite_modulus: f64,
     dissipation: f64,
@@ -140,7 +140,7 @@ struct SetContact {
     transition_velocity: f64,
 }
 
-/// `None` if a value cannot be read, or there are no spheres.
+/// The contact of each parameter set of `forces`; `None` if a value cannot be read, or there are no spheres.
 fn contacts_of_sets(model: &Model, forces: &[ForceId]) -> Option<Vec<SetContact>> {
     let loaded = loaded_spheres(model, forces).ok().filter(|loaded| !loaded.is_empty())?;
     // The spheres of a set follow each other.
@@ -172,12 +172,12 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact>
     })
 }
 
-/// Which numbers are compared, and how closely.
+/// The numbers of a contact that are compared with published ones, and the tolerance.
 struct Likeness {
     tolerance: f64,
     stiffness: bool,
     dissipation: bool,
-    /// `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing`.
+    /// Whether `constant_contact_force`, `hertz_smoothing` and `hunt_crossley_smoothing` are compared.
     smoothing: [bool; 3],
     friction: bool,
 }
@@ -191,7 +191,7 @@ impl Likeness {
         friction: true,
     };
 
-    /// The numbers on which a finding depends; `None` if it does not follow from these numbers and the weight.
+    /// The numbers on which a finding depends; `None` if it does not depend only on these numbers and the weight.
     fn for_finding(code: FindingCode) -> Option<Self> {
         let radii = Self {
             tolerance: SIMILAR_VALUE,
@@ -219,8 +219,8 @@ impl Likeness {
 }
 
 impl Entry {
-    /// Whether `contacts` are those of the entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
-    /// `isometric`, radii follow the mass, too.
+    /// Whether `contacts` are the contacts of this entry, scaled to `mass` (kg), if `count` of their spheres share the weight. If they are
+    /// `isometric`, the radii follow the mass, too.
     fn is_of(
         &self,
         contacts: &[SetContact],
@@ -252,7 +252,7 @@ impl Entry {
         })
     }
 
-    /// Whether `contact` is the published one, with `mass` times its mass on `share` times as many spheres.
+    /// Whether `contact` has the published values, scaled to `mass` times the published mass and `share` times as many spheres.
     fn has_values(
         &self,
         contact: &SetContact,
@@ -280,7 +280,7 @@ impl Entry {
             && (!likeness.friction || self.has_friction(contact, radius, likeness))
     }
 
-    /// Whether friction is as published: coefficients have no size; the two speeds can stay, or follow the radius.
+    /// Whether the friction is the published one. The coefficients do not depend on size; the two speeds may stay, or follow the radius.
     fn has_friction(&self, contact: &SetContact, radius: f64, likeness: &Likeness) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
         let [r#static, dynamic, viscous] = self.friction;
@@ -346,7 +346,7 @@ impl Entry {
         self.contacts.iter().map(|contact| contact.spheres).sum()
     }
 
-    /// The severity that a finding has with these contacts, if it differs from that of its rule.
+    /// The severity that a finding has with these contacts, if it differs from the severity of its rule.
     fn severity(&self, code: FindingCode) -> Option<Severity> {
         self.severity.get(code.as_str()).map(|level| match level {
             TableSeverity::Error => Severity::Error,
@@ -362,7 +362,7 @@ fn entries() -> &'static [Entry] {
     ENTRIES.get_or_init(|| serde_json::from_str(include_str!("known_contacts.json")).unwrap_or_default())
 }
 
-/// The contact parameters of a reference model, by which the side of another model is found that still has them.
+/// The contact parameters of a reference model. They show which side of another model still has the contacts of the reference.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReferenceContacts {
     name: String,
@@ -371,7 +371,7 @@ pub struct ReferenceContacts {
 }
 
 impl ReferenceContacts {
-    /// `name` is what messages call the model.
+    /// The contact parameters of `model`; messages call this model `name`.
     pub fn from_model(name: &str, model: &Model) -> Self {
         let parameters = model.forces().iter().map(|force| (force.name.clone(), all_values(force))).collect();
         Self { name: name.to_owned(), parameters }
@@ -381,7 +381,7 @@ impl ReferenceContacts {
         shown(&self.name).to_string()
     }
 
-    /// The side whose forces have the parameters of the reference, if those of the other side differ from it.
+    /// The side whose forces have the parameters of the reference, if the forces of the other side have not.
     pub(crate) fn side_like_reference(&self, model: &Model, sides: &BothSides<'_>) -> Option<Side> {
         let is_as_reference = |side| {
             let forces = sides.forces_on(side);

@@ -1,5 +1,5 @@
-//! The load under which a model is inspected: body weight, forces, and number of spheres; and masses that look like a typing mistake or
-//! another unit.
+//! Determines the load under which a model is inspected: body weight, forces, and number of spheres. Finds masses that look like a typing
+//! mistake or another unit.
 
 use std::path::PathBuf;
 
@@ -13,16 +13,16 @@ use osim_requests::{Acceleration, Count, Positive};
 
 use crate::known_contacts::KnownContacts;
 
-/// How many spheres and limbs share the weight, under which gravity, and how fast an impact is.
+/// How many spheres and limbs share the weight, the gravity, and the speed before an impact.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stance {
-    /// Spheres of all stance limbs together that share the body weight; `None`: the spheres of a limb in the model.
+    /// Number of spheres of all stance limbs together that share the body weight; `None`: the number of spheres of a limb in the model.
     pub spheres: Option<f64>,
-    /// Limbs that share the body weight; `None`: the number in the model's note, else one.
+    /// Number of limbs that share the body weight; `None`: the number in the note of the model, else one.
     pub limbs: Option<f64>,
     /// Speed before an impact, m/s; `None`: √(gR/2).
     pub impact_speed_m_s: Option<f64>,
-    /// Gravity that replaces the model's, m/s².
+    /// Gravity that is used instead of the model's, m/s²; `None`: the gravity of the model.
     pub gravity_m_s2: Option<f64>,
 }
 
@@ -39,9 +39,9 @@ pub struct InspectOptions {
     pub masses: MassRequest,
     pub selection: Selection,
     pub stance: Stance,
-    /// The geometry set of a force set that is a file by itself; remedies repeat it.
+    /// The file with the geometry set, if the force set is a file by itself. Remedies repeat this file.
     pub geometry: Option<PathBuf>,
-    /// The model of a force set that is a file by itself; remedies repeat it.
+    /// The file of the model, if the force set is a file by itself. Remedies repeat this file.
     pub model: Option<PathBuf>,
 }
 
@@ -99,7 +99,7 @@ impl LoadSharing {
         Self { limbs: model.limbs(&forces), forces }
     }
 
-    /// The load of a model in which no force can be chosen.
+    /// For a model in which no force can be chosen; `why` is the reason.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
     }
@@ -108,14 +108,16 @@ impl LoadSharing {
         &self.limbs
     }
 
-    /// The forces that press the body's spheres on the floor, chosen or not.
+    /// The forces that press the spheres of the body on the floor, chosen or not.
     pub fn forces(&self) -> &[ForceId] {
         &self.forces
     }
 
-    /// n: as `given`, else the spheres of a limb times `stance_limbs`. `whose` is for the error.
+    /// The number n of spheres that share the weight: `given`, else the number of spheres of a limb times `stance_limbs`. The error message
+    /// uses `whose`.
     ///
     /// # Errors
+    ///
     /// No number is given, and left and right are not known, or limbs have different numbers of spheres.
     pub fn count(&self, given: Option<f64>, stance_limbs: f64, whose: CountedSpheres) -> Result<f64, Fault> {
         if let Some(count) = given {
@@ -127,7 +129,8 @@ impl LoadSharing {
         }
     }
 
-    /// n while the body stands on limbs like `limb`. Figures need it for each limb, even if limbs differ.
+    /// The number n of spheres that share the weight while the body stands on limbs like `limb`. Figures need n for each limb, even if
+    /// limbs differ.
     pub fn count_on(limb: &Limb, given: Option<f64>, stance_limbs: f64) -> f64 {
         given.unwrap_or_else(|| spheres_on(limb.spheres.len(), stance_limbs))
     }
@@ -138,19 +141,20 @@ fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }
 
-/// For which mass the contacts of some forces were made, and why.
+/// The mass for which the contacts of some forces were made, and the source of this mass.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactsOrigin {
-    /// As the caller says, else the note, else as published contacts that these are, else what the model weighs.
+    /// The mass, from the first source that has one: the caller, the note, the published contacts that these contacts are, the bodies of
+    /// the model.
     pub mass: Mass,
-    /// The published contacts, where neither the caller nor a note says a mass.
+    /// The published contacts that these contacts are, if neither the caller nor a note gives a mass.
     pub known: Option<KnownContacts>,
-    /// A warning for each other source that disagrees.
+    /// A warning for each source of a mass that disagrees with the chosen source.
     pub findings: Vec<Finding>,
 }
 
 impl ContactsOrigin {
-    /// Finds it for the chosen `forces` of `model`.
+    /// Determines the mass for which the contacts of `forces` in `model` were made.
     ///
     /// # Errors
     /// A note that no longer fits the file, or any error of [`MassRequest::model_mass`].
@@ -170,7 +174,7 @@ impl ContactsOrigin {
         Self::with_known(model, masses, known.flatten())
     }
 
-    /// As [`find`](Self::find), if published contacts were looked for already.
+    /// Like [`find`](Self::find), for a caller that has already looked for published contacts.
     pub(crate) fn with_known(
         model: &Model,
         masses: &MassRequest,
@@ -184,7 +188,7 @@ impl ContactsOrigin {
         Ok(Self { mass, known, findings })
     }
 
-    /// Asks the caller to confirm the mass of published contacts, with `input`, if the model weighs something else.
+    /// Refuses published contacts if the model weighs something else than their mass, unless the caller confirmed the mass with `input`.
     ///
     /// # Errors
     /// The question.
@@ -199,8 +203,8 @@ impl ContactsOrigin {
     }
 }
 
-/// The mass that contacts were made for, by a note or as published, and the mass of the bodies, if they differ and no option says which
-/// one counts.
+/// Two masses that disagree: the mass that contacts were made for (from a note or a publication), and the mass of the bodies. No option
+/// says which of them counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMismatch {
     body_kg: f64,
@@ -208,7 +212,7 @@ pub struct MassMismatch {
 }
 
 impl MassMismatch {
-    /// `None` if they agree, or the caller says what the model weighs.
+    /// Compares the two masses; `None` if they agree, or the caller says what the model weighs.
     pub fn find(model: &Model, masses: &MassRequest, contacts_mass: Option<&Mass>) -> Option<Self> {
         if masses.model_kg.is_some() {
             return None;
@@ -219,7 +223,7 @@ impl MassMismatch {
         (is_of_contacts && !same_mass(contacts_mass.kg, body_kg)).then_some(Self { body_kg, contacts_mass })
     }
 
-    /// That of the note.
+    /// The mismatch between the mass in the note of `model` and the mass of its bodies.
     pub(crate) fn of_note(model: &Model, masses: &MassRequest) -> Option<Self> {
         let (contacts_mass, _) = masses.contacts_mass(model).ok()?;
         Self::find(model, masses, Some(&contacts_mass))
@@ -238,7 +242,7 @@ impl MassMismatch {
         ]
     }
 
-    /// A clause to add to the message of a finding.
+    /// A clause about the two masses, to add to the message of a finding.
     pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         phrase![
@@ -248,7 +252,7 @@ impl MassMismatch {
         ]
     }
 
-    /// The answer to give with the mass of the contacts, if the program would ask about that mass.
+    /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.
     fn answer_to_question(&self) -> Phrase {
         match implausible_mass(Input::Mass, self.contacts_mass.kg, Some(self.body_kg)) {
             Some(asks) => phrase![" with ", &asks.question().answer()],
@@ -267,7 +271,8 @@ pub fn unexplained_mass_slip(
     find_unexplained(masses.implausible_masses(model), masses, model, selection)
 }
 
-/// The first of the given masses that may be in pounds, but may also be right: a reason for a remark, not for a question.
+/// The first of the given masses that may be in pounds, but may also be right in kilograms. This is a reason for a remark, not for a
+/// question.
 pub fn masses_perhaps_in_pounds(
     masses: &MassRequest,
     model: &Model,

@@ -1,4 +1,4 @@
-//! What one model file alone shows about the places of its spheres: its note, published layouts of spheres, and how far spheres reach.
+//! Evidence in one model file about the places of its spheres: its note, published layouts of spheres, and how far spheres reach.
 
 use std::cell::{OnceCell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,18 +11,18 @@ use sha2::{Digest, Sha256};
 
 use crate::reach::{BodyBones, Reach, reaches, same_size};
 
-/// Whether spheres are at the right places, as far as the file shows it.
+/// What the file of the model shows about the places of its spheres: right, wrong, or not known.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum PlaceEvidence {
-    /// The note shows that bodies were scaled and the spheres stayed.
+    /// The note shows that bodies were scaled after it was written, and that the spheres stayed at their places.
     ScaledSinceNote(ScaledSinceNote),
-    /// The spheres have the places of a published layout, but the bones have another size.
+    /// The places of the spheres are those of a published layout, but the bones have another size than in the publication.
     OtherSize(LayoutMatch),
-    /// Each foot has the places that the published layout of this title has on the other foot.
+    /// The spheres of each foot have the places that a published layout has on the other foot; the title of the layout.
     Mirrored(&'static str),
-    /// These bodies, which do not belong to a foot, have spheres, and the feet of the model have none.
+    /// No foot of the model has spheres, but other bodies have; the names of these bodies.
     NotOnFeet(Vec<String>),
-    /// These spheres reach further than published ones.
+    /// Some spheres reach further along the foot than spheres of published models; the reaches of these spheres.
     FarReach(Vec<Reach>),
     /// The note, or a published layout on bones of its size, shows that the spheres are at the right places.
     Right,
@@ -33,7 +33,7 @@ pub(crate) enum PlaceEvidence {
 }
 
 impl PlaceEvidence {
-    /// Evidence of `model`. `noted` is what its note says about sizes, if it has such a note.
+    /// The evidence in `model`. `noted` is what the note says about sizes of bodies, if there is such a note.
     pub(crate) fn of(model: &Model, noted: Option<ScaledSinceNote>) -> Self {
         let bones = BodyBones::of(model);
         // Also before a note, which only says that spheres are where somebody put them.
@@ -64,18 +64,19 @@ impl PlaceEvidence {
         if bodies.any(is_scaled) { Self::Unknown } else { Self::Unscaled }
     }
 
-    /// Whether spheres are where they should not be. Other corrections wait until they are moved.
+    /// Whether the spheres are at wrong places. Other corrections wait until the spheres are moved.
     pub(crate) fn is_wrong(&self) -> bool {
         !matches!(self, Self::Right | Self::Unscaled | Self::Unknown)
     }
 
-    /// Whether spheres are known to be where they belong.
+    /// Whether the spheres are known to be at the right places.
     pub(crate) fn is_right(&self) -> bool {
         matches!(self, Self::Right)
     }
 }
 
-/// The bodies with spheres that do not belong to a foot, if no calcaneus of the model has spheres, or no foot where it has no calcaneus.
+/// The bodies that have spheres and do not belong to a foot, if no calcaneus of the model has spheres, or, in a model without calcaneus, no
+/// foot.
 fn bodies_beside_feet(model: &Model, bones: &BodyBones) -> Option<Vec<String>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let bodies: BTreeSet<&str> = spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()).collect();
@@ -132,11 +133,11 @@ struct SphereCentre<'m> {
     at_m: [f64; 3],
 }
 
-/// The sphere centres of a model, with digests that are computed when a layout is compared by them.
+/// The sphere centres of a model, with their digests. A digest is computed when a layout is compared by digest.
 struct DigestedCentres<'m> {
     list: Vec<SphereCentre<'m>>,
     digest: OnceCell<String>,
-    /// The centres divided by the growth of their bones, and the digest of that; one entry for each published size that was compared.
+    /// The centres divided by the growth of their bones, and the digest of these; one entry for each published size that was compared.
     rescaled: RefCell<Vec<(Vec<SphereCentre<'m>>, String)>>,
 }
 
@@ -146,28 +147,28 @@ impl<'m> From<Vec<SphereCentre<'m>>> for DigestedCentres<'m> {
     }
 }
 
-/// How the bones of a model fit the published layout that its spheres have.
+/// How the bones of a model fit the published layout whose places its spheres have.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum LayoutMatch {
-    /// The bones are as large as published, or the layout grew with them.
+    /// The bones have the published size, or the spheres moved as the bones grew.
     AsPublished,
-    /// The bones have another size than published; one of them is named.
+    /// The bones have another size than published. `growth` is for one of the bones.
     OtherSize {
         title: &'static str,
         body: String,
-        /// By what the body is larger than published along x, y and z.
+        /// The size of the bone over the published size, along x, y and z.
         growth: [f64; 3],
     },
 }
 
-/// The published layout that the spheres of `model` have; `None` if it is not known, or nothing shows how large the bones are.
+/// The published layout whose places the spheres of `model` have; `None` if no layout is known, or nothing shows how large the bones are.
 fn find_layout(model: &Model, bones: &BodyBones) -> Option<LayoutMatch> {
     let list = sphere_centres(model)?;
     LayoutCache::of(model, &list).layout.get_or_init(|| match_layout(list, bones)).clone()
 }
 
-/// The layouts that were found for one list of sphere centres. It is kept with the bodies of a model, because most changes leave the
-/// places as they are.
+/// The layouts that were found for one list of sphere centres. They are kept with the bodies of a model, because most changes do not move
+/// spheres.
 #[derive(Debug, Default)]
 struct LayoutCache {
     places: Vec<(String, [f64; 3])>,
@@ -211,10 +212,10 @@ fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<Layout
     Some(LayoutMatch::OtherSize { title: &layout.title, body, growth })
 }
 
-/// A foot whose joint to the toes shows a length that differs by no more than this, relatively, is as long as published.
+/// A foot has the published length if the length that its toe joint shows differs by at most this, relatively.
 const SAME_LENGTH: f64 = 0.02;
 
-/// By what `body` is larger than `published`, by its meshes or else by its joint to the toes; `None` if it has the published size.
+/// The size of `body` over `published`, by its meshes or else by its joint to the toes; `None` if it has the published size.
 fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<[f64; 3]> {
     let of_meshes = bones.size(body).filter(|here| !same_size(*here, published));
     let of_meshes = of_meshes.map(|here| std::array::from_fn(|axis| here[axis] / published[axis]));
@@ -223,8 +224,8 @@ fn growth_of_bone(bones: &BodyBones, body: &str, published: [f64; 3]) -> Option<
         .or_else(|| of_length().filter(|ratio| (ratio - 1.0).abs() > SAME_LENGTH).map(|ratio| [ratio; 3]))
 }
 
-/// The title of the published layout whose mirror image the spheres of `model` are: each foot has the places of the other one. `None` if
-/// the spheres also are as published, because a layout can be symmetric.
+/// The title of a published layout whose mirror image the spheres of `model` are: each foot has the places of the other foot. `None` if the
+/// spheres are also at the published places, because a layout can be symmetric.
 fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str> {
     let list = sphere_centres(model)?;
     *LayoutCache::of(model, &list).mirrored.get_or_init(|| match_mirrored_layout(list, bones))
@@ -236,13 +237,13 @@ fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Opti
     layout_with(list, bones).is_none().then_some(title)
 }
 
-/// The layout with these centres, in a published size or grown with the bones.
+/// The layout with these centres, in a published size or in the size of the bones.
 fn layout_with(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
     let centres = DigestedCentres::from(list);
     layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
 }
 
-/// Centres of the spheres that carry weight; `None` if the place of one is not known, or there are none.
+/// Centres of the spheres that carry weight; `None` if the place of a sphere is not known, or no sphere carries weight.
 fn sphere_centres(model: &Model) -> Option<Vec<SphereCentre<'_>>> {
     let spheres = model.loaded_spheres(&model.force_ids());
     let place = |&id| {
@@ -257,7 +258,7 @@ impl PublishedLayout {
         self.matches(&centres.list, |own| own == centres.digest.get_or_init(|| digest(&centres.list)))
     }
 
-    /// Whether `list` has the places of the layout, or their digest if the layout only has that.
+    /// Whether the centres `list` are the places of the layout. A layout without places has a digest, with which `list` is compared.
     fn matches(&self, list: &[SphereCentre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
         match (&self.places, &self.digest) {
             (Some(places), _) => {
@@ -272,7 +273,7 @@ impl PublishedLayout {
         }
     }
 
-    /// Whether each centre is the place of the layout times the factor by which its bone is larger than published.
+    /// Whether each centre is the published place times the factor by which the bone of the sphere is larger than published.
     fn grew_to(&self, centres: &DigestedCentres<'_>, bones: &BodyBones) -> bool {
         self.sizes.iter().any(|published| {
             let back = centres.list.iter().map(|&SphereCentre { body, at_m }| {
@@ -287,7 +288,7 @@ impl PublishedLayout {
 }
 
 impl<'m> DigestedCentres<'m> {
-    /// Whether `rescaled`, these centres on bones of another size, have the digest `expected`.
+    /// Whether `rescaled`, the centres of the spheres on bones of another size, have the digest `expected`.
     fn rescaled_have_digest(&self, rescaled: &[SphereCentre<'m>], expected: &str) -> bool {
         let mut computed = self.rescaled.borrow_mut();
         if let Some((_, digest)) = computed.iter().find(|(list, _)| list == rescaled) {
@@ -301,7 +302,7 @@ impl<'m> DigestedCentres<'m> {
 }
 
 impl SphereCentre<'_> {
-    /// The place on the other foot that mirrors this one, in its frame.
+    /// The mirror image of the place: the place on the other foot, in the frame of that foot.
     fn mirrored(&self) -> Self {
         let [x, y, z] = self.at_m;
         Self { at_m: [x, y, -z], ..*self }
@@ -316,7 +317,7 @@ impl PublishedPlace {
     }
 }
 
-/// A digest of the places in whole micrometres, whatever their order.
+/// A digest of the places in whole micrometres. It does not depend on the order of the places.
 fn digest(places: &[SphereCentre<'_>]) -> String {
     #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
     let micrometres = |metres: f64| (metres * 1e6).round() as i64;
@@ -392,7 +393,7 @@ mod tests {
 
     const FALISSE: &str = include_str!("../../../fixtures/check/known_contacts.osim");
 
-    /// `text` with the sign of z changed in the place of each sphere.
+    /// The model `text` with the sign of z reversed in the place of each sphere.
     fn mirrored(text: &str) -> String {
         let with_opposite_z = |part: &str| {
             let start = part.find("<location>").unwrap() + "<location>".len();

@@ -1,4 +1,4 @@
-//! What a number is, apart from its value: name, label, unit, equation, meaning and limit; and a macro for registers of quantities.
+//! Describes a number apart from its value: name, label, unit, equation, meaning and limit. A macro makes registers of such quantities.
 
 use contact_scaling::limits::{self, Limit};
 use osim_model::Property;
@@ -17,7 +17,8 @@ use osim_model::messages::Phrase;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Quantity {
-    /// Name in JSON and in the series of a drop test; it ends in the unit, if there is one. A property of a model has OpenSim's name.
+    /// Name in JSON and in the series of a drop test. It ends in the unit, if the quantity has a unit. A property of a model has the name
+    /// that OpenSim uses.
     pub name: &'static str,
     /// Name in tables for people, without unit and equation.
     pub label: &'static str,
@@ -101,7 +102,7 @@ impl Quantity {
         Phrase::template(self.meaning_text())
     }
 
-    /// The sentence as it is written in the register, with names of options in backticks.
+    /// The sentence that says what the quantity is, as the register has it, with names of options in backquotes.
     pub fn meaning_text(&self) -> &'static str {
         self.meaning.trim_ascii()
     }

@@ -14,26 +14,27 @@ use osim_model::compare::bone_of_mesh;
 use osim_model::messages::four_significant;
 use osim_model::{Anatomy, AnatomyJoint, DVec3, Model, SphereId};
 
-/// Spheres that reach no further than this towards the next joint are usual.
+/// A sphere that reaches at most this far towards the next joint is usual.
 const LARGEST_TOWARDS_JOINT: f64 = 1.4;
-/// Usual spheres reach at least so far: some are a little nearer to the heel than the origin of their body.
+/// A sphere that reaches at least this far towards the next joint is usual. The number is negative, because some spheres are nearer to the
+/// heel than the origin of their body.
 const LEAST_TOWARDS_JOINT: f64 = -0.3;
-/// Usual places of the foremost sphere along the foot.
+/// Usual reach of the foremost sphere along the foot, between heel (0) and tip of the toes (1).
 const USUAL_ALONG_FOOT: std::ops::RangeInclusive<f64> = 0.65..=1.05;
 
-/// How far one sphere reaches towards the next joint, or along the foot.
+/// How far one sphere reaches, towards the next joint or along the foot.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Reach {
     pub sphere: SphereId,
     pub value: f64,
-    /// The next joint, or the hind part of the foot.
+    /// Name of the next joint, or of the body that is the hind part of the foot.
     pub towards: String,
     measure: ReachMeasure,
-    /// The largest usual value.
+    /// The largest usual reach for this sphere.
     most: f64,
 }
 
-/// The yardstick of a reach; the module describes both.
+/// The length to which a reach is compared. The comment of the module describes both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ReachMeasure {
     TowardsJoint,
@@ -41,7 +42,7 @@ enum ReachMeasure {
 }
 
 impl Reach {
-    /// Whether no published sphere reaches so far.
+    /// Whether no published sphere reaches this far.
     pub(crate) fn is_odd(&self) -> bool {
         match self.measure {
             ReachMeasure::TowardsJoint => self.value > self.most || self.value < LEAST_TOWARDS_JOINT,
@@ -49,7 +50,7 @@ impl Reach {
         }
     }
 
-    /// The reach in words that follow the name of the sphere.
+    /// The reach in words, to follow the name of the sphere in a sentence.
     pub(crate) fn describe(&self) -> String {
         let (value, towards) = (four_significant(self.value), &self.towards);
         match self.measure {
@@ -102,7 +103,7 @@ pub(crate) fn reaches(model: &Model, bones: &BodyBones) -> Vec<Reach> {
     reaches
 }
 
-/// The reach of a sphere towards the next joint that is farthest from the body's origin.
+/// The reach of a sphere towards the next joint; of several next joints, towards the one that is farthest from the body's origin.
 ///
 /// `None` without a next joint, or if it is nearer than a radius: such a joint does not show how long the bone is.
 fn reach_towards_joint(
@@ -125,49 +126,49 @@ fn reach_towards_joint(
 
 // The bones of a foot: their meshes, their sizes, and their next joints.
 
-/// How far OpenSim's foot bones reach along x of their body at factor 1, m: the least and largest x of `r_foot.vtp` and
-/// `r_bofoot.vtp` in OpenSim's Geometry.
+/// The ends of the bones of OpenSim's foot along x of their bodies, at factor 1, m: the least and the largest x of `r_foot.vtp`, and the
+/// largest of `r_bofoot.vtp`, in OpenSim's Geometry.
 const HEEL_M: f64 = -0.0098;
 const FOOT_TIP_M: f64 = 0.183817;
 const TOES_TIP_M: f64 = 0.076918;
-/// Where the toes begin on the x axis of the foot in OpenSim's models at factor 1, m.
+/// Place of the toe joint on the x axis of the foot in OpenSim's models, at factor 1, m.
 const TOES_BEGIN_M: f64 = 0.1788;
 
 /// Factors that OpenSim's bones can have, from a mouse to a giant. The factor 0.001 of meshes in millimetres is not among them.
 const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
-/// Words in names of bodies and meshes of a foot.
+/// Words in the names of bodies and meshes that belong to a foot.
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
 /// The bones of a model, body by body.
 pub(crate) struct BodyBones {
     anatomy: Anatomy,
-    /// Bodies with meshes; each bone is computed at its first use.
+    /// The bone of each body that has meshes. A bone is computed at its first use.
     bodies: HashMap<String, OnceLock<BodyBone>>,
-    /// For each body the next joint that is farthest from its origin, and the square of its distance, m².
+    /// For each body, the next joint that is farthest from the body's origin: the square of the distance, m², and the index of the joint.
     farthest: HashMap<String, (f64, usize)>,
 }
 
-/// What the name, the meshes and the joints of one body show.
+/// The size of the bone of one body, and its part in a foot, from the name, the meshes and the joints of the body.
 struct BodyBone {
-    /// The factors of the meshes; `None` without meshes, or if these differ.
+    /// The scale factors of the meshes; `None` without meshes, or if the factors of the meshes differ.
     size: Option<[f64; 3]>,
     is_foot: bool,
-    /// If the body shows the hind part of OpenSim's standard foot.
+    /// The ends of the foot, if the body has the mesh of the hind part of OpenSim's standard foot.
     standard_foot: Option<StandardFoot>,
 }
 
-/// How far OpenSim's standard foot reaches along x of its hind part, m.
+/// Ends of OpenSim's standard foot along x of the body that is its hind part, m.
 #[derive(Debug, Clone, Copy)]
 struct StandardFoot {
     heel: f64,
-    /// The tip of its bones.
+    /// The tip of the bones that the model has.
     tip: f64,
-    /// The tip with toes, if it has none of its own.
+    /// The tip of a foot with toes. It differs from `tip` only in a model without toes.
     longest_tip: f64,
 }
 
 impl BodyBones {
-    /// `None` if a sphere on them cannot be read.
+    /// The bones of `model`; `None` if the radius or place of a sphere cannot be read.
     pub(crate) fn of(model: &Model) -> Option<&Self> {
         let mut spheres = model.spheres().iter();
         let are_read = spheres.all(|sphere| sphere.radius_m().is_ok() && model.rotation_of(sphere).is_ok());
@@ -197,12 +198,12 @@ impl BodyBones {
         }))
     }
 
-    /// The factors of the meshes of `body`; `None` without meshes, or if these differ.
+    /// The scale factors of the meshes of `body`; `None` without meshes, or if the factors of the meshes differ.
     pub(crate) fn size(&self, body: &str) -> Option<[f64; 3]> {
         self.bone(body)?.size
     }
 
-    /// By what factor `body` is longer than OpenSim's calcaneus, as its joint to the toes shows.
+    /// The length of `body` over the length of OpenSim's calcaneus, as the joint to the toes shows it.
     pub(crate) fn length_by_toe_joint(&self, body: &str) -> Option<f64> {
         if !body.to_lowercase().contains("calc") {
             return None;
@@ -212,7 +213,7 @@ impl BodyBones {
         Some(toes.in_parent_m[0] / TOES_BEGIN_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
     }
 
-    /// The ankle of the calcaneus `body`, m, and the direction in which its foot points, both in its frame.
+    /// The place of the ankle in the calcaneus `body`, m, and the direction in which the foot points, both in the frame of `body`.
     pub(crate) fn ankle_and_forward(&self, body: &str) -> Option<(DVec3, DVec3)> {
         if !body.to_lowercase().contains("calc") {
             return None;
@@ -238,7 +239,7 @@ impl BodyBones {
         self.bodies.keys().any(|body| self.is_foot(body))
     }
 
-    /// The next joint of `body` that is farthest from its origin, and the square of that distance, m².
+    /// The next joint of `body` that is farthest from the origin of `body`, and the square of the distance, m².
     fn farthest_joint(&self, body: &str) -> Option<(f64, &AnatomyJoint)> {
         let (squared, at) = self.farthest.get(body)?;
         Some((*squared, self.anatomy.joints.get(*at)?))
@@ -274,7 +275,7 @@ fn is_foot(anatomy: &Anatomy, body: &str) -> bool {
     names.chain([body]).map(str::to_lowercase).any(|name| FOOT_WORDS.iter().any(|word| name.contains(word)))
 }
 
-/// The factors of the mesh by which `body` shows one of OpenSim's bones.
+/// The scale factors of the mesh of OpenSim's bone `bone`, if `body` has this mesh.
 fn factors_of_opensim_bone(anatomy: &Anatomy, body: &str, bone: &str) -> Option<[f64; 3]> {
     let meshes = anatomy.meshes.get(body)?;
     // A file of another kind, or in another unit, is not that of OpenSim.
@@ -313,7 +314,7 @@ pub(crate) fn same_size(a: [f64; 3], b: [f64; 3]) -> bool {
 mod tests {
     use super::*;
 
-    /// The largest reach towards a joint, and the least and largest along the foot, of a model of the corpus, from files `names`.
+    /// The largest reach towards a joint, and the least and largest reach along the foot, in the model of the corpus with these file names.
     fn measured_reaches(names: &[&str]) -> Option<(f64, f64, f64)> {
         use osim_model::files::{CompanionPaths, InMemory, ModelFiles};
         let folder = std::env::var_os("OSIM_CORPUS").map(std::path::PathBuf::from)?;

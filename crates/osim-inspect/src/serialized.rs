@@ -1,4 +1,4 @@
-//! What all JSON results share: the version of their schemas, and how findings and phrases are serialised.
+//! Parts that all JSON results have in common: the version of their schemas, and how findings and phrases are serialised.
 
 use osim_model::Finding;
 use osim_model::messages::Phrase;
@@ -10,7 +10,7 @@ use serde_json::{Map, Value};
 
 use crate::findings::FindingWithRemedy;
 
-/// Raised when a field of any result changes its meaning or goes away.
+/// Version of the JSON schemas. It is raised when a field of any result changes its meaning or is removed.
 pub const SCHEMA_VERSION: u32 = 1;
 
 /// A finding in JSON.
@@ -83,7 +83,7 @@ pub(crate) fn optional_phrase<S: Serializer>(
     phrase.as_ref().map(ToString::to_string).serialize(serializer)
 }
 
-/// The schema of an object whose fields come from a register: closed, and each field described.
+/// The schema of an object whose fields come from a register. It allows no other fields and describes each field.
 #[cfg(feature = "schemas")]
 #[derive(Debug)]
 pub struct ObjectSchema<'g> {
@@ -103,7 +103,7 @@ impl<'g> ObjectSchema<'g> {
         self.field_or_none::<T>(name, description);
     }
 
-    /// A field that may be left out.
+    /// Adds a field that may be absent.
     pub fn field_or_none<T: JsonSchema>(&mut self, name: &str, description: &str) {
         let mut schema = self.generator.subschema_for::<T>();
         schema.insert("description".to_owned(), description.into());

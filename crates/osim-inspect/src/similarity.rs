@@ -1,4 +1,4 @@
-//! Everything besides contacts that follows the size of a body, for JSON, tables and reports.
+//! Lists the numbers besides contacts that follow the size of a body, for JSON, tables and reports.
 
 use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, similarity_formula};
 use osim_model::{NotRead, SizedKind};
@@ -93,13 +93,13 @@ pub struct UnreadObjects {
 }
 
 impl SizeList {
-    /// Whether there is something to list beside bodies: models that have contacts and no muscle, spring or actuator have nothing.
+    /// Whether the list has anything besides bodies. It has not if a model has contacts, but no muscle, spring or actuator.
     pub fn is_worth_showing(&self) -> bool {
         let more_than_bodies = self.kinds.iter().any(|row| row.kind != SizedKind::Inertia.as_str());
         more_than_bodies || !self.not_read.is_empty()
     }
 
-    /// Whether the list compares two models; else it says what would follow a mass.
+    /// Whether the list compares two models. If not, it lists the numbers that would follow a new mass.
     pub fn is_of_two_models(&self) -> bool {
         self.kinds.iter().any(|row| row.verdict.is_some())
     }

@@ -1,4 +1,5 @@
-//! Answers six questions about every model, and one about a recording, in one line each: with the worst finding, or with what is right.
+//! Answers six questions about every model, and one question about a recording, in one line each: the line has the worst finding, or says
+//! that all is right.
 
 use std::cmp::Reverse;
 
@@ -74,7 +75,7 @@ impl From<Severity> for Sign {
 }
 
 impl Verdict {
-    /// An answer with the text of the worst finding and the codes of all.
+    /// An answer with the text of the worst finding and the codes of all findings.
     pub(crate) fn from_findings(
         on: VerdictOn,
         worst: &FindingWithRemedy,
@@ -98,7 +99,7 @@ impl Verdict {
         self
     }
 
-    /// An answer with what is right, or with why that is not known.
+    /// An answer to a question that has no findings: the text says what is right, or why this is not known.
     pub(crate) fn without_findings(on: VerdictOn, right: Result<Phrase, Phrase>) -> Self {
         let (sign, text) = match right {
             Ok(text) => (Sign::Good, text),
@@ -107,7 +108,7 @@ impl Verdict {
         Self { on, sign, text, place: None, codes: Vec::new() }
     }
 
-    /// Puts its text into the words of a front end.
+    /// Writes the text of the answer in the words of a front end.
     pub(crate) fn spell(&mut self, speller: &dyn Speller) {
         self.text.spell(speller);
     }
@@ -146,7 +147,7 @@ impl InspectedModel<'_> {
         spheres.filter_map(move |sphere: &SphereFigures| sphere.value(figure))
     }
 
-    /// Why figures under body weight are absent.
+    /// The reason why figures under body weight are absent.
     fn why_no_figures(&self) -> Phrase {
         let why = self.inspection.figures.why_no_body_weight.clone();
         why.unwrap_or_else(|| "no sphere of the chosen forces carries weight".into())
@@ -201,7 +202,7 @@ fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWith
     Verdict::without_findings(on, right)
 }
 
-/// Whether figures are not judged, because gravity is in another unit in the file and the caller gives no other.
+/// Whether figures are not judged, because gravity in the file is in another unit and the caller gives no other gravity.
 fn has_gravity_of_another_unit(inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> bool {
     findings.iter().any(|found| found.code() == FindingCode::GravityTooLarge)
         && inspected.inspection.figures.gravity_m_s2 == inspected.inspection.gravity_m_s2
@@ -253,7 +254,7 @@ fn describe_mass(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     Ok(phrase![&made_for, format!("; under {weighs} kg on one limb the deepest sphere sinks in {x_hat} R")])
 }
 
-/// The mass that the contacts are made for, if the worst finding is about depth and does not say it.
+/// The mass that the contacts are made for, if the worst finding is about depth and does not have this mass.
 fn describe_origin(inspected: &InspectedModel<'_>, worst: FindingCode) -> Option<Phrase> {
     let depth_codes = [FindingCode::SunkIn, FindingCode::BeyondHertz, FindingCode::BeyondHertzAtTwo];
     made_for(inspected).filter(|_| depth_codes.contains(&worst))
@@ -304,7 +305,7 @@ fn describe_sizes(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     Ok(format!("radii of {range} mm").into())
 }
 
-/// Describes the transition width, the restitution and the natural frequency of the contacts.
+/// Describes the properties of the contacts that matter for a solver: transition width, restitution and natural frequency.
 fn describe_solver(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let least = inspected.smallest(Figure::RestitutionExact).ok_or_else(|| inspected.why_no_figures())?;
     let mut text = match inspected.largest(Figure::TransitionWidth) {

@@ -91,7 +91,7 @@ impl Figures {
     }
 }
 
-/// The chosen spheres of a limb, and the number n that share the weight.
+/// The chosen spheres of one limb, and the number n of spheres that share the weight.
 struct ChosenOnLimb<'p> {
     name: Option<String>,
     side: Option<&'static str>,
@@ -99,7 +99,7 @@ struct ChosenOnLimb<'p> {
     spheres: Vec<&'p SphereContacts>,
 }
 
-/// The spheres of each limb among `all`, in their order; all together if limbs are not known.
+/// The spheres of each limb among `all`, in the order of `all`. If the limbs are not known, one list with all spheres.
 fn split_by_limb<'a>(limbs: &Limbs, all: &'a [SphereContacts]) -> Vec<Vec<&'a SphereContacts>> {
     let Some(limbs) = limbs.if_known() else { return vec![all.iter().collect()] };
     let mut limb_of: HashMap<SphereId, usize> = HashMap::new();
@@ -122,7 +122,8 @@ fn default_impact_speed(loads: &[SphereContacts], gravity: Option<f64>) -> Optio
     restitution::drop_speed(gravity?, radius).ok()
 }
 
-/// The chosen spheres of each limb that has some, with its place among the limbs; all together if limbs are not known.
+/// The chosen spheres of each limb that has chosen spheres, with the index of the limb; all chosen spheres together if the limbs are not
+/// known.
 fn chosen_by_limb<'p>(
     limbs: &Limbs,
     loads: &'p [SphereContacts],
@@ -160,14 +161,14 @@ fn why_no_count(limbs: &Limbs) -> Option<Phrase> {
 /// The loads for which figures are computed, in body weights.
 const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 
-/// A limb that carries the body.
+/// A limb that carries the body, with its chosen spheres and the numbers from which their figures are computed.
 struct LoadedLimb<'s> {
     model: &'s Model,
-    /// The chosen spheres, which get figures.
+    /// The chosen spheres of the limb: figures are computed for these.
     chosen: &'s [&'s SphereContacts],
-    /// Contacts of all spheres of the limb; `None` if not all can be read.
+    /// Contacts of all spheres of the limb, chosen or not; `None` if one of them cannot be read.
     all: Option<Vec<&'s SphereContacts>>,
-    /// Spheres that share the weight.
+    /// Number of spheres that share the weight; `None` if it is not known.
     count: Option<f64>,
     standing: &'s StandingBySphere<'s>,
     weight: Option<WeightOnFloor>,
@@ -242,17 +243,17 @@ impl LoadedLimb<'_> {
     }
 }
 
-/// A limb under a load, the bottoms of its spheres level.
+/// A limb under a load, if the bottoms of all its spheres are at one height.
 struct LevelLimb {
     body_weights: f64,
-    /// The load of each sphere, N.
+    /// The load that each sphere carries on average, N.
     load_n: f64,
-    /// The common indentation of all spheres by the Hertz law and by the model's, m; `None` if the spheres are alike, so that equal shares
-    /// keep them level.
+    /// The common indentation of all spheres, m: by the Hertz law, and by the law of the model. `None` if all spheres have equal laws: then
+    /// equal shares of the load keep the bottoms level.
     indentations_m: Option<(Option<f64>, Option<f64>)>,
 }
 
-/// How one sphere of the limb rests.
+/// The relative indentations x̂ of the sphere `one` at rest, under the load of `level`.
 fn sphere_rest(one: &SphereContacts, level: &LevelLimb) -> SphereRest {
     let relative = |x: f64| Some(x / one.radius_m).filter(|x| x.is_finite());
     let hertz = equilibrium::hertz_indentation(&one.laws, level.load_n).ok();
@@ -272,21 +273,22 @@ fn sphere_rest(one: &SphereContacts, level: &LevelLimb) -> SphereRest {
 
 // Spheres of a limb at their own heights: how deep each is while together they carry the body.
 
-/// The joint tree of each sphere over a floor.
+/// For each sphere over a floor, the heights of the spheres of its joint tree.
 type StandingBySphere<'s> = HashMap<SphereId, &'s Standing>;
 
 fn standing_by_sphere(standing: &[Standing]) -> StandingBySphere<'_> {
     standing.iter().flat_map(|tree| tree.spheres.iter().map(move |over| (over.sphere, tree))).collect()
 }
 
-/// x̂ of the spheres of a limb that carries the body in its default pose; empty if the pose or a sphere is not known.
+/// The relative indentations x̂ of the spheres of a limb that carries the body in its default pose, each sphere at its own height; empty if
+/// the pose or a sphere is not known.
 struct OwnHeightRest {
     hertz: HashMap<SphereId, f64>,
     model_law: HashMap<SphereId, f64>,
 }
 
 impl OwnHeightRest {
-    /// Figures for `all` spheres of a limb; on average each carries its share of `load`.
+    /// Computes the x̂ of `all` spheres of a limb; on average each sphere carries its share of `load`.
     fn compute(all: &[&SphereContacts], load: SharedLoad, standing: &StandingBySphere<'_>) -> Self {
         let spheres: Vec<SphereId> = all.iter().map(|one| one.sphere).collect();
         let tree = spheres.first().and_then(|first| standing.get(first));
@@ -301,7 +303,7 @@ impl OwnHeightRest {
         Self { hertz: rest(RestLaw::Hertz), model_law: rest(RestLaw::OfFile) }
     }
 
-    /// x̂ of one sphere by the Hertz law and by the model's.
+    /// The x̂ of the sphere `one`: by the Hertz law, and by the law of the model.
     fn relative_indentations(&self, one: &SphereContacts) -> (Option<f64>, Option<f64>) {
         (self.hertz.get(&one.sphere).copied(), self.model_law.get(&one.sphere).copied())
     }

@@ -1,4 +1,5 @@
-//! What a model's contacts do under its weight, figure by figure.
+//! Computes what the contacts of a model do under its weight, such as indentation and stiffness. Each of these numbers is a figure in a
+//! register.
 
 mod compute;
 mod on_floor;

@@ -1,16 +1,16 @@
-//! A contact sphere under its share of the body weight: everything that its figures are computed from.
+//! A contact sphere under its share of the body weight: the data from which the figures of the sphere are computed.
 
 use contact_scaling::{Contact, DomainError, Law, SharedLoad, SmoothingValues, Spheres};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
 
-/// A figure's value, or why there is none.
+/// The value of a figure, or the reason why the figure has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Answer {
     Known(f64),
-    /// Something that the equation needs is not known.
+    /// A quantity in the equation of the figure is not known.
     Unknown,
-    /// The equation gives no number there, so the figure is beyond its limit, too.
+    /// The equation gives no number for these values. The figure then counts as beyond its limit.
     Beyond,
 }
 
@@ -29,11 +29,11 @@ impl Answer {
     }
 }
 
-/// The mass of a body, and gravity along the normal of its floor.
+/// The mass of a body, and the component of gravity along the normal of its floor.
 #[derive(Clone, Copy)]
 pub(super) struct WeightOnFloor {
     pub(super) mass_kg: f64,
-    /// The part along the normal of the floor.
+    /// The component of gravity along the normal of the floor.
     pub(super) gravity_m_s2: f64,
 }
 
@@ -45,22 +45,22 @@ pub(super) struct SphereOnFloor<'s> {
     pub(super) one_body_weight: Option<SharedLoad>,
     /// Speed before an impact, m/s.
     pub(super) impact_speed_m_s: Option<f64>,
-    /// Rests of the sphere under one and two body weights, if they are known.
+    /// The equilibria of the sphere under one and two body weights; empty if they are not known.
     pub(super) rests: &'s [SphereRest],
 }
 
-/// How deep a sphere is at rest under a number of body weights.
+/// How deep a sphere is in the floor in equilibrium, under a number of body weights.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct SphereRest {
     pub(super) body_weights: f64,
     pub(super) load_n: f64,
-    /// x̂ under its share of the load, by the Hertz law and by the model's.
+    /// x̂ under the sphere's own share of the load, by the Hertz law; `model_law` is x̂ under this share by the law of the model.
     pub(super) hertz: Option<f64>,
     pub(super) model_law: Option<f64>,
-    /// x̂ with all spheres of the limb level.
+    /// x̂ if the bottoms of all spheres of the limb are at one height, by the Hertz law.
     pub(super) level_hertz: Option<f64>,
     pub(super) level_model_law: Option<f64>,
-    /// x̂ with each sphere of the limb at its own height.
+    /// x̂ if each sphere of the limb is at its own height in the default pose, by the Hertz law.
     pub(super) standing_hertz: Option<f64>,
     pub(super) standing_model_law: Option<f64>,
 }
@@ -96,7 +96,7 @@ impl SphereOnFloor<'_> {
         first.filter(|&alpha| contacts.iter().all(|contact| contact.dissipation() == alpha))
     }
 
-    /// α, and the speed before an impact.
+    /// The dissipation α, and the speed before an impact; `None` if one of them is not known.
     pub(super) fn dissipation_and_speed(&self) -> Option<(f64, f64)> {
         self.dissipation().zip(self.impact_speed_m_s)
     }
@@ -105,7 +105,7 @@ impl SphereOnFloor<'_> {
         self.contacts.contacts.iter().filter_map(Contact::smoothing)
     }
 
-    /// A figure of the smoothing and the radius; if several forces press the sphere, the largest.
+    /// Computes a figure from the smoothing and the radius. If several forces press the sphere, the largest value counts.
     pub(super) fn largest_of_smoothing(
         &self,
         figure: impl Fn(SmoothingValues, f64) -> Result<f64, DomainError>,
@@ -131,7 +131,7 @@ pub(super) struct SphereContacts {
 }
 
 impl SphereContacts {
-    /// The bits of all numbers in the laws: equal keys mean equal laws.
+    /// The bits of all numbers in the contact laws of the sphere. Equal keys mean equal laws.
     pub(super) fn laws_key(&self) -> Vec<u64> {
         let numbers = self.contacts.iter().flat_map(|contact| {
             let smoothing = contact.smoothing().map(|smoothing| {

@@ -17,7 +17,7 @@ use crate::quantity::Quantity;
 use crate::serialized::ObjectSchema;
 use crate::serialized::optional_phrase;
 
-/// An entry of the register of figures: where a figure is shown, and how to get its value.
+/// An entry of the register of figures: the condition on which tables show the figure, and the function that computes its value.
 struct Entry {
     visibility: FigureVisibility,
     answer: fn(&SphereOnFloor<'_>) -> Answer,
@@ -31,7 +31,7 @@ const fn indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "").with_limit(&limits::INDENTATION)
 }
 
-/// A relative indentation without a limit, because it follows from the pose and not from the contact alone.
+/// A relative indentation without a limit, because it depends on the pose and not only on the contact.
 const fn unlimited_indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "")
 }
@@ -167,17 +167,17 @@ fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
     Some(hertz.stiffness_at_relative_indentation(x_hat))
 }
 
-/// The condition on which a table or page shows a figure; JSON and CSV have all figures.
+/// The condition on which a table or page shows a figure. JSON and CSV always have all figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureVisibility {
     Always,
-    /// Tables have this number in another place.
+    /// Never in this table, because another line or column has the number.
     Never,
-    /// If the model's law is not Hertz's.
+    /// Only if the law of the model is smoothed, and so differs from the Hertz law.
     IfSmooth,
-    /// If the spheres of a limb differ.
+    /// Only if the spheres of a limb differ in radius or parameters.
     IfMixed,
-    /// If the model's law is not Hertz's and the spheres of a limb differ.
+    /// Only if the law of the model is smoothed and the spheres of a limb differ.
     IfMixedAndSmooth,
 }
 
@@ -214,15 +214,15 @@ pub struct LimbFigures {
     pub spheres: Vec<SphereFigures>,
 }
 
-/// The figures of one sphere: each has a value or none.
+/// The figures of one sphere. A figure may have no value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SphereFigures {
     pub sphere: String,
     /// Component path of the sphere.
     pub path: String,
-    /// Names of the forces that press it on the floor.
+    /// Names of the forces that press this sphere on the floor.
     pub forces: Vec<String>,
-    /// Values of the figures, in the order of [`Figure::ALL`].
+    /// The value of each figure, or the reason why it has none, in the order of [`Figure::ALL`].
     pub(super) answers: Vec<Answer>,
 }
 
@@ -255,14 +255,14 @@ impl Figures {
         self.limbs.iter().flat_map(|limb| &limb.spheres)
     }
 
-    /// Spells what they say in the words of a front end.
+    /// Writes the texts of the figures in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.why_no_body_weight.iter_mut().for_each(|why| why.spell(dialect));
     }
 }
 
 impl LimbFigures {
-    /// Whether spheres differ, so that figures with level bottoms are not those of equal loads.
+    /// Whether the spheres of the limb differ. Then the figures with level bottoms differ from the figures with equal loads.
     pub fn is_mixed(&self) -> bool {
         let pairs = [
             (Figure::Indentation, Figure::LevelIndentation),
@@ -299,7 +299,7 @@ impl SphereFigures {
         }
     }
 
-    /// Each figure that has a limit and is known, compared with the limit.
+    /// Compares each figure that has a limit and a known value with its limit.
     pub fn limits(&self) -> impl Iterator<Item = LimitCheck> {
         Figure::ALL.iter().filter_map(|&figure| {
             let info = figure.info();

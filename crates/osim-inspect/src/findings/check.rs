@@ -1,4 +1,4 @@
-//! Applies all rules to one model and adds remedies to what they find.
+//! Applies all rules to one model and adds remedies to the findings.
 //!
 //! Each [`Rule`](osim_model::Rule) has the code, the severity and the explanation of its findings.
 
@@ -25,12 +25,12 @@ use crate::rules::{
 };
 use crate::sides::BothSides;
 
-/// What can be changed in a model, as trial plans show it: a remedy that would be refused is not proposed.
+/// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Changeable {
-    /// Whether the numbers of its contacts can be changed.
+    /// Whether stiffness, dissipation and the other numbers of the contacts can be changed.
     pub numbers: bool,
-    /// Whether radii can be changed: no sphere has another user that would not change with it.
+    /// Whether radii can be changed. They cannot if a force that the change leaves alone uses the same sphere.
     pub radii: bool,
 }
 
@@ -39,7 +39,7 @@ impl Changeable {
     pub const UNTRIED: Self = Self { numbers: true, radii: true };
 }
 
-/// Checks a model that was inspected. `other_findings` are those that its other files, such as a recording, show.
+/// Checks a model that was inspected. `other_findings` are findings about other files, such as a recording.
 pub fn check_model(
     options: &InspectOptions,
     model: &Model,
@@ -127,7 +127,7 @@ fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &I
     is_meant && options.masses.bodies_kg(model).is_some_and(|bodies_kg| !same_mass(made_for.value, bodies_kg))
 }
 
-/// Whether spheres have to be corrected first: figures of a sphere in millimetres, or of a copied sphere, mean nothing.
+/// Whether spheres have to be corrected first. Figures of a sphere in millimetres, or of a copied sphere, have no meaning.
 fn are_spheres_odd(model: &Model) -> bool {
     let codes = [
         FindingCode::OddRadius,
@@ -138,7 +138,7 @@ fn are_spheres_odd(model: &Model) -> bool {
     model_findings(model).iter().any(|finding| codes.contains(&finding.code()))
 }
 
-/// Everything that the model shows apart from the figures of its spheres.
+/// All findings about the model, except those about the figures of its spheres.
 fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>) -> Vec<FindingWithRemedy> {
     let floors = Floors::of(model);
     let sides = LazyCell::new(|| BothSides::of(model));
@@ -161,14 +161,14 @@ fn find_in_model(model: &Model, inspected: &Inspection, remedies: &Remedies<'_>)
     findings
 }
 
-/// The forces that a change takes if the caller chooses none.
+/// The forces that a change applies to if the caller chooses no forces.
 fn forces_on_half_spaces(model: &Model) -> Vec<ForceId> {
     let forces = model.forces().iter().filter(|force| model.meets_half_space(force));
     forces.map(|force| force.id).collect()
 }
 
-/// Gives each finding the severity that it has with published contacts, if the numbers on which it depends are theirs; and adds a remark if
-/// all numbers are.
+/// Gives a finding the severity that the table of known contacts has for it, if the numbers on which the finding depends are the published
+/// ones. Adds a remark if all numbers are the published ones.
 fn with_published_severities(
     model: &Model,
     chosen: &[ForceId],
@@ -193,7 +193,7 @@ fn with_published_severities(
 
 // Questions that the program would ask about a remedy. Their answers are part of the remedy, so that its command runs as it is printed.
 
-/// Answers with yes what the program would ask about `remedy` for `model`.
+/// Adds to `remedy` the answer yes to each question that the program would ask about it for `model`.
 fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
     let questions = match remedy {
         Request::Rescale(request) => rescale_questions(request, model, masses),
@@ -216,7 +216,7 @@ fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
     }
 }
 
-/// The masses that a remedy is planned with: the caller's, with the mass of the model that the remedy gives.
+/// The masses with which a remedy is planned: the masses of the caller, with the mass of the model from the options of the remedy.
 fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     MassRequest {
         contacts_mass_kg: None,

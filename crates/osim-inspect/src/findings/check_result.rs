@@ -48,7 +48,7 @@ pub struct CheckResult {
     pub similarity: Option<SizeList>,
 }
 
-/// Sorts findings from the worst to the least; equally bad ones in the order of the register.
+/// Sorts findings from the most severe to the least severe; equally severe findings in the order of the register of rules.
 pub(crate) fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<FindingWithRemedy> {
     // Misplaced spheres come first: what such spheres do is a symptom.
     let is_symptom = |finding: &FindingWithRemedy| {
@@ -82,7 +82,7 @@ impl Counts {
         }
     }
 
-    /// The number of the worst findings, with 0 for less bad ones.
+    /// Counts only the findings of the worst severity that occurs; the other counts are 0.
     pub const fn worst(self) -> Self {
         let Self { error, warning, remark } = self;
         match (error, warning) {
@@ -92,7 +92,7 @@ impl Counts {
         }
     }
 
-    /// "1 error, 2 warnings", or `none`.
+    /// The counts in words, such as `1 error, 2 warnings`; `none` if all counts are 0.
     pub fn describe(self, none: &str) -> String {
         let all = [(self.error, "error"), (self.warning, "warning"), (self.remark, "remark")];
         let parts: Vec<String> = all
@@ -125,7 +125,8 @@ impl CheckResult {
         .with_steps_of_remedies()
     }
 
-    /// Adds the answer to the question whether contacts fit a recording: what is right, or a finding; or why it is not known.
+    /// Adds the result of comparing the contacts with a recording: a sentence if they fit, a finding if they do not, or the reason why it
+    /// is not known.
     pub fn add_recording(&mut self, answer: Result<Result<Phrase, Finding>, Phrase>) {
         let verdict = match answer {
             Ok(Err(finding)) => {
@@ -142,7 +143,7 @@ impl CheckResult {
         self.verdicts.push(verdict);
     }
 
-    /// Makes each remedy a step; whether the steps work one after the other was not tried.
+    /// Makes each remedy a step. Nobody tried whether the steps work one after the other.
     fn with_steps_of_remedies(mut self) -> Self {
         for remedy in self.findings.iter().filter_map(|found| found.remedy.as_ref()) {
             if !self.steps.contains(remedy) {
@@ -152,18 +153,18 @@ impl CheckResult {
         self
     }
 
-    /// The steps up to and with the one that corrects the finding; empty if no step does.
+    /// All steps up to the step that corrects the finding, this step included; empty if no step corrects it.
     pub fn steps_to(&self, finding: &FindingWithRemedy) -> &[Request] {
         let last = self.steps.iter().position(|step| finding.remedy.as_ref() == Some(step));
         last.and_then(|last| self.steps.get(..=last)).unwrap_or_default()
     }
 
-    /// Whether a finding is as bad as `severity`, or worse.
+    /// Whether there is a finding of this severity, or of a worse one.
     pub fn reaches(&self, severity: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= severity)
     }
 
-    /// Puts all its texts into the words of a front end.
+    /// Writes all texts of the result in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.verdicts.iter_mut().for_each(|verdict| verdict.spell(speller));
         self.findings.iter_mut().for_each(|finding| finding.spell(speller));

@@ -11,12 +11,12 @@ use osim_requests::spell::Speller;
 #[derive(Debug, Clone, PartialEq)]
 pub struct FindingWithRemedy {
     pub finding: Finding,
-    /// What corrects it; `None` if only the user can know what to write, and for a remark. It is one of the
-    /// [`steps`](crate::CheckResult::steps) of the result, if the result has these.
+    /// The request that corrects the finding; `None` for a remark, and if only the user can know what to write. It is one of the
+    /// [`steps`](crate::CheckResult::steps) of the result, if the result has steps.
     pub remedy: Option<Request>,
     /// Whether the known contacts of the model were published with this finding.
     pub is_published: bool,
-    /// The remedy as the user types it; `None` before [`spell`](Self::spell).
+    /// The remedy as the command that the user types; `None` before [`spell`](Self::spell).
     pub command: Option<String>,
 }
 
@@ -25,12 +25,12 @@ impl FindingWithRemedy {
         Self { finding, remedy, is_published: false, command: None }
     }
 
-    /// With the severity that the table of known contacts gives, and without a remedy: the contacts were published so.
+    /// The finding with the severity from the table of known contacts, and without a remedy, because the contacts were published like this.
     pub(crate) fn with_published_severity(self, severity: Severity) -> Self {
         Self { finding: self.finding.with_severity(severity), remedy: None, is_published: true, ..self }
     }
 
-    /// Puts its texts and its remedy into the words of a front end.
+    /// Writes the texts and the remedy of the finding in the words of a front end.
     pub fn spell(&mut self, speller: &dyn Speller) {
         self.finding.spell(speller);
         self.command = self.remedy.as_ref().map(|remedy| speller.request(remedy));
@@ -51,15 +51,17 @@ impl Deref for FindingWithRemedy {
     }
 }
 
-/// Findings about depth, the least bad first: as spheres sink in deeper, the next takes the place of the one before.
+/// Codes of findings about the depth of spheres, the mildest first. As spheres sink in deeper, the next code replaces the one before.
 const DEPTHS: [FindingCode; 3] =
     [FindingCode::BeyondHertzAtTwo, FindingCode::BeyondHertz, FindingCode::SunkIn];
 
-/// The findings of one state of a model, to find those of another state again; of equal ones the first.
+/// An index of the findings about one state of a model, to look up a finding about another state of the model. Of equal findings it has the
+/// first.
 #[derive(Debug)]
 pub struct FindingIndex<'f> {
     findings: &'f [FindingWithRemedy],
-    /// Findings about spheres. One is about all of them, and its place is the worst sphere, which can be another one after a change.
+    /// Findings about spheres, by their code. Such a finding is about all spheres; its place is the worst sphere, which can be another
+    /// sphere after a change.
     about_spheres: HashMap<FindingCode, usize>,
     by_place: HashMap<(FindingCode, Option<&'f str>), usize>,
     by_code: HashMap<FindingCode, usize>,
@@ -83,7 +85,7 @@ impl<'f> FindingIndex<'f> {
         index
     }
 
-    /// The first finding with the code and, unless it is about spheres, the place of `one`.
+    /// The first finding with the code of `one` and, unless it is about spheres, also with the place of `one`.
     pub fn find_same(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
         let about_spheres = self.about_spheres.get(&one.code()).filter(|_| !one.spheres.is_empty());
         let at =
@@ -91,7 +93,7 @@ impl<'f> FindingIndex<'f> {
         self.findings.get(*at)
     }
 
-    /// The finding that says what `one` says, else, if `one` is about depth, the first finding about another depth.
+    /// The same finding as `one`; else, if `one` is about depth, the first finding with another code of depth.
     pub fn find_same_or_other_depth(&self, one: &FindingWithRemedy) -> Option<&'f FindingWithRemedy> {
         let depths = DEPTHS.iter().filter(|code| **code != one.code() && DEPTHS.contains(&one.code()));
         let first = || self.findings.get(*depths.filter_map(|code| self.by_code.get(code)).min()?);

@@ -1,4 +1,4 @@
-//! The requests that correct findings.
+//! Makes the requests that correct findings.
 
 use std::path::PathBuf;
 
@@ -16,32 +16,32 @@ use crate::figures::{Figure, SphereFigures};
 use crate::inspection::Inspection;
 use crate::load::InspectOptions;
 
-/// The preset whose contacts are proposed if those of the model make no sense.
+/// The preset whose contacts are proposed if the contacts of the model make no sense.
 const PRESET: &str = "falisse2022";
 
-/// Makes the remedies for one model. A remedy is a request.
+/// Makes the remedies for one model. A remedy is the request that corrects a finding.
 pub(crate) struct Remedies<'m> {
-    /// `None` for standard input, which cannot be read twice, for a model that cannot be changed, and if something else has to be
-    /// corrected first. Then there are no remedies.
+    /// The file of the model. `None` for standard input, which cannot be read twice, for a model that cannot be changed, and if something
+    /// else has to be corrected first: then there are no remedies.
     model: Option<PathBuf>,
     pub(crate) load: RemedyLoad,
     pub(crate) options: &'m InspectOptions,
-    /// Whether a force gives spheres of different size or material one modulus. No design suits all of them, so all numbers are
-    /// multiplied.
+    /// Whether one force has spheres of different size or material, and one modulus for all of them. No design suits all these spheres, so
+    /// a remedy multiplies the numbers.
     one_modulus: bool,
     /// Whether the number of spheres that share the weight is known and equal for all limbs.
     pub(crate) is_counted: bool,
     is_weight_known: bool,
     pub(crate) body_kg: Option<f64>,
-    /// Whether radii can be changed: no other force needs a sphere as it is.
+    /// Whether radii can be changed: no force outside the change uses the spheres.
     radii_may_change: bool,
 }
 
-/// The options of a remedy about mass, gravity and number of spheres: those of the call, repeated.
+/// The options of a remedy about mass, gravity and number of spheres, repeated from the call of the user.
 pub(crate) struct RemedyLoad {
     pub(crate) masses: MassOptions,
     counts: CountOptions,
-    /// Gravity, if it is not that of the model's file.
+    /// Gravity; `None` if it is the gravity in the file of the model.
     gravity: Option<Acceleration>,
 }
 
@@ -89,7 +89,7 @@ impl<'m> Remedies<'m> {
         Self { radii_may_change: may_change, ..self }
     }
 
-    /// Without remedies, because something else has to be corrected first, after which they would be wrong.
+    /// Turns off all remedies, because another fault has to be corrected first, after which these remedies would be wrong.
     pub(crate) fn none_yet(self) -> Self {
         Self { model: None, ..self }
     }
@@ -104,7 +104,7 @@ impl<'m> Remedies<'m> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
     }
 
-    /// The caller's choice of forces.
+    /// The forces that the caller chose.
     pub(crate) fn choice(&self) -> ForceOptions {
         let Selection { select, exclude, skip_disabled, .. } = self.options.selection.clone();
         ForceOptions { select, exclude, skip_disabled }
@@ -114,7 +114,7 @@ impl<'m> Remedies<'m> {
         SetFiles { geometry: self.options.geometry.clone(), model: self.options.model.clone() }
     }
 
-    /// Designs parameters that need no load.
+    /// A remedy that designs parameters which do not depend on the load.
     pub(crate) fn design(&self, wanted: WantedOptions) -> Option<DesignRequest> {
         let (choice, set_files) = (self.choice(), self.set_files());
         Some(DesignRequest {
@@ -137,7 +137,7 @@ impl<'m> Remedies<'m> {
         })
     }
 
-    /// Makes the bottoms of each foot level.
+    /// A remedy that brings the bottoms of each foot to one height.
     pub(crate) fn level_feet(&self) -> Option<Request> {
         // A sphere that another force needs as it is can neither move nor change its radius.
         let models = self.models(true)?;
@@ -148,7 +148,7 @@ impl<'m> Remedies<'m> {
         self.set(vec![(property, Assignment::Factor(factor))]).map(Request::from)
     }
 
-    /// Brings x̂ under body weight down to its limit and, if the law is smoothed, the constant indentation with it.
+    /// A remedy that reduces x̂ under body weight to its limit. If the law is smoothed, it reduces the constant indentation, too.
     pub(crate) fn reduce_indentation(&self, spheres: &[&SphereFigures]) -> Option<Request> {
         let limit = limits::INDENTATION.value;
         if self.one_modulus || !self.is_counted {
@@ -175,7 +175,7 @@ impl<'m> Remedies<'m> {
         self.design(WantedOptions { constant_indentation, ..WantedOptions::default() }).map(Request::from)
     }
 
-    /// Takes the contacts of a published model, for the caller's load or for so many stance limbs.
+    /// A remedy that takes the contacts of a published model, for the load of the caller or for `stance_limbs` limbs.
     pub(crate) fn transfer_published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
         // A transfer takes the model's own gravity.
         let is_load_known = self.has_gravity_of_file() && self.is_weight_known && self.is_counted;
@@ -186,7 +186,7 @@ impl<'m> Remedies<'m> {
         Some(request)
     }
 
-    /// Takes the contacts of another model or preset, for the caller's load.
+    /// A remedy that takes the contacts of the model or preset `from`, for the load of the caller.
     pub(crate) fn transfer(&self, from: PathBuf) -> Option<TransferRequest> {
         Some(TransferRequest {
             models: self.models(true)?,
@@ -200,24 +200,24 @@ impl<'m> Remedies<'m> {
     }
 }
 
-/// The pattern that only this name matches; `None` if the name has letters that mean something in patterns.
+/// The pattern that only this name matches; `None` if the name has letters with a special meaning in patterns.
 pub(crate) fn exact_pattern(name: &str) -> Option<Pattern> {
     let is_plain = !name.contains(['*', '?', '[', ']', '{', '}', '\\', '!']);
     if is_plain { name.parse().ok() } else { None }
 }
 
-/// A mass in as many digits as messages show.
+/// A mass rounded to as many digits as messages show.
 pub(crate) fn rounded_mass(kg: f64) -> f64 {
     readable(kg).parse().unwrap_or(kg)
 }
 
-/// √cf/R with which no sphere carries more than a tenth of its load while it just touches.
+/// The largest √cf/R with which every sphere carries at most a tenth of its load while it just touches the floor.
 pub(crate) fn constant_indentation_for_touching(spheres: &[&SphereFigures]) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
     Some(constant_indentation_below(least))
 }
 
-/// The transition width, over R, with which no sphere carries more than this share of its load above the floor.
+/// The transition width, over R, with which every sphere carries at most the part `share` of its load above the floor.
 ///
 /// With bd in (C.7), (C.1) lets through ½ (1 − tanh u) of (u/(bd R x̂))^(3/2) of the load, u = −bd x. That is largest at u = 0.8792, where it
 /// is 0.12118/(bd R x̂)^(3/2); from that and (C.8), the width is 2 artanh(1 − 2t) (share/0.12118)^(2/3) x̂.
@@ -228,7 +228,7 @@ pub(crate) fn transition_width_for(spheres: &[&SphereFigures], share: f64) -> Op
         .filter(|&width| width > 0.0)
 }
 
-/// √cf/R with which a sphere that rests at x̂ carries a tenth of its load while it just touches, rounded down.
+/// The √cf/R with which a sphere in equilibrium at x̂ carries a tenth of its load while it just touches the floor, rounded down.
 ///
 /// ½ (x̂_c/x̂)^(3/2) ≤ 0.1, from (C.3) at x = 0 over (3).
 fn constant_indentation_below(x_hat: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Inspects a model: collects everything that `inspect` shows and the rules need.
+//! Inspects a model: collects all data that `inspect` shows and that the rules need.
 
 use contact_scaling::{DimensionlessContact, EQUAL_SURFACES, Scale, ScaleValues, mixed_radii};
 use foldhash::{HashMap, HashMapExt, HashSet};
@@ -23,13 +23,14 @@ use crate::rules::{contacts, model_findings};
 use crate::serialized::SCHEMA_VERSION;
 
 impl InspectOptions {
-    /// Inspects a model. This never fails: what is not known is `None`. `name` is that of the file.
+    /// Inspects a model. This never fails: a value that is not known is `None`. `name` is the name of the file.
     pub fn inspect(&self, name: impl Into<FileName>, model: &Model, factors: Option<&Factors>) -> Inspection {
         let note = NoteSummary::of(model);
         Inspection { note, ..self.inspect_with(name, model, factors, RestsToCompute::All) }
     }
 
-    /// An inspection with what the rules need: without the summary of the note, and without the rest of bodies that stand as they should.
+    /// Inspects a model for the rules only: without the summary of the note, and without the equilibrium of bodies that stand as they
+    /// should.
     pub fn inspect_for_rules(&self, name: impl Into<FileName>, model: &Model) -> Inspection {
         self.inspect_with(name, model, None, RestsToCompute::OfOddBodies)
     }
@@ -96,8 +97,8 @@ impl InspectOptions {
     }
 }
 
-/// The contact of each parameter set of the selected forces. It is made dimensionless by the mass that the contacts are made for and the
-/// `count` of spheres; spheres of several radii count with the mean of R².
+/// The dimensionless contact of each parameter set of the selected forces, for the mass that the contacts are made for and `count` spheres.
+/// Spheres of several radii count with the mean of R².
 fn contacts_of_sets(
     model: &Model,
     selected: &Selected,

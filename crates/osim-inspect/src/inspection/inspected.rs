@@ -226,7 +226,7 @@ impl Origins {
     }
 }
 
-/// Serialises a map sorted by name, so that scripts see the same text in every version.
+/// Serialises a map sorted by name, so that scripts get the same text in every version.
 fn serialize_sorted<S: Serializer, T: Serialize>(
     values: impl Iterator<Item = (Property, T)>,
     serializer: S,
@@ -271,7 +271,7 @@ pub struct Dimensionless {
 }
 
 impl Dimensionless {
-    /// `None` if one of the numbers is more than a double holds.
+    /// The dimensionless numbers of `contact`; `None` if one of them is larger than a double can hold.
     pub(super) fn of(contact: &DimensionlessContact) -> Option<Self> {
         let smoothing =
             [contact.constant_indentation(), contact.hertz_smoothing(), contact.hunt_crossley_smoothing()];
@@ -352,7 +352,7 @@ impl FactorsBySource {
 }
 
 impl Inspection {
-    /// Puts all its texts into the words of a front end.
+    /// Writes all texts of the inspection in the words of a front end.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
         self.mass_source.spell(dialect);
         self.contacts_mass_kg.iter_mut().for_each(|mass| mass.description.spell(dialect));

@@ -1,4 +1,4 @@
-//! Everything that is known of a model, as one struct.
+//! Everything that is known about a model, as one struct.
 
 mod build;
 mod inspected;

@@ -1,4 +1,4 @@
-//! The note of a model for the person who received the file: how the contacts were made, and what changed since.
+//! The note of a model, for the person who received the file: how the contacts were made, and what changed after that.
 
 use osim_model::messages::{readable, shown};
 use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, Step};
@@ -44,7 +44,7 @@ pub struct NoteStep {
 }
 
 impl NoteSummary {
-    /// `None` if the model has no note.
+    /// Summarises the note of `model`; `None` if the model has no note.
     pub fn of(model: &Model) -> Option<Self> {
         let note = model.note.as_ref()?;
         let changed_since = changes_in_words(&model.changed_since_note());
@@ -89,7 +89,7 @@ fn note_in_words(note: &Note) -> String {
     format!("{which} were made {mass}{}: {}.", limbs.unwrap_or_default(), steps.join("; then "))
 }
 
-/// A step in words, for example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
+/// A step of a note in words, for example `transfer from falisse2022, made for 62 kg, on 2025-11-26`.
 pub(crate) fn step_in_words(step: &Step) -> String {
     let from = step.from_mass_kg.map(|kg| format!("{} kg", readable(kg)));
     let mut text = match (step.operation.as_str(), &step.reference) {
@@ -111,7 +111,7 @@ pub(crate) fn step_in_words(step: &Step) -> String {
     text + &step.date.as_ref().map(|date| format!(" on {}", shown(date))).unwrap_or_default()
 }
 
-/// Each change as a part of one sentence; an empty list if nothing changed.
+/// The changes since the note was written, each as a part of one sentence; empty if nothing changed.
 fn changes_in_words(changed: &ChangedSinceNote) -> Vec<String> {
     let sizes = changed.sizes.then(|| "sizes of bodies".to_owned());
     let weight = changed.weight_kg.map(|(then, now)| {

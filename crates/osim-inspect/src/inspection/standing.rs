@@ -13,18 +13,18 @@ use serde::Serialize;
 
 /// Bottoms whose heights differ by no more than this are equally low, m.
 const SAME_HEIGHT_M: f64 = 1e-9;
-/// A sphere that is deeper than this, in its radius, is inside the floor.
+/// A sphere that is deeper in the floor than this part of its radius is inside the floor.
 const INSIDE_FLOOR_RADII: f64 = 0.5;
-/// A body that is higher than this is above the floor, m.
+/// A body whose lowest sphere is higher than this, m, is above the floor.
 const ABOVE_FLOOR_M: f64 = 0.020;
-/// A body that is no more than this below the place where it rests, in the radius of its lowest sphere, stands.
+/// A body stands if it is at most this far below the height at which its spheres carry it, in radii of its lowest sphere.
 const STANDS_RADII: f64 = 0.1;
 
-/// The bodies whose rest is computed: that takes as long as reading their spheres.
+/// The bodies whose equilibrium on the floor is computed. This takes as long as reading the spheres of the bodies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum RestsToCompute {
     All,
-    /// The rest of bodies that may be inside their floor or above it, and only on all feet.
+    /// Only bodies that may be inside their floor or above it, and only with the weight on all feet.
     OfOddBodies,
 }
 
@@ -151,7 +151,7 @@ impl StandingBody {
         standing.iter().map(|tree| Self::new(model, tree, carrying_limb(tree), share, rests)).collect()
     }
 
-    /// `lowest_limb` is the limb that can carry it alone.
+    /// Summarises one joint tree. `lowest_limb` is the index of the limb that can carry the tree alone.
     fn new(
         model: &Model,
         standing: &Standing,
@@ -182,7 +182,7 @@ impl StandingBody {
         }
     }
 
-    /// Whether at the default pose a sphere is inside the floor, and the body is deeper than where its feet carry it.
+    /// Whether at the default pose a sphere is inside the floor, and the body is lower than in the equilibrium on its feet.
     pub fn is_inside_floor(&self) -> bool {
         let Some(lowest) = self.lowest() else { return false };
         let is_deeper =
@@ -194,7 +194,7 @@ impl StandingBody {
         self.lowest().is_some_and(Bottom::is_above)
     }
 
-    /// The lowest of its bottoms; of equally low ones the first.
+    /// The lowest bottom of the body's spheres; of equally low bottoms, the first.
     pub fn lowest(&self) -> Option<&Bottom> {
         lowest(&self.bottoms)
     }
@@ -214,7 +214,7 @@ fn lowest(bottoms: &[Bottom]) -> Option<&Bottom> {
     bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
 }
 
-/// Whether a body with these bottoms may be inside its floor or above it.
+/// Whether a body whose spheres have these bottoms may be inside its floor or above it.
 fn is_odd(bottoms: &[Bottom]) -> bool {
     bottoms.iter().any(Bottom::is_inside) || lowest(bottoms).is_some_and(Bottom::is_above)
 }
@@ -228,7 +228,7 @@ fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
     standing.spheres.iter().filter_map(bottom).collect()
 }
 
-/// Which limb has the lowest bottom; of equally low ones the first.
+/// The index of the limb with the lowest bottom; of equally low bottoms, the first.
 fn lowest_limb(standing: &Standing, limb_of: &HashMap<SphereId, usize>) -> Option<usize> {
     let mut lowest: BTreeMap<usize, f64> = BTreeMap::new();
     for over in &standing.spheres {
@@ -284,8 +284,8 @@ impl StandingBody {
         })
     }
 
-    /// The coordinate with which it stands: `to start there, pelvis_ty = 0.981 (now 0; the spheres then carry the body)`, or why there
-    /// is none.
+    /// The coordinate with which the body stands: `to start there, pelvis_ty = 0.981 (now 0; the spheres then carry the body)`, or why
+    /// there is none.
     pub fn describe_way_to_stand(&self) -> String {
         if let Some(why) = &self.why_no_coordinate {
             return format!("no coordinate puts it on its feet: {why}");
@@ -298,7 +298,7 @@ impl StandingBody {
         }
     }
 
-    /// The coordinate with a new and its present value, and what the new one does.
+    /// The name of the coordinate with the new value and the present value, and the effect `does` of the new value.
     fn coordinate_set_to(&self, value: f64, does: &str) -> String {
         let (name, now) = (self.coordinate_name().unwrap_or_default(), self.default_m.unwrap_or_default());
         format!(
@@ -308,14 +308,15 @@ impl StandingBody {
         )
     }
 
-    /// The coordinate's name; with its joint if OpenSim made the name, because several joints can have a `_coord_4`.
+    /// The name of the coordinate that lifts the body. If OpenSim made the name, the name of the joint is added, because several joints can
+    /// have a `_coord_4`.
     fn coordinate_name(&self) -> Option<String> {
         let name = shown(self.coordinate.as_deref()?).to_string();
         let joint = self.joint.as_deref().filter(|joint| name.starts_with("_coord_") && !joint.is_empty());
         Some(joint.map_or(name.clone(), |joint| format!("{name} of {}", shown(joint))))
     }
 
-    /// A value of the coordinate, m, rounded to a hundredth of the smallest radius or less.
+    /// The value of the coordinate, m, rounded to a hundredth of the smallest radius or less.
     fn rounded_coordinate(&self, value_m: f64) -> f64 {
         let smallest = self.bottoms.iter().map(|bottom| bottom.radius_m).fold(1.0, f64::min);
         let decimals = (-(smallest / 100.0).log10().floor()).clamp(2.0, 12.0);
@@ -323,7 +324,7 @@ impl StandingBody {
         (value_m * unit).round() / unit
     }
 
-    /// The coordinate of a body at rest: `pelvis_ty = 0.981`; `None` if no coordinate lifts it.
+    /// The coordinate with which the body is in the equilibrium `rest`: `pelvis_ty = 0.981`; `None` if no coordinate lifts the body.
     pub fn coordinate_at_rest(&self, rest: &BodyAtRest) -> Option<String> {
         Some(format!("{} = {}", self.coordinate_name()?, readable(self.rounded_coordinate(rest.value_m?))))
     }

@@ -37,7 +37,7 @@ pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     },
 };
 
-/// Finds connections that were resolved by name, and parameter sets that OpenSim does not find, in the order of reading.
+/// Finds connections that were resolved by name, and parameter sets that OpenSim does not find, in the order in which the file was read.
 pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
     let finding = |irregularity: &Irregularity| match irregularity {
         Irregularity::TakenByName { owner, text, taken, line } => {
@@ -167,7 +167,7 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// Applies the rules about single components, in the order of the tree.
+/// Applies the rules about single components, in the order of the component tree.
 pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
     let all = model.components().tree.iter();
     let found = all.flat_map(|(id, object)| {
@@ -264,7 +264,7 @@ pub(super) static LOOP_OF_JOINTS: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },
 };
 
-/// A message names at most so many joints of a loop.
+/// The largest number of joints that a message about a loop names.
 const MOST_JOINTS_NAMED: usize = 6;
 
 pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {

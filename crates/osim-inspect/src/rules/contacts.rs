@@ -24,7 +24,7 @@ pub(crate) static BARE_MODEL: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },
 };
 
-/// Finds a model without contacts that can be chosen.
+/// Finds a model that has no contacts which can be chosen.
 pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
     let fault = options.selection.apply(model).err().filter(|fault| fault.code() == "no-contacts")?;
     Some(Finding::new(&BARE_MODEL, fault.phrase()))
@@ -44,7 +44,7 @@ pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
     },
 };
 
-/// One message for each pattern of `selection` and of `masses` that fits no name in `model`.
+/// A message for each pattern of `selection` and of `masses` that fits no name in `model`.
 pub fn describe_unmatched_patterns(
     selection: &Selection,
     masses: &MassRequest,
@@ -83,7 +83,7 @@ pub(crate) static MASS_UNKNOWN: Rule = Rule {
     },
 };
 
-/// The finding that a mass is not known, from the fault that says why.
+/// The finding that a mass is not known. `fault` says why.
 pub(crate) fn mass_unknown(fault: &Fault) -> Finding {
     Finding::new(&MASS_UNKNOWN, fault.phrase())
 }
@@ -99,7 +99,7 @@ pub(crate) static STALE_NOTE: Rule = Rule {
     example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
 };
 
-/// The finding that the note is out of date, if that is why a mass is not known.
+/// The finding that the note is out of date, if `fault` says that a mass is not known because of this.
 pub(crate) fn stale_note(fault: &Fault) -> Option<Finding> {
     (fault.code() == "stale-note").then(|| Finding::new(&STALE_NOTE, fault.phrase()))
 }
@@ -115,8 +115,8 @@ pub(crate) static COUNT_UNKNOWN: Rule = Rule {
     example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
 };
 
-/// Finds a model whose number of spheres per limb is not known. It also is not known for forces of several animals, if the caller chose
-/// none of these.
+/// Finds a model whose number of spheres per limb is not known. The number is also unknown if a model of several animals has forces of
+/// several animals, and the caller chose no forces.
 pub(crate) fn find_count_unknown(inspected: &Inspection) -> Option<Finding> {
     let limbs = &inspected.figures.limbs;
     let is_counted = !limbs.is_empty() && limbs.iter().all(|limb| limb.sphere_count.is_some());
@@ -163,8 +163,8 @@ pub(crate) static CONTACTS_OF_ANOTHER_MASS: Rule = Rule {
     },
 };
 
-/// Finds known contacts under a body of another mass, unless the note or the caller gives their mass. The remedy scales them, if the
-/// places of the spheres are right.
+/// Finds published contacts under a body of another mass, unless the note or the caller gives the mass of the contacts. The remedy scales
+/// the contacts, if the places of the spheres are right.
 pub(crate) fn find_contacts_of_another_mass(
     inspected: &Inspection,
     remedies: &Remedies<'_>,

@@ -1,4 +1,5 @@
-//! How deep spheres sink in under the body: up to their centres, or beyond what Hertz' law is accurate for.
+//! Rules about spheres that sink too deep into the floor under the body: up to their centres, or so deep that the Hertz law is not
+//! accurate.
 
 use contact_scaling::limits::INDENTATION;
 use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readable};
@@ -30,7 +31,7 @@ pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy>
     sunk_in_level(check).or_else(|| sunk_in_at_own_heights(check))
 }
 
-/// x̂ with each sphere at its own height, if the sphere is then in the floor up to its centre.
+/// The x̂ of the sphere with each sphere of the limb at its own height, if the sphere is then in the floor up to its centre.
 fn too_deep_at_own_height(sphere: &SphereFigures) -> Option<f64> {
     sphere.value(Figure::StandingIndentationModelLaw).filter(|&x| x >= UP_TO_CENTRE)
 }
@@ -56,7 +57,7 @@ fn sunk_in_level(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     })
 }
 
-/// Advice if the contacts are recorded as made for this mass: scaling does not help then.
+/// Advice if the contacts are recorded as made for this mass. Scaling them does not help then.
 fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
     let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
     let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| same_mass(kg, made_for.value))?;
@@ -78,11 +79,11 @@ fn carrying_limbs(check: &FigureCheck<'_>) -> String {
     }
 }
 
-/// A foot that leans by more than this at the default pose stands on an edge because of the pose, rad.
+/// A foot that leans by more than this at the default pose, rad, stands on an edge because of the pose.
 const LEANS_RAD: f64 = 0.01;
 
-/// Finds limbs whose lower spheres carry alone what all should carry. Their contacts are not too soft. It is a remark if the foot leans,
-/// because then the pose decides which spheres are low.
+/// Finds limbs whose lower spheres alone carry the weight that all spheres should carry. The contacts are not too soft. The finding is a
+/// remark if the foot leans, because then the pose decides which spheres are low.
 fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
     let leaning: Vec<&str> =
@@ -120,18 +121,19 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
 
 const ADVICE_FOR_LEANING_FOOT: &str = "Nothing, if simulations start from a pose of their own; else give the joints default values at which the foot lies flat";
 
-/// At least so many limbs carry a body that has more than two, as those of a horse that trots.
+/// The least number of limbs that carry a body with more than two limbs, as in a trotting horse.
 const LEAST_CARRYING_LIMBS: f64 = 2.0;
 
 /// A body with more than two limbs.
 struct ManyLimbs {
     limbs: usize,
-    /// How many of them share the weight in the figures.
+    /// Number of limbs that share the weight in the figures.
     stance_limbs: f64,
 }
 
 impl ManyLimbs {
-    /// `None` for two limbs or fewer, and if the caller gives the number of spheres that share the weight, or it is not known.
+    /// The limbs of the body; `None` for two limbs or fewer, if the caller gives the number of spheres that share the weight, or if this
+    /// number is not known.
     fn of(check: &FigureCheck<'_>) -> Option<Self> {
         let stance = &check.remedies.options.stance;
         let limbs = check.inspected.limbs.as_ref()?.len();
@@ -139,7 +141,7 @@ impl ManyLimbs {
         (limbs > 2 && is_counted).then_some(Self { limbs, stance_limbs: check.inspected.stance_limbs })
     }
 
-    /// Adapts `finding`, that spheres sink in by `x` of their radius, to such a body: adds x/R on two limbs, and what to do.
+    /// Adapts `finding`, that spheres sink in by `x` of their radius, to a body with many limbs: adds x/R on two limbs, and advice.
     fn sunk_in(&self, finding: Finding, x: f64, check: &FigureCheck<'_>) -> FindingWithRemedy {
         let carrying = self.stance_limbs.max(LEAST_CARRYING_LIMBS);
         // Equal spheres share the load, and x̂ follows F^(2/3) (3).

@@ -1,4 +1,4 @@
-//! What the rules about figures of spheres share: the spheres beyond a limit, and findings about them.
+//! Parts that the rules about figures of spheres have in common: the spheres beyond a limit, and findings about them.
 
 use osim_model::{Finding, Rule};
 
@@ -9,14 +9,14 @@ use crate::inspection::{InspectedForce, Inspection};
 /// x̂ at which a sphere is in the floor up to its centre.
 pub(super) const UP_TO_CENTRE: f64 = 1.0;
 
-/// The figures of a model that rules compare with limits, and the remedies for it.
+/// The figures of a model, which rules compare with limits, and the maker of remedies for the model.
 pub(crate) struct FigureCheck<'l> {
     pub(super) inspected: &'l Inspection,
     pub(super) remedies: &'l Remedies<'l>,
     pub(super) spheres: Vec<&'l SphereFigures>,
 }
 
-/// The spheres that a finding is about, and the one with the largest figure.
+/// The spheres that a finding is about, and the sphere with the largest figure among them.
 pub(super) struct AffectedSpheres<'l> {
     pub(super) largest: f64,
     pub(super) worst: &'l SphereFigures,
@@ -33,7 +33,7 @@ impl<'l> FigureCheck<'l> {
         Self { inspected, remedies, spheres: inspected.figures.spheres().collect() }
     }
 
-    /// The spheres for which `figure` gives a value.
+    /// The spheres for which the function `figure` gives a value.
     pub(super) fn spheres_with(
         &self,
         figure: impl Fn(&SphereFigures) -> Option<f64>,
@@ -46,7 +46,7 @@ impl<'l> FigureCheck<'l> {
         Some(AffectedSpheres { largest, worst, all })
     }
 
-    /// A finding about spheres, placed at the worst of them.
+    /// A finding about spheres. Its place is the worst sphere.
     pub(super) fn finding_at_sphere(
         &self,
         rule: &'static Rule,
@@ -66,7 +66,7 @@ impl<'l> FigureCheck<'l> {
         finding.with_line(line).with_spheres(all.iter().map(|sphere| sphere.sphere.clone()).collect())
     }
 
-    /// A finding about spheres, placed at the force that presses the worst of them, because its parameters can be changed.
+    /// A finding about spheres. Its place is the force that presses the worst sphere, because the parameters of this force can be changed.
     pub(super) fn finding_at_force(
         &self,
         rule: &'static Rule,

@@ -1,5 +1,5 @@
-//! Rules about floors that are turned wrongly, slope, or are on the body that stands on them; and about gravity that is absent, in another
-//! unit, or not towards the floor.
+//! Rules about floors that are turned wrongly, that slope, or that are on the body which stands on them; and about gravity that is absent,
+//! in another unit, or not towards the floor.
 
 use osim_model::messages::{Input, phrase, readable, shown, three_significant};
 use osim_model::{
@@ -10,10 +10,10 @@ use crate::floors::{Floors, JudgedPlane, PlaneKind};
 use crate::inspection::Inspection;
 use crate::load::InspectOptions;
 
-/// A floor that leans by more than this, degrees, counts as upside down, else as upright.
+/// A floor that leans by more than this, degrees, counts as upside down; a less steep one counts as upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 
-/// Finds too steep floors with a tilt in degrees that `applies`, and says what to write instead.
+/// Finds floors that are too steep and whose tilt in degrees `applies`. The advice says what to write instead.
 fn find_turned(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
     let finding = |judged: &JudgedPlane| match judged.kind {
         PlaneKind::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
@@ -154,7 +154,7 @@ pub(crate) static NO_GRAVITY: Rule = Rule {
     },
 };
 
-/// `are_floors` says whether moving spheres press on any plane.
+/// Finds a model without gravity. `are_floors` says whether moving spheres press on any plane.
 pub(crate) fn find_no_gravity(
     model: &Model,
     inspected: &Inspection,
@@ -188,7 +188,8 @@ pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
 const LARGEST_GRAVITY: f64 = 100.0;
 /// Other units in which gravity may be: how many millimetres and centimetres are in a metre.
 const UNITS: [f64; 2] = [1000.0, 100.0];
-/// A gravity in another unit is recognised if it is between half and twice the Earth's, m/s².
+/// If gravity divided by one of the [`UNITS`] is in this range, m/s², gravity is in that unit. The range is half to twice the Earth's
+/// gravity.
 const LIKE_ON_EARTH: std::ops::RangeInclusive<f64> = 5.0..=20.0;
 
 pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
@@ -205,7 +206,7 @@ pub(crate) fn find_too_large(model: &Model) -> Option<Finding> {
     Some(Finding::new(&GRAVITY_TOO_LARGE, text).with_line(model.gravity_line()))
 }
 
-/// The gravity of a planet or a moon on which a body stands, m/s²: from that of a small moon to more than that of any solid planet.
+/// Gravity on planets and moons on which a body can stand, m/s²: from a small moon to more than any solid planet.
 const GRAVITY_OF_PLACES: std::ops::RangeInclusive<f64> = 0.1..=20.0;
 /// A gravity below this, m/s², is not the Earth's.
 const LEAST_ON_EARTH: f64 = 9.0;
@@ -225,7 +226,7 @@ pub(crate) static ODD_GRAVITY: Rule = Rule {
     },
 };
 
-/// Finds a gravity unlike the Earth's, unless the note says that the contacts are made for it.
+/// Finds a gravity that is unlike the Earth's, unless the note says that the contacts are made for it.
 pub(crate) fn find_odd_gravity(model: &Model, floors: &Floors) -> Option<Finding> {
     let size = model.gravity().filter(|size| *size > 0.0 && *size <= LARGEST_GRAVITY && floors.are_any())?;
     let is_noted =
@@ -255,7 +256,7 @@ pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     },
 };
 
-/// Components of a direction below this are rounding errors.
+/// Components of a direction that are smaller than this are rounding errors.
 const ROUNDING: f64 = 1e-6;
 
 /// Finds the first floor that gravity does not point into.

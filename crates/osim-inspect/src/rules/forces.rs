@@ -1,4 +1,4 @@
-//! Rules about contact forces: their spheres, their elements in the file, and terrain, which counts in no figure.
+//! Rules about contact forces: their spheres, their elements in the file, and terrain. Terrain counts in no figure.
 
 use osim_model::messages::readable;
 use osim_model::{
@@ -87,8 +87,8 @@ fn keeps_sphere_inside(model: &Model, force: &Force) -> bool {
     force.spheres().into_iter().any(|id| model.sphere(id).is_some_and(Sphere::is_inside_force))
 }
 
-/// Converts the force that `finding` is about into a form that OpenSim reads today; all forces, if all keep their spheres inside and the
-/// caller chose none of them.
+/// A remedy that converts the force which `finding` is about into a form that today's OpenSim reads. It converts all forces if all have
+/// their spheres inside and the caller chose none of them.
 pub(super) fn convert_moco_forces(
     remedies: &Remedies<'_>,
     model: &Model,
@@ -144,7 +144,7 @@ pub(super) static TERRAIN: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/terrain_on_ground.osim" },
 };
 
-/// One finding for all spheres of the terrain, and one for all its bodies.
+/// Finds terrain: one finding for all its spheres, and one for all its bodies.
 pub(super) fn find_terrain(model: &Model) -> Vec<Finding> {
     terrain_spheres(model).into_iter().chain(terrain_bodies(model)).collect()
 }

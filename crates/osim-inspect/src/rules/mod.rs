@@ -1,5 +1,5 @@
-//! The rules about one model, a file for each topic, with their texts, the functions that apply them, and their remedies. A new rule is a
-//! static there and a line in one of the tables here.
+//! The rules about one model. Each topic has a file with the texts of its rules, the functions that apply them, and their remedies. A new
+//! rule is a static in such a file and a line in one of the tables here.
 
 mod components;
 pub(crate) mod contacts;
@@ -24,10 +24,10 @@ pub use contacts::describe_unmatched_patterns;
 pub(crate) use figure_check::FigureCheck;
 pub use places::find_misplaced_spheres;
 
-/// Lines with one or several rules, and the function that applies these together.
+/// A table of rules: each line has one or several rules, and the function that applies them together.
 type Table<F> = &'static [(&'static [&'static Rule], F)];
 
-/// Rules about a model, in the order in which reports list their findings.
+/// Rules about the model itself, in the order in which reports list their findings.
 static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
     (&[&numbers::ODD_NUMBER, &numbers::NOT_FINITE, &numbers::OUT_OF_DOMAIN], numbers::find_odd_numbers),
@@ -76,7 +76,7 @@ static FLOOR_RULES: Table<fn(&Floors) -> Vec<Finding>> = &[
     (&[&floors::FLOOR_SLOPES], floors::find_slopes),
 ];
 
-/// Rules about figures.
+/// Rules about the figures of spheres.
 static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = &[
     (&[&depth::SUNK_IN], depth::find_sunk_in),
     (&[&depth::BEYOND_HERTZ], depth::find_beyond_hertz),
@@ -90,7 +90,7 @@ static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = 
     (&[&standing::UNLEVEL_FOOT], standing::find_unlevel_foot),
 ];
 
-/// Rules that also depend on other things, such as options of the caller.
+/// Rules that no table applies, because they depend on more than the model, such as the options of the caller.
 static OTHER_RULES: [&Rule; 16] = [
     &contacts::BARE_MODEL,
     &contacts::CONTACTS_OF_ANOTHER_MASS,

@@ -1,4 +1,4 @@
-//! Rules about single numbers of a model: how they are written, their domains, and values that are seldom meant.
+//! Rules about single numbers of a model: how they are written, their domains, and unlikely values.
 
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown};
@@ -12,10 +12,10 @@ use osim_requests::Request;
 use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
 
-/// Says what is wrong with a value, in words that follow its name; `None` if nothing is.
+/// A function that says what is wrong with a value, in words that follow the name of the value; `None` if nothing is wrong.
 type DescribeValue = fn(&Value) -> Option<String>;
 
-/// Rules about single values; of each value the first one that applies is reported.
+/// Rules about single values. Only the first rule that applies to a value is reported.
 const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
     (&ODD_NUMBER, describe_odd_number),
     (&NOT_FINITE, describe_not_finite),
@@ -44,7 +44,7 @@ fn find_in_values(model: &Model) -> Vec<Finding> {
     parameters.chain(radii).chain(masses).filter_map(finding).collect()
 }
 
-/// Finds odd places of spheres and odd gravity. OpenSim silently takes its default for a text that it cannot read.
+/// Finds places of spheres and gravity that are written oddly. OpenSim silently takes its default if it cannot read a text.
 fn find_in_triples(model: &Model) -> Vec<Finding> {
     let locations = model.spheres().iter().filter_map(|sphere| {
         let triple = Triple {
@@ -62,7 +62,7 @@ fn find_in_triples(model: &Model) -> Vec<Finding> {
     locations.chain(gravity).collect()
 }
 
-/// Three numbers in one element of an object, as OpenSim reads them.
+/// Three numbers in one element, such as the place of a sphere, as OpenSim reads them.
 struct Triple {
     file: FileId,
     object: ElementId,
@@ -127,7 +127,7 @@ fn describe_odd_number(value: &Value) -> Option<String> {
     value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
 }
 
-/// What is odd about three numbers, written as `text` and read as `read`.
+/// What is odd about three numbers that the file writes as `text` and that OpenSim reads as x, y and z.
 fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
     (!is_plain_triple(text)).then(|| {
         // Show a blank that is not ASCII by its code, because OpenSim does not take it for a blank.
@@ -151,13 +151,13 @@ pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     },
 };
 
-/// Why a value is outside its domain, in words that follow its name. A default stiffness has its own rule.
+/// Why a value is outside its domain, in words that follow its name. The rule about default stiffness is another one.
 fn describe_out_of_domain(value: &Value) -> Option<String> {
     (!value.property.allows(value.number) && !is_default_stiffness(value))
         .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
 }
 
-/// A body without mass may have an inertia up to this, kg m²: programs write tiny ones for frames that weigh nothing.
+/// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
 const INERTIA_OF_FRAME: f64 = 1e-6;
 
 pub(super) static MASSLESS_BODY: Rule = Rule {
@@ -222,12 +222,12 @@ pub(super) fn find_default_stiffness(model: &Model) -> Vec<Finding> {
     found
 }
 
-/// Corrects a default stiffness with the contacts of a published model.
+/// A remedy for a default stiffness: the contacts of a published model.
 pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request> {
     remedies.transfer_published(None).map(Request::from)
 }
 
-/// Whether a value is a stiffness that nobody wrote.
+/// Whether a value is a stiffness that is absent from the file, so that OpenSim takes its default.
 fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == Origin::ClassDefault
 }
@@ -266,7 +266,7 @@ pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Opt
     remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
 }
 
-/// A friction coefficient above this is not plausible: between foot and floor it is 0.3 to 1, of the stickiest rubber about 2.
+/// A friction coefficient above this is not plausible. Between foot and floor it is 0.3 to 1, for the stickiest rubber about 2.
 const LARGEST_FRICTION: f64 = 10.0;
 
 pub(super) static LARGE_FRICTION: Rule = Rule {
@@ -316,7 +316,7 @@ pub(super) static NO_FRICTION: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
 };
 
-/// A dissipation below this, s/m, takes away nothing: half a percent of the speed of an impact at 1 m/s would be 0.008.
+/// A dissipation below this, s/m, takes away almost no energy: 0.008 would take half a percent of the speed of an impact at 1 m/s.
 const LEAST_DISSIPATION_S_M: f64 = 1e-3;
 
 pub(super) static NO_DISSIPATION: Rule = Rule {
@@ -374,7 +374,7 @@ pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
     },
 };
 
-/// Finds half-spaces that are turned by more than a whole turn, each orientation once.
+/// Finds half-spaces that are turned by more than a whole turn, so their angles are probably in degrees. Each orientation is reported once.
 pub(super) fn find_angle_in_degrees(model: &Model) -> Vec<Finding> {
     let mut found: Vec<Finding> = Vec::new();
     let planes = model.half_spaces().into_iter().chain(model.half_spaces_inside());

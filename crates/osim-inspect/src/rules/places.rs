@@ -1,4 +1,4 @@
-//! Rules about the places of spheres, compared with the model that was scaled if the caller gives it, else by this file alone.
+//! Rules about the places of spheres, compared with the model before scaling if the caller gives it, else by this file alone.
 
 use std::collections::BTreeMap;
 
@@ -17,25 +17,25 @@ use crate::reach::{BodyBones, Reach};
 use crate::rules::spheres::about_spheres;
 use crate::sides::BothSides;
 
-/// What is known about the places of a model's spheres.
+/// The knowledge about the places of a model's spheres.
 pub(crate) enum SpherePlaces<'i> {
-    /// They were compared with the model that was scaled.
+    /// The places, compared with the model before scaling.
     Compared(&'i SpherePlacements),
-    /// No other model is given: what this file alone shows.
+    /// The evidence in this file alone, because the caller gave no other model.
     FileAlone(PlaceEvidence),
-    /// The other model cannot be compared: why, and what this file alone shows.
+    /// The reason why the places cannot be compared with the other model, and the evidence in this file alone.
     NotCompared(&'i SpherePlacements, PlaceEvidence),
 }
 
-/// How bodies were scaled since the note was written, if that decides whether spheres are at the right places: bodies were scaled since, or
-/// the spheres were placed with their bodies when the note was written.
+/// The scaling of bodies since the note was written, if it decides whether the spheres are at the right places: bodies were scaled since,
+/// or the spheres were placed with their bodies when the note was written.
 fn noted_sizes(model: &Model) -> Option<ScaledSinceNote> {
     let since = model.scaled_since_note()?;
     let placed = model.note.as_ref().is_some_and(Note::has_placed_spheres);
     (since.is_scaled() || placed).then_some(since)
 }
 
-/// The finding that spheres are at wrong places, by this file alone, for changes that leave them there.
+/// The finding that spheres are at wrong places, by this file alone, for a change that does not move the spheres.
 pub fn find_misplaced_spheres(model: &Model) -> Option<Finding> {
     let evidence = PlaceEvidence::of(model, noted_sizes(model));
     evidence.is_wrong().then(|| find_in_file(&evidence, model)).flatten()
@@ -92,7 +92,7 @@ impl<'i> SpherePlaces<'i> {
     }
 }
 
-/// Scales the contacts to the mass of the body, and lets the spheres follow their bodies by the sizes in the note.
+/// A remedy that scales the contacts to the mass of the body, and lets the spheres follow their bodies by the sizes in the note.
 fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     let since = model.scaled_since_note().filter(|_| model.doubt_about_note().is_none())?;
     if !since.has_all_carriers(model) {
@@ -118,7 +118,7 @@ fn follow_by_note(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
     )
 }
 
-/// Takes the contacts of the model that OpenSim scaled, and lets the spheres follow their bodies.
+/// A remedy that takes the contacts of the model before scaling, and lets the spheres follow their bodies.
 fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> Option<Request> {
     if !placement.can_follow() {
         return None;
@@ -133,7 +133,7 @@ fn follow_by_original(remedies: &Remedies<'_>, placement: &SpherePlacements) -> 
     Some(TransferRequest { follow, scaling, ..remedies.transfer(placement.from.clone())? }.into())
 }
 
-/// The finding that this file alone gives.
+/// The finding about wrong places from the evidence in this file alone.
 fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     match evidence {
         PlaceEvidence::ScaledSinceNote(noted) => Some(left_behind_since_note(noted)),
@@ -174,10 +174,10 @@ fn find_in_file(evidence: &PlaceEvidence, model: &Model) -> Option<Finding> {
     }
 }
 
-/// A message names at most so many bodies.
+/// The largest number of bodies that a message names.
 const MOST_BODIES_NAMED: usize = 4;
 
-/// The finding that all spheres are on these bodies, which are none of a foot.
+/// The finding that all spheres are on `bodies`, none of which belongs to a foot.
 fn find_on_bodies(model: &Model, bodies: &[String], text: String) -> Option<Finding> {
     let is_there = |sphere: &&Sphere| {
         let body = sphere.body.as_ref();
@@ -186,8 +186,8 @@ fn find_on_bodies(model: &Model, bodies: &[String], text: String) -> Option<Find
     about_spheres(&SPHERES_MISPLACED, text, model.spheres().iter().filter(is_there))
 }
 
-/// One finding for all spheres that stayed where they were, and one for those that were moved; one alone where the two models cannot be
-/// compared.
+/// A finding for all spheres that stayed at their places, and a finding for all that were moved to wrong places; a single finding if the
+/// two models cannot be compared.
 fn find_compared(placement: &SpherePlacements) -> Vec<Finding> {
     if let Some(why) = &placement.unknown {
         let text = phrase!["the spheres cannot be compared with those of the model that was scaled: ", why];
@@ -220,7 +220,7 @@ pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
     example: Example::Models { good: "drawn_feet/six_spheres.osim", bad: "drawn_feet/left_behind.osim" },
 };
 
-/// The finding that bodies were scaled after the note was written, and the spheres stayed.
+/// The finding that bodies were scaled after the note was written, and the spheres stayed at their places.
 fn left_behind_since_note(noted: &ScaledSinceNote) -> Finding {
     let bodies: Vec<String> =
         noted.factors.iter().map(|(body, factors)| format!("{body} x{}", size_text(*factors))).collect();
@@ -255,7 +255,8 @@ pub(super) static SPHERES_MISPLACED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/spheres_misplaced.osim" },
 };
 
-/// The finding about all spheres that stayed at their places in the model that was scaled, or about all that were moved to a third place.
+/// The finding about all spheres that stayed at their places when OpenSim scaled the model (`stayed`), or about all that were moved to a
+/// third place.
 fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Finding> {
     let all: Vec<&PlacedSphere> =
         placement.spheres.iter().filter(|sphere| !sphere.follows && sphere.stayed() == stayed).collect();
@@ -294,7 +295,7 @@ fn millimetres(place: [f64; 3]) -> String {
     axes.join(" ")
 }
 
-/// The finding that these spheres reach further than those of published models.
+/// The finding that the spheres in `far` reach further than spheres of published models.
 fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     let spheres: Vec<(&Reach, &Sphere)> =
         far.iter().filter_map(|reach| Some((reach, model.sphere(reach.sphere)?))).collect();
@@ -307,10 +308,11 @@ fn misplaced_by_reach(model: &Model, far: &[Reach]) -> Option<Finding> {
     about_spheres(&SPHERES_MISPLACED, text, spheres.iter().map(|(_, sphere)| *sphere))
 }
 
-/// Spheres that are ahead of the ankle by more than this part of the limb's longest bone do not serve as a heel. That of D'Hondt et al. is 0.027 ahead.
+/// A sphere that is ahead of the ankle by more than this part of the limb's longest bone does not serve as a heel. The heel of D'Hondt et
+/// al. is 0.027 ahead.
 const AHEAD_OF_ANKLE: f64 = 0.04;
 
-/// The remark that the spheres of a calcaneus are all ahead of the ankle, about the foot whose rearmost sphere is farthest ahead.
+/// The remark that all spheres of a calcaneus are ahead of the ankle. It is about the foot whose rearmost sphere is farthest ahead.
 pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
     let bones = BodyBones::of(sides.model)?;
     let mut rearmost: BTreeMap<&str, (f64, &Sphere)> = BTreeMap::new();

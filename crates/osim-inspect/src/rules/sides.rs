@@ -1,5 +1,5 @@
 //! Rules about the left and the right side: contacts that differ between the sides, and spheres without a counterpart. If it is known which
-//! of two uneven sides is wrong, the remedy gives it the values of the other.
+//! side is wrong, the remedy gives it the values of the other side.
 
 use osim_model::messages::{counted, shown, three_significant};
 use osim_model::{
@@ -32,8 +32,8 @@ pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
     },
 };
 
-/// Finds forces on spheres that are mirror images, with parameters that neither are equal nor follow bones of different sizes. Forces that
-/// only differ as little as published ones come last.
+/// Finds pairs of forces on mirrored spheres whose parameters are not equal and do not follow the sizes of the bones. Pairs with
+/// differences as small as in published models come last.
 pub(super) fn find_differences(sides: &BothSides<'_>) -> Vec<Finding> {
     let pairs = sides.differences();
     let large = pairs
@@ -46,7 +46,7 @@ pub(super) fn find_differences(sides: &BothSides<'_>) -> Vec<Finding> {
     large.chain(small).collect()
 }
 
-/// The finding about the first small or large difference between two forces.
+/// The finding about the first difference between two forces that is as small as in published models (`is_small`), or larger.
 fn find_difference(
     rule: &'static Rule,
     left: &Force,
@@ -59,11 +59,12 @@ fn find_difference(
     Some(Finding::at(rule, left.line, text).with_place(&left.path))
 }
 
-/// The only side with the contacts of the reference that the caller names, or with published ones from the table of known contacts.
+/// The side with right contacts, if only one side has them: contacts of the reference that the caller names, or published ones from the
+/// table of known contacts.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct KnownSide {
     pub side: Side,
-    /// Whose contacts these are.
+    /// The title of the reference or publication whose contacts this side has.
     pub title: String,
 }
 
@@ -86,7 +87,7 @@ impl KnownSide {
     }
 }
 
-/// `finding` about a difference of the sides, with the side that is wrong and the remedy, if they are known.
+/// Adds to `finding`, about a difference of the sides, which side is wrong, and the remedy, if they are known.
 pub(crate) fn with_odd_side(
     model: &Model,
     sides: &BothSides<'_>,
@@ -100,7 +101,7 @@ pub(crate) fn with_odd_side(
     FindingWithRemedy::new(finding, remedy)
 }
 
-/// Adds to the message which side is wrong, and why. A majority of other contacts is in the message already.
+/// Adds to the message which side is wrong, and why. If most other contacts of the model show it, the message has it already.
 fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
     let left = finding.place.as_deref().and_then(|path| sides.force(path));
     let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
@@ -112,7 +113,7 @@ fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&Kn
 }
 
 /// The side that is wrong if `left` and its counterpart differ: the side without the known contacts that the other side has, else the side
-/// that is unlike most other contacts of the model; `None` if neither is known.
+/// that is unlike most other contacts of the model; `None` if this is not known.
 fn odd_side(known: Option<&KnownSide>, sides: &BothSides<'_>, left: &Force) -> Option<Side> {
     // Known contacts come first, because there is no majority if every contact of one side is wrong.
     known.map(|known| known.side.other()).or_else(|| sides.odd_side(left))
@@ -125,7 +126,8 @@ struct UnevenValue {
     right: f64,
 }
 
-/// Writes the values of the right side into the wrong force of the pair that `finding` is about; `None` if it is not known which one is wrong.
+/// A remedy that writes the values of the right force into the wrong force of the pair that `finding` is about; `None` if it is not known
+/// which force is wrong.
 fn copy_other_side(
     remedies: &Remedies<'_>,
     model: &Model,
@@ -151,7 +153,7 @@ fn copy_other_side(
     Some(SetRequest { choice, ..set }.into())
 }
 
-/// Whether `set` accepts these values; it refuses a constant_contact_force of 0.
+/// Whether `set` accepts these values; it refuses a `constant_contact_force` of 0.
 fn can_be_set(values: &[(Property, f64)]) -> bool {
     values.iter().all(|(property, value)| property.allows(*value))
         && !values.contains(&(Property::ConstantContactForce, 0.0))
@@ -185,7 +187,7 @@ fn uneven_values(
     Some(uneven).filter(|uneven| !uneven.is_empty())
 }
 
-/// The number that all of `numbers` are, if they are equal.
+/// The first of `numbers`, if all are equal.
 fn common_number(numbers: &[f64]) -> Option<f64> {
     let first = *numbers.first()?;
     numbers.iter().all(|&one| one == first).then_some(first)
@@ -221,7 +223,8 @@ pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
     },
 };
 
-/// One finding for all pairs, about the pair that is farthest apart; spheres on bodies that are not counterparts count as the farthest.
+/// One finding for all pairs of spheres whose places are no mirror images. It is about the pair that is farthest apart; spheres on bodies
+/// that are not counterparts count as the farthest.
 pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
     let mut far_pairs: Vec<(f64, &SpherePair<'_>)> =
         sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair)?, pair))).collect();
@@ -232,7 +235,7 @@ pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
     about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
 }
 
-/// How far the places of a pair are apart, as a part of the limb's longest bone, if that is too far.
+/// The distance between the places of a pair, as a part of the limb's longest bone, if it is too large.
 fn distance_too_far(pair: &SpherePair<'_>) -> Option<f64> {
     let Some(bodies) = &pair.bodies else { return Some(f64::INFINITY) };
     let apart = bodies.apart_m(pair.right.place_m, pair.left.place_m)? / bodies.bone_m?;
@@ -345,8 +348,8 @@ pub(super) static LEFT_RIGHT_SWAPPED: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_swapped.osim" },
 };
 
-/// One finding for all swapped pairs, or for all spheres of the other side if only one side has spheres. A single sphere on the wrong side
-/// has no counterpart, which is another finding.
+/// One finding for all swapped pairs; or for all spheres, if only one side has spheres and their names are of the other side. A single
+/// sphere on the wrong side has no counterpart, which is another finding.
 pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> {
     let of_other_side = sides
         .one_side
@@ -367,7 +370,7 @@ pub(super) fn find_left_right_swapped(sides: &BothSides<'_>) -> Option<Finding> 
     about_spheres(&LEFT_RIGHT_SWAPPED, text, spheres)
 }
 
-/// Whether the name of each sphere has the side of the other one.
+/// Whether the name of each sphere of the pair has the side of the other sphere.
 fn is_swapped(pair: &SpherePair<'_>) -> bool {
     let names_side = |placed: &SideSphere<'_>, side| Side::of_name(&placed.sphere.name) == Some(side);
     pair.bodies.is_some() && names_side(&pair.right, Side::Left) && names_side(&pair.left, Side::Right)
@@ -388,7 +391,7 @@ pub(super) static ONE_SIDE_ONLY: Rule = Rule {
     },
 };
 
-/// One finding for all spheres of a side alone.
+/// One finding for all spheres, if only one side has spheres.
 pub(super) fn find_one_side_only(sides: &BothSides<'_>) -> Option<Finding> {
     if let Some(first) = sides.one_side.first() {
         let other = first.side.other();

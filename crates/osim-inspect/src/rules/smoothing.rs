@@ -36,8 +36,8 @@ pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     Some(FindingWithRemedy::new(finding, bring_to_floor(check.remedies, &check.spheres)))
 }
 
-/// Designs the constant indentation so that spheres reach the floor. A wide transition is made narrower, too, because far above the floor
-/// the force of (C.1) is large again.
+/// A remedy that designs the constant indentation so that spheres reach the floor. It also narrows a wide transition, because far above the
+/// floor the force of (C.1) is large again.
 fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
     let (width_for_tenth, width_for_half) =
         (transition_width_for(spheres, TOUCHING_SHARE.value)?, transition_width_for(spheres, 0.5)?);

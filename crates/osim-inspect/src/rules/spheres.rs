@@ -12,7 +12,7 @@ use osim_model::{
 use crate::reach::BodyBones;
 use crate::sides::{BothSides, place_key};
 
-/// A finding about all of `spheres`, placed at the first of them; `None` if there are none.
+/// A finding about all of `spheres`, placed at the first sphere; `None` if `spheres` is empty.
 pub(super) fn about_spheres<'s>(
     rule: &'static Rule,
     text: String,
@@ -23,7 +23,8 @@ pub(super) fn about_spheres<'s>(
     Some(finding.with_spheres(spheres.map(|sphere| sphere.name.clone()).collect()))
 }
 
-/// The end of a message about the first of `count` cases: empty for one, else `one` or the number with `several`.
+/// The end of a message about the first of `count` cases: empty for one case, `one` for two cases; for more, the number of the other cases
+/// and `several`.
 pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
     match count {
         0 | 1 => String::new(),
@@ -32,17 +33,19 @@ pub(super) fn and_others(count: usize, one: &str, several: &str) -> String {
     }
 }
 
-/// A sphere is too far from the nearest joint of its body above this part of the limb's longest bone. Published ones are at most 0.353 away.
+/// A sphere is too far from the nearest joint of its body if the distance exceeds this part of the limb's longest bone. Published spheres
+/// are at most 0.353 away.
 const PLACE_OF_BONE: f64 = 0.6;
-/// The limit on a body without a side. It only finds another unit, because such a body, for example the last link of a pendulum, can be long.
+/// Like [`PLACE_OF_BONE`], for a body without a side. This only finds another unit, because such a body, for example the last link of a
+/// pendulum, can be long.
 const PLACE_OF_BONE_WITHOUT_SIDE: f64 = 10.0;
-/// A sphere within so many radii of gyration of its body's centre of mass is not too far. Published ones are at most 2.7 away.
+/// A sphere within this many radii of gyration of the centre of mass of its body is not too far. Published spheres are at most 2.7 away.
 const PLACE_OF_GYRATION: f64 = 4.0;
-/// The limit of the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of Falisse et al.),
-/// because a foot is longer than wide.
+/// Like [`PLACE_OF_BONE`], for the distance sideways. In the 13 models of the corpus with two sides it is at most 0.149 (the outer toes of
+/// Falisse et al.), because a foot is longer than wide.
 const PLACE_OF_BONE_SIDEWAYS: f64 = 0.25;
-/// A sphere within so many radii of gyration sideways is not too far. In the corpus the largest is 2.8 for spheres at 0.149 of the bone; a
-/// foot without a limb has spheres at 0.38 of its own bone and less than 2.
+/// Like [`PLACE_OF_GYRATION`], for the distance sideways. In the corpus it is at most 2.8, for spheres at 0.149 of the bone; a foot without
+/// a limb has spheres at 0.38 of its own bone and less than 2 radii of gyration.
 const PLACE_OF_GYRATION_SIDEWAYS: f64 = 2.0;
 
 pub(super) static ODD_PLACE: Rule = Rule {
@@ -60,7 +63,7 @@ pub(super) static ODD_PLACE: Rule = Rule {
     },
 };
 
-/// One finding for all spheres that are too far away, about the farthest.
+/// One finding for all spheres that are too far from their bodies; it is about the farthest.
 pub(super) fn find_odd_place(sides: &BothSides<'_>) -> Option<Finding> {
     let shapes = sides.model.body_shapes();
     let mut bodies: HashMap<&str, Option<BodyExtent<'_>>> = HashMap::new();
@@ -79,7 +82,7 @@ struct BodyExtent<'m> {
     shape: &'m BodyShape,
     /// The limb's longest bone, m.
     bone_m: f64,
-    /// How far a sphere may be from the nearest joint, as a part of that bone.
+    /// The largest distance of a sphere from the nearest joint, as a part of `bone_m`.
     limit: f64,
     /// The axis of the body's frame that leads sideways.
     sideways: Option<usize>,
@@ -102,7 +105,7 @@ impl<'m> BodyExtent<'m> {
         Some(Self { shape, bone_m: sides.longest_bone_of_limb_m(body)?, limit, sideways })
     }
 
-    /// The distance of a sphere, if it is too far away in any direction, or else sideways.
+    /// The distance of `sphere` from the nearest joint, if it is too large in any direction, or else sideways.
     fn find_far<'s>(&self, sphere: &'s Sphere, place_m: DVec3) -> Option<FarSphere<'s>> {
         let far = |from_joint_m, limit, is_sideways| FarSphere {
             sphere,
@@ -128,7 +131,7 @@ impl<'m> BodyExtent<'m> {
         self.shape.joints_m.iter().map(|&joint_m| apart(joint_m)).fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether a distance from the centre of mass is within so many radii of gyration.
+    /// Whether a distance from the centre of mass is at most `radii` radii of gyration.
     fn is_near(&self, from_centre_m: f64, radii: f64) -> bool {
         self.shape.gyration_m.is_some_and(|gyration_m| from_centre_m <= radii * gyration_m)
     }
@@ -139,7 +142,7 @@ impl FarSphere<'_> {
         self.from_joint_m / self.bone_m
     }
 
-    /// The distance over its limit.
+    /// The distance divided by the largest allowed distance.
     fn times_limit(&self) -> f64 {
         self.part_of_bone() / self.limit
     }
@@ -163,13 +166,13 @@ fn describe_far(worst: &FarSphere<'_>, count: usize) -> String {
     )
 }
 
-/// Plausible radii as parts of the limb's longest bone. Published ones are 0.011 to 0.2.
+/// Plausible radii as parts of the limb's longest bone. Published radii are 0.011 to 0.2.
 const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
-/// A radius above this part of the longest bone is odd if the spheres of the foot are close together for it, too: it is larger than the foot
-/// is high.
+/// A radius above this part of the longest bone is larger than the foot is high. It is odd if the spheres of the foot are also close
+/// together for it.
 const LARGE_RADIUS_OF_BONE: f64 = 0.15;
-/// A radius above this part of the extent of the foot's sphere centres is large for them. Published ones are at most 0.3 where a foot has
-/// several spheres and none is above 0.15 of the bone.
+/// A radius above this part of the extent of the foot's sphere centres is large for them. Published radii are at most 0.3 if a foot has
+/// several spheres and no radius is above 0.15 of the bone.
 const LARGE_RADIUS_OF_EXTENT: f64 = 0.36;
 
 pub(super) static ODD_RADIUS: Rule = Rule {
@@ -187,7 +190,7 @@ pub(super) static ODD_RADIUS: Rule = Rule {
     },
 };
 
-/// One finding for all odd radii, about the one that is farthest outside the range.
+/// One finding for all odd radii; it is about the radius that is farthest outside the range.
 pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     let extents = FootExtents::of(sides);
     let find = |(sphere, body, _): (_, &str, _)| {
@@ -242,14 +245,14 @@ impl<'m> FootExtents<'m> {
         extents
     }
 
-    /// The body that carries `body`, and the origin of `body` in it, m, if their frames are parallel.
+    /// The body that carries `body` by a joint, and the origin of `body` in it, m, if their frames are parallel.
     fn hind_part(&self, body: &str) -> Option<(&'m str, DVec3)> {
         let joint = self.bones?.joint_above(body)?;
         Some((joint.parent.as_str(), joint.in_parent_m - joint.in_child_m))
     }
 
-    /// The largest extent along an axis of the sphere centres on `body` and on the bodies that it carries, or that carry it, m; `None` if
-    /// there is one sphere.
+    /// The largest extent of the sphere centres on `body`, together with the bodies that it carries or that carry it, along an axis, m;
+    /// `None` if there is only one sphere.
     fn extent_m(&self, body: &str) -> Option<f64> {
         let hind = self.hind_part(body).map(|(hind, _)| hind);
         let places =
@@ -284,7 +287,8 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
 /// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077
 /// (the forefoot of D'Hondt et al.) to 0.9.
 const CROWD_OF_BONE: f64 = 0.02;
-/// They are only crowded if they also extend over less than this part of the smallest radius. In the corpus two are at least 1.36 radii apart.
+/// Spheres of one body are only crowded if they also extend over less than this part of the smallest radius. In the corpus two spheres are
+/// at least 1.36 radii apart.
 const CROWD_OF_RADIUS: f64 = 0.5;
 
 pub(super) static CROWDED_SPHERES: Rule = Rule {
@@ -331,7 +335,7 @@ impl Crowd<'_> {
     }
 }
 
-/// `None` also if all spheres are at exactly one place: they are doubled, which is another finding.
+/// The spheres, if they are crowded. `None` also if all spheres are at exactly one place: they are doubled, which is another finding.
 fn find_crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<'m>> {
     let places: BTreeSet<[i64; 3]> = spheres.iter().map(|(_, place_m)| place_key(*place_m)).collect();
     let smallest_radius_m =
@@ -346,7 +350,7 @@ fn find_crowd<'m>(spheres: &[(&'m Sphere, DVec3)], bone_m: f64) -> Option<Crowd<
     (places.len() > 1 && is_crowd).then_some(crowd)
 }
 
-/// The diagonal of the box around the centres, m.
+/// The diagonal of the box around the centres of the spheres, m.
 fn extent_m(spheres: &[(&Sphere, DVec3)]) -> f64 {
     let places = || spheres.iter().map(|(_, place_m)| *place_m);
     places().fold(DVec3::INFINITY, DVec3::min).distance(places().fold(DVec3::NEG_INFINITY, DVec3::max))
@@ -384,7 +388,7 @@ pub(super) static DOUBLED_SPHERES: Rule = Rule {
     },
 };
 
-/// One finding for all spheres that share their place with an earlier one.
+/// One finding for all spheres at the same place as an earlier sphere.
 pub(super) fn find_doubled_spheres(sides: &BothSides<'_>) -> Option<Finding> {
     let mut first_at: HashMap<(&str, [i64; 3]), &Sphere> = HashMap::new();
     let mut doubled: Vec<[&Sphere; 2]> = Vec::new();

@@ -58,7 +58,7 @@ pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
 };
 
-/// The limb whose bottoms differ most.
+/// Finds the limb whose bottoms differ most in height, if the difference is a warning.
 pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = Uneven::worst(check)?;
     worst
@@ -73,7 +73,7 @@ struct Uneven<'i> {
     highest: &'i Bottom,
     /// The height difference in the radius of the lowest sphere.
     difference_radii: f64,
-    /// How far the bodies of these spheres lean, rad.
+    /// How far the bodies of the lowest and the highest sphere lean, rad.
     tilt_rad: f64,
 }
 
@@ -90,7 +90,7 @@ impl<'i> Uneven<'i> {
         self.difference_radii > radii + ROUNDING
     }
 
-    /// Whether the difference is a warning. It is none if the foot leans, because then it follows from the pose.
+    /// Whether the difference is a warning. It is no warning if the foot leans, because then the difference follows from the pose.
     fn is_warning(&self) -> bool {
         self.differs_by_more_than(WARNING_RADII) && self.tilt_rad <= MOST_LEAN_RAD
     }
@@ -154,7 +154,7 @@ pub(super) static UNLEVEL_FOOT: Rule = Rule {
     example: Example::Models { good: "check/known_contacts.osim", bad: "format/mixed_radii.osim" },
 };
 
-/// The limb whose bottoms differ most, unless that is a warning.
+/// Finds the limb whose bottoms differ most in height, unless the difference is a warning.
 pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
     let worst = Uneven::worst(check)
         .filter(|worst| worst.differs_by_more_than(REMARK_RADII) && !worst.is_warning())?;

@@ -24,9 +24,9 @@ pub struct Weight {
     pub mass_kg: f64,
     /// Gravity g, m/s².
     pub gravity_m_s2: f64,
-    /// n, spheres that share the weight.
+    /// Number n of spheres that share the weight.
     pub sphere_count: f64,
-    /// The spheres, each with the number of spheres that it represents: the sum is n.
+    /// The spheres, each with the number of spheres that it represents. The sum of these numbers is n.
     pub spheres: Vec<Spheres>,
 }
 
@@ -42,7 +42,7 @@ impl Weight {
     }
 }
 
-/// All spheres of a body with the same radius and contact.
+/// All spheres of a body with the same radius and the same contact parameters.
 #[derive(Debug, Clone)]
 pub struct SphereKind {
     /// Names of the spheres in words; empty if all spheres of the body are of this kind.
@@ -65,16 +65,16 @@ pub struct ContactBody {
     pub name: String,
     /// Kinds of the body's spheres, in the order of the file.
     pub kinds: Vec<SphereKind>,
-    /// Weight of the body, or why it is not known.
+    /// Weight of the body, or the reason why it is not known.
     pub weight: Result<Weight, Failure>,
-    /// The mass that its contacts are made for, or why it is not known.
+    /// The mass that the contacts are made for, kg, or the reason why it is not known.
     contacts_mass_kg: Result<f64, Failure>,
-    /// The masses of the note and of the bodies, if they disagree.
+    /// The mass in the note and the mass of the bodies, if they disagree.
     pub mismatch: Option<MassMismatch>,
 }
 
 impl ContactBody {
-    /// The body of a model with the chosen `forces`; `failed` adds the name of the file to a fault.
+    /// Reads the body from a model with the chosen `forces`. `failed` adds the name of the file to a fault.
     ///
     /// # Errors
     /// No chosen force applies, or a value is not a number. An unknown weight is an error only when it is needed.
@@ -94,7 +94,7 @@ impl ContactBody {
         Ok(Self { name, kinds, weight, contacts_mass_kg, mismatch })
     }
 
-    /// The body of a model with the options of an inspection.
+    /// Reads the body from a model, with the options of an inspection.
     pub fn from_inspected_model(
         name: String,
         model: &Model,
@@ -105,8 +105,8 @@ impl ContactBody {
         Self::from_model(name, model, &selected.forces, &options.masses, &options.stance, failed)
     }
 
-    /// The body of a preset. Masses, spheres and gravity that the caller gives replace those of the preset; it stands on the given number of
-    /// limbs, else on one.
+    /// Makes the body from a preset. Masses, spheres and gravity that the caller gives replace those of the preset. The body stands on the
+    /// given number of limbs, else on one limb.
     pub fn from_preset(preset: &Preset, masses: &MassRequest, stance: &Stance) -> Result<Self, DomainError> {
         let scale = &preset.scale;
         let law = Law::of(&preset.contact, scale.radius_m())?;
@@ -180,7 +180,7 @@ impl ContactBody {
         self.kinds.iter().map(dimensionless).collect()
     }
 
-    /// Weight of the body.
+    /// The weight of the body.
     ///
     /// # Errors
     /// Why the weight is not known.
@@ -188,13 +188,13 @@ impl ContactBody {
         self.weight.as_ref().map_err(Failure::clone)
     }
 
-    /// An error of a plot of this body.
+    /// Adds the name of the body to an error.
     pub(crate) fn failure(&self, error: &dyn Display) -> Failure {
         Failure::outside(&self.name, "plot", error.to_string())
     }
 }
 
-/// The spheres with each law replaced by its scaled one; their counts stay.
+/// The spheres with the scaled contact laws instead of the old ones; the numbers of spheres stay.
 fn scaled_spheres(
     before: &[SphereKind],
     after: &[SphereKind],
@@ -250,8 +250,8 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 
-/// The chosen spheres, each with the number of the `count` spheres that it represents: 1/2 if one of two limbs carries the body. If only some
-/// are chosen, all `count` spheres are assumed to be like these.
+/// The chosen spheres, each with the number of the `count` spheres that it represents: 1/2 if one of two limbs carries the body. If only
+/// some spheres are chosen, all `count` spheres are assumed to be like these.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
@@ -274,7 +274,8 @@ const MOST_NAMES_LISTED: usize = 4;
 /// Endings of names on the right and on the left side.
 const SIDE_ENDINGS: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"), ("r", "l")];
 
-/// The names of spheres in words, with those of both sides given once. Many names are shortened to the first, the last and the number.
+/// The names of spheres in words. Names that occur on both sides are given once. Many names are shortened to the first, the last and the
+/// number.
 pub(super) fn list_spheres(names: &[String]) -> String {
     if let Some(common) = names_without_sides(names) {
         return format!("{}, both sides", listed(&common));
@@ -292,7 +293,7 @@ fn listed(names: &[&str]) -> String {
     }
 }
 
-/// The names without their sides, if each is there for the right and for the left.
+/// The names without the ending of their side, if each name occurs on the right and on the left side.
 fn names_without_sides(names: &[String]) -> Option<Vec<&str>> {
     SIDE_ENDINGS.iter().find_map(|&(right, left)| {
         let stems = |side: &str| -> Vec<&str> {
@@ -309,12 +310,12 @@ fn names_without_sides(names: &[String]) -> Option<Vec<&str>> {
 #[derive(Debug, Clone)]
 pub struct ReferenceState {
     pub name: String,
-    /// The first 16 digits of the SHA-256 of its file; `None` for a preset.
+    /// The first 16 digits of the SHA-256 of the reference's file; `None` for a preset.
     pub digest: Option<String>,
     /// The body to draw; `None` if it cannot be drawn.
     pub body: Option<ContactBody>,
     pub figures: Option<Figures>,
-    /// What is wrong with it already: its contacts bring this along.
+    /// The findings about the reference itself. Its contacts bring these faults into other models.
     pub findings: Vec<FindingWithRemedy>,
 }
 
@@ -327,7 +328,7 @@ impl ReferenceState {
         Self { name, digest: None, body, figures: None, findings: Vec::new() }
     }
 
-    /// The mass, number of spheres and gravity are those that the contacts are made for.
+    /// Takes the reference from a model. The mass, number of spheres and gravity are those that the contacts are made for.
     pub fn from_model(
         name: String,
         open: &OpenModel,

@@ -1,4 +1,4 @@
-//! Points of curves, computed by the library of equations.
+//! Computes points of curves with the library of equations.
 
 use contact_scaling::drop_test::{DropReport, DropTest, DropValues, Sample};
 use contact_scaling::{Law, Spheres, equilibrium, limits, restitution, smoothing};
@@ -13,54 +13,56 @@ use crate::series::sampling::{ForceUnit, Point, Units, equal_breaks, sample_curv
 pub struct ForceSeries {
     /// Force over indentation by the Hertz law.
     pub hertz: Vec<Point>,
-    /// The curve with the constant indentation (C.1); empty for a `HuntCrossleyForce`.
+    /// Force over indentation with the constant indentation (C.1); empty for a `HuntCrossleyForce`.
     pub with_constant: Vec<Point>,
-    /// The curve of the smoothed law of the file at rest, (C.9) at speed 0; empty for a `HuntCrossleyForce`.
+    /// Force over indentation by the smoothed law of the file at rest, (C.9) at speed 0; empty for a `HuntCrossleyForce`.
     pub model_law: Vec<Point>,
-    /// The point at which the sphere rests under its share of the body weight.
+    /// The point of equilibrium of the sphere under its share of the body weight.
     pub rest: Option<Point>,
 }
 
-/// Force while a sphere goes in and out.
+/// Force while a sphere moves into the ground and out again.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoopSeries {
     pub name: String,
     pub points: Vec<Point>,
 }
 
-/// Force over body weight in a drop, against time in s.
+/// Force in body weights while a body falls, against time in s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DropSeries {
     pub name: String,
     pub points: Vec<Point>,
     /// Unit of time of dimensionless plots, √(R/g), s.
     pub time_unit_s: f64,
-    /// The time after which the force stays within 1 % of the body weight, s; the end if it does not.
+    /// The time after which the force stays within 1 % of the body weight, s; the end of the drop if it does not settle.
     pub settled_s: f64,
 }
 
-/// The number of intervals of a curve before it is refined.
+/// Number of intervals of a curve before some of them are divided.
 const FIRST_INTERVALS: u32 = 24;
-/// Curves begin so many radii above the ground, where smoothed laws push already.
+/// Curves begin this many radii above the ground, where smoothed laws already push.
 const START_ABOVE_RADII: f64 = 0.5;
-/// Curves end at the latest when the sphere is in the ground up to its centre, unless the caller wants more: the laws end long before.
+/// Curves end at the latest at this indentation, in radii, where the sphere is in the ground up to its centre, unless the caller wants
+/// more. The laws are only valid for smaller indentations.
 const DEEPEST_RADII: f64 = 1.0;
-/// Curves reach at least so many radii deep: a little beyond the limit of the Hertz law, and deeper if a body rests beyond that limit or nowhere.
+/// Curves reach at least this deep, in radii: a little beyond the limit of the Hertz law. The second number is for bodies whose equilibrium
+/// is beyond that limit, or that have no equilibrium.
 const LEAST_DEPTHS_RADII: (f64, f64) = (0.25, 0.5);
-/// Curves reach so many times deeper than the deepest body rests.
+/// Curves reach this many times deeper than the equilibrium of the deepest body.
 const DEPTH_OVER_REST_DEPTH: f64 = 1.25;
-/// The share of the contact state at which thresholds are drawn, as in section C.2.
+/// The contact states t and 1 − t at which thresholds are drawn, as in section C.2; this is t.
 const CONTACT_STATE_THRESHOLD: f64 = limits::TRANSITION_THRESHOLD;
-/// The default duration of a drop in √(R/g).
+/// The default duration of a drop, in √(R/g).
 const DROP_TIME_UNITS: f64 = 20.0;
-/// Samples of a drop for each shortest time in which its force rises and falls, and the least and largest number of samples. They are enough
-/// to find peaks to a ten-thousandth; samples on straight lines are left out afterwards.
+/// Number of samples in each shortest time in which the force of a drop rises and falls; `DROP_SAMPLES` are the least and largest number of
+/// all samples. With these, peaks are found to a ten-thousandth. Samples on straight lines are left out afterwards.
 const SAMPLES_PER_IMPACT: f64 = 200.0;
 const DROP_SAMPLES: (f64, f64) = (2001.0, 200_001.0);
-/// A force that differs by no more than this from the body weight has settled, in body weights.
+/// A force that differs from the body weight by at most this has settled, in body weights.
 const SETTLED_BODY_WEIGHTS: f64 = 0.01;
 
-/// The unit of the force axis in N: 1 N, or the sphere's share of the body weight.
+/// The unit of the force axis, in N: 1 N, or the share of the body weight that one sphere carries.
 fn force_unit(units: Units, body: &ContactBody) -> Result<f64, Failure> {
     match units.force {
         ForceUnit::Newton => Ok(1.0),
@@ -81,8 +83,8 @@ pub fn bodies_and_kinds(bodies: &[ContactBody]) -> impl Iterator<Item = (&Contac
     bodies.iter().flat_map(|body| body.kinds.iter().map(move |kind| (body, kind)))
 }
 
-/// The range of curves without given limits, in radii: from half a radius above the ground to a little deeper than the deepest body rests, but
-/// no deeper than a sphere's centre.
+/// The range of curves for which the caller gives no limits, in radii: from half a radius above the ground to a little deeper than the
+/// equilibrium of the deepest body, but no deeper than the centre of a sphere.
 pub fn default_range(bodies: &[ContactBody]) -> (f64, f64) {
     let rests = bodies_and_kinds(bodies)
         .filter_map(|(body, kind)| Some(point_at_rest(body.weight.as_ref().ok()?, kind)?.0 / kind.radius_m));
@@ -96,7 +98,7 @@ pub fn default_range(bodies: &[ContactBody]) -> (f64, f64) {
     (-START_ABOVE_RADII.min(depth), depth)
 }
 
-/// The point at which one kind of sphere rests under its share of the body weight, by the law of the file: x in m, and the share in N.
+/// The equilibrium of one kind of sphere under its share of the body weight, by the law of the file: x in m, and the share in N.
 fn point_at_rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
     let law = Law::of(&kind.contact, kind.radius_m).ok()?;
     let spheres = [Spheres::new(law, 1.0).ok()?];
@@ -132,7 +134,7 @@ pub fn force(
     })
 }
 
-/// Contact state against indentation, between two indentations in m (`None`: half a radius to either side); `None` for a law
+/// Contact state against indentation, between two indentations in m (`None`: half a radius above and below the floor); `None` for a law
 /// without smoothing.
 pub fn contact_state(
     body: &ContactBody,
@@ -147,7 +149,7 @@ pub fn contact_state(
     Ok(Some(sample_curve(curve, &equal_breaks(from_m, to_m, FIRST_INTERVALS, 0.0))))
 }
 
-/// The two thresholds (C.6), contact states t and 1 − t with their indentations; empty for a law without smoothing.
+/// The two thresholds (C.6): contact states t and 1 − t with their indentations; empty for a law without smoothing.
 pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
     let bd = kind.contact.smoothing().map(|smoothing| smoothing.hertz_smoothing);
     let at =
@@ -156,12 +158,12 @@ pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
     vec![(CONTACT_STATE_THRESHOLD, -at), (1.0 - CONTACT_STATE_THRESHOLD, at)]
 }
 
-/// The speed with which the bottoms reach the ground, √(2 g h), in m/s.
+/// The speed at which the bottoms of the spheres reach the ground after a fall, √(2 g h), in m/s.
 pub fn impact_speed(body: &ContactBody, kind: &SphereKind, height: DropHeight) -> Result<f64, Failure> {
     Ok((2.0 * body.weight()?.gravity_m_s2 * height.metres(kind.radius_m)).sqrt())
 }
 
-/// The deepest indentation of a loop, m: that under twice the body weight by the Hertz law.
+/// The deepest indentation of a loop, m: the indentation under twice the body weight by the Hertz law.
 fn loop_depth(body: &ContactBody, kind: &SphereKind) -> Result<f64, Failure> {
     let law = law(body, kind)?;
     law.hertz().indentation_from_force(2.0 * body.weight()?.share_n()).map_err(|error| body.failure(&error))
@@ -175,7 +177,8 @@ pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: Units) -> Res
     Ok(sample_curve(|x| (units.x(x, kind.radius_m), law.rest_force(x) / unit), &breaks))
 }
 
-/// Force against indentation while a sphere goes in and out in half a sine wave, at first with this speed (m/s).
+/// Force against indentation while a sphere moves into the ground and out again in half a sine wave, which begins with the speed
+/// `speed_m_s`.
 pub fn hysteresis(
     body: &ContactBody,
     kind: &SphereKind,
@@ -227,8 +230,8 @@ pub fn drop_force(body: &ContactBody, height: DropHeight, duration_s: f64) -> Re
     })
 }
 
-/// The number of samples that show the peaks of a drop, by the duration of its first contact or half of an oscillation at rest, whichever is
-/// shorter.
+/// The number of samples that show the peaks of a drop. It depends on the duration of the first contact, or on half an oscillation around
+/// the equilibrium, whichever is shorter.
 fn sample_count(report: &DropReport, weight: &Weight, duration_s: f64) -> usize {
     let contact_s = report.first_contact.and_then(|contact| contact.end).map(|end| end.contact_time_s);
     let stiffness_n_m = weight.sphere_count * report.equilibrium_stiffness_n_m;

@@ -1,4 +1,4 @@
-//! The points of heat maps: a quantity over stiffness and dissipation.
+//! Computes the points of heat maps: a quantity over stiffness and dissipation.
 
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
@@ -36,34 +36,34 @@ pub struct HeatSeries {
     pub x: Vec<f64>,
     /// Values of α along the vertical axis.
     pub y: Vec<f64>,
-    /// A row for each α; `None` if the quantity has no value there.
+    /// A row of values for each α; `None` if the quantity has no value at this point.
     pub values: Vec<Vec<Option<f64>>>,
     /// The limit of the quantity, if it has one.
     pub limit: Option<f64>,
-    /// E₁* and α of the body as it is.
+    /// E₁* and α of the body before any variation.
     pub present: (f64, f64),
-    /// The quantity along the only parameter that changes it; `None` if both change it.
+    /// The quantity along the only parameter that changes it; `None` if both parameters change it.
     pub profile: Option<Profile>,
 }
 
-/// A parameter that is sweep.
+/// A parameter that the heat map varies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Parameter {
     Stiffness,
     Dissipation,
 }
 
-/// A quantity along the one parameter that changes it.
+/// A quantity along the only parameter that changes it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     pub along: Parameter,
-    /// The quantity over that parameter, at more values than the grid has.
+    /// The quantity over the parameter, at more values than the grid has.
     pub points: Vec<Point>,
-    /// The point of the body as it is; `None` if the quantity has no value there.
+    /// The point for the present parameter of the body; `None` if the quantity has no value at this point.
     pub present: Option<Point>,
 }
 
-/// A profile has so many times as many values as the grid.
+/// A profile has this many times as many values as the grid.
 const PROFILE_STEPS: u32 = 8;
 /// Quantities whose relative difference is no more than this are the same.
 const SAME_QUANTITY: f64 = 1e-9;
@@ -88,7 +88,7 @@ fn only_kind(body: &ContactBody) -> Result<&SphereKind, Failure> {
     }
 }
 
-/// The quantity for the only contact of a body; `x` and `y` make the axes from its present E₁* and α.
+/// Computes the quantity for the only contact of a body. The functions `x` and `y` make the axes from the present E₁* and α.
 ///
 /// # Errors
 /// The body has several contacts, its weight is not known, or its contact has no dissipation to multiply.
@@ -116,7 +116,7 @@ pub fn heat(
     Ok(HeatSeries { x, y, values, limit, present, profile })
 }
 
-/// The parameter that alone changes the values; `None` if both change them, or none does.
+/// The only parameter that changes the values; `None` if both parameters change them, or none does.
 fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     let same = |a: &Option<f64>, b: &Option<f64>| match (a, b) {
         (Some(a), Some(b)) => (a - b).abs() <= SAME_QUANTITY * a.abs(),
@@ -132,7 +132,7 @@ fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
     }
 }
 
-/// The values with more values between neighbours, equally far apart in their logarithms.
+/// Adds values between neighbours, equally far apart in their logarithms.
 fn refine(values: &[f64]) -> Vec<f64> {
     let between = values.windows(2).flat_map(|pair| {
         let ratio = pair[1] / pair[0];
@@ -141,11 +141,11 @@ fn refine(values: &[f64]) -> Vec<f64> {
     between.chain(values.last().copied()).collect()
 }
 
-/// Computes the quantity for any stiffness and dissipation.
+/// Computes the quantity for any stiffness and dissipation of the contact.
 struct Sweep<'s> {
     kind: &'s SphereKind,
     quantity: HeatQuantity,
-    /// n, the spheres that carry the weight.
+    /// The number n of spheres that carry the weight.
     sphere_count: f64,
     values: DropValues,
     impact_speed_m_s: f64,
@@ -179,7 +179,7 @@ impl<'s> Sweep<'s> {
         Spheres::new(Law::of(&Contact::new(values)?, self.kind.radius_m)?, self.sphere_count)
     }
 
-    /// `None` if the quantity has no value there.
+    /// The quantity for these parameters; `None` if it has no value.
     fn value(&self, stiffness: f64, dissipation: f64) -> Option<f64> {
         let spheres = self.spheres(stiffness, dissipation).ok()?;
         match self.quantity {
@@ -197,7 +197,7 @@ impl<'s> Sweep<'s> {
         }
     }
 
-    /// The quantity along one parameter, with the present value of the other.
+    /// The quantity along one parameter; the other parameter keeps its present value.
     fn profile(&self, along: Parameter, (x, y): (&[f64], &[f64]), present: (f64, f64)) -> Profile {
         let (grid, at_present, value): (_, _, &dyn Fn(f64) -> Option<f64>) = match along {
             Parameter::Stiffness => (x, present.0, &|stiffness| self.value(stiffness, present.1)),

@@ -1,4 +1,5 @@
-//! Units of series, and points of curves: many where a curve bends and few where it is straight, so that lines between them look like it.
+//! Units of series, and points of curves: many points in bends and few on straight parts, so that straight lines between the points look
+//! like the curve.
 
 /// A point of a curve: x and y.
 pub type Point = (f64, f64);
@@ -34,7 +35,7 @@ impl Units {
         }
     }
 
-    /// The indentation of a sphere, m, that the axis shows as `value`.
+    /// The indentation of a sphere, m, for the number `value` on the axis.
     pub fn metres(self, value: f64, radius_m: f64) -> f64 {
         match self.indentation {
             IndentationUnit::Relative => value * radius_m,
@@ -43,9 +44,9 @@ impl Units {
     }
 }
 
-/// Lines stay closer to their curve than this share of the plot's height or width, about a hundredth of a millimetre.
+/// Lines between points stay closer to the curve than this share of the plot's height or width, about a hundredth of a millimetre.
 const DISTANCE_FROM_CURVE: f64 = 2e-4;
-/// An interval is halved at most so many times.
+/// The largest number of times that an interval is halved.
 const MOST_HALVINGS: u32 = 10;
 
 /// Points of a curve for parameters from the first to the last of `breaks`, which must rise. The curve must be smooth between neighbouring
@@ -60,7 +61,7 @@ pub(super) fn sample_curve(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<
     points
 }
 
-/// Adds the points after the first end of an interval, up to its second end.
+/// Adds the points of an interval, halved where the curve bends. The first end is left out; the second end is the last point.
 fn refine(
     curve: &impl Fn(f64) -> Point,
     (from, to): ((f64, Point), (f64, Point)),
@@ -101,7 +102,7 @@ fn distance_to_line(point: Point, (from, to): (Point, Point), (width, height): (
     (px - ax - along * dx).hypot(py - ay - along * dy)
 }
 
-/// The ends of `count` equal intervals from `from` to `to`, and `extra` if it is between these.
+/// The ends of `count` equal intervals from `from` to `to`, and also `extra` if it is between `from` and `to`.
 pub(super) fn equal_breaks(from: f64, to: f64, count: u32, extra: f64) -> Vec<f64> {
     let equal = (0..=count).map(|step| from + (to - from) * f64::from(step) / f64::from(count));
     let mut breaks: Vec<f64> = equal.chain((from < extra && extra < to).then_some(extra)).collect();
@@ -110,7 +111,7 @@ pub(super) fn equal_breaks(from: f64, to: f64, count: u32, extra: f64) -> Vec<f6
     breaks
 }
 
-/// The points of a long series that are needed to draw it: its ends, its turning points, and points between them where it bends.
+/// The points of a long series that are needed to draw it: its ends, its turning points, and points where it bends.
 pub(super) fn thin_out(series: &[Point]) -> Vec<Point> {
     let value = |at: usize| series.get(at).copied().unwrap_or_default();
     let last = series.len().saturating_sub(1);
@@ -138,7 +139,7 @@ fn interpolate(series: &[Point], at: f64) -> Point {
 mod tests {
     use super::*;
 
-    /// The largest distance between a curve and the lines that are drawn for it, in a plot of this width and height.
+    /// The largest distance between a curve and the lines through `points`, in a plot of this width and height.
     fn largest_distance(points: &[Point], curve: impl Fn(f64) -> f64, (width, height): (f64, f64)) -> f64 {
         let mut farthest = 0.0_f64;
         for pair in points.windows(2) {

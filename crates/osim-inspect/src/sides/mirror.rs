@@ -1,4 +1,4 @@
-//! Mirror images between left and right bodies: sizes of their bones, the axis that changes its sign, and places that belong together.
+//! Mirror images between left and right bodies: sizes of the bones, the axis that changes its sign, and places that are counterparts.
 
 use std::collections::BTreeMap;
 
@@ -21,8 +21,8 @@ impl<'m> BoneSizes<'m> {
         self.model.joint_distances().longest_in_limb(body)
     }
 
-    /// The sizes of the body `left` over those of `right`, along x, y and z: by their meshes, else by the distances between their joints;
-    /// `None` if neither are known.
+    /// The size of the body `left` over the size of `right`, along x, y and z: by their meshes, else by the distances between their joints;
+    /// `None` if neither is known.
     pub(crate) fn ratios(&self, left: &str, right: &str) -> Option<[f64; 3]> {
         self.ratios_of_meshes(left, right).or_else(|| {
             let distances = self.model.joint_distances();
@@ -31,7 +31,8 @@ impl<'m> BoneSizes<'m> {
         })
     }
 
-    /// The ratios of the factors of meshes of the same bone; `None` if there are none, or they differ.
+    /// The ratios of the scale factors of meshes of the same bone; `None` if no bone is in both bodies, or the ratios of several bones
+    /// differ.
     fn ratios_of_meshes(&self, left: &str, right: &str) -> Option<[f64; 3]> {
         let meshes = self.model.mesh_factors();
         let (left, right) = (meshes.get(left)?, meshes.get(right)?);
@@ -41,10 +42,10 @@ impl<'m> BoneSizes<'m> {
     }
 }
 
-/// The factors of a left and a right mesh.
+/// The scale factors of a left and a right mesh.
 type FactorPair<'b> = (&'b [f64; 3], &'b [f64; 3]);
 
-/// Pairs the meshes of the same bone: by their names, else by their order.
+/// Pairs the left and right meshes of the same bone: by their names, else by their order.
 fn same_bones<'b>(
     left: &'b BTreeMap<String, [f64; 3]>,
     right: &'b BTreeMap<String, [f64; 3]>,
@@ -57,7 +58,8 @@ fn same_bones<'b>(
     if same_names.is_empty() && left.len() == right.len() { in_order() } else { same_names }
 }
 
-/// Ratios of factors along x, y and z. An axis whose ratio is not a number above 0 gets the mean of the others; `None` if no axis has one.
+/// Ratios of scale factors along x, y and z. An axis without a ratio above 0 gets the mean of the other axes; `None` if no axis has such a
+/// ratio.
 fn left_over_right(left: &[f64; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
     // A mirrored mesh has a negative factor.
     let ratios: [f64; 3] = std::array::from_fn(|axis| (left[axis] / right[axis]).abs());
@@ -75,16 +77,17 @@ pub(crate) fn close(value: f64, expected: f64) -> bool {
 
 // Which axis of the frames of two bodies changes its sign from one side to the other.
 
-/// Frames of two bodies are mirror images if their joints and centres of mass are this close, as a part of the limb's longest bone.
+/// Frames of two bodies are mirror images if their joints and centres of mass agree within this part of the limb's longest bone.
 const CERTAIN_MIRROR: f64 = 0.05;
-/// Up to this part of the longest bone, a pair of bodies gets the mirror that fits most bodies: bones of some people differ that much, and
-/// some models do not mirror centres of mass.
+/// If joints and centres of mass of a pair of bodies only agree within this part of the longest bone, the pair gets the mirror that fits
+/// most bodies. The bones of some people differ as much, and some models do not mirror centres of mass.
 const LIKELY_MIRROR: f64 = 0.15;
-/// A mirror in x or y must be closer by this factor than the one in z, because a body with all joints in one plane fits several mirrors.
+/// A mirror in x or y must fit better than the mirror in z by this factor, because a body with all joints in one plane fits several
+/// mirrors.
 const CLEARLY_CLOSER: f64 = 0.5;
 
-/// The signs of possible mirrors. OpenSim's models have z to the right on both sides, so the mirror in z is the first; some models have another
-/// lateral axis, and some have a left frame in which all three axes are reversed.
+/// The signs of the possible mirrors. OpenSim's models have z to the right on both sides, so the mirror in z is the first. Some models have
+/// another lateral axis, and in some all three axes of the left frame are reversed.
 const MIRRORS: [DVec3; 4] =
     [DVec3::new(1.0, 1.0, -1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(-1.0, 1.0, 1.0), DVec3::NEG_ONE];
 
@@ -96,16 +99,17 @@ const MIRRORS: [DVec3; 4] =
 pub(crate) struct BodyPair<'m> {
     pub right: &'m str,
     pub left: &'m str,
-    /// The signs by which places in the right frame become places in the left one; `None` if the frames are not mirror images.
+    /// The signs by which a place in the right frame becomes its mirror image in the left frame; `None` if the frames are not mirror
+    /// images.
     signs: Option<DVec3>,
-    /// Sizes of the left bones over those of the right ones.
+    /// Sizes of the left bones over the sizes of the right bones.
     sizes: Option<DVec3>,
     /// Length of the longest bone of the limb, m.
     pub bone_m: Option<f64>,
 }
 
 impl BodyPair<'_> {
-    /// The mirror images on the left body of a place on the right one: at the same distance, and scaled by the sizes of the bones.
+    /// The two mirror images on the left body of a place on the right body: without scaling, and scaled by the sizes of the bones.
     pub(crate) fn images(&self, right_m: DVec3) -> Option<[DVec3; 2]> {
         let mirrored = self.signs? * right_m;
         Some([mirrored, self.sizes.unwrap_or(DVec3::ONE) * mirrored])
@@ -118,12 +122,12 @@ impl BodyPair<'_> {
         reversed.next().filter(|_| reversed.next().is_none())
     }
 
-    /// The distance of a place on the left body from the nearest mirror image of one on the right body, m.
+    /// The distance of a place on the left body from the nearest mirror image of a place on the right body, m.
     pub(crate) fn apart_m(&self, right_m: DVec3, left_m: DVec3) -> Option<f64> {
         nearest_distance(self.images(right_m)?, left_m)
     }
 
-    /// The axis whose sign is wrong on one body: with the other sign the places are mirror images within `within_m`.
+    /// The axis whose sign is wrong in one of two places: with the other sign the places are mirror images within `within_m`.
     pub(crate) fn axis_with_wrong_sign(&self, right_m: DVec3, left_m: DVec3, within_m: f64) -> Option<char> {
         let images = self.images(right_m)?;
         let axis = (0..3).find(|&axis| {
@@ -141,18 +145,18 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
 
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
-    /// Bodies by the name without its side; sorted, so that sums have the same last bit in each run.
+    /// Pairs of bodies by their common name without the side. Sorted, so that sums have the same last bit in each run.
     by_name: BTreeMap<String, SameName>,
     /// The signs of the mirror that fits most bodies.
     common_mirror: DVec3,
 }
 
-/// A right and a left body whose names only differ in the side.
+/// A right and a left body whose names differ only in the side.
 #[derive(Debug, Default)]
 struct SameName {
     right: Option<String>,
     left: Option<String>,
-    /// Centres of mass and joints that both have, in the right and in the left frame, m.
+    /// Centres of mass and joints that both bodies have, in the right and in the left frame, m.
     landmarks: Vec<(DVec3, DVec3)>,
 }
 
@@ -190,7 +194,7 @@ impl BodyPairs {
         all.any(|names| if side == Side::Right { &names.right } else { &names.left }.is_some())
     }
 
-    /// The pair to which `body` belongs; `None` if it has no counterpart.
+    /// The pair to which `body` belongs; `None` if `body` has no counterpart.
     pub(crate) fn pair(&self, body: &str, bones: &BoneSizes<'_>) -> Option<BodyPair<'_>> {
         let bodies = self.by_name.get(&without_side(body))?;
         let (right, left) = bodies.left_and_right()?;
@@ -229,11 +233,11 @@ fn common_mirror(bodies: &BTreeMap<String, SameName>) -> DVec3 {
     best.map_or(MIRRORS[0], |(_, signs)| signs)
 }
 
-/// A point of a body that has a counterpart on the other side.
+/// A point of a body, which is compared with the same point of the body on the other side.
 #[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Landmark {
     CentreOfMass,
-    /// A joint, by its name without its side; to the parent, or below the body.
+    /// A joint, by its name without its side. `is_below` says whether it leads to a child of the body and not to its parent.
     Joint {
         name: String,
         is_below: bool,
@@ -262,7 +266,8 @@ fn landmarks<'m>(model: &Model, paired: &HashSet<&'m str>) -> HashMap<&'m str, B
     landmarks
 }
 
-/// At most so many places near a place are compared. More in so small a space are not those of a foot.
+/// The largest number of places near a place that are compared. If there are more in such a small space, they are not the spheres of a
+/// foot.
 const MOST_NEIGHBOURS: usize = 64;
 
 /// Pairs places, as indices of `images` and `others`, that are at most `within_m` apart: the nearest ones first, each place once.
@@ -299,7 +304,7 @@ fn keep_first_pairs(
     chosen
 }
 
-/// Places sorted into cubes of space, so that near ones are found without comparing all.
+/// Places sorted into cubes of space, so that near places are found without comparing all.
 struct Grid {
     cube_m: f64,
     cubes: HashMap<[i64; 3], Vec<(usize, DVec3)>>,

@@ -15,7 +15,7 @@ use crate::sides::mirror::{BodyPairs, BoneSizes, close};
 use crate::sides::pairs::{SetsBySphere, SpherePairs, UnpairedSphere};
 pub(crate) use pairs::{SAME_PLACE_OF_BONE, SideSphere, SpherePair, place_key};
 
-/// The contacts of both sides of a model, paired by mirrored places.
+/// The contacts of both sides of a model. Spheres at mirrored places are paired.
 #[derive(Debug)]
 pub struct BothSides<'m> {
     pub(crate) model: &'m Model,
@@ -25,9 +25,9 @@ pub struct BothSides<'m> {
     bodies: &'m BodyPairs,
     majorities: Majorities<'m>,
     pub(crate) pairs: Vec<SpherePair<'m>>,
-    /// Spheres without a counterpart, if both sides have spheres.
+    /// Spheres without a counterpart, if both sides have spheres; else empty.
     pub(crate) unpaired: Vec<UnpairedSphere<'m>>,
-    /// All spheres, if only one side has some although both have bodies.
+    /// All spheres, if only one side has spheres although both sides have bodies; else empty.
     pub(crate) one_side: Vec<SideSphere<'m>>,
     /// Pairs of parameter sets, in the order of the forces on the left.
     set_pairs: Vec<SetPair<'m>>,
@@ -83,7 +83,7 @@ impl<'m> BothSides<'m> {
         self.set_pairs.iter().map(force_on_side).collect::<BTreeSet<ForceId>>().into_iter().collect()
     }
 
-    /// Whether the bones that carry the spheres of `left` have another size than those that carry the spheres of `right`.
+    /// Whether the bones that carry the spheres of `left` have another size than the bones that carry the spheres of `right`.
     pub(crate) fn bones_differ(&self, left: &Force, right: &Force) -> bool {
         let sets = self.set_pairs_of(left).iter().filter(|pair| pair.right.0.id == right.id);
         let spheres = sets.flat_map(|pair| &pair.spheres);
@@ -94,8 +94,8 @@ impl<'m> BothSides<'m> {
         })
     }
 
-    /// The side whose numbers are unlike those of most other contacts of the model, if `left` and its counterpart differ; `None` if there is no
-    /// such majority.
+    /// The side whose numbers are unlike most other contacts of the model, if `left` and its counterpart differ; `None` if no such majority
+    /// exists.
     pub fn odd_side(&self, left: &Force) -> Option<Side> {
         let all = self.set_pairs_of(left).iter().flat_map(|pair| self.differences_of(pair));
         let mut odd = all.filter(|difference| !difference.is_small).map(|difference| difference.odd);
@@ -103,7 +103,7 @@ impl<'m> BothSides<'m> {
         odd.all(|side| side == Some(first)).then_some(first)
     }
 
-    /// The parameter sets of `left` with their counterparts.
+    /// The parameter sets of `left`, each with its counterpart on the right.
     fn set_pairs_of(&self, left: &Force) -> &[SetPair<'m>] {
         let start = self.set_pairs.partition_point(|pair| pair.left.0.id < left.id);
         let end = self.set_pairs.partition_point(|pair| pair.left.0.id <= left.id);
@@ -134,7 +134,7 @@ impl<'m> BothSides<'m> {
         self.sets_by_sphere.applies(sphere.id)
     }
 
-    /// All moving spheres that meet a floor, in file order, with their bodies and their centres in these, m.
+    /// All moving spheres that meet a floor, in file order, each with its body and the centre in this body's frame, m.
     pub(crate) fn spheres(&self) -> impl Iterator<Item = (&'m Sphere, &'m str, DVec3)> {
         self.sets_by_sphere.spheres(self.model)
     }
@@ -168,32 +168,32 @@ fn pair_sets<'m>(pairs: &[SpherePair<'m>], sets_by_sphere: &SetsBySphere<'m>) ->
 
 /// A relative difference of radii up to this is small. Radii of published models differ by up to 5.7 % between the sides.
 const SMALL_RADIUS_DIFFERENCE: f64 = 0.1;
-/// Radii differ as their bones do if their ratio is this close to a ratio of the bones, relatively.
+/// A ratio of radii follows a ratio of bones if the two ratios differ by at most this, relatively.
 const FOLLOWS_BONES: f64 = 0.01;
-/// A ratio of transition velocities up to this is small. They differ by 5 % in one published model, and by 200 times in models with a typing
-/// mistake.
+/// A ratio of transition velocities up to this is small. The velocities differ by 5 % in one published model, and by 200 times in models
+/// with a typing mistake.
 const SMALL_VELOCITY_RATIO: f64 = 1.2;
 
 /// A number that differs between the sides.
 #[derive(Debug, Clone)]
 pub(crate) struct SideDifference {
-    /// Words that follow "differ: " in the finding.
+    /// The difference in words that follow "differ: " in the finding.
     pub text: String,
-    /// Whether sides of published models differ as much.
+    /// Whether the sides of published models differ by as much.
     pub is_small: bool,
     /// The side that is unlike most other contacts of the model, if it is known.
     pub odd: Option<Side>,
 }
 
-/// The numbers that most contacts of a model have: they show which of two sides is wrong.
+/// The numbers that most contacts of a model have. They show which of two sides is wrong.
 #[derive(Debug)]
 pub(crate) struct Majorities<'m> {
     model: &'m Model,
-    /// How many numbers differ; counted when the first difference is found.
+    /// The counts of all numbers; they are made when the first difference is found.
     counts: OnceCell<NumberCounts>,
 }
 
-/// How often each number and each property is in a model.
+/// How often each number, and each property, occurs in the contacts of a model.
 #[derive(Debug, Default)]
 struct NumberCounts {
     by_number: HashMap<(Property, u64), usize>,
@@ -227,7 +227,7 @@ impl<'m> Majorities<'m> {
         Self { model, counts: OnceCell::new() }
     }
 
-    /// How many other contacts have the number of `value`, if that is more than half of those that are not compared.
+    /// The number of other contacts with the number of `value`, if these are more than half of the contacts that are not compared.
     fn majority_with(&self, value: &Value) -> Option<usize> {
         let counts = self.counts.get_or_init(|| NumberCounts::of(self.model));
         let count = counts.by_number.get(&(value.property, value.number.to_bits()))?.saturating_sub(1);
@@ -235,7 +235,7 @@ impl<'m> Majorities<'m> {
         (2 * count > others).then_some(count)
     }
 
-    /// The difference of `left` and `right`, in the words `what`, with the side that is unlike the others.
+    /// The difference of `left` and `right`, in the words `what`, with the side that is unlike most other contacts.
     fn difference(&self, (left, right): (&Value, &Value), what: &str, is_small: bool) -> SideDifference {
         let with_right = self.majority_with(right).map(|count| (Side::Left, count, right.number));
         let with_left = || self.majority_with(left).map(|count| (Side::Right, count, left.number));
@@ -249,7 +249,7 @@ impl<'m> Majorities<'m> {
     }
 }
 
-/// The values of a set, and the transition velocity of its force.
+/// The values of a parameter set, and the transition velocity of its force.
 fn values_of_set<'m>(force: &'m Force, set: &'m ParameterSet) -> impl Iterator<Item = &'m Value> {
     let of_force = set.value(Property::TransitionVelocity).is_none().then_some(&force.transition_velocity);
     set.values.iter().chain(of_force)
@@ -265,7 +265,7 @@ pub(crate) struct SetPair<'m> {
 }
 
 impl SetPair<'_> {
-    /// Numbers of the left set that are neither equal to those of the right set nor follow from different radii.
+    /// The numbers of the left set that are not equal to those of the right set, and do not follow from different radii.
     pub(crate) fn differing_values(&self, model: &Model, majorities: &Majorities<'_>) -> Vec<SideDifference> {
         let ratios = self.radius_ratios(model);
         let right =
@@ -304,7 +304,7 @@ impl SetPair<'_> {
     }
 }
 
-/// The factor of a parameter if only radii change.
+/// The factor of a parameter if only the radius changes.
 fn radius_factor(property: Property, ratios: &Ratios) -> Option<f64> {
     Some(match property {
         Property::Stiffness => ratios.plane_strain_modulus(),
@@ -318,7 +318,7 @@ fn radius_factor(property: Property, ratios: &Ratios) -> Option<f64> {
     })
 }
 
-/// The difference of the radii of a pair, unless they are equal or differ as their bones do.
+/// The difference between the radii of a pair, unless the radii are equal or differ as the bones do.
 fn radius_difference(
     pair: &SpherePair<'_>,
     bones: &BoneSizes<'_>,
@@ -343,7 +343,7 @@ fn radius_difference(
     Some(majorities.difference((&left.radius, &right.radius), &what, is_small))
 }
 
-/// The relative distance of `ratio` from the nearest of `expected`.
+/// The relative distance of `ratio` from the nearest number in `expected`.
 fn distance_from_nearest(ratio: f64, expected: &[f64]) -> f64 {
     expected.iter().map(|expected| (ratio / expected - 1.0).abs()).fold(f64::INFINITY, f64::min)
 }

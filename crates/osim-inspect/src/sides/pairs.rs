@@ -1,5 +1,5 @@
-//! Pairs the spheres of the two sides by their places. Names alone are not enough, because some models number the spheres of left and right
-//! differently.
+//! Pairs the spheres of the two sides by their places. Names alone are not enough, because some models number the left and the right
+//! spheres differently.
 
 use std::collections::BTreeMap;
 
@@ -8,10 +8,10 @@ use osim_model::{DVec3, Force, Model, ParameterSet, Side, Sphere, SphereId, with
 
 use crate::sides::mirror::{BodyPair, BodyPairs, BoneSizes, pair_nearest};
 
-/// Spheres up to this part of the limb's longest bone from each other's mirror image are at the same place. Published pairs are at most 0.023
-/// apart.
+/// Two spheres are at the same place if one is at most this part of the limb's longest bone from the mirror image of the other. Published
+/// pairs are at most 0.023 apart.
 pub(crate) const SAME_PLACE_OF_BONE: f64 = 0.03;
-/// Up to so many spheres of a body are paired by distance although they are far apart and have different names.
+/// At most this many spheres of a body are paired by distance although they are far apart and have different names.
 const MOST_BY_DISTANCE: usize = 32;
 
 /// A sphere on the right and its counterpart on the left.
@@ -19,7 +19,7 @@ const MOST_BY_DISTANCE: usize = 32;
 pub(crate) struct SpherePair<'m> {
     pub right: SideSphere<'m>,
     pub left: SideSphere<'m>,
-    /// Their bodies, if the bodies are counterparts, too.
+    /// The bodies of the two spheres, if these bodies are counterparts, too.
     pub bodies: Option<BodyPair<'m>>,
 }
 
@@ -63,8 +63,8 @@ impl<'m> SpherePairs<'m> {
         result
     }
 
-    /// Pairs spheres on bodies that are not counterparts: by their names, or the only two. The side of a sphere is the one in its name, because
-    /// its body can be on the wrong side.
+    /// Pairs spheres on bodies that are not counterparts: by their names, or the only two spheres. The side of a sphere is the side in its
+    /// name, because its body can be on the wrong side.
     fn pair_across_bodies(&mut self, left_over: Vec<UnpairedSphere<'m>>) {
         let side = |unpaired: &UnpairedSphere<'_>| {
             Side::of_name(&unpaired.sphere.sphere.name).unwrap_or(unpaired.sphere.side)
@@ -85,7 +85,7 @@ impl<'m> SpherePairs<'m> {
     }
 }
 
-/// The spheres of two bodies that are counterparts, as long as they are not paired.
+/// The spheres of two bodies that are counterparts. Spheres that are paired are taken out.
 struct UnpairedOfBodies<'m> {
     pair: BodyPair<'m>,
     right: Vec<SideSphere<'m>>,
@@ -93,7 +93,7 @@ struct UnpairedOfBodies<'m> {
 }
 
 impl<'m> UnpairedOfBodies<'m> {
-    /// Pairs spheres by place, then by name, then by distance, then by order, and takes them out.
+    /// Pairs spheres by place, then by name, then by distance, then by order. Takes the paired spheres out.
     fn take_pairs(&mut self) -> Vec<SpherePair<'m>> {
         let mut pairs = self.take_same_places();
         pairs.extend(take_same_names(&mut self.right, &mut self.left, |placed| &placed.sphere.name));
@@ -108,7 +108,7 @@ impl<'m> UnpairedOfBodies<'m> {
             .collect()
     }
 
-    /// Spheres up to this far apart are at the same place, m.
+    /// The largest distance, m, of two spheres at the same place.
     fn same_place_m(&self) -> f64 {
         let radius_m = || self.left.first().map_or(0.0, |placed| placed.sphere.radius.number);
         self.pair.bone_m.map_or_else(radius_m, |bone_m| SAME_PLACE_OF_BONE * bone_m)
@@ -118,7 +118,7 @@ impl<'m> UnpairedOfBodies<'m> {
         self.take_within(self.same_place_m())
     }
 
-    /// Pairs spheres however far apart they are, the nearest ones first.
+    /// Pairs spheres at any distance, the nearest spheres first.
     fn take_nearest(&mut self) -> Vec<(SideSphere<'m>, SideSphere<'m>)> {
         let all = self.right.iter().chain(&self.left).flat_map(|placed| placed.place_m.to_array());
         let farthest_m = all.map(f64::abs).fold(0.0, f64::max);
@@ -143,7 +143,7 @@ impl<'m> UnpairedOfBodies<'m> {
     }
 }
 
-/// Takes pairs with equal names, apart from the side, out of both lists; of several with one name the first.
+/// Takes pairs with equal names, apart from the side, out of both lists. Of several with the same name, it takes the first.
 fn take_same_names<T: Copy>(right: &mut Vec<T>, left: &mut Vec<T>, name: impl Fn(&T) -> &str) -> Vec<(T, T)> {
     let mut right_by_name: HashMap<String, usize> = HashMap::new();
     for (index, one) in right.iter().enumerate() {
@@ -166,7 +166,7 @@ fn take_matched<T: Copy>(right: &mut Vec<T>, left: &mut Vec<T>, pairs: &[(usize,
     taken
 }
 
-/// Places on one body that are this close are the same, m.
+/// Places on one body that are at most this far apart are the same, m.
 const SAME_PLACE_M: f64 = 1e-6;
 
 /// A sphere that meets a floor, on a body whose name has a side.
@@ -179,7 +179,7 @@ pub(crate) struct SideSphere<'m> {
     pub place_m: DVec3,
 }
 
-/// For each sphere the parameter sets by which it meets a floor, in file order.
+/// For each sphere, the parameter sets by which it meets a floor, in file order.
 #[derive(Debug)]
 pub(crate) struct SetsBySphere<'m>(BTreeMap<SphereId, Vec<(&'m Force, &'m ParameterSet)>>);
 
@@ -198,7 +198,7 @@ impl<'m> SetsBySphere<'m> {
         self.0.get(&sphere).map(Vec::as_slice).unwrap_or_default()
     }
 
-    /// Whether a force of `sphere` is switched on.
+    /// Whether a force that presses `sphere` is switched on.
     pub(crate) fn applies(&self, sphere: SphereId) -> bool {
         self.get(sphere).iter().any(|(force, _)| force.applies)
     }
@@ -209,7 +209,7 @@ impl<'m> SetsBySphere<'m> {
         spheres.filter_map(|sphere| Some((sphere, sphere.body.as_deref()?, model.centre_m(sphere.id)?)))
     }
 
-    /// The moving spheres on bodies whose name has a side. Of several at one place the first counts.
+    /// The moving spheres on bodies whose name has a side. Of several spheres at one place, only the first counts.
     pub(crate) fn spheres_on_sides(&self, model: &'m Model) -> Vec<SideSphere<'m>> {
         let mut seen = HashSet::new();
         let on_side = |(sphere, body, place_m)| {
@@ -220,7 +220,7 @@ impl<'m> SetsBySphere<'m> {
     }
 }
 
-/// A key that is equal for places that are the same.
+/// A key for a place. Places that are the same have the same key.
 #[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
 pub(crate) fn place_key(place_m: DVec3) -> [i64; 3] {
     place_m.to_array().map(|value| (value / SAME_PLACE_M).round() as i64)

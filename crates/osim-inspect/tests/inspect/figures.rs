@@ -1,4 +1,4 @@
-//! The figures of spheres that stand, each against a number that was computed elsewhere.
+//! Figures of spheres under the body weight, each compared with a number that was computed without this library.
 
 #![allow(
     clippy::unwrap_used,
@@ -15,14 +15,14 @@ use osim_inspect::{Figure, Figures, InspectOptions, Inspection, SphereFigures, S
 use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{Model, Pattern, Selection};
 
-/// 62 kg on 6 spheres a foot, all alike.
+/// A model of 62 kg on 6 equal spheres on each foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
-/// 61.5 kg on one sphere of 0.0325 m, which two smooth forces press: E₁* of 1.2345678 and 2 MPa.
+/// A model of 61.5 kg on one sphere of 0.0325 m, which two smooth forces press, with E₁* of 1.2345678 and 2 MPa.
 const TWO_FORCES: &str = include_str!("../../../../fixtures/format/shared_sphere.osim");
-/// A model with a force of each class on one sphere.
+/// A model in which a `SmoothSphereHalfSpaceForce` and a `HuntCrossleyForce` press the same sphere.
 const TWO_CLASSES: &str = include_str!("../../../../fixtures/format/shared_sphere_two_classes.osim");
-/// Two feet whose names do not say which is the left one.
+/// A model with two feet whose names do not say which one is the left foot.
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn inspect_with(text: &str, stance: Stance) -> Inspection {
@@ -122,7 +122,7 @@ fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
     assert!(figures.why_no_body_weight.is_none());
 }
 
-/// A floor that rises by 3 over 4: 0.8 of the weight presses on it, whatever its direction. Speeds of impact stay those of a fall.
+/// On a floor that rises by 3 over 4, 0.8 of the weight presses, in whatever direction it rises. Impact speeds are those of a free fall.
 #[test]
 fn on_a_slope_the_part_of_the_weight_along_its_normal_presses() {
     const LEVEL: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
@@ -150,7 +150,7 @@ fn on_a_slope_the_part_of_the_weight_along_its_normal_presses() {
     }
 }
 
-/// The same foot on a joint to ground, its toe 4 mm higher than its heel.
+/// The foot with heel and toe, on a joint to ground; the toe is 4 mm higher than the heel.
 fn foot_with_a_high_toe() -> String {
     let joint = "<JointSet><objects><FreeJoint name=\"root\"><socket_parent_frame>/ground</socket_parent_frame>\
                  <socket_child_frame>/bodyset/foot_r</socket_child_frame></FreeJoint></objects></JointSet></Model>";
@@ -320,7 +320,7 @@ fn a_limb_without_a_chosen_sphere_has_no_figures() {
     assert_eq!(limbs, [Some("left")]);
 }
 
-/// Why no figure under body weight is known.
+/// The reason why figures under body weight are absent.
 #[track_caller]
 fn why_absent(figures: &Figures) -> String {
     assert!(figures.spheres().all(|sphere| sphere.value(Figure::Load).is_none()));
@@ -368,7 +368,7 @@ fn one_sphere_may_carry_all_the_weight() {
     assert!(seen.why_no_body_weight.is_none());
 }
 
-/// A front end that shouts.
+/// A front end that writes all texts in capital letters.
 struct Loud;
 
 impl Dialect for Loud {

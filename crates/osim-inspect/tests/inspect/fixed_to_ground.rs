@@ -1,11 +1,12 @@
-//! Bodies welded to ground: which are fixed objects, and which belong to the animal. `tests/oracle` sums the same bodies of fixtures and published models.
+//! Bodies welded to ground: which of them are fixed objects, and which belong to the animal. `tests/oracle` adds up the same bodies in
+//! fixtures and published models.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use osim_inspect::model_findings;
 use osim_model::{FindingCode, MassRequest, Model};
 
-/// Bodies of 1, 2, 4, ... kg with these names, and joints of class, parent and child.
+/// A model with bodies of 1, 2, 4, ... kg with these names, and joints, each given by class, parent and child.
 fn model_of_bodies(bodies: &[&str], joints: &[(&str, &str, &str)]) -> Model {
     let bodies = bodies.iter().enumerate();
     let bodies: String = bodies

@@ -1,4 +1,4 @@
-//! n, the spheres that share the weight, is the same whichever forces were chosen.
+//! The number n of spheres that share the weight is the same whichever forces were chosen.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -7,11 +7,11 @@ use osim_inspect::{Figure, InspectOptions, LoadSharing, Stance};
 use osim_model::files::Failure;
 use osim_model::{CountedSpheres, Fault, ForceId, Model, Pattern, Selection};
 
-/// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m²: Table 1 of the paper, where x̂ is 0.353.
+/// A human of 62 kg on 6 spheres on each foot, R = 0.032 m, E₁* = 1e6 N/m²: Table 1 of the paper, where x̂ is 0.353.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
-/// A player on two feet, and a ball that is joined to ground by itself.
+/// A player on two feet, and a ball with its own joint to ground.
 const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_and_ball.osim");
-/// Limbs with different numbers of spheres.
+/// A model whose limbs have different numbers of spheres.
 const UNEQUAL: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
 
 fn options_selecting(pattern: &str) -> InspectOptions {

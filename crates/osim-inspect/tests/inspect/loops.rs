@@ -1,12 +1,12 @@
-//! Loops of joints, and joints that OpenSim ignores. What it makes of each was seen in OpenSim 4.6; `tests/oracle/test_words.py` asks
-//! it again.
+//! Loops of joints, and joints that OpenSim ignores. The expected results were seen in OpenSim 4.6; `tests/oracle/test_words.py` compares
+//! with OpenSim again.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_inspect::model_findings;
 use osim_model::{MassRequest, Model};
 
-/// Bodies a, b and c of 10, 20 and 40 kg in a loop that a joint between b and c closes.
+/// A model with bodies a, b and c of 10, 20 and 40 kg in a loop. The joint between b and c, of class `class`, closes the loop.
 fn loop_closed_by(class: &str) -> Model {
     let bodies = [("a", 10), ("b", 20), ("c", 40)];
     let bodies = bodies.map(|(name, kg)| format!("<Body name='{name}'><mass>{kg}</mass></Body>")).concat();

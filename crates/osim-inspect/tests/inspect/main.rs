@@ -1,4 +1,4 @@
-//! The tests of `osim-inspect` from outside, in one program: each that is linked takes a second.
+//! The tests of the public functions of `osim-inspect`, in one program, because linking each program takes a second.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 

@@ -1,11 +1,12 @@
-//! What paths mean where objects have odd names. The expected paths are those of the real OpenSim 4.6; tests/oracle/names.py makes many more.
+//! The meaning of paths in models whose objects have odd names. The expected paths are those of the real OpenSim 4.6; tests/oracle/names.py
+//! makes many more.
 
 use osim_inspect::model_findings;
 use osim_model::{FindingCode, Model};
 
 use crate::random::{Random, seeds};
 
-/// A foot called `foot` with a sphere of 0.0325 m and a floor, and the text of what is behind its sets.
+/// The text of a model: a foot called `foot` with a sphere of 0.0325 m and a floor. `behind` is added after its sets.
 fn foot_model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
     let (ground, frame) = match version {
         30000 => ("<body_name>ground</body_name>".to_owned(), format!("<body_name>{foot}</body_name>")),
@@ -25,7 +26,7 @@ fn foot_model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &s
     )
 }
 
-/// Path, body and radius of the sphere that the force presses, and what was found.
+/// Path, body and radius of the sphere that the force presses, and the codes of the findings.
 #[track_caller]
 fn pressed(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>) {
     let model = Model::parse(text).unwrap();
@@ -100,7 +101,7 @@ fn a_name_that_opensim_refuses_is_said() {
     }
 }
 
-/// Names of sets, classes and other objects, and odd ones; without blanks and slashes, which not every version keeps.
+/// Names of objects: names of sets and classes, and odd names. They have no blanks and slashes, because not every version keeps these.
 const ODD: [&str; 24] = [
     "bodyset",
     "jointset",
@@ -132,7 +133,8 @@ fn escaped(name: &str) -> String {
     name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// Two feet with a sphere each, with these names, as a document of `version` has them; `list` writes a member of a list of geometry.
+/// The text of a model in document version `version`: two feet with these names and a sphere each. `list` writes an entry in a list of
+/// geometry.
 fn two_feet(
     version: u32,
     feet: [&str; 2],
@@ -183,7 +185,7 @@ fn two_feet(
     )
 }
 
-/// Each force presses the sphere of its name, which is on its own foot, whatever all of them are called.
+/// Each force presses the sphere that it names, and that sphere is on its own foot, whatever the names of all objects are.
 #[test]
 fn by_chance_every_name_leads_to_its_own() {
     for seed in seeds() {

@@ -1,4 +1,4 @@
-//! Places that are damaged in published models are named, by every kind of damage that a table makes.
+//! Each kind of damage to the places of spheres in published models gives a finding.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use osim_inspect::model_findings;
 use osim_model::{Finding, FindingCode, Model, Side};
 
-/// Published models with spheres on bodies of both sides, by name; none where the corpus is not there.
+/// Published models with spheres on bodies of both sides, with their names; empty if the corpus is absent.
 fn published_models() -> Vec<(String, String)> {
     let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from).filter(|folder| folder.is_dir())
     else {
@@ -35,7 +35,7 @@ fn published_models() -> Vec<(String, String)> {
     found
 }
 
-/// `text` with the place of each sphere changed; `change` has the sphere's name, too.
+/// The model `text` with the place of each sphere changed. `change` gets the name and the place of the sphere.
 fn with_moved_spheres(text: &str, change: impl Fn(&str, [f64; 3]) -> [f64; 3]) -> String {
     let mut new = String::new();
     for (number, part) in text.split("<ContactSphere ").enumerate() {
@@ -61,7 +61,7 @@ fn finding_codes(text: &str) -> BTreeSet<FindingCode> {
     model_findings(&Model::parse(text).unwrap()).iter().map(Finding::code).collect()
 }
 
-/// Models that lack `code` after a change of all places; each model has it, or is in `spared`.
+/// Asserts that each published model has the finding `code` after a change of all places, except the models `spared`.
 #[track_caller]
 fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 3]) -> [f64; 3]) {
     let models = published_models();

@@ -1,4 +1,4 @@
-//! What is known of each figure apart from its value: its limit, its name in JSON, its heading in a table.
+//! The properties of each figure apart from its value: its limit, its name in JSON, its heading in a table.
 
 #![allow(
     clippy::unwrap_used,
@@ -12,7 +12,7 @@ use crate::feet::{HEEL, Smooth, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, LimitCheck, SphereFigures};
 use osim_model::Model;
 
-/// Two feet whose names do not say which is the left one.
+/// A model with two feet whose names do not say which one is the left foot.
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn figures(text: &str) -> Figures {

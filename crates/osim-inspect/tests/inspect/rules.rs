@@ -1,12 +1,12 @@
-//! What one model shows by itself, in the order of the table of rules. What OpenSim makes of odd numbers was seen in OpenSim 4.6;
-//! `tests/oracle/test_words.py` asks it again.
+//! Findings about one model alone, in the order of the table of rules. What OpenSim makes of odd numbers was seen in OpenSim 4.6;
+//! `tests/oracle/test_words.py` compares with OpenSim again.
 
 use osim_inspect::model_findings;
 use osim_model::{Companion, Document, Model};
 
 const FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
-/// A fixture of `format/`.
+/// The text of the model `file` in the folder `format/` of the fixtures.
 #[track_caller]
 fn fixture(file: &str) -> String {
     let path = format!("{}/../../fixtures/format/{file}.osim", env!("CARGO_MANIFEST_DIR"));
@@ -83,7 +83,7 @@ fn a_set_beside_its_model_shows_what_the_model_shows() {
     }
 }
 
-/// The findings about numbers of the one sphere's location, or of gravity where `tag` is that.
+/// The findings about the numbers `text` in the place of a model's only sphere, or in its gravity if `tag` is gravity.
 fn codes_and_messages(tag: &str, text: &str) -> Vec<(&'static str, String)> {
     let (radius, gravity) = ("<radius>0.03</radius>", "<gravity>0 -9.81 0</gravity>");
     let element = format!("<{tag}>{text}</{tag}>");

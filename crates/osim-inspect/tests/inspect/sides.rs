@@ -1,4 +1,4 @@
-//! Left and right: what is damaged on one side is named, and models that are as they should be are not.
+//! Left and right: damage on one side gives a finding, and right models get no such finding.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -8,19 +8,20 @@ use osim_inspect::{BothSides, model_findings};
 use osim_model::files::{CompanionPaths, Files, InMemory, ModelFiles};
 use osim_model::{Finding, FindingCode, Model, Severity, Side};
 
-/// Two legs of four bodies: a heel and a ball on the calcaneus, the ball in a frame of its own that is turned, and toes.
+/// A model with two legs of four bodies. The calcaneus has a heel sphere and a ball sphere, whose own frame is turned; the toes have
+/// spheres, too.
 const HUMAN: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/scale_tool/generic_hunt_crossley.osim");
-/// Published contacts, six spheres a foot.
+/// A model with published contacts, six spheres on each foot.
 const PUBLISHED: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
 const SPHERE: &str = "ContactSphere";
 const SMOOTH: &str = "SmoothSphereHalfSpaceForce";
-/// The fixture's spellings of 0.032 and 0.2.
+/// The texts of 0.032 and 0.2 in the fixture.
 const RADIUS: &str = "0.032000000000000001";
 const SPEED: &str = "0.20000000000000001";
 
-/// Codes of the rules about sides, sizes and places.
+/// Codes of the rules about sides, sizes and places of contacts.
 const JUDGED: &[FindingCode] = &[
     FindingCode::DoubledSpheres,
     FindingCode::LeftRightDiffer,
@@ -36,7 +37,7 @@ const JUDGED: &[FindingCode] = &[
     FindingCode::LargeFriction,
 ];
 
-/// The element of `tag` called `name`, with its tags.
+/// The text of the element `tag` called `name`, with its tags.
 #[track_caller]
 fn text_of_element<'t>(text: &'t str, tag: &str, name: &str) -> &'t str {
     let start = text.find(&format!("<{tag} name=\"{name}\">")).unwrap_or_else(|| panic!("no {tag} {name}"));
@@ -44,7 +45,7 @@ fn text_of_element<'t>(text: &'t str, tag: &str, name: &str) -> &'t str {
     &text[start..start + text[start..].find(&end).unwrap() + end.len()]
 }
 
-/// `text` in which `old` is `new` in the element of `tag` called `name`.
+/// The model `text` with `new` instead of `old` in the element `tag` called `name`.
 #[track_caller]
 fn with_edited_element(text: &str, (tag, name): (&str, &str), old: &str, new: &str) -> String {
     let element = text_of_element(text, tag, name);
@@ -52,7 +53,7 @@ fn with_edited_element(text: &str, (tag, name): (&str, &str), old: &str, new: &s
     text.replacen(element, &element.replace(old, new), 1)
 }
 
-/// `text` without the sphere `name` and its force, or with a copy of both that is called `name`_0.
+/// The model `text` without the sphere `name` and its force, or with a copy of both whose name ends in `_0`.
 fn with_sphere_removed_or_copied(text: &str, name: &str, count: usize) -> String {
     let objects = [(SPHERE, name.to_owned()), (SMOOTH, format!("contact_{name}"))];
     objects.iter().fold(text.to_owned(), |text, (tag, name_of)| {
@@ -230,7 +231,7 @@ fn spheres_at_one_place_are_an_error() {
     assert_eq!(found.message.to_string(), "ball_l and ball_l_0 are at the same place of calcn_l");
 }
 
-/// `text` in which the numbers of `property` of the object are `factor` times as large.
+/// The model `text` in which the numbers of `property` of the object are multiplied by `factor`.
 fn with_property_multiplied(text: &str, object: (&str, &str), property: &str, factor: f64) -> String {
     let own = text_of_element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
@@ -240,7 +241,7 @@ fn with_property_multiplied(text: &str, object: (&str, &str), property: &str, fa
     with_edited_element(text, object, &format!(">{old}<"), &format!(">{}<", new.join(" ")))
 }
 
-/// A left foot that is `factor` times as large as the right one, its bones, too, or its spheres alone.
+/// A model whose left foot is `factor` times as large as the right foot: the bones and the spheres, or the spheres alone.
 fn larger_left_foot(factor: f64, with_bones: bool) -> String {
     let mut text = HUMAN.to_owned();
     for name in ["heel_l", "ball_l", "toe_l"] {
@@ -310,7 +311,7 @@ fn a_centre_of_mass_that_is_not_mirrored_turns_no_frame() {
     assert_found(&text, &[]);
 }
 
-/// `text` with the signs of x and z of a triple changed: mirrored in x, where it was mirrored in z.
+/// The model `text` with the signs of x and z of a triple changed: it was mirrored in z, and is then mirrored in x.
 fn with_x_reversed_not_z(text: &str, object: (&str, &str), property: &str) -> String {
     let own = text_of_element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
@@ -345,10 +346,10 @@ fn radii_places_and_friction_in_other_units_are_named() {
     assert!(found.contains(&FindingCode::OddRadius), "{found:?}");
 }
 
-/// The spheres of the fixture.
+/// The names of the spheres in the fixture.
 const SPHERES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
 
-/// `text` with the place of a sphere moved along z, m.
+/// The model `text` with the sphere `name` moved along z by `by_m`, m.
 fn with_sphere_moved(text: &str, name: &str, by_m: f64) -> String {
     let own = text_of_element(text, SPHERE, name);
     let start = own.find("<location>").unwrap() + "<location>".len();
@@ -406,7 +407,7 @@ fn names_of_the_other_side_are_named() {
     assert_eq!(found, "heel_l is on calcn_r, and heel_r on calcn_l; 2 other pairs, too");
 }
 
-/// Codes of findings about sides in the models of a folder that have contacts, by name.
+/// Codes of the findings about sides, for each model with contacts in the folder, by its name.
 fn codes_of_models_in(folder: &Path) -> Vec<(String, BTreeSet<FindingCode>)> {
     let mut paths: Vec<PathBuf> =
         std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();

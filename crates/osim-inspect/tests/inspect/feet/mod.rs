@@ -1,25 +1,25 @@
-//! Feet of 60 kg on a floor, under 10 m/s²: a weight of 600 N.
+//! Models of feet of 60 kg on a floor, under gravity of 10 m/s²: the weight is 600 N.
 
-/// A sphere on the foot, under a `SmoothSphereHalfSpaceForce` that is called `contact_` and its name.
+/// A sphere on the foot. Its `SmoothSphereHalfSpaceForce` is called `contact_` and the name of the sphere.
 #[derive(Clone, Copy)]
 pub struct Smooth {
     pub name: &'static str,
-    /// R, m.
+    /// Radius R, m.
     pub radius: f64,
-    /// E₁*, N/m².
+    /// Composite modulus E₁*, N/m².
     pub stiffness: f64,
-    /// α, s/m.
+    /// Dissipation α, s/m.
     pub dissipation: f64,
-    /// cf, m².
+    /// `constant_contact_force` cf, m².
     pub constant_contact_force: f64,
-    /// bd, 1/m.
+    /// `hertz_smoothing` bd, 1/m.
     pub hertz_smoothing: f64,
-    /// bv, s/m.
+    /// `hunt_crossley_smoothing` bv, s/m.
     pub hunt_crossley_smoothing: f64,
 }
 
-/// A sphere under 600 N that is within every limit: x̂ is 0.0865 and under twice the weight 0.137, (13) gives 0.85 at 0.5 m/s, √cf/R is
-/// 0.02, the transition 0.236 R, and just touching it carries 0.056 of its load.
+/// A sphere under 600 N that is within every limit: x̂ is 0.0865, under twice the weight 0.137; the restitution (13) is 0.85 at 0.5 m/s;
+/// √cf/R is 0.02; the transition width is 0.236 R; a sphere that just touches the floor carries 0.056 of its load.
 pub const SOLE: Smooth = Smooth {
     name: "heel_r",
     radius: 0.05,
@@ -30,7 +30,7 @@ pub const SOLE: Smooth = Smooth {
     hunt_crossley_smoothing: 50.0,
 };
 
-/// A heel whose figures all differ.
+/// A sphere of a heel. Each of its figures has another value.
 pub const HEEL: Smooth = Smooth {
     name: "heel_r",
     radius: 0.05,
@@ -40,7 +40,7 @@ pub const HEEL: Smooth = Smooth {
     hertz_smoothing: 250.0,
     hunt_crossley_smoothing: 0.7,
 };
-/// A toe that differs from it in everything.
+/// A sphere of a toe. Each of its numbers differs from that of [`HEEL`].
 pub const TOE: Smooth = Smooth {
     name: "toe_r",
     radius: 0.03,
@@ -72,7 +72,7 @@ impl Smooth {
         )
     }
 
-    /// The XML of a sphere beside the `others` before it: no two spheres are at one place.
+    /// The XML of this sphere, after `others` spheres before it, at another place than these.
     fn sphere(&self, others: usize) -> String {
         format!(
             "<ContactSphere name=\"{}\">
@@ -85,7 +85,7 @@ impl Smooth {
     }
 }
 
-/// A foot that weighs 600 N, as the text of a model.
+/// The text of a model: a foot that weighs 600 N, with these spheres.
 pub fn foot(spheres: &[Smooth]) -> String {
     let mut text = String::from(
         "<OpenSimDocument Version=\"40000\">
