@@ -1,4 +1,4 @@
-//! A model before and after a planned change: figures, findings and feet of both states, before anything is written.
+//! Inspects and checks a model before and after a planned change: figures, findings and feet, before anything is written.
 
 use osim_inspect::series::ContactBody;
 use osim_inspect::{CheckResult, Figures, InspectOptions, Inspection, ReferenceState, check_model};
@@ -13,24 +13,25 @@ use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::scene::{BodyFall, Scene};
 use crate::{ModelFeet, PreparedChange, prepared_change};
 
-/// Inspections and checks of a model before and after a planned change, in the words of a front end.
+/// Inspections and checks of a model before and after a planned change, with texts in the words of a front end.
 #[derive(Debug)]
 pub struct BeforeAfter {
     /// Inspection and check of the old model.
     pub before: (Inspection, CheckResult),
-    /// Figures of the old contacts under the new weight, if it differs.
+    /// Figures of the old contacts under the new weight, if the weight changes.
     pub before_under_new_weight: Option<Figures>,
-    /// The new model; `None` if nothing changes.
+    /// Inspection and check of the new model; `None` if nothing changes.
     pub after: Option<(Inspection, CheckResult)>,
     /// The model before and after the change, for figures of curves.
     pub bodies: Vec<ContactBody>,
-    /// The feet of both states without their bones, if they were asked for; those of the old state only, if the spheres stay.
+    /// The feet before and after the change, without their bones, if the caller asked for feet. If the spheres stay at their places, only
+    /// the feet before the change.
     pub feet: Vec<ModelFeet>,
-    /// The model or preset that the contacts come from, if they are another body's.
+    /// The model or preset that the contacts come from, if they come from another body.
     pub reference: Option<ReferenceState>,
     /// The new contacts along the recording that they were fitted to, if there is one.
     pub recording: Option<Box<(MotionResult, Vec<MotionRemark>)>>,
-    /// The gravity that the contacts are scaled to, m/s², if the model has another one.
+    /// The gravity that the contacts are scaled to, m/s², if it differs from the gravity of the model.
     pub target_gravity_m_s2: Option<f64>,
 }
 
@@ -124,7 +125,7 @@ fn inspected_and_checked(
     (inspection, trials.with_tried_remedies(&opened.model, check))
 }
 
-/// Whether `plan` changes stiffness and dissipation of all chosen forces. Then no trial plan is needed to know that remedies can.
+/// Whether `plan` changes stiffness and dissipation of all chosen forces. Then remedies can change them, too, and no trial plan is needed.
 fn changes_all_numbers(plan: &Plan, options: &InspectOptions, opened: &OpenModel) -> bool {
     let Ok(selected) = options.selection.apply(&opened.model) else { return false };
     let forces = selected.forces.iter().filter_map(|&id| opened.model.force(id));
@@ -147,7 +148,7 @@ pub struct BeforeAndAfterPlan<'s> {
 }
 
 impl BeforeAndAfterPlan<'_> {
-    /// The model before and after the change for figures of curves, without inspections and checks: fast enough to follow a slider.
+    /// The model before and after the change for figures of curves, without inspections and checks. This is fast enough to follow a slider.
     pub fn bodies(self) -> Vec<ContactBody> {
         let old = drawn_body("before", &self.change.options, &self.opened.model, self.opened);
         let new =
@@ -160,7 +161,7 @@ impl BeforeAndAfterPlan<'_> {
         Some(Scene::of(self.changed?, &self.options_after()))
     }
 
-    /// How one body, the one that the new contacts are for, falls on the old contacts and on the new ones.
+    /// How the body for which the new contacts are made falls: on the old contacts, and on the new contacts.
     pub fn falls(self) -> Vec<BodyFall> {
         let Some(changed) = self.changed else { return Vec::new() };
         let after = self.options_after();
@@ -178,7 +179,7 @@ impl BeforeAndAfterPlan<'_> {
     }
 }
 
-/// A state of the model that was `opened`, for figures of curves.
+/// A model in one state, before or after the change, for figures of curves. `opened` is the model before it.
 pub(crate) fn drawn_body(
     name: &str,
     options: &InspectOptions,

@@ -1,4 +1,4 @@
-//! A body that falls on its contacts: the fall, and the register of what it shows.
+//! Drop tests: a body falls on its contacts. Has the register of the figures of a drop.
 
 use std::path::Path;
 
@@ -22,15 +22,15 @@ use crate::opening::Subject;
 /// Result of a drop test.
 #[derive(Debug, Clone)]
 pub struct DropResult {
-    /// The model, the preset, or that it was given by numbers.
+    /// The name of the model or preset, or a text that the drop was given by numbers.
     pub name: FileName,
     pub values: DropValues,
-    /// n, spheres that share the weight.
+    /// Number n of spheres that share the weight.
     pub sphere_count: f64,
     pub report: DropReport,
-    /// The difference from another drop, if the request compares with one.
+    /// Comparison with another drop, if the request names one.
     pub compared: Option<ComparedDrop>,
-    /// Bodies that weigh something else than their contacts were made for, each with its name.
+    /// The bodies whose mass differs from the mass that their contacts were made for, by name.
     pub mismatches: Vec<(String, MassMismatch)>,
 }
 
@@ -49,7 +49,7 @@ struct PreparedDrop {
     mismatch: Option<MassMismatch>,
 }
 
-/// The options for one of the two bodies: those for the first do not apply to the one it is compared with.
+/// The options for one of the two bodies. Options for the first body do not apply to the body that it is compared with.
 struct BodyOptions {
     mass_kg: Option<f64>,
     spheres: Option<f64>,
@@ -59,7 +59,7 @@ struct BodyOptions {
 }
 
 impl BodyOptions {
-    /// Limbs that share the weight of `model`.
+    /// The number of limbs that share the weight of `model`.
     fn limb_count(&self, model: &Model) -> f64 {
         Stance { limbs: self.stance_limbs, ..Stance::default() }.limb_count(model)
     }
@@ -116,7 +116,7 @@ fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
     }
 }
 
-/// The body of the model, the preset or the numbers that the request gives.
+/// Prepares the body that the request names: a model, a preset, or a body given by numbers.
 fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<PreparedDrop, RequestError> {
     let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
     let given = request.numbers.given();
@@ -260,7 +260,7 @@ fn push_listed(message: &mut Phrase, inputs: &[Input]) {
 
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
 
-/// An entry of the register of drop figures: where a figure is shown, and how its value is calculated.
+/// An entry of the register of drop figures: where the table shows the figure, and how its value is computed.
 struct Entry {
     row: DropRow,
     value: FigureValue,
@@ -269,14 +269,14 @@ struct Entry {
 /// The function that computes a figure of a drop.
 enum FigureValue {
     Always(fn(&DropResult) -> f64),
-    /// A figure of some drops, for example those that lift off again.
+    /// The function of a figure that only some drops have, for example drops after which the body lifts off again.
     Shown(fn(&DropResult) -> Option<f64>),
 }
 
-/// The part of the table that shows a figure; JSON has all of them.
+/// The part of the table that shows a figure. JSON has all figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropRow {
-    /// The figure is not in the table: the line above has it, or it is not shown.
+    /// The figure is not in the table. It may be in the line above the table.
     Nowhere,
     /// The figure is in the order of the register.
     InOrder,
@@ -361,7 +361,7 @@ impl DropFigure {
         self.entry().row
     }
 
-    /// Whether every drop has it; else it may be absent.
+    /// Whether every drop has this figure. If not, the figure may be absent.
     pub const fn is_always_known(self) -> bool {
         matches!(self.entry().value, Always(_))
     }
@@ -382,7 +382,7 @@ fn lift_off(drop: &DropResult) -> Option<LiftOff> {
     first_contact(drop)?.end
 }
 
-/// How to get the value of a column at one moment.
+/// A function that gives the value of a column at one moment of a drop.
 type AtMoment = fn(&DropReport, &Sample) -> f64;
 
 osim_inspect::quantities! {

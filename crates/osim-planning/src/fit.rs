@@ -1,4 +1,4 @@
-//! Contact parameters from a measured indentation and force.
+//! Fits contact parameters to a measured curve of force over indentation.
 
 use std::path::{Path, PathBuf};
 
@@ -13,16 +13,16 @@ use crate::sheet::Sheet;
 #[derive(Debug, Clone)]
 pub struct FitResult {
     pub file: PathBuf,
-    /// Spheres that shared the force.
+    /// Number of spheres that shared the force.
     pub sphere_count: f64,
     pub radius_m: f64,
     /// The parameters, with the residuals.
     pub fit: Fit,
-    /// Line in the file of each row that was fitted.
+    /// For each row that was fitted, its line in the file.
     pub lines: Vec<u64>,
 }
 
-/// Reads the measurement and fits it.
+/// Reads the measured curve and fits contact parameters to it.
 ///
 /// # Errors
 /// Columns or cells that cannot be read, or values that cannot be fitted.
@@ -49,7 +49,7 @@ pub fn run_fit(request: &FitRequest, files: &dyn Files) -> Result<FitResult, Req
     Ok(FitResult { file, sphere_count, radius_m, fit, lines })
 }
 
-/// The error in words, with the line in the file instead of the row that the equations count from 0.
+/// The error in words. It names the line in the file instead of the row number of the equations, which count from 0.
 fn with_line_of_file(error: &FitError, measured: &MeasuredCurve) -> String {
     match error {
         FitError::NotFinite { column, row, value } => {
@@ -71,12 +71,12 @@ struct MeasuredCurve {
     force_n: Vec<f64>,
     speed_m_s: Option<Vec<f64>>,
     time_s: Option<Vec<f64>>,
-    /// Line of each row in the file.
+    /// For each row, its line in the file.
     lines: Vec<u64>,
 }
 
 impl MeasuredCurve {
-    /// Reads the columns that `columns` names.
+    /// Reads the columns with the names in `columns`.
     ///
     /// # Errors
     /// A column that is missing (with those that are there), a row of another length, or a cell that is not a number, with

@@ -25,16 +25,16 @@ use crate::rules;
 pub struct Inspector {
     options: InspectOptions,
     set_files: SetFiles,
-    /// The generic model, where one is named. If it cannot be read, that is a failure of each model.
+    /// The generic model, if the request names one. If it cannot be read, each model fails.
     generic: Option<Result<GenericModel, Failure>>,
-    /// The files of the generic model, if `check` compares places of spheres with it (`inspect` compares sizes of bodies).
+    /// The files of the generic model, if `check` compares the places of spheres with it. (`inspect` compares the sizes of bodies instead.)
     place_reference: Option<ReferenceFiles>,
     extra_files: Vec<PathBuf>,
-    /// A mass, kg, for which the inspection lists what else would follow the size of the body.
+    /// A mass, kg. The inspection lists the other numbers of the model that would follow a body of this mass.
     target_mass_kg: Option<f64>,
     /// The recording that the contacts are compared with, if one is given.
     motion: Option<CheckedMotion>,
-    /// The caller's answers to questions about masses; `None` if the masses were checked already.
+    /// The caller's answers to questions about masses; `None` if the masses were already checked.
     answers: Option<AnswerOptions>,
 }
 
@@ -42,21 +42,21 @@ pub struct Inspector {
 struct GenericModel {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
-    /// The factors by which the Scale Tool scaled bodies.
+    /// The factors by which OpenSim's Scale Tool scaled the bodies.
     file: Option<ScaleFile>,
-    /// Size of the model, and quantities that follow size.
+    /// The size of the generic model, and the quantities in it that follow size.
     size: ModelSize,
-    /// The Moco setup of the models that are compared with the generic one.
+    /// The Moco setup for the models that are compared with the generic model.
     moco: Option<Document>,
-    /// What is wrong with it: models with its contacts have that, too.
+    /// Codes of the findings about the generic model. Models with its contacts have the same faults.
     codes: BTreeSet<FindingCode>,
-    /// Why nothing can be compared with it, if it has an error itself.
+    /// The reason why nothing can be compared with the generic model: an error in it.
     fault: Option<Phrase>,
-    /// Whether its bodies have the mass that its contacts were published for, if they are known.
+    /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are no published ones.
     fits_contacts: Option<bool>,
 }
 
-/// The files from which the right places of spheres follow.
+/// The files that show the right places of spheres.
 #[derive(Debug)]
 struct ReferenceFiles {
     from: PathBuf,
@@ -98,12 +98,12 @@ fn generic_model(
     })
 }
 
-/// Whether the bodies have the mass that known contacts of the model were published for; `None` if they are not known.
+/// Whether the bodies have the mass for which the contacts of the model were published; `None` if the contacts are no published ones.
 fn fits_known_contacts(inspected: &Inspection) -> Option<bool> {
     Some(same_mass(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
 }
 
-/// The generic model that `check` compares with, and the setups of Moco.
+/// The generic model with which `check` compares, and the setups of Moco.
 fn generic_model_for_check(
     from: &Path,
     request: &CheckRequest,
@@ -165,12 +165,12 @@ impl Inspector {
         }
     }
 
-    /// An inspector that asks about a mass that looks like a slip.
+    /// An inspector that asks about a mass that looks like a typing mistake or another unit.
     fn asking_about_masses(options: &InspectionOptions) -> Self {
         Self { answers: Some(options.answers.clone()), ..Self::new(options) }
     }
 
-    /// Why the generic model cannot be read.
+    /// The reason why the generic model cannot be read.
     pub fn generic_failure(&self) -> Option<&Failure> {
         self.generic.as_ref()?.as_ref().err()
     }
@@ -183,12 +183,12 @@ impl Inspector {
         &self.set_files
     }
 
-    /// Files that are read beside the models.
+    /// All files that are read in addition to the models.
     pub fn extra_files(&self) -> &[PathBuf] {
         &self.extra_files
     }
 
-    /// Everything about a model.
+    /// Inspects a model.
     ///
     /// # Errors
     /// The generic model cannot be read, factors cannot be determined, or a mass that the caller gave looks like a slip.
@@ -217,8 +217,8 @@ impl Inspector {
         Ok(inspection)
     }
 
-    /// Problems of a model that was inspected, with remedies that were tried; `compiled` names files that other programs would read instead
-    /// of it. `files` has those that remedies name, and the meshes of feet.
+    /// Checks a model that was inspected, and tries the remedies. `compiled` names files that other programs would read instead of the
+    /// model. `files` has the files that remedies name, and the meshes of feet.
     pub fn check(
         &self,
         model: &Model,
@@ -246,7 +246,7 @@ impl Inspector {
         result
     }
 
-    /// Other numbers of `model` that follow its size, compared with the generic model.
+    /// The numbers of `model`, besides contacts, that follow its size, compared with the generic model.
     fn scaled_with_size(&self, model: &Model) -> Option<SizeList> {
         let (Some(Ok(generic)), Some(_)) = (&self.generic, &self.place_reference) else { return None };
         let mut size = ModelSize::of(model, &self.options.masses);
@@ -256,19 +256,20 @@ impl Inspector {
         Some(Similarity::between(&size, &generic.size).into())
     }
 
-    /// The contacts of the model at `path` along the recording of the request, where one is named and can be followed.
+    /// Computes the contacts of the model at `path` along the recording that the request names; `None` without a recording, or if it cannot
+    /// be computed.
     pub fn recording(&self, path: &Path, files: &dyn Files) -> Option<(MotionResult, Vec<MotionRemark>)> {
         self.motion.as_ref()?.follow(path, files).ok()
     }
 
-    /// Inspects a model that a remedy made, with the same comparisons as the original.
+    /// Inspects the model after a remedy, with the same comparisons as the original.
     fn inspect_again(&self, name: &FileName, model: &Model) -> Inspection {
         let mut inspection = self.options.inspect(name.clone(), model, None);
         self.add_comparison(model, &mut inspection);
         inspection
     }
 
-    /// Adds to the inspection how places and contacts differ from those of the generic model, if `check` names one.
+    /// Adds to the inspection how the places of spheres and the contacts differ from the generic model, if `check` names one.
     fn add_comparison(&self, model: &Model, inspection: &mut Inspection) {
         let (Some(Ok(generic)), Some(files)) = (&self.generic, &self.place_reference) else { return };
         let (from, scale_file) = (&files.from, files.body_scale_file.as_deref());
@@ -285,7 +286,7 @@ impl Inspector {
         inspection.reference_contacts = Some(generic.contacts.clone());
     }
 
-    /// Refuses a model that has no contacts and nothing else that is wrong with it, so that one in a folder is skipped.
+    /// Refuses a model that has no contacts and no other fault, so that a folder can have such models, which are skipped.
     pub fn refuse_without_contacts(&self, opened: &OpenModel, inspected: &Inspection) -> Result<(), Failure> {
         match self.options.selection.apply(&opened.model) {
             Err(fault)

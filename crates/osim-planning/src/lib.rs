@@ -66,7 +66,7 @@ pub use crate::verbs::prepare;
 pub use calculator::DesignQuantity;
 pub use drop_test::{DropColumn, DropFigure};
 
-/// The example of the README compiles.
+/// Compiles the example in the README as a test.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;

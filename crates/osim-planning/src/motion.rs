@@ -1,4 +1,4 @@
-//! Contacts along a recorded motion, compared with force plates.
+//! Computes the forces of contacts along a recorded motion, and compares them with force plates.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestF
 
 use crate::opening::{open_with, read};
 
-/// The contacts of a model along a recorded motion, compared with force plates if there are some.
+/// The contacts of a model along a recorded motion, compared with force plates if the request has some.
 #[derive(Debug)]
 pub struct MotionResult {
     pub opened: OpenModel,
@@ -30,11 +30,11 @@ pub struct MotionResult {
     /// Mass of the model, kg.
     pub mass_kg: f64,
     pub gravity_m_s2: f64,
-    /// The motion of the treadmill's belt, if there is one.
+    /// The motion of the treadmill's belt; `None` without a treadmill.
     pub belt: Option<Belt>,
 }
 
-/// Follows the contacts along the motion.
+/// Computes the contacts along the motion.
 ///
 /// # Errors
 /// A file that cannot be read, a motion of another model, or a model whose pose is not known.
@@ -85,7 +85,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     Ok(result)
 }
 
-/// A motion that was followed, before it is compared with force plates.
+/// The contacts along a motion, before they are compared with force plates.
 pub(crate) struct FollowedMotion {
     pub(crate) recording: Recording,
     pub(crate) states: ContactStates,
@@ -96,7 +96,7 @@ pub(crate) struct FollowedMotion {
 }
 
 impl FollowedMotion {
-    /// The result of the motion, compared with `plates` where there are some.
+    /// Compares the contacts with `plates`, if there are any.
     pub(crate) fn compared_with_plates(
         self,
         opened: OpenModel,
@@ -127,7 +127,7 @@ impl FollowedMotion {
     }
 }
 
-/// Mass of `model`, kg, and its gravity, m/s².
+/// The mass of `model`, kg, and its gravity, m/s².
 ///
 /// # Errors
 /// No mass, or no gravity.
@@ -143,19 +143,19 @@ pub(crate) fn mass_and_gravity(masses: &MassRequest, model: &Model) -> Result<(f
 
 #[derive(Debug, Clone)]
 pub struct PlatesRead {
-    /// The table that they were read from.
+    /// The file of the table with the forces of the plates.
     pub file: PathBuf,
     /// The ExternalLoads file that names the columns of the plate's table.
     pub loads: Option<PathBuf>,
-    /// The data file that the ExternalLoads name, if its name differs from that of the table.
+    /// The data file that the ExternalLoads file names, if this name differs from the name of the table.
     pub other_data_file: Option<String>,
     pub plates: Vec<Plate>,
-    /// Times in which rows of the table are missing.
+    /// Intervals of time for which the table has no rows.
     pub gaps: Vec<Gap>,
 }
 
 impl PlatesRead {
-    /// Reads the plates of the table `file`, whose columns the ExternalLoads at `loads` name.
+    /// Reads the plates from the table `file`. The ExternalLoads file at `loads` names its columns.
     ///
     /// # Errors
     /// A file that cannot be read, or columns that are not there.
@@ -175,7 +175,7 @@ impl PlatesRead {
         Ok(Self { file, loads, other_data_file: other, plates, gaps })
     }
 
-    /// A remark about missing rows between the first and the last of `time_s`, if there are some.
+    /// A remark about missing rows between the first and the last of the times `time_s`; `None` if no rows are missing.
     pub(crate) fn gaps_during(&self, time_s: &[f64]) -> Option<String> {
         let (first, last) = (time_s.first()?, time_s.last()?);
         let during = || self.gaps.iter().filter(|gap| gap.from_s < *last && gap.to_s > *first);
@@ -223,7 +223,7 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
     failure
 }
 
-/// The belt under the feet of the motion at `path`, where the caller gave its speed or names a column of `table`.
+/// The treadmill's belt under the feet of the motion at `path`, if the caller gave its speed or named a column of `table`.
 ///
 /// # Errors
 /// No such column.
@@ -255,7 +255,7 @@ pub(crate) fn recording_options(
     }
 }
 
-/// The unit of angles that OpenSim assumes for a file of this name, if its header has neither a unit nor a version.
+/// The unit that OpenSim assumes for angles in a file with this name, if the header of the file has no unit and no version.
 fn usual_unit_of_angles(path: &Path) -> Option<AngleUnit> {
     let ending = path.extension()?.to_string_lossy().to_ascii_lowercase();
     match ending.as_str() {
@@ -267,11 +267,14 @@ fn usual_unit_of_angles(path: &Path) -> Option<AngleUnit> {
 
 // Numbers so large or small that results calculated from them are not finite.
 
-/// Values of bodies are at most this large, in SI units: squares of larger ones are not finite.
+/// The largest value of a body that is accepted, in SI units. Squares of larger values are not finite.
 const LARGEST_VALUE: f64 = 1e100;
 
+/// Refuses contacts whose numbers are too large to compute with.
+///
 /// # Errors
-/// A force, place or speed of a sphere, or the weight, is too large to calculate with.
+///
+/// A force, place or speed of a sphere, or the weight, is too large.
 fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
     if !(1.0 / LARGEST_VALUE..=LARGEST_VALUE).contains(&weight_n) {
         return Err(Fault::refused(format!(
@@ -301,7 +304,7 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// A force or a moment of the plates that is too large to calculate with, in words, if there is one.
+/// A force or a moment of the plates that is too large to compute with, in words; `None` if all can be used.
 fn unmeasurable(measured: &MeasuredForces) -> Option<String> {
     let mut all = measured.total.iter().chain(measured.feet.iter().flatten()).flatten();
     all.find_map(|wrench| {

@@ -13,15 +13,16 @@ use osim_requests::{CheckRequest, MotionRequest, RequestError};
 use crate::motion::{MotionResult, run_motion};
 use crate::rules;
 
-/// Forces that differ from the plates' by a larger ratio cannot be corrected by tuning the contacts.
+/// If the force differs from the force of the plates by a larger ratio, tuning the contacts cannot correct it.
 const TUNABLE_RATIO: f64 = 1.5;
-/// If the mean force over whole strides differs from the model's weight by more than this (relative), they do not belong together.
+/// If the mean force of the plates over whole strides differs from the model's weight by more than this (relative), plates and model do not
+/// belong together.
 const WEIGHT_TOLERANCE: f64 = 0.05;
-/// Feet that move over the floor in stance faster than this are probably on a treadmill, m/s.
+/// If feet in stance move over the floor faster than this, m/s, the person is probably on a treadmill.
 const BELT_M_S: f64 = 0.3;
-/// Centres of pressure of model and plates that are further apart along the foot than this get a remark, m.
+/// If the centres of pressure of model and plates differ by more than this along the foot, m, a remark says so.
 const DISPLACED_COP_M: f64 = 0.02;
-/// Names that a remark lists at most.
+/// The largest number of names that a remark lists.
 const NAMES_LISTED: usize = 6;
 
 /// Something that a reader should know about a motion.
@@ -33,15 +34,15 @@ pub struct MotionRemark {
 }
 
 impl MotionResult {
-    /// [`remarks`](Self::remarks) for `check` and `fit`: without the treadmill, for which they have no option, and without patterns that
-    /// match nothing, which they report themselves.
+    /// The [`remarks`](Self::remarks) for `check` and `fit`. Remarks about the treadmill are left out, because these verbs have no option
+    /// for it, and so are remarks about patterns that match nothing, because these verbs report them themselves.
     pub(crate) fn remarks_without_options(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = self.remarks(request);
         remarks.retain(|remark| !["treadmill", "unmatched-pattern"].contains(&remark.code));
         remarks
     }
 
-    /// A sentence for each foot, then remarks about the files and the model.
+    /// All remarks: a sentence for each foot, then remarks about the files and the model.
     pub fn remarks(&self, request: &MotionRequest) -> Vec<MotionRemark> {
         let mut remarks = RemarkList::default();
         self.add_weight(&mut remarks);
@@ -124,7 +125,7 @@ impl MotionResult {
         text.into()
     }
 
-    /// The radius of the sphere of a foot that goes deepest.
+    /// The radius of the sphere that goes deepest, among the spheres of the foot.
     fn deepest_radius_m(&self, foot: &FootSummary) -> Option<f64> {
         let by_depth = |pair: &usize| self.states.pairs.get(*pair).map(|pair| pair.radius_m);
         let deepest = foot
@@ -258,7 +259,7 @@ impl RemarkList {
     }
 }
 
-/// A remark if the plates' mean over whole strides is not the model's weight.
+/// A remark if the mean force of the plates over whole strides differs from the model's weight.
 pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64) -> Option<String> {
     let mean_n = summary.measured_stride_mean_n?;
     let part = mean_n / summary.weight_n;
@@ -273,7 +274,7 @@ pub(crate) fn weight_mismatch(summary: &Summary, mass_kg: f64, gravity_m_s2: f64
     })
 }
 
-/// A remark if the model's centre of pressure is nearer to the toes, or to the heel, than that of the plates.
+/// A remark if the model's centre of pressure is nearer to the toes, or to the heel, than the centre of pressure of the plates.
 fn displaced_centre_of_pressure(foot: &str, ahead_m: f64) -> Option<String> {
     let side = if ahead_m < 0.0 { "heel" } else { "toes" };
     (ahead_m.abs() > DISPLACED_COP_M).then(|| {
@@ -284,21 +285,22 @@ fn displaced_centre_of_pressure(foot: &str, ahead_m: f64) -> Option<String> {
     })
 }
 
-/// Two significant digits, or all before the point.
+/// The value with two significant digits, or with all digits before the decimal point.
 fn two_digits(value: f64) -> String {
     let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
     format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
 }
 
-/// Contacts fit a recording up to this error, body weights (rms per foot): three fitted numbers reach it on measured gaits.
+/// Contacts fit a recording if the error is at most this, in body weights (root mean square per foot). Fits of three numbers reach this on
+/// measured gaits.
 const FITS_BW: f64 = 0.2;
 
-/// The recording that `check` compares the contacts with.
+/// The recording with which `check` compares the contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct CheckedMotion(MotionRequest);
 
 impl CheckedMotion {
-    /// The recording of the request, if it names one.
+    /// The recording that the request names; `None` if it names none.
     pub(crate) fn of(request: &CheckRequest) -> Option<Self> {
         request.motion.as_ref()?;
         let InspectionOptions { masses, choice, set_files, .. } = request.options.clone();
@@ -314,7 +316,7 @@ impl CheckedMotion {
         }))
     }
 
-    /// Follows the contacts of the model at `path` along the recording.
+    /// Computes the contacts of the model at `path` along the recording.
     pub(crate) fn follow(
         &self,
         path: &Path,
@@ -326,7 +328,8 @@ impl CheckedMotion {
         Ok((result, remarks))
     }
 
-    /// Whether the contacts of the model at `path` fit the recording: in words, or a finding; or why it is not known.
+    /// Whether the contacts of the model at `path` fit the recording: a sentence if they fit, a finding if not, or the reason why it is not
+    /// known.
     pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> Result<Result<Phrase, Finding>, Phrase> {
         match self.follow(path, files) {
             Ok((result, _)) => answer(&result),

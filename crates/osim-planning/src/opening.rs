@@ -1,4 +1,4 @@
-//! Files, models and presets that a request names, opened through whatever holds the files.
+//! Opens the files, models and presets that a request names. The trait [`Files`] gives the bytes.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure>
     open_with(path, CompanionPaths::default(), files)
 }
 
-/// Opens a model with the files that are given beside it.
+/// Opens a model together with the companion files `beside`.
 pub fn open_with(path: &Path, beside: CompanionPaths<'_>, files: &dyn Files) -> Result<OpenModel, Failure> {
     let bytes = read(path, files)?;
     ModelFiles::read(path, bytes, beside, files)?.open()
@@ -52,19 +52,21 @@ pub(crate) fn moco_setup(path: &Path, files: &dyn Files) -> Result<Document, Fai
     Ok(document)
 }
 
-/// The model or preset that a word in a request names. All verbs distinguish models and presets by this rule.
+/// The model or preset that a text in a request names. All verbs distinguish models and presets by this rule.
 pub(crate) enum NamedSource {
     Preset(Preset),
-    /// A preset with places of spheres, which is kept as a model.
+    /// A preset with places of spheres. It is stored as a model.
     PlacedPreset(Box<OpenModel>),
     File,
 }
 
 impl NamedSource {
-    /// A preset of this name, even if a file has the name, too; else a file. `input` is the field of the request, for messages.
+    /// Finds what the name means: a preset, even if a file has the same name; else a file. `input` is the field of the request, for
+    /// messages.
     ///
     /// # Errors
-    /// There is neither, or the file of presets cannot be read.
+    ///
+    /// No preset and no file has this name, or the file of presets cannot be read.
     pub(crate) fn find(
         word: &Path,
         input: Option<Input>,
@@ -93,13 +95,13 @@ impl NamedSource {
     }
 }
 
-/// The preset with places of spheres that has this name, as a model.
+/// The preset with this name, as a model, if the preset has places of spheres.
 pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
     let Some(text) = name.to_str().and_then(preset_model) else { return Ok(None) };
     ModelFiles::read(name, text.into(), CompanionPaths::default(), &InMemory::default())?.open().map(Some)
 }
 
-/// Names of all presets, without and with places of spheres.
+/// The names of all presets in words: without places of spheres, and with them.
 fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> String {
     let mut names = preset_names(presets, files);
     for name in presets_with_places() {
@@ -110,12 +112,12 @@ fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> String {
     names.join(", ")
 }
 
-/// Whether `word` names a file: the file exists, or the word is `-` or looks like the name of a file.
+/// Whether the text `word` names a file: the file exists, or the text is `-` or looks like the name of a file.
 pub fn may_be_file(word: &Path, files: &dyn Files) -> bool {
     files.exists(word) || looks_like_file(word)
 }
 
-/// Whether `word` is `-`, or has a folder or an ending.
+/// Whether the text `word` is `-`, or has a folder or a file extension.
 pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }
@@ -126,7 +128,7 @@ pub(crate) enum Subject {
 }
 
 impl Subject {
-    /// The preset of this name, else the model of this path.
+    /// The preset of this name; if there is none, the model of this path.
     ///
     /// # Errors
     /// There is neither, or the model cannot be read.
@@ -216,7 +218,7 @@ fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
     presets.iter().map(|preset| preset.name.to_string()).collect()
 }
 
-/// Why the values of a user's preset are not a contact.
+/// The reason why a user's preset cannot be used.
 #[derive(Debug, thiserror::Error)]
 enum PresetEntryError {
     #[error(transparent)]
@@ -252,7 +254,7 @@ impl PresetEntry {
     }
 }
 
-/// The presets that the request names, else all.
+/// The presets that the request names; all presets if it names none.
 ///
 /// # Errors
 /// As [`presets`], or an unknown name.

@@ -1,4 +1,4 @@
-//! Prepares what a figure shows: bodies, feet, a recorded motion, or columns of a table.
+//! Prepares the data for a figure: bodies, feet, a recorded motion, or columns of a table.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -16,14 +16,14 @@ use crate::motion::{MotionResult, run_motion};
 use crate::opening::Subject;
 use crate::sheet::Sheet;
 
-/// The table that a column is drawn from, if the request names one.
+/// The table with the column that a figure shows, if the request names a table.
 pub fn plot_table(request: &PlotRequest, files: &dyn Files) -> Result<Option<HeatTable>, RequestError> {
     let Some(path) = request.heat.table.as_deref() else { return Ok(None) };
     Ok(Some(HeatTable::read(path, &request.heat, files)?))
 }
 
-/// The one or two states of feet that a figure shows, the later one last: those of a model, those with radii scaled to the target
-/// mass, or those of a second model.
+/// The feet that a figure shows, in one or two states, the later state last: the feet of a model, the same feet with radii scaled to the
+/// target mass, or the feet of a second model.
 ///
 /// # Errors
 /// A preset, which has no places, too many models, or a model that cannot be read or has no feet.
@@ -76,7 +76,7 @@ fn feet_and_scaled_feet(
     Ok((feet, Some(scaled)))
 }
 
-/// The motion that a figure of motion shows.
+/// Computes the motion that a figure of motion shows.
 ///
 /// # Errors
 /// More than one model, or none; a recording that cannot be read.
@@ -98,7 +98,7 @@ pub fn plot_motion(request: &PlotRequest, files: &dyn Files) -> Result<MotionRes
     run_motion(&motion, files)
 }
 
-/// All bodies of a figure of curves: those that were named, each followed by the scaled one if a target mass is given.
+/// All bodies of a figure of curves: the bodies that the request names, each followed by the scaled body if a target mass is given.
 ///
 /// # Errors
 /// A name that is neither a model's nor a preset's, or a model that cannot be read.
@@ -114,7 +114,7 @@ pub fn plot_bodies(request: &PlotRequest, files: &dyn Files) -> Result<Vec<Conta
     Ok(bodies)
 }
 
-/// A model's name, with its folder if another model of the request has the same name.
+/// The name of a model; with its folder if another model of the request has the same name.
 fn unique_name(request: &PlotRequest, path: &Path) -> String {
     let name = short_name(path);
     let alike = request.models.iter().filter(|other| short_name(other) == name).count() > 1;
@@ -156,23 +156,23 @@ fn plotted_body(
     }
 }
 
-/// The file's name without its folders, which would fill a legend.
+/// The name of the file without its folders, which would be too long for a legend.
 fn short_name(path: &Path) -> String {
     path.file_stem().map_or_else(|| path.display().to_string(), |name| name.to_string_lossy().into_owned())
 }
 
-/// A page shows the feet of models with at most so many spheres and bodies.
+/// The largest number of spheres and bodies in a model whose feet a page shows.
 const MOST_SPHERES_ON_PAGE: usize = 200;
 const MOST_BODIES_ON_PAGE: usize = 1000;
 
-/// The feet of one state of a model, as figures show them.
+/// The feet of a model in one state, for figures.
 #[derive(Debug, Clone)]
 pub struct ModelFeet {
     pub name: String,
     pub feet: Vec<Foot>,
     /// The finding that spheres are in wrong places.
     pub misplaced: Option<Finding>,
-    /// Faults of bones that could not be read.
+    /// A fault for each bone that could not be read.
     pub missing: Vec<FeetFault>,
     anatomy: Anatomy,
     pose: DefaultPose,
@@ -194,7 +194,7 @@ impl ModelFeet {
         Ok(feet)
     }
 
-    /// The feet for a page; `None` if the model has no feet, or more spheres or bodies than a page should show.
+    /// The feet for a page; `None` if the model has no feet, or too many spheres or bodies for a page.
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
         let few =
@@ -213,7 +213,7 @@ impl ModelFeet {
         Ok(Self { name: name.to_owned(), feet, misplaced, missing: Vec::new(), anatomy, pose, bodies })
     }
 
-    /// Adds the bones whose meshes exist in the folder of the model, in its `Geometry`, or in `geometry_dir`.
+    /// Adds the bones whose meshes are in the folder of the model, in its subfolder `Geometry`, or in `geometry_dir`.
     pub fn add_bones(&mut self, model: &Model, path: &Path, geometry_dir: Option<&Path>, files: &dyn Files) {
         let mut folders = MeshFolders::of_model(path);
         if let Some(folder) = geometry_dir {
@@ -233,7 +233,7 @@ impl ModelFeet {
         }
     }
 
-    /// The feet with all radii multiplied by `ratio`, around centres that stay.
+    /// The feet with all radii multiplied by `ratio`. The centres of the spheres stay.
     pub(crate) fn with_radii(&self, name: String, ratio: f64) -> Self {
         let mut scaled = Self { name, ..self.clone() };
         for sphere in scaled.feet.iter_mut().flat_map(|foot| &mut foot.spheres) {
@@ -246,7 +246,7 @@ impl ModelFeet {
         self.feet.iter().any(|foot| !foot.spheres.is_empty())
     }
 
-    /// Whether both have the same spheres in the same places.
+    /// Whether both feet have the same spheres at the same places.
     pub(crate) fn has_same_spheres(&self, other: &Self) -> bool {
         let spheres = |feet: &Self| -> Vec<_> { feet.feet.iter().map(|foot| foot.spheres.clone()).collect() };
         spheres(self) == spheres(other)
@@ -276,7 +276,7 @@ fn mark_misplaced(feet: &mut [Foot], finding: Option<&Finding>) {
     }
 }
 
-/// How columns begin that have the values of a sweep's grid.
+/// The beginning of the names of columns with the values of a sweep's grid.
 const GRID_PREFIX: &str = "grid_";
 
 #[derive(Debug, Clone, PartialEq)]
@@ -286,14 +286,14 @@ pub struct TableColumn {
     pub values: Vec<Option<f64>>,
 }
 
-/// A column of a table over one or two others, such as a result over the grid of a sweep.
+/// A column of a table over one or two other columns, such as a result over the grid of a sweep.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatTable {
-    /// The file's name without its folders.
+    /// The name of the file without its folders.
     pub name: String,
-    /// The columns along the horizontal axis.
+    /// The column along the horizontal axis.
     pub x: TableColumn,
-    /// Along the vertical axis; `None` where the table varies one thing only.
+    /// The column along the vertical axis; `None` if the table varies only one quantity.
     pub y: Option<TableColumn>,
     /// The quantity that is drawn as a colour, or as the height of a curve.
     pub value: TableColumn,

@@ -1,4 +1,4 @@
-//! A checked request that makes a plan for each of its models; and trial plans, which show what can be changed in a model.
+//! A checked request, which makes a plan for each of its models; and trial plans, which show what can be changed in a model.
 
 use std::path::{Path, PathBuf};
 
@@ -22,7 +22,7 @@ use crate::motion::MotionResult;
 use crate::motion_remarks::MotionRemark;
 use crate::opening::open_with;
 
-/// Plans the change that one verb makes to a model. Threads share it.
+/// Makes the plan for the change of a model; each verb has its planner. Several threads use a planner at the same time.
 pub(crate) trait Planner: Send + Sync {
     /// Plans the change of a model.
     ///
@@ -40,7 +40,7 @@ pub(crate) trait Planner: Send + Sync {
         self.plan(&opened.model).map_err(|fault| opened.failure(fault))
     }
 
-    /// The contacts of the changed model along the recording that they were fitted to, if there is one.
+    /// The contacts of the changed model along the recording that they were fitted to; `None` if they were not fitted to a recording.
     fn recording(&self, changed: OpenModel) -> Option<(MotionResult, Vec<MotionRemark>)> {
         let _ = changed;
         None
@@ -73,32 +73,32 @@ pub struct PreparedChange {
     /// Files and folders of models.
     pub models: Vec<PathBuf>,
     pub output: OutputOptions,
-    /// Files of a standalone set.
+    /// The geometry set and the model that belong to a force set which is a file by itself.
     pub set_files: SetFiles,
-    /// How a model is inspected before the change.
+    /// The options with which a model is inspected before the change.
     pub options: InspectOptions,
-    /// The model or preset that the contacts come from, if they are another body's.
+    /// The model or preset that the contacts come from, if they come from another body.
     pub reference: Option<ReferenceState>,
     /// Gravity that the contacts are scaled to, m/s², if the caller gave it.
     pub target_gravity_m_s2: Option<f64>,
     /// Parts of the request that the notes in the models repeat.
     pub details: NoteDetails,
-    /// Whether it is for several models: then the program asks before it takes a mass that was given for all of them for one whose note
-    /// has another mass.
+    /// Whether the request is for several models. Then the program asks before it uses a mass that was given for all models on a model
+    /// whose note has another mass.
     pub is_for_several: bool,
     /// The mass that the contacts are scaled to, kg, if the caller gave it.
     pub(crate) target_mass_kg: Option<f64>,
-    /// The caller's answers to questions, given beforehand.
+    /// The answers that the caller gave beforehand to questions of the program.
     pub(crate) answers: AnswerOptions,
-    /// Files that were read once for all models.
+    /// Files that are read once, for all models.
     pub(crate) extra_files: Vec<PathBuf>,
-    /// The fields of the request that decide its results.
+    /// The fields of the request on which its results depend.
     pub(crate) settings: Map<String, Value>,
     pub(crate) planner: Box<dyn Planner>,
 }
 
 impl PreparedChange {
-    /// The change that `planner` plans for `models`, which are inspected with the options `inspection`.
+    /// Combines a `planner` with the `models` for which it plans changes, and with the options `inspection` with which they are inspected.
     pub(crate) fn new(
         verb: Verb,
         models: Vec<PathBuf>,
@@ -124,7 +124,7 @@ impl PreparedChange {
         }
     }
 
-    /// Opens one of the models, with the files of a standalone set.
+    /// Opens one of the models, with the companion files of a force set that is a file by itself.
     ///
     /// # Errors
     /// It cannot be read.
@@ -153,7 +153,8 @@ impl PreparedChange {
         self.ask_about_radii(&opened.model, plan).map_err(failure)
     }
 
-    /// Asks if a mass that the caller gave looks like a slip, or differs from the one in the note of this model.
+    /// Asks a question if a mass that the caller gave looks like a typing mistake or another unit, or differs from the mass in the note of
+    /// this model.
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let asks = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
         self.answers.ask(asks).map_err(Fault::new)?;
@@ -165,7 +166,7 @@ impl PreparedChange {
         self.answers.ask(slip).map_err(Fault::new)
     }
 
-    /// Asks about radii that look like a slip, and adds a remark if a mass is perhaps in pounds.
+    /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
         let perhaps_in_pounds_question =
             masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
@@ -186,18 +187,18 @@ impl PreparedChange {
         MassRequest { target_mass_kg: self.target_mass_kg, ..self.options.masses.clone() }
     }
 
-    /// Removes from `message` the advice that names options which the verb does not have.
+    /// Removes advice from `message` that names options which this verb does not have.
     pub fn keep_ways_out(&self, message: &mut Phrase) {
         message.choose_alternatives(&|input| takes(self.verb, input));
     }
 
-    /// All files that are read beside the models.
+    /// All files that are read in addition to the models.
     pub fn extra_files(&self) -> impl Iterator<Item = &PathBuf> {
         self.set_files.paths().chain(&self.extra_files)
     }
 
-    /// What a resumed run compares: everything that decides results, except the bytes of the models and of
-    /// [`extra_files`](Self::extra_files). Equal texts mean equal results.
+    /// A text with everything on which the results depend, except the bytes of the models and of the [`extra_files`](Self::extra_files).
+    /// Equal texts mean equal results. A resumed run compares this text with that of the earlier run.
     pub fn settings(&self) -> String {
         // A note names files without their folders.
         let names: Vec<(Value, String)> =
@@ -218,7 +219,7 @@ impl PreparedChange {
     }
 }
 
-/// The question whether a mass that was given for several models is right for this one, whose note has another mass.
+/// The question whether a mass that was given for several models is right for this model, whose note has another mass.
 fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
     let (said_kg, noted_kg) = given.contacts_mass_kg.zip(given.disagreeing_note_kg(model))?;
     let text = phrase![
@@ -241,12 +242,12 @@ pub fn changeable(options: &InspectOptions, model: &Model) -> Changeable {
     changeable_with_numbers(options, model, numbers_may_change(options, model))
 }
 
-/// Like [`changeable`], if it is known whether numbers can be changed.
+/// Like [`changeable`], for a caller who knows already whether numbers can be changed.
 pub(crate) fn changeable_with_numbers(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
     Changeable { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
-/// Whether a trial plan that changes radii is accepted: it is not if another force uses a sphere and would not change with it.
+/// Whether a trial plan that changes radii is accepted. It is refused if a force that does not change uses the same sphere.
 fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
     trial.repeat = true;
@@ -264,8 +265,8 @@ fn numbers_may_change(options: &InspectOptions, model: &Model) -> bool {
     plan.and_then(|plan| plan.patched(model, FileId::MAIN)).is_ok()
 }
 
-/// Checks a model that was inspected, and proposes only remedies that change what can be changed; `beside` are findings about files
-/// beside the model.
+/// Checks a model that was inspected, and proposes only remedies that can be applied. `beside` are findings about companion files of the
+/// model.
 pub fn check_with_trials(
     options: &InspectOptions,
     model: &Model,

@@ -1,4 +1,4 @@
-//! Remedies that are tried before they are proposed: each step is tried, and the next one comes from a check of its result.
+//! Tries remedies before they are proposed: after each remedy, the changed model is checked, and the next remedy is chosen from that check.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -12,8 +12,8 @@ use osim_requests::{ConstantIndentation, DesignRequest, Request};
 use crate::prepared_change::check_with_trials;
 use crate::verbs::prepare;
 
-/// Checks a model that was inspected, with remedies that were tried. The remedies name no other files. `beside` are findings about
-/// files beside the model.
+/// Checks a model that was inspected, and tries the remedies. The remedies name no other files. `beside` are findings about companion files
+/// of the model.
 pub fn check_with_remedies(
     options: &InspectOptions,
     model: &Model,
@@ -26,37 +26,37 @@ pub fn check_with_remedies(
     trials.with_tried_remedies(model, check_with_trials(options, model, inspected, beside))
 }
 
-/// Most steps that are proposed. The next check finds what is still wrong after them.
+/// The largest number of steps that are proposed. A check after these steps finds what is still wrong.
 const MOST_STEPS: usize = 8;
 
-/// For a model that is compared with no other.
+/// No codes, for a model that is compared with no other model.
 pub(crate) static NO_CODES: BTreeSet<FindingCode> = BTreeSet::new();
 
 /// Tries the remedies that a check proposes.
 pub(crate) struct RemedyTrials<'t> {
     pub(crate) options: &'t InspectOptions,
-    /// The files that remedies name.
+    /// The files that remedies may name.
     pub(crate) files: &'t dyn Files,
     pub(crate) inspect: &'t dyn Fn(&FileName, &Model) -> Inspection,
-    /// Codes of the findings about the model that was scaled, which its contacts bring along.
+    /// Codes of the findings about the model before scaling. Its contacts bring these faults along.
     pub(crate) of_reference: &'t BTreeSet<FindingCode>,
 }
 
-/// The model after a step, and its findings.
+/// The model after a step, and the findings about it.
 struct ModelAfterStep {
     model: Model,
     found: CheckResult,
 }
 
-/// A remedy that is effective, and the findings afterwards.
+/// A remedy that works, and the findings about the model after it.
 struct TriedStep {
     request: Request,
     found: CheckResult,
 }
 
 impl RemedyTrials<'_> {
-    /// The result `found` of checking `model`, with steps that work one after the other as remedies. After each step its finding is gone,
-    /// and no warning is new. A finding gets the step after which it is gone.
+    /// The result `found` of checking `model`, with remedies that work one after the other. After each step its finding is gone, and no
+    /// warning is new. Each finding gets the step after which it is gone.
     pub(crate) fn with_tried_remedies(&self, model: &Model, mut found: CheckResult) -> CheckResult {
         if found.steps.is_empty() {
             return found;
@@ -99,7 +99,7 @@ impl RemedyTrials<'_> {
         steps
     }
 
-    /// The first remedy that is effective, and the model that it makes.
+    /// The first remedy that works, and the model after it.
     fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
         let from = model_path(found);
         candidates(found).into_iter().find_map(|Candidate { mut request, parts, .. }| {
@@ -113,7 +113,7 @@ impl RemedyTrials<'_> {
         })
     }
 
-    /// The model after a request, written as the file `to`; `None` if the request is refused or changes nothing.
+    /// The model after the request, written as the file `to`; `None` if the request is refused or changes nothing.
     fn model_after(&self, request: &Request, model: &Model, to: &Path) -> Option<ModelAfterStep> {
         let change = prepare(request.clone(), self.files).ok()?;
         let plan = change.plan_alone(model).ok().filter(|plan| !plan.is_empty())?;
@@ -123,7 +123,7 @@ impl RemedyTrials<'_> {
         Some(ModelAfterStep { model, found })
     }
 
-    /// Whether the findings `its`, for which the remedy was proposed, are gone after it, and no other warning is new.
+    /// Whether the findings `its`, for which the remedy was proposed, are gone after the remedy, and no other warning is new.
     fn is_effective(
         &self,
         its: &[&FindingWithRemedy],
@@ -150,9 +150,9 @@ fn model_path(found: &CheckResult) -> PathBuf {
     FileName::from_parts(found.model.clone(), found.model_bytes.clone()).to_path()
 }
 
-/// The remedies to try, in this order: those that make contacts right for their body, because the others depend on them; those that
-/// convert forces; those that set numbers of some forces; designs of all forces. Remedies that differ only in their forces are also
-/// joined to one command, and all designs are merged to one.
+/// The remedies to try, in this order: remedies that make contacts right for their body, because the others depend on them; conversions of
+/// forces; numbers of some forces; designs of all forces. Remedies that differ only in their forces are also joined to one command, and all
+/// designs are merged to one.
 fn candidates(found: &CheckResult) -> Vec<Candidate> {
     let rank = |one: &Candidate| match &one.request {
         Request::Rescale(_) | Request::Transfer(_) => 0,
@@ -222,7 +222,7 @@ fn joined_over_forces(remedies: &[Request]) -> Vec<Candidate> {
     groups
 }
 
-/// The request `one` for the forces of `other`, too; `None` if they differ in something else, or one of them is for all forces.
+/// The request `one`, extended to the forces of `other`. `None` if the requests differ in something else, or one of them is for all forces.
 fn joined_pair(one: &Request, other: &Request) -> Option<Request> {
     let (mut all, mut more) = (one.clone(), other.clone());
     let (before, added) =
@@ -243,8 +243,8 @@ fn selected_forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
     }
 }
 
-/// One design with everything that the designs among the candidates want; `None` if there are fewer than two. If two want different
-/// numbers of one quantity, the first counts.
+/// One design that wants everything which the designs among the candidates want; `None` if there are fewer than two designs. If two designs
+/// want different numbers of one quantity, the first counts.
 fn merged_designs(candidates: &[Candidate]) -> Option<Candidate> {
     let designs: Vec<&DesignRequest> = candidates
         .iter()
@@ -262,7 +262,7 @@ fn merged_designs(candidates: &[Candidate]) -> Option<Candidate> {
     Some(Candidate { request: all.into(), parts })
 }
 
-/// Adds what `other` wants to `wanted`, where `wanted` has nothing yet.
+/// Adds the quantities of `other` to `wanted`, if `wanted` does not have them yet.
 fn add_wanted(wanted: &mut WantedOptions, other: &WantedOptions) {
     wanted.indentation = wanted.indentation.or(other.indentation);
     wanted.restitution = wanted.restitution.or(other.restitution);
@@ -271,10 +271,10 @@ fn add_wanted(wanted: &mut WantedOptions, other: &WantedOptions) {
     wanted.state_width = wanted.state_width.or(other.state_width);
 }
 
-/// Steps write `human.fixed-1.osim`, `human.fixed-2.osim`: this is before the number.
+/// The text before the number in the names of files that steps write, such as `human.fixed-1.osim` and `human.fixed-2.osim`.
 const STEP_MARK: &str = ".fixed-";
 
-/// Sets and returns the output of a step: the file with the next free number; `None` for a request that writes no file.
+/// Gives a step an output file with the next free number, and returns this file; `None` for a request that writes no file.
 fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) -> Option<PathBuf> {
     let (stem, done) = split_step_number(from);
     let name = |number: u32| {
@@ -289,7 +289,7 @@ fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) ->
     Some(to)
 }
 
-/// Sets the output of the only step to the one of every change, if that does not exist yet. If the model is itself the result of a
+/// If a remedy has only one step, gives it the output file of every change, unless the file exists. If the model is itself the output of a
 /// step, the output keeps its number.
 fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
     if split_step_number(from).1 == 0
@@ -300,7 +300,7 @@ fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
     }
 }
 
-/// The name without extension and number, and the number; 0 if no step wrote the model.
+/// Splits the name of a model into the name without extension and number, and the number; 0 if no step wrote the model.
 fn split_step_number(model: &Path) -> (String, u32) {
     let stem = model.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let number =

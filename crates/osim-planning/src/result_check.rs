@@ -1,4 +1,4 @@
-//! Plans that are judged by the model that they make: how it is inspected, and what is worse in it than before.
+//! Judges a plan by the model after the change: how this model is inspected, and what is worse in it than in the model before.
 
 use std::collections::HashMap;
 
@@ -20,8 +20,8 @@ use crate::prepared_change::PreparedChange;
 use crate::rules;
 
 impl PreparedChange {
-    /// Plans the change of a model that was [opened](Self::open). The plan has a note; its findings are those of the changed model,
-    /// and what the change itself shows.
+    /// Plans the change of a model that was [opened](Self::open). The plan has a note. Its findings are those about the changed model, and
+    /// those about the change itself.
     ///
     /// # Errors
     /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
@@ -47,7 +47,7 @@ impl PreparedChange {
         Ok((plan, changed))
     }
 
-    /// The plan with its note, and with what the change itself shows.
+    /// The plan with its note, and with the findings about the change itself.
     fn plan_with_note(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let model = &opened.model;
         let mut plan = self.plan_beside(opened, files)?;
@@ -76,7 +76,7 @@ impl PreparedChange {
         Ok(plan)
     }
 
-    /// Adds what `check` finds in the `changed` model; without one, the model stays as it was.
+    /// Adds the findings of `check` about the `changed` model; `None` means that the model stays as it was.
     ///
     /// # Errors
     /// An error that neither the model before nor the reference has, unless the caller confirmed it.
@@ -150,12 +150,13 @@ impl PreparedChange {
         self.verb == Verb::Rescale
     }
 
-    /// Whether the caller gave the new numbers themselves: then a model that is wrong with them is not refused.
+    /// Whether the caller gave the new numbers directly. Then a model that is wrong with these numbers is not refused.
     fn writes_given_numbers(&self) -> bool {
         matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
     }
 
-    /// How the new model is inspected, if the old one weighs `weighs_kg`: under the mass that its contacts were scaled for.
+    /// The options with which the new model is inspected, if the old model weighs `weighs_kg`: under the mass that its contacts were scaled
+    /// for.
     pub(crate) fn options_after(&self, plan: &Plan, weighs_kg: Option<f64>) -> InspectOptions {
         let mut options = self.options.clone();
         let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
@@ -171,8 +172,8 @@ impl PreparedChange {
         options
     }
 
-    /// How the old model is inspected, to be compared with the new one: under the mass that its contacts were made for, if the new
-    /// ones are inspected under their target mass.
+    /// The options with which the old model is inspected, for a comparison with the new one. If the new model is inspected under its target
+    /// mass, the old one is inspected under the mass that its contacts were made for.
     fn options_before(&self, plan: &Plan) -> InspectOptions {
         let mut options = self.options.clone();
         if let Some(masses) = plan.masses.as_ref().filter(|_| self.is_for_target_mass()) {
@@ -181,8 +182,8 @@ impl PreparedChange {
         options
     }
 
-    /// Whether the contacts are scaled before the bodies, which still have another mass. Then nobody knows the default pose of the scaled
-    /// bodies yet, and a warning about the pose of the present ones would come with every rescaling to another mass.
+    /// Whether the contacts are scaled before the bodies, which still have another mass. The default pose of the scaled bodies is then not
+    /// known, and a warning about the present pose would come with every rescaling to another mass.
     fn bodies_await_scaling(&self, plan: &Plan, weighs_kg: Option<f64>) -> bool {
         let target_mass_kg = plan.masses.as_ref().map(|masses| masses.target_mass_kg);
         let is_other = |target| weighs_kg.is_none_or(|weighs| !same_mass(weighs, target));
@@ -190,7 +191,7 @@ impl PreparedChange {
     }
 }
 
-/// The model that `plan` makes of `opened`. It is read from its new bytes only if something else than numbers changes.
+/// The model after `plan` is applied to `opened`. It is read from its new bytes only if more than numbers changes.
 ///
 /// # Errors
 /// Those of [`Plan::changed_model`].
@@ -198,7 +199,7 @@ fn renumbered_or_read(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure>
     plan.with_contact_numbers(&opened.model).map_or_else(|| read_again(plan, opened), Ok)
 }
 
-/// The model that `plan` makes of `opened`, read from its new bytes.
+/// The model after `plan` is applied to `opened`, read from its new bytes.
 ///
 /// # Errors
 /// Those of [`Plan::changed_model`].
@@ -206,8 +207,8 @@ fn read_again(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
     plan.changed_model(&opened.model).map_err(|fault| opened.failure(fault))
 }
 
-/// The findings `after` a change, each with whether the model had it `before`, or the `reference` has it; those `before` if nothing
-/// changes.
+/// The findings `after` a change. Each is marked if the model had it `before`, or the `reference` has it. If nothing changes, the findings
+/// `before`.
 fn findings_of_result(
     before: &[FindingWithRemedy],
     after: Option<&[FindingWithRemedy]>,
@@ -225,12 +226,12 @@ fn findings_of_result(
     after.unwrap_or(before).iter().map(judged).collect()
 }
 
-/// Whether two findings are about one case.
+/// Whether two findings are about the same fault at the same place.
 fn is_same_case(one: &Finding, other: &Finding) -> bool {
     (one.code(), &one.place, one.severity) == (other.code(), &other.place, other.severity)
 }
 
-/// Whether spheres that all carry sink in up to their centres.
+/// Whether a sphere sinks in up to its centre when all spheres carry their share of the weight.
 fn sinks_in_to_centres(inspected: &Inspection) -> bool {
     let mut spheres = inspected.figures.spheres();
     spheres.any(|sphere| sphere.value(Figure::Indentation).is_some_and(|x| x >= 1.0))
@@ -246,7 +247,7 @@ pub(crate) fn findings_without_remedies(
     check_without_remedies(options, model, &inspected)
 }
 
-/// The question whether a result with the fault `wrong` is meant; `has_parted` says that bottoms of a foot were moved apart.
+/// The question whether the caller wants a result with the fault `wrong`. `has_parted` says that the change moved bottoms of a foot apart.
 fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
     let advice = if has_parted {
         phrase![
@@ -269,7 +270,7 @@ fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
     NeedsAnswer::Other { question: Question::WrongAfterwards, text }
 }
 
-/// A finding about the new model, for people who have only the old file: its line, which is one of the new file, is left out.
+/// A finding about the new model for people who have only the old file. Its line is left out, because it is a line of the new file.
 fn about_new_model(found: Finding) -> Finding {
     if found.had_before {
         return found.with_line(None);
@@ -285,19 +286,19 @@ fn about_new_model(found: Finding) -> Finding {
 // What a change does to the bottoms of spheres: bodies that stood at their default pose and no longer do, and feet that it makes
 // uneven.
 
-/// A move of a bottom that is smaller than this does not matter, in radii of the sphere.
+/// If a bottom moves by less than this, in radii of the sphere, the move has no effect on findings.
 const SMALL_MOVE_RADII: f64 = 0.1;
-/// A body stands if its lowest sphere is at most this far from its floor, in radii of the sphere.
+/// A body stands if the distance of its lowest sphere from the floor is at most this, in radii of the sphere.
 const STANDING_RADII: f64 = 0.5;
 
-/// Findings about the bottoms of spheres that a plan moves.
+/// Findings about the bottoms of spheres, if a plan moves them.
 ///
 /// Spheres that follow their bodies are not judged: before, they were in wrong places. Nor are new spheres: `add` says where they are.
 #[derive(Default)]
 struct MovedBottoms {
-    /// About bodies that stood at their default pose and no longer do.
+    /// Findings about bodies that stood at their default pose before the change, and do not stand after it.
     off_floor: Vec<Finding>,
-    /// About limbs whose bottoms were moved apart.
+    /// Findings about limbs whose bottoms the change moves apart.
     uneven: Vec<Finding>,
 }
 
@@ -324,7 +325,7 @@ struct BodiesOverFloor<'m> {
 }
 
 impl<'m> BodiesOverFloor<'m> {
-    /// `None` if the default pose is not known.
+    /// The bodies at the default pose; `None` if this pose is not known.
     fn at_default_pose(model: &'m Model) -> Option<Self> {
         let (standing, sharing) = standing_bodies(model).ok()?;
         Some(Self { model, standing, sharing })
@@ -335,7 +336,7 @@ impl<'m> BodiesOverFloor<'m> {
         all.map(|bottom| (bottom.path.as_str(), bottom)).collect()
     }
 
-    /// Findings about bodies that stood `before` the change and do not any more.
+    /// Findings about bodies that stood `before` the change and do not stand after it.
     fn no_longer_standing(&self, before: &Self) -> impl Iterator<Item = Finding> {
         let several = self.standing.len() > 1;
         self.standing.iter().filter_map(move |now| {
@@ -357,7 +358,7 @@ impl<'m> BodiesOverFloor<'m> {
     }
 }
 
-/// Whether a body stood `before`, and `after` the change is inside its floor or above it because its bottoms moved.
+/// Whether a body stood `before` the change, and `after` it is inside its floor or above it because the bottoms moved.
 fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
     let Some((was, is)) = before.lowest().zip(after.lowest()) else { return false };
     let stood = was.height_m.abs() <= STANDING_RADII * was.radius_m;
@@ -387,7 +388,7 @@ fn spread(values: &[f64]) -> f64 {
     most - least
 }
 
-/// Each joint tree with spheres over a floor, one limb carrying it alone, and its limbs.
+/// The joint trees with spheres over a floor, each standing on one limb alone, and the limbs of the model.
 pub(crate) fn standing_bodies(model: &Model) -> Result<(Vec<StandingBody>, LoadSharing), PoseFault> {
     let forces = model.force_ids();
     let standing = Standing::all(model, &forces)?;

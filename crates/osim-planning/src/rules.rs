@@ -1,4 +1,4 @@
-//! The list of all rules, in the order of their codes; and the rules about the result of a change and about files beside a model.
+//! All rules in the order of their codes; and the rules about the result of a change and about files beside a model.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
@@ -19,7 +19,7 @@ const RULES: &[&Rule] = &[
     &UNLIKE_RECORDING,
 ];
 
-/// Every rule of every crate, one for each code of a finding.
+/// All rules of all crates: one rule for each code.
 pub fn all() -> &'static [&'static Rule] {
     static ALL: LazyLock<Vec<&Rule>> = LazyLock::new(|| {
         let below = [osim_model::RULES, osim_patch::RULES, RULES].concat();
@@ -49,7 +49,7 @@ static BOTTOMS_MOVED: Rule = Rule {
     },
 };
 
-/// The finding about a body that stood `before` the change and does not `now`; it names the body if there are `several`.
+/// The finding about a body that stood `before` the change and does not stand `now`. It names the body if there are `several` bodies.
 pub(crate) fn bottoms_moved_of_body(
     before: &StandingBody,
     now: &StandingBody,
@@ -61,7 +61,8 @@ pub(crate) fn bottoms_moved_of_body(
     Some(Finding::new(&BOTTOMS_MOVED, text).with_place(&now.lowest()?.path))
 }
 
-/// The finding about a limb whose bottoms differed by `before_m` and differ more now, from `lowest` to `highest`.
+/// The finding about a limb whose bottoms are less level after the change: their heights differed by `before_m`, and now by that of
+/// `lowest` and `highest`.
 pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, highest: &Bottom) -> Finding {
     let millimetres = |metres: f64| readable((metres * 1e4).round() / 10.0);
     let now_m = highest.height_m - lowest.height_m;
@@ -112,17 +113,17 @@ static HARD_LINKED: Rule = Rule {
     },
 };
 
-/// The finding that the file `path` has `others` more names.
+/// The finding that the file `path` has `others` other names (hard links), under which the old model stays.
 pub fn hard_linked(path: &Path, others: u64) -> Finding {
     let names = if others == 1 { "one more name".to_owned() } else { format!("{others} more names") };
     let text = format!("{} has {names} (hard links), under which the old model stays", path.display());
     Finding::new(&HARD_LINKED, text)
 }
 
-/// Bodies of feet whose meshes are read at most. Each mesh is a file.
+/// The largest number of bodies of feet whose meshes are read. Each mesh is a file.
 const MOST_FEET_BODIES: usize = 40;
-/// The number of bodies above which bodies near the ground are not searched if the model has no spheres: that takes longer than all other
-/// rules.
+/// In a model without spheres and with more bodies than this, the program does not look for bodies near the ground, because this takes
+/// longer than all other rules.
 const MOST_BODIES_TO_SEARCH: usize = 200;
 
 static ODD_MESH: Rule = Rule {
@@ -165,7 +166,7 @@ fn bodies_of_feet(model: &Model) -> BTreeSet<String> {
     feet.into_iter().flat_map(|foot| foot.bodies).collect()
 }
 
-/// Bodies whose densities differ by more than this factor are not similar.
+/// Two bodies are not similar if their densities differ by more than this factor.
 const UNLIKE_DENSITY: f64 = 2.5;
 
 static MASS_AGAINST_LENGTH: Rule = Rule {
@@ -182,7 +183,7 @@ static MASS_AGAINST_LENGTH: Rule = Rule {
     },
 };
 
-/// The remark that a model is much denser, or much less dense, than the one that was scaled.
+/// The remark that a model is much more dense, or much less dense, than the model before scaling.
 pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
     let (mass, length) =
         sizes.mass_ratio.zip(sizes.length_ratio.filter(|_| sizes.length_source == "joints"))?;
@@ -213,7 +214,7 @@ static UNLIKE_RECORDING: Rule = Rule {
     },
 };
 
-/// The finding that contacts do not fit a recording.
+/// The finding that contacts do not fit a recording; `text` is its message.
 pub(crate) fn unlike_recording(text: Phrase) -> Finding {
     Finding::new(&UNLIKE_RECORDING, text)
 }

@@ -1,4 +1,4 @@
-//! The numbers that a design request without a model gives, before anything is calculated from them.
+//! The numbers that a design request without a model gives, before other numbers are computed from them.
 
 use contact_scaling::sizing::{KnownQuantities, Sizing, SizingError};
 use contact_scaling::{DomainError, SharedLoad, SmoothingValues, modulus, restitution, smoothing};
@@ -32,7 +32,7 @@ pub(super) enum ModulusSource {
 }
 
 impl ModulusSource {
-    /// The equations that give the modulus; `None` where the register of quantities names it.
+    /// The numbers of the equations that give the modulus; `None` if the register of quantities already has the right number.
     pub(super) fn equation(self) -> Option<&'static str> {
         match self {
             Self::Young => Some("A.1, A.5"),
@@ -42,13 +42,16 @@ impl ModulusSource {
     }
 }
 
-/// A number that an equation refuses, as a fault of the request.
+/// Turns the error of an equation that refuses a number into a fault of the request.
 pub(super) fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
     RequestFault::general(error.to_string())
 }
 
 impl DesignInputs {
+    /// Reads the numbers of the request.
+    ///
     /// # Errors
+    ///
     /// The radius is relative to a model, or body weights are given without a mass.
     pub(super) fn new(request: &DesignRequest) -> Result<Self, RequestFault> {
         let wanted = &request.wanted;
@@ -112,12 +115,12 @@ impl DesignInputs {
         }
     }
 
-    /// Whether something is wanted that needs all quantities of the sizing.
+    /// Whether the request wants a number for which all quantities of a sphere under its load have to be known.
     pub(super) fn needs_sizing(&self) -> bool {
         self.indentation.is_some() || self.contact_stiffness.is_some()
     }
 
-    /// The fault that lists the inputs of which some have to be added.
+    /// A fault that lists the inputs that are missing; some of these have to be added.
     pub(super) fn missing_inputs(&self) -> RequestFault {
         let load = self.load_n.is_some() && self.spheres.is_some();
         let have: [(bool, &str, Phrase); 5] = [
@@ -184,7 +187,8 @@ impl DesignInputs {
         }
     }
 
-    /// The fault of a quantity that contradicts the others, by the name and in the unit in which it was given.
+    /// The fault that a given quantity contradicts the value that follows from the others. It has the name and the unit in which the
+    /// quantity was given.
     fn contradiction(&self, quantity: &str, given: f64, follows: f64) -> RequestFault {
         let surface = |composite| {
             modulus::of_equal_surfaces(composite, modulus::MixingRule::Sherman).unwrap_or(composite)
@@ -216,13 +220,14 @@ impl DesignInputs {
 
 // The share of the Hertz force that a smoothed contact has at rest.
 
-/// Iterations for a radius that dissipation and sizing both depend on; each brings it at least three times closer.
+/// The largest number of iterations for a radius, if dissipation and load both depend on it. Each iteration brings the radius at least
+/// three times closer.
 const MOST_ITERATIONS: u32 = 60;
 
-/// A smoothed contact at rest, as (C.9) has it at speed 0.
+/// A smoothed contact that does not move, by (C.9) at speed 0.
 #[derive(Clone, Copy)]
 pub(super) struct AtRest {
-    /// The force at rest over the Hertz force.
+    /// The force of the contact at speed 0 over the Hertz force.
     pub(super) speed_state: f64,
     dissipation_s_m: f64,
     smoothing_s_m: f64,
@@ -231,7 +236,7 @@ pub(super) struct AtRest {
 }
 
 impl AtRest {
-    /// `None` where no smoothing is wanted, or no dissipation is known.
+    /// The contact for the wanted numbers; `None` if no smoothing is wanted, or no dissipation is known.
     fn from_wanted(
         wanted: &WantedOptions,
         radius_m: Option<f64>,
@@ -261,12 +266,12 @@ impl AtRest {
         Ok(Some(Self { speed_state, dissipation_s_m, smoothing_s_m, is_default: width.is_none() }))
     }
 
-    /// Whether the force at rest differs from the Hertz force.
+    /// Whether the force at speed 0 differs from the Hertz force.
     pub(super) fn changes_force(self) -> bool {
         self.speed_state != 1.0
     }
 
-    /// A sentence for the results, if the force at rest visibly differs from the Hertz force.
+    /// A sentence for the results, if the force at speed 0 visibly differs from the Hertz force.
     pub(super) fn remark(self) -> Option<String> {
         let share = readable(self.speed_state);
         let default = if self.is_default { " (OpenSim's default)" } else { "" };
@@ -281,7 +286,8 @@ impl AtRest {
     }
 }
 
-/// The sizing, where enough is known for one, and the smoothed contact at rest that it was made with.
+/// All quantities of a sphere under its load, if enough of them are known, and the smoothed contact at speed 0 from which they were
+/// computed.
 ///
 /// # Errors
 /// A number outside its domain, or numbers that contradict each other.

@@ -1,4 +1,4 @@
-//! A design without a model: from what is known, every figure that follows, with its equation and limit.
+//! Computes a design without a model: all figures that follow from the given numbers, with equations and limits.
 
 mod inputs;
 
@@ -76,14 +76,14 @@ impl DesignSheet {
         self.add_by(quantity.info().equation, quantity, value, given);
     }
 
-    /// Adds a figure that depends on the force at rest: its equations include (C.9) if the contact is `add_smoothing`.
+    /// Adds a figure that depends on the force at speed 0. If the contact is `smoothed`, its equations include (C.9).
     fn add_at_rest(&mut self, smoothed: bool, quantity: DesignQuantity, value: f64, given: bool) {
         let equation = quantity.info().equation;
         let equation = if smoothed { format!("{equation}, C.9").into() } else { Cow::from(equation) };
         self.add_by(equation, quantity, value, given);
     }
 
-    /// Adds a figure that was calculated by another equation than its quantity usually is.
+    /// Adds a figure that was computed by another equation than the usual equation of its quantity.
     fn add_by(
         &mut self,
         equation: impl Into<Cow<'static, str>>,
@@ -99,7 +99,7 @@ impl DesignSheet {
     }
 }
 
-/// A name from the register.
+/// The schema of a figure's name: one of the names in the register.
 #[cfg(feature = "schemas")]
 fn figure_names(_: &mut SchemaGenerator) -> Schema {
     let figure_names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
@@ -163,11 +163,11 @@ osim_inspect::quantities! {
 }
 
 impl DesignQuantity {
-    /// The equation of a figure that follows from the law itself, which has no number.
+    /// The text that stands for an equation if a figure follows from the contact law itself, which has no number.
     pub const EXACT_LAW: &'static str = "exact";
 }
 
-/// Calculates a design that names no model.
+/// Computes a design for a request that names no model.
 ///
 /// # Errors
 /// Too little is known, or it contradicts itself; or something is given that only makes sense with a model.

@@ -1,4 +1,4 @@
-//! Contacts in a table: their names, bodies, places and radii.
+//! Contacts from a table: their names, bodies, places and radii.
 
 mod place;
 
@@ -10,14 +10,14 @@ use osim_model::refuse_name;
 use crate::sheet::{Row, Sheet};
 pub use place::{PlaceFault, PlaceOnBody, TablePlace};
 
-/// A fault in a table of contacts, with its line.
+/// A fault in a table of contacts, with the line in the table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableFault {
-    /// Line in the file, where it is about one.
+    /// Line in the file; `None` if the fault is not about one line.
     pub line: Option<u64>,
-    /// Column, from 1, where it is about one.
+    /// Column, counted from 1; `None` if the fault is not about one column.
     pub column: Option<usize>,
-    /// The message, with the name of the column, without its line.
+    /// The message, with the name of the column and without the line.
     pub message: String,
 }
 
@@ -40,7 +40,7 @@ impl std::error::Error for TableFault {}
 
 /// No coordinate and no radius may be larger than this, m.
 const LARGEST_LENGTH_M: f64 = 1e9;
-/// The text that MuSkeMo writes where a contact has no body.
+/// The text that MuSkeMo writes for the body of a contact that has no body.
 const NO_BODY: &str = "not_assigned";
 
 /// The contacts of a table with the columns `name`, `body`, `x`, `y`, `z` (in the body's frame) and perhaps `radius`, all in metres;
@@ -58,7 +58,7 @@ const NO_BODY: &str = "not_assigned";
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactTable {
     pub rows: Vec<ContactRow>,
-    /// Whether the table has a column of radii; then each row has one.
+    /// Whether the table has a column of radii. If it has, each row has a radius.
     pub has_radii: bool,
 }
 
@@ -71,7 +71,7 @@ pub struct ContactRow {
     /// Name of the body that carries it.
     pub body: String,
     pub place: TablePlace,
-    /// Radius of the sphere, m, where the table has radii.
+    /// Radius of the sphere, m, if the table has radii.
     pub radius_m: Option<f64>,
 }
 
@@ -150,7 +150,7 @@ impl ContactCells<'_> {
         Ok([self.number(x)?, self.number(y)?, self.number(z)?])
     }
 
-    /// Three numbers, or three cells that are empty or nan.
+    /// Three numbers from the cells of the `columns`; `None` if all three cells are empty or nan.
     fn optional_place(&self, columns: [usize; 3]) -> Result<Option<[f64; 3]>, TableFault> {
         let is_blank =
             |&column: &usize| self.cell(column).is_empty() || self.cell(column).eq_ignore_ascii_case("nan");
@@ -189,15 +189,15 @@ enum ColumnMeaning {
     Radius,
     /// A coordinate (0 for x, 1 for y, 2 for z) in the frame of the body.
     OfBody(usize),
-    /// A coordinate in MuSkeMo's local frame: a number only where a local frame was assigned.
+    /// A coordinate in MuSkeMo's local frame. It is only a number if the contact has a local frame.
     Local(usize),
     /// A coordinate x, y or z in MuSkeMo's global frame.
     Global(usize),
-    /// A column that is not used, such as one whose name begins with #.
+    /// A column that is not used, for example because its name begins with #.
     Ignored,
 }
 
-/// Names of columns without their unit, in small letters: those for tables of users, then those of MuSkeMo's export.
+/// Names of columns without their unit, in small letters: the names for users' own tables, then those in tables that MuSkeMo exports.
 const COLUMN_MEANINGS: [(&str, ColumnMeaning); 15] = [
     ("name", ColumnMeaning::Name),
     ("body", ColumnMeaning::Body),
@@ -229,8 +229,11 @@ struct Columns {
 }
 
 impl Columns {
+    /// Finds the columns in the header.
+    ///
     /// # Errors
-    /// A column that is missing, appears twice or is not known, or one in another unit than metres.
+    ///
+    /// A column that is missing, appears twice or is not known, or a column in another unit than metres.
     fn from_header(sheet: &Sheet) -> Result<Self, TableFault> {
         let mut used_columns: Vec<(ColumnMeaning, usize)> = Vec::new();
         for (index, header) in sheet.header.iter().enumerate() {
@@ -304,7 +307,7 @@ fn column_meaning(header: &str) -> Result<ColumnMeaning, String> {
     }
 }
 
-/// `radius [m]` and `radius(m)` as `radius` and `m`.
+/// Splits the header of a column into name and unit: `radius [m]` and `radius(m)` into `radius` and `m`.
 fn without_unit(header: &str) -> (&str, Option<&str>) {
     for (open, close) in [('(', ')'), ('[', ']')] {
         let parts = header.strip_suffix(close).and_then(|rest| rest.split_once(open));

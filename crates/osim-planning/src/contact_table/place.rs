@@ -1,11 +1,11 @@
-//! The place of a table's contact on its body.
+//! The place of a contact from a table on its body.
 
 use osim_model::feet::{DefaultPose, PoseFault};
 use osim_model::{DVec3, Placement};
 
-/// A frame that is at most this far from ground's coincides with it, m.
+/// A frame coincides with ground if its origin and the tips of its axes are at most this far from those of ground, m.
 const SAME_FRAME_M: f64 = 1e-9;
-/// The global and the local place of a contact agree if they are at most this far apart, m.
+/// The global and the local place of a contact agree if their distance is at most this, m.
 const SAME_PLACE_M: f64 = 1e-3;
 
 /// The place of a contact as its table gives it, m.
@@ -13,7 +13,7 @@ const SAME_PLACE_M: f64 = 1e-3;
 pub enum TablePlace {
     /// A place in the frame of the body.
     OfBody([f64; 3]),
-    /// A place in MuSkeMo's global frame, in a local one, or in both.
+    /// A place from MuSkeMo: in its global frame, in a local frame of the contact, or in both.
     Exported { global_m: Option<[f64; 3]>, local_m: Option<[f64; 3]> },
 }
 
@@ -21,25 +21,25 @@ pub enum TablePlace {
 pub struct PlaceOnBody {
     /// The contact's centre in the frame of its body, m.
     pub location_m: [f64; 3],
-    /// Whether the place was given in ground, and converted to the body's frame at the default pose.
+    /// Whether the table gave the place in ground, so that it was converted to the body's frame at the default pose.
     pub from_default_pose: bool,
 }
 
-/// Why the place of a contact on its body is not known.
+/// The reason why the place of a contact on its body is not known.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlaceFault {
     /// The default pose of the body is not known.
     Pose(PoseFault),
-    /// The two places are that far from each other in this model, m.
+    /// The global and the local place have this distance in the model, m.
     Disagree(f64),
     /// Only the global place is given, and nobody confirmed that it was measured at the default pose.
     OnlyGlobal,
 }
 
 impl TablePlace {
-    /// The place in the frame of `body`. Of an export it is the global place if the body's frame coincides with ground at the default
-    /// pose (MuSkeMo's global mode), else the local one. A place that is given in ground only is converted to the body's frame if
-    /// `at_default_pose` says that it was measured at the default pose.
+    /// The place in the frame of `body`. If MuSkeMo exported the table, this is the global place if the body's frame coincides with ground
+    /// at the default pose (MuSkeMo's global mode), else the local place. A place that is only given in ground is converted to the body's
+    /// frame if `at_default_pose` says that it was measured at the default pose.
     ///
     /// # Errors
     /// Two places that differ by more than 1 mm, a global one alone, or a body whose place is not known.
@@ -74,7 +74,7 @@ impl TablePlace {
     }
 }
 
-/// Whether the frame's origin and the tips of its axes are those of ground.
+/// Whether the origin of the frame and the tips of its axes coincide with those of ground.
 fn coincides_with_ground(frame: &Placement) -> bool {
     let points = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
     points.into_iter().all(|point| frame.point(point).distance(point) <= SAME_FRAME_M)
@@ -86,7 +86,8 @@ mod tests {
 
     use super::*;
 
-    /// `foot` hangs 1 m above ground, turned by a quarter about z: its x points up. `bone` is where ground is.
+    /// A pose in which `foot` is 1 m above ground, turned by a quarter turn about z, so that its x points up; and `bone` is at the origin
+    /// of ground.
     fn pose_of_foot_and_bone() -> DefaultPose {
         let joint = |body: &str, place: &str, turn: &str| {
             format!(

@@ -1,5 +1,5 @@
-//! Remarks about feet that get spheres: their parts, floors, planes and limbs; and questions about sizes and masses that are probably
-//! a slip.
+//! Remarks about feet that get spheres: their parts, floors, planes and limbs; and questions about sizes and masses that look like a typing
+//! mistake or another unit.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -40,7 +40,7 @@ impl<'f> FeetWithSpheres<'f> {
         self.soles.iter().flat_map(|sole| &sole.bodies).map(String::as_str)
     }
 
-    /// Each joint from a body of a foot to one below it.
+    /// All joints from a body of a foot to a body below it, by the names of the two bodies.
     fn joints_below(&self) -> impl Iterator<Item = (&'f str, &'f str)> {
         let model = self.model;
         self.bodies().flat_map(move |body| {
@@ -53,7 +53,7 @@ impl<'f> FeetWithSpheres<'f> {
         self.bodies().any(|own| own == body)
     }
 
-    /// A remark if only one side gets spheres; it names the bodies of the other side.
+    /// A remark if only one side gets spheres. It names the bodies of the other side.
     fn spheres_on_one_side_only(&self) -> Option<Phrase> {
         let other = |body: &&str| {
             let is_counterpart = |there: &str| {
@@ -67,7 +67,7 @@ impl<'f> FeetWithSpheres<'f> {
         about_bodies(&missing, |bodies| format!("one side alone gets spheres: the other side has {bodies}"))
     }
 
-    /// A remark that names bodies below a foot's bodies which get no spheres.
+    /// A remark that names bodies which hang on a foot's bodies and get no spheres.
     fn bodies_without_spheres(&self) -> Option<Phrase> {
         let out: Vec<&str> =
             self.joints_below().map(|(_, child)| child).filter(|child| !self.gets_spheres(child)).collect();
@@ -108,8 +108,8 @@ fn about_bodies(bodies: &[&str], text: impl FnOnce(String) -> String) -> Option<
     (!listed.is_empty()).then(|| text(listed.join(", ")).into())
 }
 
-/// A remark how far the new spheres of `plan` are from the floor of `built`, the model that it makes, at the default pose, and which
-/// coordinate puts the body on them. `None` if they press on no floor.
+/// A remark about the default pose: how far the new spheres of `plan` are from the floor of `built`, the model after the change, and which
+/// coordinate puts the body on its spheres. `None` if the spheres press on no floor.
 pub(crate) fn remark_on_standing(plan: &Plan, built: &Model) -> Option<Phrase> {
     let bodies = match standing_bodies(built) {
         Ok((bodies, _)) => bodies,
@@ -129,10 +129,10 @@ fn lowest_sphere_remark(body: &StandingBody) -> Option<Phrase> {
     Some(format!("at the default pose {lowest}, the lowest sphere, is {height}; {way}").into())
 }
 
-/// A plane that leans by at most this, degrees, was probably meant to be level.
+/// A plane that leans by at most this, degrees, was probably intended to be level.
 const LEVEL_TOLERANCE_DEG: f64 = 10.0;
 
-/// A remark that names planes of `base` which are not quite level, if a level floor was added beside them.
+/// A remark that names planes of `base` which are nearly level, if a level floor was added to the model.
 pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &RebuiltModel) -> Option<Phrase> {
     let added = |object: &osim_patch::ObjectChange| object.action == ObjectAction::Added;
     let made = rebuilt.objects.iter().find(|object| added(object) && object.class == "ContactHalfSpace")?;
@@ -157,7 +157,7 @@ pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &RebuiltModel) -> 
     Some(text.into())
 }
 
-/// A remark that names planes which the `removed` forces of `model` used and the new forces of `rebuilt` do not.
+/// A remark that names planes which only the `removed` forces of `model` used, and no new force of `rebuilt` uses.
 pub(crate) fn remark_on_other_planes(
     model: &Model,
     removed: &[ForceId],
@@ -190,15 +190,17 @@ pub(crate) fn remark_on_other_planes(
     Some(text.into())
 }
 
-/// The program asks about a sphere that is farther than this from the joints of its body, in units of the longest distance between
-/// joints around it. Published spheres are closer than half of that; in centimetres they would be at some tens.
+/// If a sphere is farther from the joints of its body than this, the program asks whether that is intended. The unit is the longest
+/// distance between joints around the body. Published spheres are closer than half of the limit; places in centimetres would be at some
+/// tens.
 const FAR_FROM_JOINTS: f64 = 3.0;
-/// A usual distance of a sphere in the same units: that of the ball of a human foot, over the length of the shank.
+/// A usual distance of a sphere from the joints, in the same unit as [`FAR_FROM_JOINTS`]: from the ankle to the ball of a human foot, over
+/// the length of the shank.
 const USUAL_DISTANCE: f64 = 0.4;
-/// Length of a foot over the usual distance of its sole below the bones: 0.26 m over 13 mm.
+/// Length of a foot over the usual thickness of the pad below its bones: 0.26 m over 13 mm.
 const FOOT_LENGTH_OVER_PAD: f64 = 20.0;
-/// The program asks about larger factors of bones. Those of a giraffe are 38 times as long as those of a mouse: the cube root of
-/// 1190 kg over 0.0209 kg.
+/// The program asks about scale factors of bones that are larger than this. The bones of a giraffe are 38 times as long as those of a
+/// mouse: the cube root of 1190 kg over 0.0209 kg.
 const LARGEST_SCALE: f64 = 50.0;
 
 /// Positions of a model's joints on its bodies.
@@ -218,7 +220,7 @@ impl JointPositions {
         Self { anatomy: Anatomy::of(model).ok(), distances: model.joint_distances().clone() }
     }
 
-    /// The distance of a place from the nearest joint of `body`, or its origin; `None` if the size of the bones is not known.
+    /// The distance of a place from the nearest joint of `body`, or from its origin; `None` if the size of the bones is not known.
     pub(crate) fn distance(&self, body: &str, place_m: [f64; 3]) -> Option<DistanceFromJoints> {
         let longest_m = self.distances.longest_around_body(body)?;
         let anatomy = self.anatomy.as_ref()?;
@@ -231,12 +233,12 @@ impl JointPositions {
 }
 
 impl DistanceFromJoints {
-    /// The distance in units of the longest one between joints.
+    /// The distance divided by the longest distance between joints.
     pub(crate) fn relative(&self) -> f64 {
         self.from_joints_m / self.longest_m
     }
 
-    /// The question about a place that is too far away; `at` names its table and line.
+    /// The question about a place that is too far from the joints of the body; `at` names the table and the line.
     pub(crate) fn question_about_place(&self, at: &str, name: &str, body: &str) -> Option<NeedsAnswer> {
         if self.relative() <= FAR_FROM_JOINTS {
             return None;
@@ -260,7 +262,7 @@ impl DistanceFromJoints {
     }
 }
 
-/// The question about a sole that is farther below the bones than the foot is long.
+/// The question about a pad that is thicker than the foot is long.
 pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer> {
     let length_m = sole.footprint.length_m;
     if pad_m <= length_m {
@@ -285,7 +287,7 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer>
     Some(NeedsAnswer::Other { question: Question::ImplausiblePlace, text })
 }
 
-/// The question about a factor of bones that is larger than between any two animals.
+/// The question about a scale factor of bones that is larger than between any two animals.
 pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsAnswer> {
     let usual = 1.0 / LARGEST_SCALE..=LARGEST_SCALE;
     let factors = scales.iter().flat_map(|scale| scale.factors.map(|factor| (scale, factor)));
@@ -304,7 +306,7 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsAnswer> 
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text })
 }
 
-/// A remark on how many limbs share the weight, if the note in `model` has the number and the caller did not give it.
+/// A remark with the number of limbs that share the weight, if the number is from the note in `model` and not from the caller.
 pub(crate) fn remark_on_noted_limbs(counts: &CountOptions, model: &Model) -> Option<Phrase> {
     let noted = model.noted_stance_limbs()?;
     let is_given = counts.stance_limbs.is_some() || counts.spheres.is_some();

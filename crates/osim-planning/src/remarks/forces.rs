@@ -1,4 +1,4 @@
-//! Remarks about forces that a change makes or removes: smoothing, friction, names in other objects, contacts between spheres.
+//! Remarks about forces that a change makes or removes: smoothing, friction, names that other objects use, contacts between spheres.
 
 use contact_scaling::{Ratios, SmoothingValues};
 use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
@@ -12,12 +12,12 @@ use osim_requests::{ConstantIndentation, Request};
 
 use crate::prepared_change;
 
-/// Sets of smoothing values that are listed at most.
+/// The largest number of sets of smoothing values that a remark lists.
 const NUMBERS_LISTED: usize = 3;
 const FRICTION_COEFFICIENTS: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
-/// Remarks on the smoothing values of new forces and their effects; `given` says that the caller gave all of these values.
+/// Remarks on the smoothing values of new forces and on their effects. `given` says that the caller gave all these values.
 pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     let mut groups: Vec<([f64; 3], usize)> = Vec::new();
     for values in
@@ -74,7 +74,7 @@ fn smoothing_sentence(values: &[f64; 3], count: usize) -> Phrase {
     format!("smoothing of {count} {forces}: {}", all.join(", ")).into()
 }
 
-/// Findings of `check` on the smoothing of `model`: its body floats, or is carried before it touches.
+/// Findings of `check` about the smoothing of `model`: the body floats above the floor, or the forces carry it before its spheres touch.
 pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
     let options = InspectOptions::default();
     let inspection = options.inspect("", model, None);
@@ -93,7 +93,7 @@ pub(crate) fn findings_on_smoothing(model: &Model) -> Vec<Finding> {
         .collect()
 }
 
-/// The finding about a model that is not written yet, without its line, and with advice for this call instead of a remedy.
+/// The finding without its line, for a model that is not written yet, and with advice for this call instead of a remedy.
 fn with_advice(found: FindingWithRemedy) -> Finding {
     let FindingWithRemedy { mut finding, remedy, .. } = found;
     finding.line = None;
@@ -112,12 +112,12 @@ fn with_advice(found: FindingWithRemedy) -> Finding {
     finding
 }
 
-/// Speeds of friction that differ by less than this (relative; masses within 1.8 times) make little difference.
+/// If the transition velocities of friction differ by less than this (relative), as for masses within 1.8 times, the difference has little
+/// effect.
 const SIMILAR_SPEEDS: f64 = 0.1;
 
-/// A remark on the effects of speeds of friction that stay those of the reference; `None` if the body is about as large as the
-/// reference, or has no friction. The slip speed at which friction is full goes with √R (isometric: M^(1/6)), as all speeds of a
-/// body do.
+/// A remark on transition velocities of friction that stay those of the reference. `None` if the body is about as large as the reference,
+/// or has no friction. The slip speed at which friction is full follows √R (isometric: M^(1/6)), like all speeds of a body.
 pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phrase> {
     let masses = plan.masses.as_ref()?;
     let ratios = Ratios::isometric(masses.target_mass_kg / masses.contacts_mass.kg).ok()?;
@@ -143,11 +143,11 @@ fn has_friction(force: &Force) -> bool {
         .any(|set| FRICTION.iter().any(|&one| value(set.id, one).is_some_and(|value| value > 0.0)))
 }
 
-/// Version of a document; OpenSim 1 to 3 wrote smaller ones.
+/// The version number of the first documents of OpenSim 4; OpenSim 1 to 3 wrote smaller numbers.
 const FIRST_VERSION_OF_OPENSIM_4: u32 = 40_000;
 
-/// A remark on smooth forces that `rebuilt` adds to a document of an OpenSim before 4: they came with OpenSim 4.1 (its list of
-/// changes), which reads such documents too.
+/// A remark on smooth forces that `rebuilt` adds to a document of OpenSim 3 or older. OpenSim has had these forces since 4.1 (its list of
+/// changes), which also reads such documents.
 pub(crate) fn remark_on_old_document(rebuilt: &RebuiltModel) -> Option<Phrase> {
     let smooth = ForceKind::SmoothSphereHalfSpace.as_str();
     let is_new = |object: &ObjectChange| object.action == ObjectAction::Added && object.class == smooth;
@@ -162,10 +162,10 @@ pub(crate) fn remark_on_old_document(rebuilt: &RebuiltModel) -> Option<Phrase> {
     })
 }
 
-/// Objects and names that are listed at most.
+/// The largest number of objects, and of names, that a remark lists.
 const NAMES_LISTED: usize = 3;
 
-/// Remarks on objects of `rebuilt` that name objects which it does not have any more.
+/// Remarks on objects of `rebuilt` that use the names of objects which the change removed.
 pub(crate) fn remarks_on_missing_names(rebuilt: &RebuiltModel) -> Vec<Phrase> {
     let objects_with_missing_names = dangling_references(rebuilt);
     let remark = |leftover: &DanglingReference| {
@@ -182,10 +182,10 @@ pub(crate) fn remarks_on_missing_names(rebuilt: &RebuiltModel) -> Vec<Phrase> {
     remarks
 }
 
-/// Pairs of spheres that are listed at most.
+/// The largest number of pairs of spheres that a remark lists.
 const PAIRS_LISTED: usize = 3;
 
-/// Remarks on contacts between two spheres of one force, which end when the force is divided into forces of one sphere each.
+/// Remarks on contacts between two spheres of one force. These contacts end when the force is divided into forces of one sphere each.
 ///
 /// # Errors
 /// Two spheres touch at the default pose, or it is not known whether they do: the force that keeps them apart would be gone.
@@ -214,7 +214,7 @@ pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Re
     Ok(remarks)
 }
 
-/// The names of two spheres, if they do not touch.
+/// The names of two spheres that do not touch each other.
 fn names_of_apart_pair(model: &Model, force: &Force, pair: &SpherePair) -> Result<String, Fault> {
     let name = |id: SphereId| model.sphere(id).map_or("", |sphere| sphere.name.as_str());
     let (one, other) = (name(pair.one), name(pair.other));

@@ -1,4 +1,4 @@
-//! Remarks, questions and refusals when contacts are added, converted, removed or scaled.
+//! Remarks, questions and refusals for changes that add, convert, remove or scale contacts.
 
 mod feet;
 mod forces;
@@ -17,7 +17,7 @@ pub(crate) use forces::{
     remarks_on_missing_names, remarks_on_smoothing,
 };
 
-/// Refuses to apply a factor once more in place, if the note says that it was applied already and `may_repeat` is false.
+/// Refuses to apply a factor to the same file once more, if the note says that it was applied already and `may_repeat` is false.
 ///
 /// # Errors
 /// The question whether it should be applied again.
@@ -29,7 +29,7 @@ pub(crate) fn refuse_repetition(model: &Model, operation: &str, may_repeat: bool
     Err(Fault::new(Needed::Repetition { operation: operation.to_owned() }))
 }
 
-/// An operation as notes name it: the verb, and the factor of the radius where one is given.
+/// The name of an operation for notes: the verb, and the factor of the radius if one is given.
 pub(crate) fn operation_with_radius(verb: &str, radius: Option<RadiusRule>) -> String {
     match radius {
         Some(RadiusRule::Factor(factor)) => format!("{verb} radius=x{}", shortest(factor)),
@@ -37,7 +37,7 @@ pub(crate) fn operation_with_radius(verb: &str, radius: Option<RadiusRule>) -> S
     }
 }
 
-/// Refuses an output file for a geometry set: verbs that change whole objects do so in whole models only.
+/// Refuses an output file for a geometry set, because verbs that change whole objects only change whole models.
 ///
 /// # Errors
 /// The request names such a file.

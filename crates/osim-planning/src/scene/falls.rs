@@ -1,4 +1,4 @@
-//! How bodies fall on their contacts, moment by moment: those of a model, and animals of the paper's Table 1.
+//! Heights of bodies that fall on their contacts, moment by moment: bodies of a model, and animals of the paper's Table 1.
 
 use contact_scaling::drop_test::{DropError, DropReport, DropTest, Sample};
 use contact_scaling::table1::{Animal, animals};
@@ -10,9 +10,9 @@ use serde::Serialize;
 
 /// Bodies fall from a quarter of the radius, as in the paper's drop tests.
 const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
-/// Moments of a fall that are shown.
+/// The number of moments of a fall that are shown.
 const MOMENTS_OF_FALL: usize = 361;
-/// How long a fall is followed, in √(R/g): a body that bounces as feet do rests before.
+/// The duration of a fall, in √(R/g). A body that bounces like feet is at rest before.
 const DURATION_UNITS: f64 = 12.0;
 
 /// A body that falls on its contacts.
@@ -33,7 +33,7 @@ pub struct BodyFall {
 }
 
 impl BodyFall {
-    /// The falls of `bodies`, all followed for the same time.
+    /// The falls of `bodies`, all with the same duration.
     pub fn all(bodies: &[ContactBody]) -> Vec<Self> {
         let radii = bodies.iter().filter_map(|body| {
             let weight = body.weight().ok()?;
@@ -71,9 +71,9 @@ impl BodyFall {
     }
 }
 
-/// Height from which animals of the paper's Table 1 fall, in radii, as in its drop tests.
+/// The height from which animals of the paper's Table 1 fall, in radii, as in the drop tests of the paper.
 const DROP_HEIGHT_RADII: f64 = 0.25;
-/// How long animals are followed, in √(R/g): in this unit, bodies of all sizes fall alike.
+/// The duration of the animals' falls, in √(R/g). In this unit, bodies of all sizes fall alike.
 const ANIMAL_DURATION_UNITS: f64 = 12.0;
 const ANIMAL_MOMENTS: usize = 181;
 const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
@@ -91,7 +91,7 @@ pub struct AnimalFall {
 }
 
 impl AnimalFall {
-    /// A mouse, a human and a giraffe.
+    /// The falls of a mouse, a human and a giraffe.
     ///
     /// # Errors
     /// None with the numbers of the table.

@@ -104,7 +104,7 @@ struct RestingLoad {
     relative_indentation: f64,
 }
 
-/// Force and indentation of each sphere if the body stands on all its spheres.
+/// The force and the indentation of each sphere, if the body stands on all its spheres.
 fn loads_at_rest(
     model: &Model,
     forces: &[ForceId],
@@ -170,7 +170,7 @@ pub struct BodyLine {
     pub to_m: [f64; 3],
 }
 
-/// The lines of all bodies; none if the skeleton cannot be read.
+/// The lines between the joints of all bodies; none if the skeleton cannot be read.
 fn body_lines(model: &Model) -> Vec<BodyLine> {
     let Ok(anatomy) = Anatomy::of(model) else { return Vec::new() };
     let line = |below: &osim_model::AnatomyJoint| {
@@ -185,7 +185,7 @@ fn body_lines(model: &Model) -> Vec<BodyLine> {
     anatomy.joints.iter().filter_map(line).collect()
 }
 
-/// The largest number of triangles of all bones together: a view with more is too slow to turn.
+/// The largest number of triangles of all bones together. A view with more triangles is too slow to turn.
 const MOST_TRIANGLES: usize = 600_000;
 
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -238,16 +238,16 @@ impl BoneSurfaces {
     }
 }
 
-/// Lengths are whole numbers of hundredths of a millimetre.
+/// Units in a metre: lengths are whole numbers of hundredths of a millimetre.
 const UNITS_PER_M: f64 = 1e5;
 
-/// Metres in hundredths of a millimetre, or a component of an axis in hundred-thousandths.
+/// A length in whole hundredths of a millimetre; or a component of an axis in hundred-thousandths.
 #[expect(clippy::cast_possible_truncation, reason = "what is too far away is at the edge of what is drawn")]
 fn in_units(metres: f64) -> i32 {
     (metres * UNITS_PER_M).round() as i32
 }
 
-/// The largest number of frames that are shown: of a longer recording every second, third, ... frame is.
+/// The largest number of frames that are shown. Of a longer recording every second, third, ... frame is shown.
 const MOST_FRAMES: usize = 600;
 
 /// A model along a recording, frame by frame: its bodies, and the forces of its contacts and of plates.
@@ -282,7 +282,7 @@ pub struct PlayedForce {
 }
 
 impl PlayedRecording {
-    /// The frames of `result`, with the remarks that belong to `request`, spelled by `dialect`.
+    /// The frames of `result`, with the remarks for `request` in the words of `dialect`.
     pub fn of(result: &MotionResult, request: &MotionRequest, dialect: &dyn Dialect) -> Self {
         let states = &result.states;
         let step = states.frames().div_ceil(MOST_FRAMES).max(1);
@@ -312,7 +312,7 @@ impl PlayedRecording {
     }
 }
 
-/// A foot in the frames that are shown.
+/// The frames in which a foot is shown, with the forces on this foot.
 struct FootFrames<'r> {
     result: &'r MotionResult,
     foot: &'r FootSummary,

@@ -1,12 +1,12 @@
-//! Any text as a cell of a CSV table: not a formula, without control characters, in one line.
+//! Writes any text as a cell of a CSV table: in one line, without control characters, and so that no spreadsheet takes it for a formula.
 
 use std::borrow::Cow;
 
 use osim_model::messages::is_visible;
 
-/// An apostrophe before it marks a cell as text in spreadsheets.
+/// The apostrophe before a cell that spreadsheets have to read as text.
 const TEXT_MARK: char = '\'';
-/// A letter that is written as its number, such as `\u{1b}`, begins with this.
+/// The beginning of an escape, which writes a letter as its number, such as `\u{1b}`.
 const ESCAPE: &str = "\\u{";
 
 /// The text as a cell of CSV; [`from_cell`] reads it back.
@@ -73,7 +73,7 @@ pub fn from_cell(cell: &str) -> Cow<'_, str> {
     out.into()
 }
 
-/// Whether a spreadsheet would run the text as a formula if the apostrophes before it were removed.
+/// Whether a spreadsheet would run the text as a formula if the apostrophes before the text were removed.
 fn is_formula(text: &str) -> bool {
     text.trim_start_matches(TEXT_MARK).starts_with(['=', '+', '-', '@', '\t', '\r', '\n'])
 }
@@ -94,13 +94,13 @@ fn with_escapes(text: &str) -> Cow<'_, str> {
     out.into()
 }
 
-/// Whether a letter has an effect when it is printed, such as ending the line or changing the direction of writing. Other invisible
-/// letters, such as a no-break space, are not meant: names of files have them.
+/// Whether a letter has an effect when it is printed, such as ending the line or changing the direction of writing. Invisible letters
+/// without such an effect, for example no-break spaces, do not count, because names of files have them.
 fn controls_terminal(letter: char) -> bool {
     letter.is_control() || matches!(letter, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The letter whose number is at the beginning of `text`, and the text after it; `None` if that letter is never escaped.
+/// The letter that the escape at the beginning of `text` stands for, and the text after the escape; `None` if this letter is never escaped.
 fn letter_of_escape(text: &str) -> Option<(char, &str)> {
     let (digits, rest) = text.split_once('}')?;
     let letter = char::from_u32(u32::from_str_radix(digits, 16).ok()?)?;

@@ -1,4 +1,4 @@
-//! CSV tables, with decimal points or commas, and texts as their cells.
+//! Reads and writes CSV tables, with decimal points or commas.
 
 mod cell;
 
@@ -9,7 +9,7 @@ use osim_requests::values::typed::trimmed;
 pub use cell::{cell, from_cell, with_text_mark, without_text_mark};
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
-/// Files of .xlsx and .ods begin with this.
+/// The first bytes of .xlsx and .ods files.
 const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 
 /// A table with a header.
@@ -26,7 +26,7 @@ pub struct Sheet {
     pub header: Vec<String>,
     pub rows: Vec<Row>,
     delimiter: u8,
-    /// Whether the decimal mark is the comma: semicolons separate the cells, or some number has a comma.
+    /// Whether numbers have decimal commas: semicolons separate the cells, or a number has a comma.
     pub decimal_commas: bool,
 }
 
@@ -89,7 +89,7 @@ impl Sheet {
         Ok(Self { header, rows, delimiter, decimal_commas })
     }
 
-    /// A number's text with a decimal point instead of a comma.
+    /// The text of a number with a decimal point instead of a comma.
     ///
     /// # Errors
     /// Commas separate the cells of this table, or thousands in this number.
@@ -97,7 +97,7 @@ impl Sheet {
         with_decimal_point(cell, self.delimiter)
     }
 
-    /// A cell that is one plain finite number.
+    /// Reads a cell with one plain finite number.
     ///
     /// # Errors
     /// What is wrong with the cell, as the end of a sentence that begins with it.
@@ -112,7 +112,7 @@ impl Sheet {
         }
     }
 
-    /// The index of the column called `name`, in capital letters or not.
+    /// The index of the column called `name`, in capital or small letters.
     ///
     /// # Errors
     /// There is none, or there are two.
@@ -132,7 +132,7 @@ impl Sheet {
     }
 }
 
-/// Counts the lines before a record. (The count of the CSV reader is one short where lines end with CR and LF.)
+/// Counts the lines before a record, because the CSV reader counts one line too few if lines end with CR and LF.
 struct LineCounter<'b> {
     bytes: &'b [u8],
     at: usize,
@@ -140,7 +140,7 @@ struct LineCounter<'b> {
 }
 
 impl LineCounter<'_> {
-    /// The line of the record that begins at byte `start`, after line ends there.
+    /// The line of the record that begins at byte `start`, or after the line ends at this byte.
     fn line_at(&mut self, start: u64) -> u64 {
         let start = usize::try_from(start).unwrap_or(self.bytes.len());
         let rest = self.bytes.get(start..).unwrap_or_default();
@@ -152,7 +152,7 @@ impl LineCounter<'_> {
     }
 }
 
-/// The mark between cells: a semicolon or a tab if the first line has one, else the comma.
+/// The letter between cells: a semicolon or a tab if the first line has one, else the comma.
 fn delimiter(bytes: &[u8]) -> u8 {
     let first = bytes.split(|&byte| byte == b'\n').next().unwrap_or_default();
     [b';', b'\t'].into_iter().find(|delimiter| first.contains(delimiter)).unwrap_or(b',')
@@ -164,11 +164,11 @@ fn has_decimal_comma(cell: &str) -> bool {
     cell.split_once(',').is_some_and(|(head, tail)| digits(head) && digits(tail))
 }
 
-/// The message about a cell that `is_broken_formula` knows, as the end of a sentence that begins with the cell.
+/// The message about a cell for which `is_broken_formula` is true, as the end of a sentence that begins with the cell.
 pub const BROKEN_FORMULA: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
-/// Whether the cell is what spreadsheets write for a formula without a value, such as `#REF!` and `#N/A`.
+/// Whether the cell is the text that spreadsheets write for a formula without a value, such as `#REF!` and `#N/A`.
 pub(crate) fn is_broken_formula(cell: &str) -> bool {
     const ERRORS: [&str; 12] = [
         "#REF!",
@@ -213,10 +213,11 @@ fn csv_error_text(error: &csv::Error, bytes: &[u8]) -> String {
     }
 }
 
-/// Rows of a wrong length that are listed at most.
+/// The largest number of rows of wrong length that a message lists.
 const ROWS_LISTED: usize = 20;
 
-/// Advice about rows that have more or fewer cells than the header: of each the line, the number of cells, and whether it begins with `#`.
+/// Advice about rows with more or fewer cells than the header. `unequal` has the line of each row, the number of its cells, and whether it
+/// begins with `#`.
 fn message_of_unequal_rows(unequal: &[(u64, usize, bool)], header: &[String], delimiter: u8) -> String {
     let expected = header.len();
     let mut rows: Vec<String> = unequal

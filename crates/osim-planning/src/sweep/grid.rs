@@ -1,4 +1,4 @@
-//! The points of a sweep's grid, and those of them that one call makes.
+//! The points of a sweep's grid, and the choice of the points that one call makes.
 
 use std::fmt;
 use std::iter::StepBy;
@@ -58,7 +58,7 @@ pub(super) fn point_at(axes: &[Axis], index: usize) -> GridPoint<'_> {
     GridPoint { values }
 }
 
-/// Index and number of each point along one axis, with the other axes at their first value.
+/// Index and value of each point along the axis `name`, with all other axes at their first value.
 pub(super) fn points_along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
     let mut stride = 1_usize;
     for axis in axes.iter().rev() {
@@ -71,8 +71,8 @@ pub(super) fn points_along(axes: &[Axis], name: AxisName) -> Vec<(usize, f64)> {
     Vec::new()
 }
 
-/// Indices of the points with the least and the largest value of each axis, with the other axes at their first value. If a value is
-/// outside its domain, which is an interval, one of these points is.
+/// Indices of the points with the least and the largest value of each axis, with all other axes at their first value. If any value is
+/// outside its domain, which is an interval, one of these points is outside its domain.
 pub(super) fn points_at_ends(axes: &[Axis]) -> Vec<usize> {
     let mut indices = Vec::new();
     let mut stride = 1_usize;
@@ -89,12 +89,12 @@ pub(super) fn points_at_ends(axes: &[Axis]) -> Vec<usize> {
     indices
 }
 
-/// A number from 1 to `count`, with zeros before it, so that names sort as the numbers do.
+/// A number from 1 to `count`, with zeros before it, so that names of files sort in the order of the numbers.
 pub(super) fn padded(number: usize, count: usize) -> String {
     format!("{number:0width$}", width = count.to_string().len())
 }
 
-/// Indices of the variants that a call makes: all of `count`, one point, or a shard.
+/// Indices of the variants that a call makes: all `count` variants, one point, or a shard.
 pub(super) fn indices_of_call(request: &SweepRequest, count: usize) -> StepBy<Range<usize>> {
     match (request.point, request.shard) {
         (Some(point), _) => (point.saturating_sub(1)..point.min(count)).step_by(1),
@@ -103,7 +103,7 @@ pub(super) fn indices_of_call(request: &SweepRequest, count: usize) -> StepBy<Ra
     }
 }
 
-/// Refuses a number of a point that does not exist.
+/// Refuses the number of a point that the grid does not have.
 ///
 /// # Errors
 /// The message has the range of the numbers.
@@ -114,7 +114,7 @@ pub(super) fn check_point_exists(request: &SweepRequest, count: usize) -> Result
     Err(RequestFault::refused(Input::Point, message))
 }
 
-/// The end of the name of a table with one point or shard, such as `shard-1-of-4`; `None` if the call makes all variants.
+/// The end of the name of a table with one point or one shard, such as `shard-1-of-4`; `None` if the call makes all variants.
 pub(super) fn part_name(request: &SweepRequest) -> Option<String> {
     // Without zeros before it, because an array job has its number in this form.
     let point = request.point.map(|point| format!("{POINT_PREFIX}{point}"));

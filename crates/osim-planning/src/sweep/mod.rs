@@ -1,4 +1,4 @@
-//! Variants of one model: the points of a grid, or the steps of a ladder, which go from soft to stiff contacts.
+//! Makes variants of one model: the points of a grid, or the steps of a ladder, which lead from soft to stiff contacts.
 
 mod grid;
 mod variant;
@@ -26,24 +26,24 @@ pub struct SweepPlan<'s> {
 }
 
 struct VariantJob {
-    /// The values of the grid or the ladder, as cells of the table.
+    /// The values of the grid point or ladder step, as cells of the table.
     asked: Vec<String>,
     operation: String,
-    /// The mass that the contacts are made for, if the grid changes it.
+    /// The mass that the contacts are made for, kg, if it is an axis of the grid.
     target_mass_kg: Option<f64>,
     stages: StepChanges,
 }
 
-/// A variant whose bytes are in memory, not in a file yet.
+/// A variant in memory, before it is written to a file.
 pub struct MadeVariant {
     pub bytes: Vec<u8>,
-    /// The operation on the model, as its note says it.
+    /// The operation that made the variant, in the words of its note.
     pub operation: String,
     number: usize,
     file: String,
     asked: Vec<String>,
     variant: Variant,
-    /// Codes of errors and warnings that the original does not have.
+    /// Codes of errors and warnings that the variant has and the original model does not have.
     worse: Vec<&'static str>,
 }
 
@@ -57,14 +57,14 @@ impl MadeVariant {
         &self.variant.digest
     }
 
-    /// Whether the variant has errors or warnings that the original does not have.
+    /// Whether the variant has errors or warnings that the original model does not have.
     pub fn is_worse(&self) -> bool {
         !self.worse.is_empty()
     }
 }
 
 impl<'s> SweepPlan<'s> {
-    /// Plans a sweep of the model whose files are `model`.
+    /// Plans a sweep of the model in the files `model`.
     ///
     /// # Errors
     /// Those of [`SweepRequest::check`], or the model itself cannot be read, a ladder has no last step, or there is no such point.
@@ -79,7 +79,7 @@ impl<'s> SweepPlan<'s> {
         Ok(Self { request, model, original, ladder, count })
     }
 
-    /// The number of all variants, also those that other calls make.
+    /// The number of all variants of the sweep, including variants that other calls make.
     pub fn count(&self) -> usize {
         self.count
     }
@@ -110,13 +110,13 @@ impl<'s> SweepPlan<'s> {
         self.file_name_with(self.table_kind(), "csv")
     }
 
-    /// Name of the table of the variants that this call makes, if it makes only some.
+    /// Name of the table with the variants that this call makes; `None` if it makes all variants.
     pub fn part_table_name(&self) -> Option<String> {
         let part = grid::part_name(self.request)?;
         Some(self.file_name_with(self.table_kind(), &format!("{part}.csv")))
     }
 
-    /// Whether this is the name of a table of some variants, of this sweep or of another sweep of the model.
+    /// Whether `name` is the name of a table with some variants of a sweep of the model: this sweep or another.
     pub fn is_part_table_name(&self, name: &str) -> bool {
         let part = name
             .strip_prefix(&self.file_name_with(self.table_kind(), ""))
@@ -124,7 +124,7 @@ impl<'s> SweepPlan<'s> {
         part.is_some_and(grid::is_part_name)
     }
 
-    /// Whether this may be the name of a variant of the model, of this sweep or of another one.
+    /// Whether `name` may be the name of the file of a variant of the model, from this sweep or another.
     pub fn is_like_file_name(&self, name: &str) -> bool {
         let own = || name.strip_prefix(&*self.model_name())?.strip_prefix('_')?.strip_suffix(".osim");
         own().is_some_and(|part| match self.ladder {
@@ -137,7 +137,7 @@ impl<'s> SweepPlan<'s> {
         if self.ladder.is_some() { "ladder" } else { "sweep" }
     }
 
-    /// The name of a file of the sweep, `NAME_part.extension`.
+    /// The name of a file of the sweep: `NAME_part.extension`.
     fn file_name_with(&self, part: &str, extension: &str) -> String {
         format!("{}_{part}.{extension}", self.model_name())
     }
@@ -155,12 +155,12 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    /// Whether these are the columns of the table of some sweep.
+    /// Whether `columns` are the columns of a sweep's table.
     pub fn is_table_header<C: AsRef<str>>(columns: &[C]) -> bool {
         is_header(columns)
     }
 
-    /// Plans the variants at the ends of the axes, so that values outside their domain are refused before anything is written.
+    /// Plans the variants at the ends of the axes. A value outside its domain is so refused before anything is written.
     ///
     /// # Errors
     /// What is wrong, with the point.
@@ -185,7 +185,7 @@ impl<'s> SweepPlan<'s> {
         Ok(())
     }
 
-    /// Indices of points whose mass looks like a slip; they need not be at an end of the axis.
+    /// Indices of the points whose mass looks like a typing mistake or another unit. These points can be anywhere on the axis.
     fn points_with_odd_mass(&self) -> Result<Vec<usize>, RequestError> {
         let masses = points_along(&self.request.grid, AxisName::TargetMass);
         if masses.is_empty() {
@@ -205,7 +205,7 @@ impl<'s> SweepPlan<'s> {
             .collect())
     }
 
-    /// Makes variant `index`.
+    /// Makes the variant with this index.
     ///
     /// # Errors
     /// What is wrong, with the point.
@@ -279,20 +279,20 @@ const PROPERTY_COLUMNS: [Property; 6] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// The beginning of the name of an axis's column.
+/// The beginning of the name of a column with the values of an axis.
 const GRID_PREFIX: &str = "grid_";
-/// The column with the aim of each step of a ladder.
+/// The column with the stiffness that each step of a ladder aims at.
 const LADDER_COLUMNS: [&str; 1] = ["wanted_dimensionless_stiffness"];
-/// x̂ at rest by the Hertz law, which also gives the k̂ of a ladder's steps.
+/// The column with x̂ under the body weight by the Hertz law. The k̂ of a ladder's steps follows from it.
 const HERTZ_INDENTATION: &str = "relative_indentation_hertz";
-/// x̂ at rest by the law of the force's class.
+/// The column with x̂ under the body weight by the law of the force's class.
 const MODEL_LAW_INDENTATION: &str = "relative_indentation_model_law";
-/// Codes of errors and warnings that the original does not have.
+/// The column with the codes of errors and warnings that the original model does not have.
 const WORSE_COLUMN: &str = "worse";
-/// The number of the point or step, from 1, and the file of the variant.
+/// The columns with the number of the point or step, from 1, and with the file of the variant.
 const FIRST_COLUMNS: [&str; 2] = ["index", "file"];
 
-/// Names of all columns: number and file, values of the grid or ladder, parameters of the contacts, and figures.
+/// Names of all columns: number and file, values of the grid or ladder (`asked`), parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
     let properties = PROPERTY_COLUMNS.map(|property| property.name().to_owned());
     let follows = [
@@ -308,7 +308,7 @@ fn header(asked: Vec<String>) -> Vec<String> {
     first.chain(asked).chain(properties).chain(follows).collect()
 }
 
-/// Whether these are the columns of the table of some sweep, by grid or by ladder.
+/// Whether `columns` are the columns of a sweep's table, of a grid or of a ladder.
 fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
     let others = header(Vec::new()).len();
     let Some(count) = columns.len().checked_sub(others) else { return false };
@@ -318,8 +318,8 @@ fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
     (is_grid || asked == LADDER_COLUMNS) && columns.iter().map(AsRef::as_ref).eq(whole)
 }
 
-/// The cells of one variant; `worse` are codes of errors and warnings that the original does not have, `sha256` is the digest of its
-/// bytes.
+/// The cells of one variant. `worse` has the codes of errors and warnings that the original model does not have; `sha256` is the digest of
+/// the bytes.
 fn row(
     number: usize,
     file: String,

@@ -1,4 +1,5 @@
-//! A variant of a model: the changes that make it, its bytes and figures; and the steps of a ladder, which go from soft to stiff contacts.
+//! A variant of a model: the changes that make it, its bytes and its figures; and the steps of a ladder, which lead from soft to stiff
+//! contacts.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +21,7 @@ use crate::prepared_change::PreparedChange;
 use crate::result_check::findings_without_remedies;
 use crate::verbs::{design, rescale, set};
 
-/// A variant that was made and read again from its bytes.
+/// A variant whose bytes were made and read again.
 pub(super) struct Variant {
     pub bytes: Vec<u8>,
     values: Vec<(Property, f64)>,
@@ -32,8 +33,8 @@ pub(super) struct Variant {
 }
 
 impl Variant {
-    /// Makes the changes `stages` one after the other and reads the result. Its figures are for `target_mass_kg`, else for the mass of
-    /// the model.
+    /// Applies the changes `stages` one after the other and reads the result. The figures are for the mass `target_mass_kg`, else for the
+    /// mass of the model.
     ///
     /// # Errors
     /// A stage that cannot be planned, or that would change an included file.
@@ -87,7 +88,7 @@ impl Variant {
         Ok(Self { bytes, values: contact_values(model, &selected), figures, digest, wrong })
     }
 
-    /// Codes of the errors and warnings that `original` does not have.
+    /// Codes of the errors and warnings of this variant that `original` does not have.
     pub(super) fn codes_not_in(&self, original: &Self) -> Vec<&'static str> {
         self.wrong.difference(&original.wrong).map(|code| code.as_str()).collect()
     }
@@ -97,13 +98,13 @@ impl Variant {
         self.values.iter().filter(move |(known, _)| *known == property).map(|(_, value)| *value)
     }
 
-    /// The value of `property`, if all contacts have the same.
+    /// The value of `property`, if all contacts have the same value.
     pub(super) fn common_value(&self, property: Property) -> Option<f64> {
         common_number(self.values_of(property))
     }
 
-    /// x̂ under one body weight by the law of `figure`: one number if all spheres have the same, else each different number with the name
-    /// of the first sphere that has it, such as `heel_r=0.16 toe_r=0.12`.
+    /// x̂ under one body weight by the law of `figure`. It is one number if all spheres have the same x̂; else each different number has
+    /// the name of the first sphere with it, such as `heel_r=0.16 toe_r=0.12`.
     pub(super) fn indentations(&self, figure: Figure) -> String {
         let spheres = self.figures.iter().flat_map(Figures::spheres);
         let known: Option<Vec<(&str, f64)>> =
@@ -129,7 +130,7 @@ impl Variant {
         self.figure(Figure::DimensionlessStiffness)
     }
 
-    /// c_r at the impact speed, by the law of the file.
+    /// The restitution c_r at the impact speed, by the law of the file.
     pub(super) fn restitution(&self) -> Option<f64> {
         self.figure(Figure::RestitutionExact)
     }
@@ -141,7 +142,7 @@ impl Variant {
     }
 }
 
-/// Codes of the errors and warnings of a model that carries `mass`.
+/// Codes of the errors and warnings of a model whose contacts carry `mass`.
 fn codes_of_warnings(
     request: &SweepRequest,
     open: &OpenModel,
@@ -157,7 +158,7 @@ fn codes_of_warnings(
     codes.filter(|code| *code != FindingCode::MassSourcesDisagree).collect()
 }
 
-/// The first value, if all others are nearly equal: figures of like spheres may differ in their last digits.
+/// The first value, if all others are nearly equal. Figures of equal spheres may differ in their last digits.
 fn common_number(mut values: impl Iterator<Item = f64>) -> Option<f64> {
     let first = values.next()?;
     values.all(|value| is_nearly_equal(first, value)).then_some(first)
@@ -180,10 +181,10 @@ fn contact_values(model: &Model, selected: &Selected) -> Vec<(Property, f64)> {
     values
 }
 
-/// The changes that make one variant, one after the other: rescale, set, design, each if the point needs it.
+/// The changes that make one variant, one after the other: rescale, set and design, as far as the point needs them.
 pub(super) type StepChanges = Vec<PreparedChange>;
 
-/// The changes that make the variant at a point of a grid.
+/// The changes that make the variant at a grid point.
 ///
 /// # Errors
 /// Values that do not go together.
@@ -282,15 +283,15 @@ fn prepare_rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Prepar
     rescale::prepare_with_factors(request, None)
 }
 
-/// Steps from a soft contact to the wanted one (section 4.3 of the paper).
+/// A ladder: steps from a soft contact to the wanted contact (section 4.3 of the paper).
 pub(super) struct SweepLadder {
     steps: Vec<continuation::Step>,
-    /// α of the softest step if the last step has none, s/m.
+    /// The dissipation α of the softest step, s/m, if the last step has no dissipation.
     dissipation_if_none: Option<f64>,
 }
 
 impl SweepLadder {
-    /// Calculates the steps from the model and the wanted design.
+    /// Computes the steps from the contacts of the model and the wanted design.
     ///
     /// # Errors
     /// The last step cannot be designed, or is softer than the first.
@@ -336,18 +337,18 @@ impl SweepLadder {
         self.steps.len()
     }
 
-    /// Step `index` in a file's name, from 1.
+    /// The number of the step with this index in the name of a file, counted from 1.
     pub(super) fn file_part(&self, index: usize) -> String {
         let count = self.steps.len();
         format!("ladder-{}-of-{count}", padded(index + 1, count))
     }
 
-    /// k̂ of step `index`, at the load of the design.
+    /// The dimensionless stiffness k̂ of the step with this index, at the load of the design.
     pub(super) fn dimensionless_stiffness(&self, index: usize) -> Option<f64> {
         self.steps.get(index).map(|step| step.dimensionless_stiffness)
     }
 
-    /// The changes that make step `index`, from 0: the wanted design, made softer.
+    /// The changes that make the step with this index, counted from 0: the wanted design with a softer contact.
     ///
     /// # Errors
     /// The last step cannot be designed.
@@ -370,7 +371,7 @@ impl SweepLadder {
     }
 }
 
-/// The largest α of the selected forces, s/m.
+/// The largest dissipation α of the selected forces, s/m.
 fn largest_dissipation(variant: &Variant) -> f64 {
     variant.values_of(Property::Dissipation).fold(0.0, f64::max)
 }

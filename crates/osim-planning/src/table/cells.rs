@@ -1,4 +1,4 @@
-//! A row of a table as the fields of a request, and its faults.
+//! Reads a row of a table as the fields of a request, and reports faults in the row.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,7 +18,7 @@ use crate::verbs::changing_verbs;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowFault {
-    /// Header of the column, where it is about one.
+    /// Header of the column with the fault; `None` if the fault is not about one column.
     pub column: Option<String>,
     pub message: Phrase,
 }
@@ -44,7 +44,7 @@ pub(super) struct RowCells {
 }
 
 impl RowCells {
-    /// Reads the cells of `row`; `folder` is the table's.
+    /// Reads the cells of `row`. `folder` is the folder of the table.
     ///
     /// # Errors
     /// A cell that is not clear, or a row without a model or a verb.
@@ -126,7 +126,7 @@ fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r C
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
 }
 
-/// The verb of a row: as its cell says, else what only one verb can mean.
+/// The verb of a row: the text in its verb cell; else the verb that the other cells of the row show.
 fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     let has = |kind: Kind, field: &str| {
         filled(row, columns)
@@ -155,12 +155,12 @@ fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
     Some(path_below(folder, cell))
 }
 
-/// A path of the table: below the table's own folder.
+/// A path in the table, which begins at the table's own folder.
 fn path_below(folder: &Path, path: &str) -> PathBuf {
     if path == "-" { PathBuf::from(path) } else { folder.join(path) }
 }
 
-/// A preset, else a model below the table's folder.
+/// The name of a preset, or else the path of a model, which begins at the table's folder.
 fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
     let path = path_below(folder, cell);
     let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
@@ -168,7 +168,7 @@ fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) ->
     if is_file { path } else { cell.into() }
 }
 
-/// A number may have a decimal comma if it is clear that it is one.
+/// The text of a number with a decimal point. The cell may have a decimal comma if the meaning of the comma is clear.
 pub(super) fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<String, RowFault> {
     let refused = |message: String| RowFault::of(&column.header, Phrase::from(message));
     let digits = cell.strip_prefix(['x', 'X']).unwrap_or(cell);
@@ -187,8 +187,8 @@ pub(super) fn number(cell: &str, sheet: &Sheet, column: &Column) -> Result<Strin
     sheet.with_decimal_point(cell).map(Into::into).map_err(|why| refused(format!("'{cell}' {why}")))
 }
 
-/// Whether `mark` may separate thousands: `1,190` is one number in some countries and another in others, and so is `1.190`;
-/// `0,190` is not.
+/// Whether `mark` may separate thousands in these digits. In some countries `1,190` is 1.19 and in others 1190, and likewise `1.190`;
+/// `0,190` has only one meaning.
 fn may_part_thousands(digits: &str, mark: char) -> bool {
     let all_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
     digits.split_once(mark).is_some_and(|(head, tail)| {
@@ -210,15 +210,15 @@ fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
 
 // Columns of masses: each row is judged by the others, because a slip is what is out of line.
 
-/// Columns in which a mass may be a slip.
+/// Columns with masses, which may have typing mistakes or other units.
 const MASS_COLUMNS: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];
 
-/// The masses of each such column, kg, from the lightest to the heaviest.
+/// The masses in each of the [`MASS_COLUMNS`], kg, from the lightest to the heaviest.
 #[derive(Debug, Default)]
 pub(super) struct Masses(BTreeMap<Input, Vec<f64>>);
 
 impl Masses {
-    /// The masses in the rows of a table. A cell that is not a number is refused when its row is read.
+    /// Collects the masses from all rows of a table. A cell that is not a number is refused later, when its row is read.
     pub(super) fn of(sheet: &Sheet, columns: &Columns) -> Self {
         let read = |input: Input| {
             let is_of = |field: &str, kind| kind == Kind::Value && field == input.name();
@@ -233,7 +233,7 @@ impl Masses {
         Self(MASS_COLUMNS.into_iter().filter_map(read).collect())
     }
 
-    /// The masses in the other rows, for a row with these fields.
+    /// The masses in the other rows of the table, for a row with the fields `fields`.
     pub(super) fn other_rows(&self, fields: &Map<String, Value>) -> BTreeMap<Input, MassesOfOtherRows> {
         let found = self.0.iter().filter_map(|(&input, sorted)| {
             let own_kg = fields.get(input.name())?.as_str()?.parse().ok()?;

@@ -1,4 +1,4 @@
-//! The meaning of a table's columns: fields of the changing verbs.
+//! The columns of a table: which field of the changing verbs each column gives.
 
 use std::collections::BTreeMap;
 
@@ -8,20 +8,20 @@ use osim_requests::{CHANGING, silent_fields};
 
 use crate::verbs::changing_verbs;
 
-/// The field of `fit` that names its model.
+/// The field of `fit` with the file of the model.
 const FIT_MODEL: &str = "file";
 
-/// How a cell of a column becomes a value of a request.
+/// The way in which a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     Model,
-    /// The verb, where the row's fields do not say.
+    /// The name of the verb. It is needed only if the fields of the row do not show the verb.
     Verb,
-    /// A column of assignments, as `set` takes them.
+    /// Assignments such as the verb `set` takes.
     Set,
     Value,
     Path,
-    /// A model or the name of a preset.
+    /// The path of a model or the name of a preset.
     From,
     List,
     ListWithCommas,
@@ -30,14 +30,14 @@ pub(super) enum Kind {
     UserColumn,
 }
 
-/// The field of a verb that names its model.
+/// The field of a verb that has the path of the model.
 pub(super) fn model_field(verb: Verb) -> &'static str {
     if verb == Verb::Fit { FIT_MODEL } else { "models" }
 }
 
 #[derive(Debug)]
 pub(super) struct Column {
-    /// The column's text in the first row.
+    /// The text of the column in the first row of the table.
     pub header: String,
     pub field: String,
     pub kind: Kind,
@@ -46,13 +46,16 @@ pub(super) struct Column {
 #[derive(Debug)]
 pub(super) struct Columns {
     pub columns: Vec<Column>,
-    /// Header of the column that names the model.
+    /// Header of the column with the paths of the models.
     pub model: String,
 }
 
 impl Columns {
+    /// Finds the meaning of each column.
+    ///
     /// # Errors
-    /// No column `model`, one that appears twice, or one that is not a field of a changing verb.
+    ///
+    /// No column `model`, a column that appears twice, or a column that is not a field of a changing verb.
     pub(super) fn of(header: &[String]) -> Result<Self, Phrase> {
         let known = fields();
         let mut columns: Vec<Column> = Vec::new();
@@ -81,7 +84,7 @@ impl Columns {
         Ok(Self { columns, model })
     }
 
-    /// The user's own columns of a row: name and text. Columns without a name are ignored.
+    /// The cells in the user's own columns of a row: name of the column and text of the cell. Columns without a name are ignored.
     pub(super) fn user_columns(&self, cells: &[String]) -> Vec<(String, String)> {
         let own = self.columns.iter().enumerate();
         let own = own.filter(|(_, column)| column.kind == Kind::UserColumn && !column.header.is_empty());
@@ -136,7 +139,7 @@ fn of_the_run(cell: &str, field: &str) -> Phrase {
     }
 }
 
-/// The name of the field that `cell` probably means.
+/// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; empty if no field is similar.
 fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> String {
     let flat = |text: &str| text.replace('_', "");
     let close = known.keys().find(|field| {
@@ -151,7 +154,7 @@ fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> St
     }
 }
 
-/// Fields of all changing verbs, and how their cells are read; `None` for those of the whole run: a row cannot have its own.
+/// The fields of all changing verbs, and how their cells are read. `None` marks fields of the whole run, which a row cannot set for itself.
 fn fields() -> BTreeMap<String, Option<Kind>> {
     let of_verb = |verb: Verb| {
         let names = silent_fields(verb).into_iter().map(|(name, _)| name);

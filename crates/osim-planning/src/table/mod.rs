@@ -1,4 +1,4 @@
-//! Rows of a table as requests: one row for each model.
+//! A table of requests: each row changes one model.
 
 mod cells;
 mod columns;
@@ -24,27 +24,27 @@ pub struct Table {
     sheet: Sheet,
     columns: Columns,
     masses: Masses,
-    /// The folder at which relative paths of the table begin.
+    /// The folder at which relative paths in the table begin.
     folder: PathBuf,
     yes: Vec<Question>,
 }
 
-/// The request that a row of a table makes.
+/// The request of one row of a table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowRequest {
     /// Line of the row in the table; the first row, which names the columns, is line 1.
     pub line: u64,
     pub verb: Verb,
     pub model: PathBuf,
-    /// Output options of the row: its own, else those of the call.
+    /// Output options of the row; options that the row does not have are those of the call.
     pub output: OutputOptions,
-    /// Columns of the user's own, whose names begin with #: name and text, empty where the cell is.
+    /// The cells in the user's own columns, whose names begin with #: name of the column and text of the cell, which may be empty.
     pub user_columns: Vec<(String, String)>,
     fields: Map<String, Value>,
 }
 
 impl RowRequest {
-    /// Rows with the same text plan the same for any model and are written in the same way.
+    /// A text with all settings of the row. Rows with equal texts make the same plan for any model and write it in the same way.
     pub fn settings(&self) -> String {
         let mut output = self.output.clone();
         (output.output, output.geometry_output, output.output_dir) = (None, None, None);
@@ -53,7 +53,7 @@ impl RowRequest {
 }
 
 impl Table {
-    /// Reads a table; `folder` is where it lies.
+    /// Reads a table. `folder` is the folder of the table.
     ///
     /// # Errors
     /// It is not a table, or its first row does not name fields of changes.
@@ -64,12 +64,12 @@ impl Table {
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
 
-    /// The table with answers to questions of all rows, beside those that rows give themselves.
+    /// The table with answers to questions, for all rows. Rows may have further answers.
     pub fn answering(self, yes: Vec<Question>) -> Self {
         Self { yes, ..self }
     }
 
-    /// Every row that is not empty, as a request; `call` says where results go for rows that do not.
+    /// Each row that is not empty as a request. `call` has the output options for rows without such options.
     pub fn requests<'t>(
         &'t self,
         call: &'t OutputOptions,
@@ -87,7 +87,7 @@ impl Table {
         Ok(RowRequest { line: row.line, verb, model, output, user_columns, fields })
     }
 
-    /// Checks what a row asks for and prepares it.
+    /// Checks the request of a row and prepares the change.
     ///
     /// # Errors
     /// What is wrong, with its column.
@@ -145,7 +145,7 @@ impl Table {
         RowFault { column, message }
     }
 
-    /// The failure of the table `shown` for the fault of a row.
+    /// The failure for a fault in a row of the table; messages call the table `shown`.
     pub fn failure(&self, shown: &str, line: u64, fault: &RowFault) -> Failure {
         let place = match &fault.column {
             Some(column) => format!("row {line}, column '{column}': "),
@@ -170,7 +170,7 @@ impl Table {
     }
 }
 
-/// Output options of a row: by its cells, else by the call.
+/// Output options of a row: those in its cells, else those of the call.
 fn output(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
     let named = cells.output.is_some() || cells.output_dir.is_some();
     if cells.output.as_deref() == Some(Path::new("-")) {

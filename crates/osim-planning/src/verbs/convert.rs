@@ -1,4 +1,4 @@
-//! The verb `convert`: forces of one class become forces of the other.
+//! The verb `convert`: changes forces of one class into forces of the other class.
 
 use osim_model::messages::{Input, Phrase, Verb, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
@@ -12,7 +12,7 @@ use crate::remarks::{
     remarks_on_missing_names, remarks_on_smoothing,
 };
 
-/// The remark if forces had their spheres inside themselves.
+/// The remark that spheres and planes inside forces were moved to the geometry set.
 const GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
      later read the model now, and Moco 0.1 to 0.3 does not any more";
 
@@ -21,7 +21,7 @@ struct ConvertPlanner {
     selection: Selection,
 }
 
-/// Checks the request, for all of its models.
+/// Checks the request for all of its models.
 ///
 /// # Errors
 /// No model, or no class.
@@ -46,7 +46,7 @@ pub(super) fn prepare(request: ConvertRequest) -> Result<PreparedChange, Request
     Ok(PreparedChange::new(Verb::Convert, request.models, request.output, inspection, planner))
 }
 
-/// Refuses smoothing values for forces that are not smoothed.
+/// Refuses smoothing values for a class of forces that has no smoothing.
 fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), RequestFault> {
     let smoothing = [
         (Input::ConstantContactForce, request.constant_contact_force),
@@ -117,7 +117,7 @@ impl Planner for ConvertPlanner {
     }
 }
 
-/// Remarks on the new names of forces, which other files have to use.
+/// Remarks on the new names of forces, which other files now have to use.
 fn remarks_on_renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
     let one = |(old, new): &(String, Vec<String>)| Phrase::from(format!("{old} is now {}", new.join(", ")));
     let mut remarks: Vec<Phrase> = renamed.iter().map(one).collect();
@@ -128,10 +128,10 @@ fn remarks_on_renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
     remarks
 }
 
-/// Names that a remark lists at most.
+/// The largest number of names that a remark lists.
 const NAMES_LISTED: usize = 3;
 
-/// A remark on names of forces that contain the name of their old class.
+/// A remark on names of forces which contain the name of the old class.
 fn remark_on_names_of_old_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let (hunt, smooth) = (ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str());
     let other = if class == hunt { smooth } else { hunt };

@@ -1,4 +1,4 @@
-//! The verb `design`: parameters of contacts from the properties that are wanted.
+//! The verb `design`: computes parameters of contacts from the wanted properties.
 
 use contact_scaling::SharedLoad;
 use osim_inspect::{ContactsOrigin, LoadSharing, Stance, weight_share_on_floor};
@@ -35,7 +35,7 @@ pub(crate) fn prepare(request: DesignRequest) -> Result<PreparedChange, RequestF
     Ok(PreparedChange::new(Verb::Design, models, output, inspection, planner(request)?))
 }
 
-/// The planner of a design, which also gives new contacts their numbers.
+/// Makes the planner of a design. The verb `add` also uses it, to give numbers to new contacts.
 ///
 /// # Errors
 /// Options that have no effect, or contradict each other.

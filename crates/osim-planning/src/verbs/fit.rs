@@ -1,4 +1,4 @@
-//! The verb `fit` with recordings: contacts that are fitted to gaits.
+//! The verb `fit` with recordings: fits contacts to recorded gaits.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -24,10 +24,10 @@ use crate::motion::{
 use crate::motion_remarks::{MotionRemark, weight_mismatch};
 use crate::prepared_change::{Planner, PreparedChange, file_name};
 
-/// Significant digits of a fitted number that are written: more are not determined.
+/// Number of significant digits of a fitted number that are written. More digits are not determined by the recordings.
 const SIGNIFICANT_DIGITS: usize = 5;
 
-/// One recording, as its files have it.
+/// The data in the files of one recording.
 struct TrialInput {
     name: String,
     table: Table,
@@ -109,18 +109,18 @@ fn bounds(request: &FitRequest) -> FitBounds {
     }
 }
 
-/// The contacts of a model along one trial, and what the plates measured.
+/// The contacts of a model along one recording, and the forces that the plates measured.
 struct TrialStates {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
-    /// The direction down of each sphere in the frame of its body, if the fitted height moves spheres.
+    /// For each sphere, the direction down in the frame of its body, if the fit of the height moves spheres.
     down: BTreeMap<SphereId, DVec3>,
     measured: MeasuredForces,
 }
 
 impl FitPlanner {
-    /// The contacts of a model along a trial, and its feet.
+    /// Computes the contacts of a model and its feet along a recording.
     fn follow_trial(
         &self,
         trial: &TrialInput,
@@ -135,7 +135,7 @@ impl FitPlanner {
         Ok((recording, states, feet))
     }
 
-    /// The contacts along one trial; `first` is the first trial.
+    /// The contacts along one recording. `first` is the first recording.
     fn trial_states(
         &self,
         trial: &TrialInput,
@@ -159,7 +159,7 @@ impl FitPlanner {
         Ok(TrialStates { summary, trial: fitted, planes: states.planes, down, measured })
     }
 
-    /// The new values and places that follow from a fit.
+    /// The new values of parameters and places of spheres after a fit.
     fn changes_of_fit(
         &self,
         model: &Model,
@@ -215,7 +215,7 @@ impl FitPlanner {
 }
 
 impl FitPlanner {
-    /// A remark with the dimensionless numbers of the fitted contact, which rescaling keeps.
+    /// A remark with the dimensionless numbers of the fitted contact, which do not change when it is rescaled.
     fn remark_on_dimensionless_numbers(&self, changed: &Model) -> Option<Phrase> {
         let name = FileName::from(Path::new("model"));
         let states_of_trials = self.options.inspect(name, changed, None);
@@ -301,7 +301,7 @@ fn fault_of_states(trial: &str, error: StatesError) -> Fault {
     }
 }
 
-/// Names of applied forces that use one of `planes` and are not chosen.
+/// Names of forces that are switched on, use one of the `planes`, and were not chosen.
 fn other_forces_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> Vec<String> {
     let others = model.forces().iter().filter(|force| force.applies && !selected.forces.contains(&force.id));
     let is_same = |one: &HalfSpace| planes.iter().any(|plane| plane.path == one.path);
@@ -311,7 +311,7 @@ fn other_forces_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> 
     others.filter(on).map(|force| force.name.clone()).collect()
 }
 
-/// The fault if there is no fit, with advice.
+/// The fault that no fit was found, with advice.
 fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
     match (error, plate_of_no_foot) {
         (FitError::NoForce, Some(plate)) => Fault::refused(format!(
@@ -321,7 +321,7 @@ fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
     }
 }
 
-/// The errors of the fitted model; refused if forces are not finite.
+/// The errors of the fitted model, compared with the plates. Refused if forces are not finite.
 fn recording_errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
     let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
@@ -368,7 +368,7 @@ fn fitted_centres(
     Ok(centres)
 }
 
-/// The change of stiffness: a value if all forces have the same stiffness, else a factor.
+/// The change of stiffness: a new value if all forces have the same stiffness, else a factor.
 fn stiffness_assignment(model: &Model, selected: &Selected, factor: f64) -> Assignment {
     let forces = selected.forces.iter().filter_map(|&id| model.force(id));
     let values = forces.flat_map(|force| {
@@ -383,7 +383,7 @@ fn stiffness_assignment(model: &Model, selected: &Selected, factor: f64) -> Assi
     }
 }
 
-/// The value with the digits that are written.
+/// The value rounded to [`SIGNIFICANT_DIGITS`].
 fn with_significant_digits(value: f64) -> f64 {
     format!("{value:.*e}", SIGNIFICANT_DIGITS - 1).parse().unwrap_or(value)
 }

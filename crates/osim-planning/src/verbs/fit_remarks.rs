@@ -4,14 +4,15 @@ use osim_model::messages::{Input, Phrase, phrase, shown};
 use osim_motion::Summary;
 use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit};
 
-/// If the largest over the smallest stiffness that fits nearly as well exceeds this, the stiffness is not determined.
+/// The recordings do not determine the stiffness if the largest stiffness that fits nearly as well is more than this many times the
+/// smallest.
 const WIDE_STIFFNESS_RATIO: f64 = 3.0;
-/// If the range of dissipations that fit nearly as well is wider than this, s/m, the dissipation is not determined.
+/// The recordings do not determine the dissipation if the dissipations that fit nearly as well differ by more than this, s/m.
 const WIDE_DISSIPATION_S_M: f64 = 1.0;
-/// If the correlation of stiffness and height is larger than this, they are not determined separately.
+/// The recordings do not determine stiffness and height separately if the correlation of the two is larger than this.
 const CORRELATED: f64 = 0.95;
 
-/// All remarks on a fit. `others` are forces that use the floor and were not chosen.
+/// All remarks on a fit. `others` are the names of forces that use the same floor and were not chosen.
 pub(super) fn remarks(
     fit: &MotionFit,
     trials: &[FitTrial],
@@ -92,7 +93,7 @@ fn remarks_on_feet(before: &Summary, after: &Summary) -> Vec<Phrase> {
         .collect()
 }
 
-/// Remarks on feet that were left out.
+/// Remarks on feet that the fit left out, because no force was measured under them.
 fn remarks_on_feet_without_force(trials: &[FitTrial]) -> Vec<Phrase> {
     let mut names: Vec<&str> =
         trials.iter().flat_map(|trial| &trial.without_force).map(String::as_str).collect();
@@ -102,7 +103,7 @@ fn remarks_on_feet_without_force(trials: &[FitTrial]) -> Vec<Phrase> {
     names.into_iter().map(said).collect()
 }
 
-/// A remark if the forces of the fitted model are further from the plates than those of the original.
+/// A remark if the errors of the fitted model, compared with the plates, are larger than those of the original model.
 fn remark_if_worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
     if fit.after.vertical_rms_bw <= fit.before.vertical_rms_bw {
         return None;
@@ -120,7 +121,7 @@ fn remark_if_worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
     Some(text.into())
 }
 
-/// A remark if forces that were not chosen use the floor that moves.
+/// A remark if forces that were not chosen use the floor which the fit moves.
 fn remark_on_other_forces(others: &[String]) -> Option<Phrase> {
     let first = others.first()?;
     let more = if others.len() > 1 { format!(" and {} more", others.len() - 1) } else { String::new() };
@@ -131,7 +132,7 @@ fn remark_on_other_forces(others: &[String]) -> Option<Phrase> {
     .into())
 }
 
-/// The range of a height, m, counted in the direction of the fitted height.
+/// The range of the fitted height, m, counted in the direction of the height.
 fn range_along_direction(height: &FittedParameter) -> (f64, f64) {
     match height.nearly_as_good {
         (low_m, high_m) if height.value < 0.0 => (-high_m, -low_m),
@@ -197,7 +198,7 @@ fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
     text.into()
 }
 
-/// A remark if the height of a foot in stance scatters by more than the radius of the spheres.
+/// A remark if the height of a foot in stance varies by more than the radius of the spheres.
 fn remark_on_scatter(before: &Summary) -> Option<Phrase> {
     let widest = before.feet.iter().filter_map(|foot| foot.stance_scatter_m).reduce(f64::max)?;
     let radius_m = before.smallest_radius_m?;

@@ -1,4 +1,4 @@
-//! Any request that changes models: each verb has a file.
+//! Prepares any request that changes models. Each verb has a file.
 
 mod add;
 mod convert;
@@ -26,8 +26,8 @@ pub(crate) fn changing_verbs() -> String {
     }
 }
 
-/// Checks a request that changes models, for all of them, and reads what it needs beside them. A design without models has none
-/// to change: it is [calculated](crate::design_sheet).
+/// Checks a request that changes models, once for all of its models, and reads the other files that it names. A design without models
+/// changes none; [`design_sheet`](crate::design_sheet) computes it.
 ///
 /// # Errors
 /// Options that have no effect, or contradict each other; a file that cannot be read; or a verb that changes nothing.

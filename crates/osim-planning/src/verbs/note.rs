@@ -1,4 +1,4 @@
-//! The verb `note`: writes into the model what its contacts were made for.
+//! The verb `note`: writes into the model for which mass and how many limbs its contacts were made.
 
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{Fault, MassRequest, Model};
@@ -8,9 +8,9 @@ use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 
 use crate::prepared_change::{Planner, PreparedChange};
 
-/// What the note says.
+/// The content of the new note.
 enum NewNote {
-    /// The mass that contacts were made for, kg, and perhaps how many limbs share the weight.
+    /// The mass that the contacts were made for, kg, and perhaps the number of limbs that share the weight.
     Mass(f64, Option<f64>),
     /// The number of limbs that share the weight, without a mass.
     StanceLimbs(f64),
@@ -22,7 +22,7 @@ struct NotePlanner {
     masses: MassRequest,
 }
 
-/// Checks the request, for all of its models.
+/// Checks the request for all of its models.
 ///
 /// # Errors
 /// No model, no mass, or no note.

@@ -20,23 +20,24 @@ use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
 use crate::opening::{open, scale_file};
 use crate::prepared_change::file_name;
 
-/// The mass that is taken for contacts that were published under a body of another mass than they are made for, in the reference.
+/// The mass of the reference that counts, if its contacts are published ones for another mass than the mass of its bodies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum MassOfPublished {
-    /// The program asks the caller.
+    /// The caller decides: the program asks.
     AskCaller,
-    /// The mass of the bodies.
+    /// The mass of the bodies counts.
     OfBodies,
 }
 
-/// The generic model from whose spheres the places of scaled ones follow.
+/// The generic model, which OpenSim scaled to the model. The places of scaled spheres follow from its spheres.
 #[derive(Clone)]
 pub(super) struct GenericModel {
     pub(super) anatomy: Anatomy,
     pub(super) file: Option<ScaleFile>,
-    /// Number of its spheres that share the weight, or the question about it, which is asked after spheres were matched.
+    /// The number of the generic model's spheres that share the weight; or the question about this number, which is asked only after the
+    /// spheres of the two models were matched.
     pub(super) sphere_count: Result<f64, Fault>,
-    /// Names of its spheres that can carry weight.
+    /// Names of the generic model's spheres that can carry weight.
     standing: BTreeSet<String>,
 }
 
@@ -51,7 +52,7 @@ impl GenericModel {
         }
     }
 
-    /// Whether the spheres that can carry weight have the same names in `model`.
+    /// Whether the spheres that can carry weight have the same names in `model` as in the generic model.
     pub(super) fn has_same_standing_spheres(&self, model: &Model) -> bool {
         names_of_standing_spheres(model) == self.standing
     }
@@ -63,7 +64,7 @@ fn names_of_standing_spheres(model: &Model) -> BTreeSet<String> {
     spheres.filter_map(|sphere| Some(model.sphere(sphere)?.name.clone())).collect()
 }
 
-/// A preset as a reference, with the mass and the spheres that the request gives.
+/// A preset as a reference, with the mass and the number of spheres from the request.
 pub(super) fn reference_of_preset(request: &TransferRequest, preset: &Preset) -> (Reference, ReferenceState) {
     let mut reference = Reference::from(preset);
     if let Some(kg) = request.reference.reference_mass {
@@ -80,7 +81,7 @@ fn given_reference_mass(kg: Kilograms) -> Mass {
     Mass { kg: kg.get(), source: MassSource::ReferenceMass }
 }
 
-/// The model that `from` names as a reference, with its skeleton if spheres follow their bodies.
+/// Reads the model at `from` as a reference; with its skeleton if spheres follow their bodies.
 ///
 /// # Errors
 /// It cannot be read, or cannot be a reference.
@@ -105,7 +106,7 @@ pub(super) fn reference_from_file(
     })
 }
 
-/// An opened model, called `from`, as a reference.
+/// Uses the opened model `from` as a reference.
 ///
 /// # Errors
 /// It cannot be a reference, or the Scale Tool's file cannot be read.
@@ -192,7 +193,8 @@ fn reference_from_model(
     Ok((reference, count))
 }
 
-/// The question whether places that do not fit the reference's own bones are meant: places in the model follow from them.
+/// The question whether the caller accepts places of spheres that do not fit the bones of the reference. The places in the model follow
+/// from them.
 fn misplaced_reference_spheres(model: &Model) -> Option<NeedsAnswer> {
     let finding = find_misplaced_spheres(model)?;
     let text = phrase![
@@ -204,7 +206,7 @@ fn misplaced_reference_spheres(model: &Model) -> Option<NeedsAnswer> {
     Some(NeedsAnswer::Other { question: Question::WrongAfterwards, text })
 }
 
-/// Adds the name of the reference to a question about its spheres, because it may be asked when another model is read.
+/// Adds the name of the reference to a question about its spheres, because the question may be asked while another model is read.
 fn name_reference_in_question(mut fault: Fault, from: &Path) -> Fault {
     if let FaultKind::Needed(Needed::SphereCount { why, .. }) = &mut fault.kind {
         *why = phrase![format!("in the reference {}, ", file_name(from)), &*why];
@@ -212,7 +214,7 @@ fn name_reference_in_question(mut fault: Fault, from: &Path) -> Fault {
     fault
 }
 
-/// Changes a question about the forces of the reference, or their mass, so that it names the options of the reference.
+/// Changes the option in a question about the choice of forces, or about their mass: the option is for the reference and not for the model.
 fn ask_for_reference_option(mut fault: Fault) -> Fault {
     match &mut fault.kind {
         FaultKind::Needed(Needed::Selection { input, .. }) => *input = Input::ReferenceSelect,

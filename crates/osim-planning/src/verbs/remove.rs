@@ -1,4 +1,4 @@
-//! The verb `remove`: takes contacts out of models.
+//! The verb `remove`: removes contacts from models.
 
 use osim_model::messages::{Input, Phrase, Verb, counted, phrase, readable};
 use osim_model::{Fault, Model, Note, Selection};
@@ -13,7 +13,7 @@ struct RemovePlanner {
     selection: Selection,
 }
 
-/// Checks the request, for all of its models.
+/// Checks the request for all of its models.
 ///
 /// # Errors
 /// No model.
@@ -58,7 +58,7 @@ impl Planner for RemovePlanner {
     }
 }
 
-/// The remark on the note if contacts are left.
+/// The remark that the note stays, because the model still has contacts.
 fn remark_on_kept_note(note: &Note) -> Phrase {
     let mut remark =
         phrase!["contacts are left, and so is the note in the file, as one about a part of them"];

@@ -1,4 +1,4 @@
-//! The verb `rescale`: a model's own contacts at another mass; spheres may follow their bodies.
+//! The verb `rescale`: scales the contacts of a model to another mass. Spheres can follow their bodies.
 
 use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::compare::ScaleFile;
@@ -24,7 +24,7 @@ struct RescalePlanner {
     may_repeat: bool,
 }
 
-/// Checks the request and reads the ScaleSet where one is named, for all of its models.
+/// Checks the request for all of its models, and reads the ScaleSet if the request names one.
 ///
 /// # Errors
 /// The target mass is missing, the options leave nothing to do, or the ScaleSet cannot be read.
@@ -33,7 +33,7 @@ pub(super) fn prepare(request: RescaleRequest, files: &dyn Files) -> Result<Prep
     Ok(prepare_with_factors(request, bodies)?)
 }
 
-/// Checks the request; `bodies` are the factors of its ScaleSet.
+/// Checks the request. `bodies` are the scale factors in its ScaleSet.
 ///
 /// # Errors
 /// The target mass is missing, or the options leave nothing to do.
@@ -123,16 +123,16 @@ impl Planner for RescalePlanner {
     }
 }
 
-/// Factors of a ScaleSet and of a note agree if they differ by at most this (relative).
+/// The factors in a ScaleSet and in a note agree if they differ by at most this (relative).
 const FACTOR_TOLERANCE: f64 = 1e-4;
 
-/// Where the factors of bodies come from, with which spheres move.
+/// The source of the scale factors with which spheres follow their bodies.
 pub(super) enum BodyFactors {
-    /// There are none: spheres stay.
+    /// No source: the spheres stay at their places.
     Nothing,
-    /// From the sizes in the note.
+    /// The factors follow from the sizes of bodies in the note.
     Note,
-    /// From the ScaleSet that the Scale Tool applied.
+    /// The factors are in the ScaleSet that OpenSim's Scale Tool applied.
     File(ScaleFile),
 }
 
@@ -145,7 +145,7 @@ impl BodyFactors {
         }
     }
 
-    /// The factors for `model`; `None` where spheres stay.
+    /// The scale factors for `model`; `None` if the spheres stay at their places.
     ///
     /// # Errors
     /// The note does not have them, has others than the ScaleSet, or says that spheres followed already.
@@ -167,7 +167,7 @@ impl BodyFactors {
     }
 }
 
-/// The factors of bodies since the note was written.
+/// The scale factors of bodies from the time of the note to now.
 fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
     let unknown = || Fault::new(Needed::NotedSizes);
     let since = model.scaled_since_note().ok_or_else(unknown)?;
@@ -177,7 +177,7 @@ fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
     Ok(ScaleFile::from_factors(since.factors))
 }
 
-/// Refuses a ScaleSet whose factors are not those since the note.
+/// Refuses a ScaleSet whose factors differ from the scaling of the bodies since the note was written.
 fn check_factors_agree(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
         let given = file.required_factors(body)?;
@@ -194,7 +194,7 @@ fn check_factors_agree(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), 
     Ok(())
 }
 
-/// Factors along x, y and z.
+/// The factors along x, y and z in words.
 fn listed_factors(factors: [f64; 3]) -> String {
     factors.map(readable).join(", ")
 }

@@ -1,4 +1,4 @@
-//! The verb `set`: gives properties new values, and makes the bottoms of feet level.
+//! The verb `set`: gives properties new values, and brings the bottoms of each foot to one height.
 
 use osim_inspect::{ContactsOrigin, Stance};
 use osim_model::feet::{NotLevelled, levelled_spheres};
@@ -18,7 +18,7 @@ struct SetPlanner {
     may_repeat: bool,
 }
 
-/// Checks the request, for all of its models.
+/// Checks the request for all of its models.
 ///
 /// # Errors
 /// No model, or nothing to set.
@@ -68,7 +68,7 @@ impl Planner for SetPlanner {
 }
 
 impl SetPlanner {
-    /// The new centres of spheres for level feet, with their new radii.
+    /// The new centres of spheres with which the feet are level, if the radii are the new ones.
     fn level_places(
         &self,
         model: &Model,
@@ -87,8 +87,8 @@ impl SetPlanner {
     }
 }
 
-/// The new centres of the spheres of `forces` with which the bottoms of each foot are as low as its lowest one, in their own frames,
-/// m. Spheres that stay are left out.
+/// The new centres of the spheres of `forces`, with which all bottoms of a foot are as low as its lowest bottom; m, in the frames of the
+/// spheres. Spheres that stay at their places are left out.
 ///
 /// # Errors
 /// Limbs, floors or the default pose are not known, or a foot leans.

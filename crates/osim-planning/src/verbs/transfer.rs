@@ -1,4 +1,4 @@
-//! The verb `transfer`: contacts of another model or of a preset.
+//! The verb `transfer`: gives a model the contacts of another model or of a preset.
 
 use std::path::Path;
 
@@ -22,7 +22,7 @@ use crate::opening::NamedSource;
 use crate::prepared_change::{Planner, PreparedChange};
 use crate::remarks::{operation_with_radius, refuse_repetition, remark_on_noted_limbs};
 
-/// Checks the request and reads the reference once, for all models.
+/// Checks the request and reads the reference once for all models.
 ///
 /// # Errors
 /// The reference is neither a preset nor a file, or a model that cannot be a reference; or options have no effect.
@@ -77,7 +77,7 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
     })
 }
 
-/// The planner of a transfer from a reference that was read.
+/// Makes the planner of a transfer from a reference that was read.
 pub(super) fn planner(
     request: TransferRequest,
     mut reference: Reference,
@@ -150,7 +150,7 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
     check_radii(request)
 }
 
-/// Refuses combinations of options for radii and places that have no meaning.
+/// Refuses combinations of options for radii and places that make no sense.
 fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     let (scaling, follow) = (&request.scaling, &request.follow);
     let rule = scaling.radius.map(Radius::rule);
@@ -197,7 +197,7 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
 struct SphereCounts {
     in_model: f64,
     in_reference: f64,
-    /// Whether only the ratio of the numbers is known.
+    /// Whether only the ratio of the two numbers is known, and not the numbers.
     only_ratio_known: bool,
 }
 
@@ -209,7 +209,7 @@ pub(super) struct TransferPlanner {
     pub(super) selection: Selection,
     pub(super) masses: MassRequest,
     pub(super) reference: Reference,
-    /// Whether the caller gave the number of spheres of the reference.
+    /// Whether the caller gave the number of spheres that share the weight in the reference.
     has_reference_spheres: bool,
     /// Whether the caller gave the gravity of the reference.
     has_reference_gravity: bool,
@@ -226,8 +226,8 @@ impl Planner for TransferPlanner {
 }
 
 impl TransferPlanner {
-    /// Plans the contacts of `reference` for the forces `selected` of `model`. Their spheres follow their bodies from those of `generic`
-    /// if there is one.
+    /// Plans the contacts of `reference` for the forces `selected` of `model`. If `generic` is given, the spheres follow their bodies from
+    /// their places in the generic model.
     ///
     /// # Errors
     /// Those of [`transfer`], and questions that only the caller can answer.
@@ -306,8 +306,8 @@ impl TransferPlanner {
         Ok((follow, factors))
     }
 
-    /// Numbers of spheres that share the weight. If the spheres of model and reference have the same names, one of the two numbers gives
-    /// the other, and if both are unknown their ratio is known.
+    /// The numbers of spheres that share the weight. If the spheres of model and reference have the same names, one number gives the other;
+    /// if both numbers are unknown, their ratio is known.
     fn sphere_counts(
         &self,
         model: &Model,
@@ -345,7 +345,8 @@ impl TransferPlanner {
         }
     }
 
-    /// Gravity that the contacts are scaled to. If the caller gave the gravity of the reference, the default is that of the model.
+    /// The gravity to which the contacts are scaled. If the caller gave the gravity of the reference, the default is the gravity of the
+    /// model.
     fn target_gravity(&self, model: &Model) -> Result<Option<f64>, Fault> {
         let asked = self.has_reference_gravity && self.follow.rule == RuleChoice::Paper;
         let target = self.scaling.target_gravity.map(Acceleration::get);

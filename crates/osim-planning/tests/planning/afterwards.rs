@@ -1,4 +1,4 @@
-//! The model that a change is judged by is the one that its bytes are read as.
+//! Compares two models after a change: the model in memory, by which the change is judged, and the model that is read from its new bytes.
 
 use std::path::{Path, PathBuf};
 
@@ -11,7 +11,7 @@ use serde_json::json;
 
 use crate::rules::fixtures;
 
-/// Models that include files, with contacts of several kinds, and animals of several sizes.
+/// Folders with models that include files, models with contacts of several kinds, and animals of several sizes.
 const FOLDERS: [&str; 3] = ["check", "format", "table1"];
 
 fn models(files: &InMemory) -> Vec<PathBuf> {

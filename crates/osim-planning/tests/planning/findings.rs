@@ -1,4 +1,4 @@
-//! Findings of `check`: each limit from both sides, the sphere and the force that a finding names, and what it leaves out.
+//! Findings of `check`: values on both sides of each limit, the sphere and the force that a finding names, and models without the finding.
 
 use crate::checks::{check_foot, check_text, check_with, codes, find, has, message, rule};
 use crate::feet::{SOLE, Smooth, foot};
@@ -9,32 +9,32 @@ use osim_planning::changeable;
 use osim_planning::check_with_trials;
 use osim_requests::Request;
 
-/// 62 kg on 6 spheres a foot.
+/// A human of 62 kg on 6 spheres on each foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
 const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 const NO_GRAVITY: &str = include_str!("../../../../fixtures/format/no_gravity.osim");
 const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_and_ball.osim");
-/// Feet of one `HuntCrossleyForce` each, which has a set of parameters for the floor, the heel and the toe.
+/// A model whose feet have one `HuntCrossleyForce` each, with sets of parameters for the floor, the heel and the toe.
 const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
 const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
 const DECIMAL_COMMA: &str = include_str!("../../../../fixtures/bad/number_decimal_comma.osim");
 
-/// Weight M g, N.
+/// The weight M g of the foot, N.
 const WEIGHT: f64 = 600.0;
 
-/// E₁* with which one sphere of `SOLE` rests at `x_hat` under `load`: (11) and (A.4).
+/// The modulus E₁* with which one sphere of the foot `SOLE` is in equilibrium at `x_hat` under `load`: (11) and (A.4).
 fn stiffness_for(x_hat: f64, load: f64) -> f64 {
     8_f64.sqrt() * 3.0 * load / (4.0 * 0.05 * 0.05 * x_hat.powf(1.5))
 }
 
-/// cf with which it carries `force` while it just touches, at the modulus of `SOLE`: (C.3) at x = 0, where (C.1) is
-/// 4/3 √R E* cf^(3/4) and the contact state ½.
+/// The cf with which a sphere carries `force` while it just touches the floor, with the modulus of `SOLE`: (C.3) at x = 0, where (C.1) is
+/// 4/3 √R E* cf^(3/4) and the contact state is ½.
 fn touching(force: f64) -> f64 {
     let full = 4.0 / 3.0 * 0.05_f64.sqrt() * 2e7 / 8_f64.sqrt();
     (2.0 * force / full).powf(4.0 / 3.0)
 }
 
-/// `code` is found a millionth beyond a limit, and neither on it nor a millionth before it.
+/// Asserts that the finding `code` occurs a millionth beyond a limit, but not at the limit, and not a millionth before it.
 #[track_caller]
 fn assert_limit(code: FindingCode, sphere: impl Fn(f64) -> Smooth) {
     for (of_limit, expected) in [(1.0 - 1e-6, false), (1.0, false), (1.0 + 1e-6, true)] {
@@ -187,7 +187,7 @@ fn each_finding_says_its_figure_and_the_limit() {
     }
 }
 
-/// The line on which `text` stands, from 1.
+/// The number of the line with `text` in `model`, from 1.
 fn line_of(model: &str, text: &str) -> Option<usize> {
     model.lines().position(|line| line.contains(text)).map(|index| index + 1)
 }

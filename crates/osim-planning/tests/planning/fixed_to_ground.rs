@@ -1,4 +1,5 @@
-//! Fixed objects: spheres on ground, and on bodies that only WeldJoints hold on ground, count nowhere and stay as they are.
+//! Fixed objects: spheres on ground, and spheres on bodies that only WeldJoints connect with ground. They count in no number, and no change
+//! moves them.
 //!
 //! Models get fixed objects at random; everything that is known of them and every change must be as without those. `FIXED_RUNS` says how many
 //! models (60), `FIXED_SEED` where to begin (1). A failure says its seed.
@@ -21,7 +22,7 @@ const MODELS: [&str; 4] = [
     "format/both_classes.osim",
 ];
 
-/// Elements of fixed objects that are put into the sets of a model.
+/// XML elements of fixed objects, which are added to the sets of a model.
 #[derive(Default)]
 struct FixedObjects {
     bodies: String,
@@ -69,7 +70,7 @@ impl FixedObjects {
         }
     }
 
-    /// `model` with it at the ends of its sets.
+    /// The text of `model` with the fixed objects at the ends of its sets.
     fn within(&self, model: &str) -> String {
         let mut text = model.to_owned();
         for (set, members) in [
@@ -86,7 +87,7 @@ impl FixedObjects {
     }
 }
 
-/// A force of either class that presses the sphere on the floor.
+/// The XML of a force of either class that presses the sphere on the floor.
 fn force(random: &mut Random, name: &str, sphere: &str) -> String {
     if random.below(2) == 0 {
         return format!(
@@ -102,7 +103,7 @@ fn force(random: &mut Random, name: &str, sphere: &str) -> String {
     )
 }
 
-/// Known numbers of a model that do not list its objects.
+/// The numbers that `inspect` and `check` give for a model, without the lists of its objects.
 fn known_numbers(text: &str) -> Vec<Value> {
     let model = Model::parse(text).unwrap();
     let options = osim_inspect::InspectOptions::default();
@@ -131,7 +132,7 @@ fn known_numbers(text: &str) -> Vec<Value> {
     fields.into_iter().map(of).chain([json!(codes)]).collect()
 }
 
-/// Every change that `call` makes of a model, without lines, and the bytes that come of it; why there is none.
+/// The changes that the request `call` makes in a model, without line numbers, and the new bytes; or why it is refused.
 fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, String), String> {
     let mut files = presets.clone();
     files.add("model.osim", text.as_bytes().to_vec());

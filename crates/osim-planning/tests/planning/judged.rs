@@ -1,4 +1,4 @@
-//! A change of numbers is judged by a model that nobody reads from a file. It finds what the model in the file shows.
+//! A change of numbers is judged by a model in memory, which is not read from a file. The findings are those of the model in the file.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -16,7 +16,7 @@ use crate::taken_back::documents::{Desk, all_files, models};
 
 const MODEL: &str = "model.osim";
 
-/// Changes of numbers of contacts alone, gentle ones and such that make a model wrong; `first` is the name of a force.
+/// Requests that change only numbers of contacts: gentle changes, and changes that make a model wrong. `first` is the name of a force.
 fn calls(first: &str) -> Vec<Value> {
     let rescale = |kg: f64| json!({"verb": "rescale", "target_mass": kg, "contacts_mass": 62});
     let with = |mut call: Value, fields: Value| {
@@ -51,7 +51,7 @@ fn calls(first: &str) -> Vec<Value> {
     ]
 }
 
-/// How often something was compared, and how much of it says something.
+/// Numbers of comparisons: all plans, refused requests, plans that make a model worse, and models.
 #[derive(Debug, Default)]
 struct Compared {
     plans: usize,
@@ -60,7 +60,7 @@ struct Compared {
     models: usize,
 }
 
-/// Each model gets every third call, and its neighbours the others.
+/// Each model gets every third request of the list; the next two models get the others.
 const EVERY: usize = 3;
 
 #[test]
@@ -102,7 +102,7 @@ fn rules_find_the_same_without_what_only_people_read() {
     assert!(compared > 400 && found > 1000, "{compared}, {found}");
 }
 
-/// Tries every third call on the model `name`; the bytes that one of them would write.
+/// Tries every third request on the model `name`. Returns the bytes that one of the requests would write.
 fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared) -> Option<Vec<u8>> {
     let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
     let first = model.forces().first().map_or("none", |force| force.name.as_str());
@@ -162,7 +162,7 @@ fn compare(
     Some(plan)
 }
 
-/// The run says of the result what `check RESULT --mass M` finds in it.
+/// Asserts that the findings of the change are those of `check RESULT --mass M`.
 fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, what: &str) {
     if plan.note().is_none() {
         // Only the run knows what the contacts are made for.
@@ -188,7 +188,7 @@ fn assert_same_findings(change: &PreparedChange, plan: &Plan, changed: &Model, w
     }
 }
 
-/// Everything of a model but where it is in a file.
+/// A text with everything about the contacts of a model except their positions in the file.
 fn seen_contacts(model: &Model) -> String {
     let number =
         |number: &Number| (number.property, number.number.to_bits(), number.origin, number.fault.clone());

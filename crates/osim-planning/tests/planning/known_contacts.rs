@@ -1,14 +1,14 @@
-//! Contacts that somebody published are known again, at any mass; with one value off by 2 % they are not.
+//! Published contacts are recognised at any mass. With one value changed by 2 % they are not recognised.
 
 use osim_inspect::{CheckResult, InspectOptions, Inspection};
 use osim_model::{FindingCode, MassRequest, Model, Severity};
 use osim_planning::check_with_trials;
 
-/// 62 kg with the contacts and places of Falisse et al. (2022).
+/// A human of 62 kg with the contacts and places of Falisse et al. (2022).
 const FALISSE: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
-/// 90 kg with the contacts of Falisse et al. (2022), which are for another mass.
+/// A human of 90 kg with the contacts of Falisse et al. (2022), which are made for 62 kg.
 const UNDER_90_KG: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
-/// The human of the paper's Table 1.
+/// The human in Table 1 of the paper, with forces of the class `HuntCrossleyForce`.
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
 
 fn inspect(text: &str, options: &InspectOptions) -> (Model, Inspection) {
@@ -23,13 +23,13 @@ fn check(text: &str) -> CheckResult {
     check_with_trials(&options, &model, &inspected, &[])
 }
 
-/// Name and mass of the contacts.
+/// The name of the published contacts in a model, and the mass that they are made for, kg.
 fn recognised_contacts(text: &str) -> Option<(&'static str, f64)> {
     let (_, inspected) = inspect(text, &InspectOptions::default());
     inspected.known_contacts.map(|known| (known.name, known.made_for_kg))
 }
 
-/// The name, where the mass is `kg`.
+/// Asserts that the contacts of `text` are recognised as made for `kg`.
 #[track_caller]
 fn assert_known(text: &str, kg: f64) {
     let Some((name, made_for_kg)) = recognised_contacts(text) else { panic!("not known") };

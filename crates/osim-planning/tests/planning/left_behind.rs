@@ -1,4 +1,4 @@
-//! Spheres that were left behind follow their bodies by the command that is proposed.
+//! Spheres that stayed at their places when bodies were scaled follow their bodies by the proposed command.
 
 use std::path::Path;
 

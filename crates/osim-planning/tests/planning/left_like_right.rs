@@ -1,17 +1,17 @@
-//! Which numbers a force on the left gets where those of its twin on the right are others.
+//! The numbers that a force on the left gets from the proposed command, if the force on the right has other numbers.
 
 use crate::checks::{check_text, check_with, find, remedy};
 use osim_inspect::InspectOptions;
 use osim_model::{FindingCode, Selection};
 use serde_json::{Value, json};
 
-/// 62 kg on 6 spheres a foot.
+/// A human of 62 kg on 6 spheres on each foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
 const UNEQUAL_RADII: &str = include_str!("../../../../fixtures/format/unequal_radii.osim");
 const UNEQUAL_STIFFNESS: &str = include_str!("../../../../fixtures/format/unequal_stiffness.osim");
-/// Feet of one force each, for spheres of 0.05 and 0.025 m.
+/// A model whose feet have one force each, for spheres of 0.05 and 0.025 m.
 const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
-/// A set of parameters for the heel and one for the toe in each force.
+/// A model in which each force has a set of parameters for the heel and a set for the toe.
 const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
 
 #[track_caller]
@@ -20,7 +20,7 @@ fn assert_copied(text: &str, expected: &Value) {
     assert_eq!(&copied["set"], expected);
 }
 
-/// `text` in which the first `old` after `start` is `new`.
+/// The model `text` in which the first `old` after `start` is replaced by `new`.
 fn with_text_replaced(text: &str, start: &str, old: &str, new: &str) -> String {
     let (before, rest) = text.split_at(text.find(start).unwrap());
     assert!(rest.contains(old), "{old}");
@@ -116,8 +116,8 @@ fn the_side_that_differs_gets_the_value_of_the_other() {
     assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);
 }
 
-/// Two feet of six spheres; the left foot was scaled by 0.99, 0.96 and 0.97: its radii by their geometric mean, the
-/// parameters of its forces as (10), (14), (C.2), (C.5) and (C.10) have it for one mass.
+/// A model with two feet of six spheres. The left foot was scaled by 0.99, 0.96 and 0.97: its radii by the geometric mean of these, the
+/// parameters of its forces by (10), (14), (C.2), (C.5) and (C.10) for one mass.
 fn smaller_left_foot() -> String {
     let text = include_str!("../../../../fixtures/check/known_contacts.osim");
     let ratio = (0.99_f64 * 0.96 * 0.97).cbrt();

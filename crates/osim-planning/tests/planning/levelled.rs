@@ -1,4 +1,4 @@
-//! Feet that `set` and `add` make level, and what a change that moves bottoms says.
+//! Feet whose bottoms `set` and `add` bring to one height, and the remarks on a change that moves bottoms.
 
 use std::path::Path;
 
@@ -12,11 +12,12 @@ use serde_json::{Value, json};
 
 use crate::checks::{check_with, find, has, said};
 
-/// Two spheres of each foot, s5 and s6, are 21.8 mm lower than the other four; all have R = 0.032 m.
+/// A model in which two spheres of each foot, s5 and s6, are 21.8 mm lower than the other four; all have R = 0.032 m.
 const UNEVEN: &str = include_str!("../../../../fixtures/check/uneven_bottoms.osim");
-/// A heel of 0.0325 m whose bottom is 2.5 mm inside the floor.
+/// A model with a heel of 0.0325 m whose bottom is 2.5 mm inside the floor.
 const HEEL: &str = include_str!("../../../../fixtures/check/within_limits.osim");
-/// A human's feet without contacts, and a table of them: heels of 0.03 m at y = 0.01 m, balls of 0.025 m at y = 0.005 m.
+/// A model of a human's feet without contacts, and a table of contacts for it: heels of 0.03 m at y = 0.01 m, balls of 0.025 m at y = 0.005
+/// m.
 const FEET: &str = include_str!("../../../../fixtures/feet/human_40000.osim");
 const TABLE: &str = include_str!("../../../../fixtures/contact_tables/own.csv");
 const NAME: &str = "model.osim";
@@ -41,7 +42,7 @@ fn inspected(text: &str) -> Inspection {
     InspectOptions::default().inspect(NAME, &Model::parse(text).unwrap(), None)
 }
 
-/// The heights of the bottoms of one side over the floor, m.
+/// The heights of the bottoms of one side above the floor, m.
 fn heights_of_bottoms(text: &str, side: &str) -> Vec<f64> {
     let bodies = inspected(text).standing;
     let bottoms = bodies.iter().flat_map(|body| &body.bottoms).filter(|bottom| bottom.sphere.ends_with(side));
@@ -62,7 +63,7 @@ fn is_level(text: &str) -> bool {
     })
 }
 
-/// Remarks of a change on bottoms that it moves.
+/// The remarks of a change about bottoms that it moves.
 fn remarks_on_moved_bottoms(text: &str, fields: &Value) -> Vec<String> {
     let (_, plan) = planned(text, fields).unwrap();
     let own = plan.findings.iter().filter(|finding| finding.code() == FindingCode::BottomsMoved);

@@ -1,4 +1,4 @@
-//! Findings in a model and the remedies for them, with trial plans; remedies that are run as they are proposed.
+//! Tests of findings and of remedies with trial plans. Remedies are run as they are proposed.
 
 #![allow(
     clippy::unwrap_used,

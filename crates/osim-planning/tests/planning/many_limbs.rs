@@ -1,4 +1,4 @@
-//! Spheres of a body on four limbs that have sunk in.
+//! Findings about spheres that sink in too deep under a body on four limbs.
 
 use osim_inspect::{InspectOptions, Stance};
 use osim_model::files::InMemory;
@@ -9,11 +9,11 @@ use serde_json::json;
 
 use crate::checks::{check_with, find, has, message, remedy};
 
-/// 545 kg on four limbs with five spheres each, R = 0.015 m; x̂ is 0.5608 on one limb.
+/// A horse of 545 kg on four limbs with five spheres each, R = 0.015 m; x̂ is 0.5608 if one limb carries it.
 const HORSE: &str = include_str!("../../../../fixtures/table1/horse_smooth_sphere.osim");
 const NAME: &str = "horse.osim";
 
-/// The horse with its stiffness times `factor`.
+/// The horse with its stiffness multiplied by `factor`.
 fn horse_with_stiffness(factor: f64) -> String {
     HORSE.replace("24003440.860215053", &(24_003_440.860_215_053 * factor).to_string())
 }

@@ -1,11 +1,11 @@
-//! Contacts that are made for another mass than that of the body which they carry.
+//! Contacts that are made for another mass than the mass of their body.
 
 use crate::checks::{check_text, check_with, codes, has, message};
 use crate::feet::{SOLE, Smooth, foot};
 use osim_inspect::{InspectOptions, MassMismatch};
 use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
 
-/// Six spheres of the preset falisse2022, which is made for 62 kg, under 90 kg.
+/// A model with six spheres of the preset falisse2022, which is made for 62 kg, under a body of 90 kg.
 const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
 // Contacts of a preset under another body.
@@ -74,7 +74,7 @@ fn who_says_what_the_contacts_are_made_for_knows_it() {
 
 // Notes of another mass than the bodies'.
 
-/// `text` with a note that its contacts are made for `kg`.
+/// The model `text` with a note that its contacts are made for `kg`.
 fn with_note(text: &str, kg: f64) -> String {
     let model = Model::parse(text).unwrap();
     let note = Note {

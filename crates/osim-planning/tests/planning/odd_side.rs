@@ -1,12 +1,12 @@
-//! Which of two sides that differ is the slip, where all contacts of one side differ from those of the other.
+//! Finding the wrong one of two sides, if all contacts of one side differ from those of the other.
 
 use crate::checks::{check_text, message};
 use osim_model::FindingCode;
 
-/// Contacts of Falisse et al. (2022), six forces a side.
+/// A human with the contacts of Falisse et al. (2022), six forces on each side.
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
-/// The human with ten times the stiffness in all forces of one side, whose names end so.
+/// The human with ten times the stiffness in all forces whose names end in `end`: the forces of one side.
 fn human_with_one_stiffer_side(end: &str) -> String {
     let mut parts = HUMAN.split("<SmoothSphereHalfSpaceForce name=\"");
     let first = parts.next().unwrap().to_owned();

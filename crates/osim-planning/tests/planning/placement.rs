@@ -1,4 +1,4 @@
-//! Whether spheres fit their bones: from one file, and compared with the model that was scaled.
+//! Whether spheres fit their bones: by one file, and compared with the model before scaling.
 
 use std::path::Path;
 
@@ -10,20 +10,20 @@ use osim_patch::{Rescale, note, rescale};
 use osim_planning::check_with_trials;
 use serde_json::{Value, json};
 
-/// Places of Falisse et al. (2022) on bones of their size, and on bones of a child.
+/// A model with the places of Falisse et al. (2022) on bones of the same size, and a model with these places on bones of a child.
 const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 const CHILD: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
-/// A model with the spheres of no published one on scaled bones. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the calcn's
-/// origin.
+/// A model with scaled bones, whose spheres are those of no published model. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the
+/// origin of the calcaneus.
 const NOBODYS: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
-/// The generic model and the model that the real Scale Tool made of it.
+/// The generic model, and the model that the real Scale Tool made from it.
 const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
 const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
 
 const PLACES: [FindingCode; 3] =
     [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
 
-/// The findings about places in one file.
+/// The codes of the findings about places, by one file alone.
 fn codes_without_reference(text: &str) -> Vec<FindingCode> {
     codes(&check(text, None))
 }
@@ -42,7 +42,7 @@ fn check(text: &str, generic: Option<&str>) -> CheckResult {
     check_with_trials(&options, &model, &inspected, &[])
 }
 
-/// The text with this sphere at this x, mm.
+/// The model `text` with the sphere `sphere` at this x, mm.
 fn with_x(text: &str, sphere: &str, millimetres: f64) -> String {
     let at = text.find(&format!("<ContactSphere name=\"{sphere}\">")).unwrap();
     let start = at + text[at..].find("<location>").unwrap() + "<location>".len();
@@ -184,7 +184,7 @@ fn a_model_that_cannot_be_compared_says_why() {
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
 }
 
-/// The text with a note that its contacts were made for 62 kg, of this operation.
+/// The model `text` with a note that its contacts were made for 62 kg, by the operation `operation`.
 fn with_note(text: &str, operation: &str) -> String {
     let model = Model::parse(text).unwrap();
     let mut plan = note(&model, 62.0, model.gravity(), None).unwrap();
@@ -192,12 +192,12 @@ fn with_note(text: &str, operation: &str) -> String {
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
 }
 
-/// The text with a note that its spheres were placed with their bodies.
+/// The model `text` with a note that its spheres were placed together with their bodies.
 fn placed_by_tool(text: &str) -> String {
     with_note(text, "rescale follow-bodies").replace("; made c)]", "; made cp)]")
 }
 
-/// A model with its meshes scaled as by OpenSim; spheres and note stay.
+/// The model with its meshes scaled as OpenSim does it. Spheres and note stay as they are.
 fn bones_of(text: &str, size: &str) -> String {
     text.replace("0.913924 0.913924 0.913924", size)
 }

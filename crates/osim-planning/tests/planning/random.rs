@@ -1,7 +1,7 @@
-//! Numbers that a seed makes, for tests that search by chance. A variable of the environment says how many runs, `GENERATED_RUNS` for
-//! most of them, and `GENERATED_SEED` where to begin; a failure says its seed.
+//! Random numbers from a seed, for tests with random models. A variable of the environment has the number of runs, `GENERATED_RUNS` for
+//! most tests; `GENERATED_SEED` has the first seed. A failed test names its seed.
 
-/// Numbers that a seed makes: SplitMix64.
+/// A generator of random numbers from a seed: SplitMix64.
 pub(crate) struct Random(u64);
 
 impl Random {
@@ -29,18 +29,18 @@ impl Random {
         choices[self.index(choices.len())]
     }
 
-    /// A random number from 0 to 1, with the 53 bits that a double has.
+    /// A random number from 0 to 1, with all 53 bits of a double.
     pub(crate) fn part(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
-/// The number in a variable of the environment.
+/// The number in the environment variable `variable`; `otherwise` if it is not set.
 pub(crate) fn number(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }
 
-/// The seeds of a test.
+/// The seeds with which a test runs.
 pub(crate) fn seeds() -> std::ops::Range<u64> {
     let first = number("GENERATED_SEED", 1);
     first..first + number("GENERATED_RUNS", 200)

@@ -1,4 +1,4 @@
-//! Remedies of findings, as data: each front end prints or applies them.
+//! Remedies of findings, as data. Each front end prints or applies them.
 //!
 //! Expected numbers are the limits of the paper and its equations, computed by hand.
 
@@ -15,35 +15,36 @@ use osim_requests::{ConstantIndentation, Request};
 use serde_json::{Value, json};
 use std::path::Path;
 
-/// 62 kg on 6 spheres a foot, R = 0.032 m, E₁* = 1e6 N/m², α = 2 s/m: Table 1 of the paper.
+/// A human of 62 kg on 6 spheres on each foot, R = 0.032 m, E₁* = 1e6 N/m², α = 2 s/m: Table 1 of the paper.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
-/// 10 kg on one sphere.
+/// A model of 10 kg on one sphere.
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
-/// The contacts of the human above under a body of 90 kg.
+/// A model with the contacts of `HUMAN` under a body of 90 kg.
 const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
-/// The human with a tenth of its stiffness: its spheres are in up to the centre.
+/// The human with a tenth of its stiffness, so that its spheres sink in up to the centre.
 fn human() -> String {
     HUMAN.replace(">1000000<", ">100000<")
 }
 
-/// 62 kg on 6 spheres a foot, by the Hertz law.
+/// A human of 62 kg on 6 spheres on each foot, by the Hertz law.
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
-/// 53 kg on a sphere of 0.05 m and one of 0.025 m a foot, which share a set of parameters: E₁* = 1.2345678 MPa, α = 2.25 s/m.
+/// A model of 53 kg on a sphere of 0.05 m and one of 0.025 m on each foot. Both spheres have the same set of parameters: E₁* = 1.2345678
+/// MPa, α = 2.25 s/m.
 const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
-/// A set of parameters for the heel and one for the toe in each force.
+/// A model in which each force has a set of parameters for the heel and a set for the toe.
 const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
-/// Three spheres on the right and two on the left, of 0.0325 m.
+/// A model with three spheres on the right and two on the left, of 0.0325 m.
 const UNEQUAL_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
-/// The numbers of its force are in `<defaults>`, which are left alone.
+/// A model whose force has its numbers in `<defaults>`, which no change touches.
 const DEFAULTS: &str = include_str!("../../../../fixtures/format/defaults_hunt_crossley.osim");
 
-/// Result of `check` for a model that is called `name`.
+/// The result of `check` for the model `text`, which is called `name`.
 fn check(name: &str, text: &str) -> CheckResult {
     check_with(name, text, &InspectOptions::default())
 }
 
-/// The design that puts `code` right: what is wanted of the contacts.
+/// The wanted properties in the design that corrects the finding `code`.
 #[track_caller]
 fn wanted_by_remedy(result: &CheckResult, code: FindingCode) -> WantedOptions {
     match find(result, code).remedy.clone().expect("it has a remedy") {
@@ -52,7 +53,7 @@ fn wanted_by_remedy(result: &CheckResult, code: FindingCode) -> WantedOptions {
     }
 }
 
-/// All fields of the request for a design that puts this finding right, but for its verb.
+/// All fields, except the verb, of the request for a design that corrects the finding `code`.
 #[track_caller]
 fn design_of(result: &CheckResult, code: FindingCode) -> Value {
     let mut fields = remedy(result, code);
@@ -335,7 +336,7 @@ fn a_model_that_cannot_be_changed_has_findings_and_no_remedy() {
     assert!(result.findings.iter().all(|finding| finding.remedy.is_none()), "{result:?}");
 }
 
-/// A front end that says by which verb a remedy changes the model, and calls everything by its name.
+/// A front end that writes inputs and commands as their names in angle brackets.
 struct Terse;
 
 impl Dialect for Terse {

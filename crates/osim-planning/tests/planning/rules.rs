@@ -1,4 +1,4 @@
-//! Every rule: each code has one, and its example holds.
+//! Tests of all rules: each code has one rule, and the example of the rule has the finding.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -79,7 +79,7 @@ fn no_advice_about_a_model_names_a_command_that_changes_it() {
     }
 }
 
-/// All models and meshes of the fixtures, by their paths below `fixtures/`.
+/// All models and meshes in `fixtures/`, by their paths in this folder.
 pub fn fixtures() -> InMemory {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut files = InMemory::default();
@@ -103,7 +103,7 @@ fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<Findin
     findings.into_iter().map(Finding::code).collect()
 }
 
-/// Codes of the findings of a check.
+/// Codes of the findings of `check` in a model.
 fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes_of_request(&json!({"verb": "check", "models": [model]}).to_string(), files)
 }
@@ -116,7 +116,7 @@ fn codes_of_check_request(request: &CheckRequest, model: &Path, files: &InMemory
     codes(found.findings.iter().map(|found| &found.finding))
 }
 
-/// Codes of the findings of a change or an inspection.
+/// Codes of the findings of a request that changes or inspects a model.
 fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     let request = Request::from_json(request.as_bytes()).unwrap();
     let model: PathBuf = request.to_map()["models"][0].as_str().unwrap().into();
@@ -131,7 +131,7 @@ fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes(&plan.findings)
 }
 
-/// Codes of the findings that the good and the bad example of a rule raise; `None` if a test in another file makes the example.
+/// Codes of the findings in the good and in the bad example of a rule; `None` if a test in another file makes the example.
 fn codes_of_example(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
     let mut files = fixtures();
     match example {

@@ -1,4 +1,5 @@
-//! A body of another size that is similar in every respect stands as the original does: no change of its contacts is refused.
+//! A body of another size that is similar to the original in every respect stands as the original does. No change of its contacts is
+//! refused.
 
 use osim_model::files::InMemory;
 use osim_planning::prepare;
@@ -7,7 +8,7 @@ use serde_json::{Value, json};
 
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
 
-/// All numbers in elements of this name, changed.
+/// The model with all numbers in elements called `tag` changed. `change` gets the index in the element and the number.
 fn with_numbers(text: &str, tag: &str, change: impl Fn(usize, f64) -> f64) -> String {
     let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
     let mut parts = text.split(open.as_str());
@@ -21,7 +22,7 @@ fn with_numbers(text: &str, tag: &str, change: impl Fn(usize, f64) -> f64) -> St
     })
 }
 
-/// The human whose first sphere of each foot hangs so low that it carries the body alone.
+/// The human, with the first sphere of each foot so low that it carries the body alone.
 fn with_hanging_spheres() -> String {
     let mut parts = HUMAN.split("<ContactSphere ");
     let first = parts.next().unwrap().to_owned();
@@ -34,7 +35,8 @@ fn with_hanging_spheres() -> String {
     })
 }
 
-/// The copy with bones of this ratio of lengths and equal density, and with places of spheres that followed; other numbers of contacts stay.
+/// A copy of the model whose bones have lengths multiplied by `ratio` and the same density, with spheres that followed the bones. Other
+/// numbers of the contacts stay as they are.
 fn scaled_copy(text: &str, ratio: f64) -> String {
     let lengths = ["translation", "location", "scale_factors"];
     let copy =

@@ -1,4 +1,4 @@
-//! Sizes and places that are not believable: meshes that do not fit the skeleton, and places from tables.
+//! Sizes and places that are not plausible: meshes that do not fit the skeleton, and places from tables.
 
 use std::collections::BTreeSet;
 use std::io::Write;
@@ -16,7 +16,7 @@ use crate::rules::fixtures;
 const HUMAN: &str = "feet/human_40000.osim";
 const FOOT: &str = "feet/Geometry/r_human_foot.vtp";
 
-/// Codes of the findings of a check, with the meshes beside the model.
+/// Codes of the findings of `check`, with the meshes in the folder of the model.
 fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
@@ -27,14 +27,14 @@ fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     found.findings.iter().map(|found| found.code()).collect()
 }
 
-/// Code of the fault that keeps a request from being planned.
+/// Code of the fault with which a request is refused.
 fn code_of_refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
-/// Codes of the findings in the model that a request makes.
+/// Codes of the findings in the model after a request.
 fn codes_after(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
     let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
@@ -46,7 +46,7 @@ fn add_request() -> Value {
     json!({"verb": "add", "models": [HUMAN], "feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"})
 }
 
-/// The fixtures with this mesh of the right foot.
+/// The fixtures with a changed mesh of the right foot.
 fn with_foot(change: impl Fn(&str) -> String) -> InMemory {
     let mut files = fixtures();
     let mesh = String::from_utf8(files.read(Path::new(FOOT)).unwrap()).unwrap();
@@ -54,7 +54,7 @@ fn with_foot(change: impl Fn(&str) -> String) -> InMemory {
     files
 }
 
-/// A mesh whose numbers are multiplied.
+/// The mesh with all its numbers multiplied by `factor`.
 fn mesh_multiplied(mesh: &str, factor: f64) -> String {
     let start = mesh.find("<Points>").unwrap();
     let start = start + mesh[start..].find("<DataArray").unwrap();
@@ -114,7 +114,7 @@ fn one_broken_vertex_decides_nothing() {
     assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh));
 }
 
-/// A table of four spheres a foot; `change` has the side and the place.
+/// A table of contacts with four spheres on each foot. `change` gets the side and the place of each sphere.
 fn table_of_spheres(change: impl Fn(&str, [f64; 3]) -> (String, [f64; 3])) -> String {
     let places = [[-0.02, -0.03, 0.0], [0.12, -0.03, -0.03], [0.11, -0.03, 0.04], [0.05, -0.03, 0.02]];
     let mut rows = "name,body,x,y,z,radius\n".to_owned();
@@ -163,7 +163,7 @@ impl Files for Disk {
     }
 }
 
-/// The disk with scale factors of meshes multiplied in all models.
+/// The files on the disk, with the scale factors of meshes multiplied by this number in all models.
 struct Scaled(f64);
 
 impl Files for Scaled {

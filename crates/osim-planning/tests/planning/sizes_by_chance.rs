@@ -1,4 +1,4 @@
-//! Bodies scaled by factors of their own, by chance: spheres that follow them are where the factors put them, and as large.
+//! Bodies with random scale factors: spheres that follow them have the places and radii that follow from the factors.
 
 use std::path::Path;
 
@@ -18,7 +18,7 @@ struct Sphere {
     radius: f64,
 }
 
-/// A pelvis and two feet, scaled by `factors`; the spheres stay as they are.
+/// The text of a model with a pelvis and two feet scaled by `factors`. The spheres stay at their places.
 fn scaled_model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere], mass: f64) -> String {
     let triple = |values: [f64; 3]| values.map(|value| value.to_string()).join(" ");
     let body = |(name, factors): (&str, &[f64; 3])| {
@@ -67,7 +67,7 @@ fn scaled_model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere
     )
 }
 
-/// A factor between a third and three; some are 1.
+/// A random scale factor between a third and three; sometimes it is exactly 1.
 fn random_factor(random: &mut Random) -> f64 {
     if random.below(5) == 0 { 1.0 } else { 3_f64.powf(2.0 * random.part() - 1.0) }
 }

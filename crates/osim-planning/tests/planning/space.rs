@@ -1,4 +1,4 @@
-//! A model in space: bodies, spheres, forces and bones, at the default pose and along a recording.
+//! The three-dimensional view of a model: bodies, spheres, forces and bones, at the default pose and along a recording.
 
 use std::path::{Path, PathBuf};
 
@@ -36,7 +36,8 @@ fn recorded_walk() -> (InMemory, MotionRequest) {
     (files, request)
 }
 
-/// The oracle's tests hold the centres of `run_motion` to OpenSim's: bodies in the view carry the spheres to the same places.
+/// Other tests (`tests/oracle`) compare the sphere centres of `run_motion` with OpenSim. Here, the bodies in the view carry the spheres to
+/// the same places.
 #[test]
 fn bodies_along_a_recording_carry_their_spheres_where_the_motion_has_them() {
     let (files, request) = recorded_walk();
@@ -102,7 +103,7 @@ fn spheres_at_rest_carry_the_body_weight_together() {
     assert!(spheres.iter().filter(|sphere| sphere["side"] == "right").count() == 6);
 }
 
-/// Places of the left foot are those of the right one with z negated: make_feet.py writes both.
+/// The places of the left foot are those of the right foot with z negated, because make_feet.py writes both.
 #[test]
 fn bones_are_on_their_bodies_and_missing_ones_are_named() {
     let model = Model::parse(read("feet/human_40000.osim")).unwrap();

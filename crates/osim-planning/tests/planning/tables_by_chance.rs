@@ -1,10 +1,10 @@
-//! Tables of contacts as people and spreadsheets write them, by chance: every cell is read as it was meant, and one that is wrong is named.
+//! Random tables of contacts in the forms that people and spreadsheets write. Every cell is read as intended, and a wrong cell is named.
 
 use osim_planning::contact_table::{ContactTable, TablePlace};
 
 use crate::random::{Random, seeds};
 
-/// A way to write a table.
+/// The form in which a table is written.
 struct Style {
     delimiter: char,
     decimal: char,
@@ -31,7 +31,7 @@ impl Style {
     }
 }
 
-/// A number with few digits, and a way to write it.
+/// A random number with few digits, and a text of this number.
 fn number(random: &mut Random, above_0: bool, decimal: char) -> (f64, String) {
     let whole = random.below(2_000_000) as f64 + if above_0 { 1.0 } else { -1e6 };
     let digits = random.index(7);
@@ -132,7 +132,7 @@ fn by_chance_every_cell_is_read_as_it_was_meant() {
     }
 }
 
-/// A spoilt cell: the message names its line, whatever else is in the table, and nothing is taken for a number that is none.
+/// A wrong cell gives a message with its line, whatever else is in the table. No text that is not a number is read as a number.
 #[test]
 fn by_chance_a_cell_that_is_no_number_is_named() {
     for seed in seeds() {

@@ -1,4 +1,4 @@
-//! Names of bodies in a request, and the faults for which contacts cannot be added.
+//! The names of bodies in a request, and the reasons why contacts cannot be added.
 
 use std::path::Path;
 
@@ -9,12 +9,12 @@ use osim_model::{Fault, FaultKind, Needed};
 use osim_requests::RequestFault;
 use osim_requests::values::typed::trimmed;
 
-/// OpenSim's paths of bodies begin with this.
+/// The beginning of the paths that OpenSim gives to bodies.
 const BODY_SET: &str = "/bodyset/";
-/// A name with at most this many wrong letters is probably a misspelled one.
+/// A name with at most this many wrong letters is probably a misspelled name of a body.
 const MOST_WRONG_LETTERS: usize = 2;
 
-/// The names of bodies in `texts`, each once. Commas, semicolons or blanks separate names in one text.
+/// The names of bodies in `texts`, each name once. Commas, semicolons or blanks separate the names in one text.
 ///
 /// # Errors
 /// A name is missing.
@@ -43,7 +43,7 @@ pub(super) fn name_without_path(body: &str) -> &str {
     body.strip_prefix(BODY_SET).unwrap_or(body)
 }
 
-/// `: did you mean calcn_r?`, if one of `bodies` has nearly the name `body`.
+/// The hint `: did you mean calcn_r?`, if one of `bodies` has nearly the same name as `body`.
 pub(super) fn nearest_name_hint(body: &str, bodies: &[String]) -> String {
     let flat = |name: &str| name.to_lowercase();
     let apart = |known: &&String| strsim::osa_distance(&flat(known), &flat(body));
@@ -53,10 +53,10 @@ pub(super) fn nearest_name_hint(body: &str, bodies: &[String]) -> String {
     }
 }
 
-/// Why contacts cannot be added to a model.
+/// The reason why contacts cannot be added to a model.
 pub(super) enum AddFault {
     Model(Box<Fault>),
-    /// A table, a mesh or an option, with the code of the fault.
+    /// A fault in a table, a mesh or an option, with the code of the fault.
     OutsideModel(&'static str, Phrase),
 }
 
@@ -129,7 +129,7 @@ impl AddFault {
     }
 }
 
-/// A fault in a table of contacts as a failure of that file.
+/// A fault in a table of contacts as a failure of the file at `path`.
 pub(super) fn table_failure(path: &Path, fault: &crate::contact_table::TableFault) -> Failure {
     let mut failure = Failure::outside(path, "table", fault.message.clone());
     failure.line = fault.line.and_then(|line| usize::try_from(line).ok());

@@ -1,4 +1,4 @@
-//! The verb `add`: contacts for models that have none.
+//! The verb `add`: adds contacts to models without contacts.
 
 mod bodies;
 mod places;
@@ -25,27 +25,27 @@ use bodies::AddFault;
 use places::Places;
 use reference::{FromReference, Numbers, with_contacts};
 
-/// Plans contacts for models that have none, or replaces those that they have.
+/// Plans new contacts for models that have none, or in place of the contacts that they have.
 struct Adding {
     source: Source,
     /// Whether new spheres are moved so that the bottoms of each foot are level.
     level: bool,
     replace: bool,
-    /// The forces of the model that are replaced.
+    /// The forces of the model whose contacts are replaced.
     replaced_forces: Selection,
-    /// Factors of bodies that the caller gave.
+    /// Scale factors of bodies that the caller gave.
     body_scale: Vec<BodyScale>,
     answers: AnswerOptions,
-    /// Whether speeds of friction are scaled, too.
+    /// Whether the transition velocities of friction are scaled, too.
     friction: bool,
     remarks: Vec<Phrase>,
 }
 
-/// Where the places and numbers of contacts come from.
+/// The source of the places and of the numbers of new contacts.
 enum Source {
-    /// A reference has both.
+    /// A reference gives the places and the numbers.
     Reference(Box<FromReference>),
-    /// The request gives the places; a reference or a design has the numbers.
+    /// The request gives the places. The numbers come from a reference or a design.
     OwnPlaces(Places, Numbers),
 }
 
@@ -104,7 +104,7 @@ impl Adding {
         Ok(plan)
     }
 
-    /// The model without the contacts that are replaced, and their forces; `None` if it has none.
+    /// The model without the contacts that are replaced, and the forces of these contacts; `None` if the model has no contacts.
     fn without_contacts(&self, model: &Model) -> Result<Option<(RebuiltModel, Vec<ForceId>)>, Fault> {
         let forces_on_floors = Selected::matching(model, |force| model.meets_half_space(force));
         if forces_on_floors.forces.is_empty() {
@@ -128,7 +128,7 @@ impl Adding {
         Err(Fault::new(FaultKind::ContactsExist { forces: model.short_force_names(&replaced.forces) }))
     }
 
-    /// Asks about radii that look like another unit. (A plan asks only about radii that change, and those of new spheres do not.)
+    /// Asks about radii that look like another unit. The question for other changes does not include the radii of new spheres.
     fn ask_about_radii(&self, built: &Model, layout: &ContactLayout) -> Result<(), Fault> {
         if self.answers.has(Question::ImplausibleRadius) {
             return Ok(());
@@ -143,7 +143,7 @@ impl Adding {
     }
 }
 
-/// The forces that `plan` adds, in `built`, the model that it makes.
+/// The forces that `plan` adds, in the model `built` after the change.
 fn new_forces(plan: &Plan, built: &Model) -> Vec<ForceId> {
     let added = plan.objects().iter().filter(|object| object.action == ObjectAction::Added);
     let paths: HashSet<&str> = added.map(|object| object.path.as_str()).collect();

@@ -1,4 +1,4 @@
-//! Places of new contacts: those of a table, or those under the bones of the model.
+//! The places of new contacts: from a table, or under the bones of the model.
 
 use std::cell::LazyCell;
 use std::collections::HashSet;
@@ -18,7 +18,8 @@ use super::reference::Numbers;
 use crate::contact_table::{ContactRow, ContactTable, PlaceFault};
 use crate::remarks::{JointPositions, question_about_pad, remarks_on_parts_of_feet};
 
-/// The program asks about feet whose poses differ by more than this, rad: a degree, which is 2 % of the foot's length at its fore end.
+/// If the poses of two feet differ by more than this, rad, the program asks about it. One degree is 2 % of the length of the foot at its
+/// front end.
 const UNEQUAL_POSES_RAD: f64 = std::f64::consts::PI / 180.0;
 
 pub(super) enum Places {
@@ -30,24 +31,24 @@ pub(super) enum Places {
 pub(super) struct TablePlaces {
     pub(super) name: String,
     pub(super) table: ContactTable,
-    /// Whether places in ground were measured at the default pose.
+    /// Whether places in ground were measured at the default pose of the model.
     pub(super) at_default_pose: bool,
-    /// Radius of all spheres, m, if the table has none and one was given.
+    /// Radius of all spheres, m, if the table has no radii and the caller gave a radius.
     pub(super) radius_m: Option<f64>,
 }
 
-/// Bodies that get spheres under their meshes.
+/// The bodies that get spheres under their bone meshes.
 pub(super) struct FeetPlaces {
     pub(super) bodies: Vec<String>,
     pub(super) count: usize,
     pub(super) pad_m: f64,
     pub(super) geometry_dir: Option<PathBuf>,
-    /// Radius of all spheres, m, if one was given.
+    /// Radius of all spheres, m, if the caller gave one.
     pub(super) radius_m: Option<f64>,
 }
 
 impl Places {
-    /// Whether the table or the request has radii.
+    /// Whether the table or the request has radii of spheres.
     pub(super) fn has_radii(&self) -> bool {
         match self {
             Self::Table(table) => table.table.has_radii || table.radius_m.is_some(),
@@ -55,7 +56,7 @@ impl Places {
         }
     }
 
-    /// The new contacts of `model`, which is the file at `path`, with preliminary numbers, and remarks about their places.
+    /// The new contacts of `model` (the file at `path`), with preliminary numbers, and remarks about their places.
     pub(super) fn layout(
         &self,
         model: &Model,
@@ -93,7 +94,7 @@ impl Places {
     }
 }
 
-/// The remark that radii were scaled from the reference, if no radius was given.
+/// The remark that the radii were scaled from the radii of the reference, if the caller gave no radius.
 fn remark_on_scaled_radii(layout: &ContactLayout) -> Option<Phrase> {
     let radii = || layout.contacts.iter().map(|contact| contact.radius_m);
     let (least, most) = (radii().reduce(f64::min)?, radii().reduce(f64::max)?);
@@ -148,7 +149,7 @@ impl TablePlaces {
         Ok(contacts)
     }
 
-    /// The question about the place that is farthest from its bones, if that is too far.
+    /// The question about the place that is farthest from the bones of its body, if it is too far.
     fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<NeedsAnswer> {
         let bones = JointPositions::of(model);
         let distance = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
@@ -236,7 +237,7 @@ impl FeetPlaces {
     }
 }
 
-/// The question about a mesh that is probably in another unit, or of another animal.
+/// The question about a mesh that is probably in another unit, or from another animal.
 fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<NeedsAnswer> {
     let text = odd_size(model, bone)?.text;
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text: text.into() })
@@ -288,7 +289,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsAns
     Some(NeedsAnswer::Other { question: Question::UnequalFeet, text: text.into() })
 }
 
-/// The new contacts of one sole; each is named after the body that carries it.
+/// The new contacts of one sole. Each has the name of the body that carries it, and a number.
 fn contacts_of_sole(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     let mut contacts = Vec::new();
@@ -311,7 +312,7 @@ fn contacts_of_sole(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, A
     Ok(contacts)
 }
 
-/// The name of the sphere with this number on a body, such as `calcn_1_r` for the first one of `calcn_r`.
+/// The name of sphere `number` on a body, such as `calcn_1_r` for the first sphere of `calcn_r`.
 fn sphere_name(body: &str, number: usize) -> String {
     for mark in ["_r", "_l"] {
         if let Some(bone) = body.strip_suffix(mark) {

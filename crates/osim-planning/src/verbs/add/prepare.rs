@@ -21,13 +21,13 @@ use crate::contact_table::ContactTable;
 use crate::prepared_change::PreparedChange;
 use crate::verbs::reference::{MassOfPublished, reference_of_opened};
 
-/// Largest distance of a sole below the bones, m.
+/// The largest accepted distance between the bones and the sole below them, m.
 const LARGEST_PAD: f64 = 1e9;
-/// How far published spheres reach below the bones, for messages.
+/// Advice in messages that ask for the distance between bones and sole: how far published spheres reach below the bones.
 const PAD_HINT: &str = "bones have no skin, so say how far below their lowest point the sole is, in metres: 0.033 under a human heel in \
                     the contacts of Falisse et al. (2022), 0 to 0.013 in others";
 
-/// Checks the request and reads the reference or the table once, for all models.
+/// Checks the request and reads the reference or the table once for all models.
 ///
 /// # Errors
 /// The places of the contacts or their numbers are not given; the reference is neither a preset with places nor a model with contacts;
@@ -126,7 +126,7 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     Ok(())
 }
 
-/// The places that the request gives by a table or by feet; `None` if they come from the reference.
+/// The places that the request gives by a table or by bodies of feet; `None` if the places come from the reference.
 fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, RequestError> {
     let radius_m = match request.radius {
         NewRadius::Metres(metres) => Some(metres),
@@ -164,7 +164,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
     })))
 }
 
-/// A reference from which places and numbers come.
+/// Reads a reference that gives the places and the numbers of the contacts.
 fn whole_reference(
     request: &AddRequest,
     from: &Path,
@@ -189,7 +189,7 @@ fn whole_reference(
     Ok((FromReference { layout, anatomy, transfer_planner, generic, maps }, state, is_file, remarks))
 }
 
-/// A reference from which only the numbers of the contacts come.
+/// Reads a reference that gives only the numbers of the contacts.
 fn reference_numbers(
     request: &AddRequest,
     from: &Path,
@@ -215,7 +215,7 @@ fn selection(request: &AddRequest) -> Selection {
     Selection { select: request.reference.reference_select.clone(), ..Selection::default() }
 }
 
-/// Numbers of contacts that are designed, without a reference.
+/// The numbers of contacts that are designed without a reference.
 fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFault> {
     let numbers = &request.numbers;
     if numbers.indentation.is_none() && numbers.young.is_none() {
@@ -255,7 +255,7 @@ fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFaul
     })
 }
 
-/// Remarks on numbers that are OpenSim's defaults, because the request does not give them.
+/// Remarks on numbers that are OpenSim's defaults because the request does not give them.
 fn remarks_on_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
     let numbers = &request.numbers;
     let class = osim_model::Class::ContactParameters;

@@ -1,4 +1,4 @@
-//! Contacts of a reference, on the bodies of the model that get them; and numbers of contacts whose places are given.
+//! Puts the contacts of a reference on the bodies of the model. Gives numbers to contacts whose places are known.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::Path;
@@ -21,26 +21,26 @@ use crate::verbs::design::DesignPlanner;
 use crate::verbs::reference::GenericModel;
 use crate::verbs::transfer::TransferPlanner;
 
-/// Where the numbers of contacts with given places come from.
+/// The source of the numbers of contacts whose places are given.
 pub(super) enum Numbers {
-    /// From a reference, scaled to the model.
+    /// The contacts of a reference, scaled to the model.
     Reference(Box<ReferenceNumbers>),
-    /// Numbers that `design` computes from what is wanted.
+    /// The numbers that `design` computes from the wanted properties.
     Designed(Box<DesignedNumbers>),
 }
 
-/// The contacts of a reference, for their numbers.
+/// The contacts of a reference that only give numbers, and no places.
 pub(super) struct ReferenceNumbers {
-    /// The contacts, converted to the wanted class of force.
+    /// The contacts of the reference, converted to the wanted class of force.
     pub(super) layout: ContactLayout,
-    /// The contacts as a reference for scaling, which does not depend on names of forces.
+    /// The same contacts in the form from which numbers are scaled. It does not depend on names of forces.
     pub(super) reference: Reference,
     pub(super) transfer_planner: TransferPlanner,
 }
 
 pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
-    /// Friction that the caller gave.
+    /// The friction that the caller gave.
     pub(super) friction: Vec<(Property, f64)>,
     pub(super) design_planner: DesignPlanner,
     /// Remarks on numbers that are OpenSim's defaults.
@@ -59,7 +59,7 @@ impl Numbers {
         Ok(ratios.radius())
     }
 
-    /// The radius of the reference's sphere that the new sphere `name` is made from, m.
+    /// The radius of the reference's sphere from which the new sphere `name` is made, m.
     ///
     /// # Errors
     /// There is no reference, or its radii differ and it has no sphere of that name.
@@ -85,7 +85,7 @@ impl Numbers {
         }
     }
 
-    /// A new contact for the sphere `name`, with numbers that [`plan`](Self::plan) changes later.
+    /// A new contact for the sphere `name`, with preliminary numbers, which [`plan`](Self::plan) changes later.
     pub(super) fn contact(&self, name: &str, radius_m: f64) -> Result<NewContact, Fault> {
         let force = format!("force_{name}");
         let mut contact = match self {
@@ -107,7 +107,7 @@ impl Numbers {
         Ok(contact)
     }
 
-    /// Plans the numbers of the new contacts, the forces `selected` of `built`.
+    /// Plans the numbers of the new contacts, which are the forces `selected` of the model `built`.
     pub(super) fn plan(&self, built: &Model, selected: &Selected) -> Result<Plan, Fault> {
         let mut plan = match self {
             Self::Reference(reference) => {
@@ -129,8 +129,8 @@ impl Numbers {
 }
 
 impl ReferenceNumbers {
-    /// The reference's contact from which a new sphere `name` is made: that of the sphere that the caller chose, else the one with this
-    /// name, else the first. If they differ and none has the name, the transfer asks.
+    /// The reference's contact from which the new sphere `name` is made: the contact of the sphere that the caller chose; else that of the
+    /// sphere with the same name; else the first. If the contacts differ and no sphere has the name, the planner of the transfer asks.
     fn contact_like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
         let contacts = &self.layout.contacts;
         let named = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
@@ -149,7 +149,8 @@ impl ReferenceNumbers {
         }
     }
 
-    /// The radius of the reference's sphere from which a new sphere `name` is made, m; `None` if radii differ and none has the name.
+    /// The radius of the reference's sphere from which the new sphere `name` is made, m; `None` if the radii differ and no sphere has the
+    /// name.
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
         let like = self.contact_like(name)?;
         let named = self.transfer_planner.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
@@ -158,13 +159,13 @@ impl ReferenceNumbers {
     }
 }
 
-/// Places, radii and numbers of a reference.
+/// The places, radii and numbers of the contacts of a reference.
 pub(super) struct FromReference {
-    /// The new contacts, with the places and values of the reference.
+    /// The new contacts, with places and values as in the reference.
     pub(super) layout: ContactLayout,
-    /// The reference's skeleton, with the names that bodies have in the models.
+    /// The skeleton of the reference, in which bodies have the names of the models' bodies.
     pub(super) anatomy: Anatomy,
-    /// Scales the contacts to each model.
+    /// The planner that scales the contacts to each model.
     pub(super) transfer_planner: TransferPlanner,
     pub(super) generic: GenericModel,
     /// The caller's map from bodies of the reference to bodies of the models.
@@ -193,7 +194,7 @@ impl FromReference {
         Ok((plan, rebuilt))
     }
 
-    /// A pattern that fits the forces of spheres on bodies that are there, and no force on those that are `missing`.
+    /// A pattern that fits the forces of spheres on bodies which the model has, and no force of a sphere on one of the bodies `missing`.
     fn pattern_of_others(&self, missing: &BTreeSet<&str>) -> Option<&'static str> {
         const SIDES: [&str; 6] = ["*_r", "*_l", "*_right", "*_left", "r_*", "l_*"];
         let fits = |text: &&str| {
@@ -206,7 +207,7 @@ impl FromReference {
         SIDES.into_iter().find(fits)
     }
 
-    /// Refuses a model that does not have all bodies that are to get spheres.
+    /// Refuses a model without one of the bodies that get spheres.
     fn refuse_missing_bodies(&self, model: &Model) -> Result<(), AddFault> {
         let bodies_of_model: HashSet<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
         let all = self.layout.contacts.iter().map(|contact| contact.body.as_str());
@@ -231,7 +232,7 @@ impl FromReference {
     }
 }
 
-/// The request that scales the contacts of the reference to the model after they were added.
+/// The request that scales the new contacts from the reference to the model.
 pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     let mut transfer = TransferRequest {
         from: Some(from.to_owned()),
@@ -256,7 +257,7 @@ pub(super) fn transfer(request: &AddRequest, from: &Path) -> TransferRequest {
     transfer
 }
 
-/// The reference's contacts, with the class and the friction that the request wants.
+/// The contacts of the reference, with the class of force and the friction that the request wants.
 pub(super) fn wanted_contacts(
     request: &AddRequest,
     model: &Model,
@@ -275,7 +276,7 @@ pub(super) fn wanted_contacts(
     Ok(layout)
 }
 
-/// Refuses a map of a body that is not in the reference, or two maps of one body.
+/// Refuses a map of a body that the reference does not have, or two maps of one body.
 pub(super) fn check_maps(
     request: &AddRequest,
     model: &Model,
@@ -306,7 +307,8 @@ pub(super) fn check_maps(
     Ok(())
 }
 
-/// The reference's contacts on the bodies of the model, its skeleton with the names of the model, and remarks.
+/// The contacts of the reference on the bodies of the model; the skeleton of the reference with the names of the model's bodies; and
+/// remarks.
 pub(super) fn layout(
     request: &AddRequest,
     model: &Model,
@@ -326,7 +328,7 @@ pub(super) fn layout(
     Ok((layout, anatomy, remarks))
 }
 
-/// Moves the contacts of one body of the reference to another body.
+/// Moves the contacts on one body of the reference to another body.
 fn with_mapped_body(
     layout: &mut ContactLayout,
     mut anatomy: Anatomy,
@@ -356,7 +358,7 @@ fn with_mapped_body(
     Ok(anatomy)
 }
 
-/// Opens the reference: a preset with places of this name, else a file. The flag says whether it is a file.
+/// Opens the reference: a preset with places of spheres and this name, else a file. The flag says whether the reference is a file.
 pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenModel, bool), RequestError> {
     if let Some(preset) = placed_preset(from)? {
         return Ok((preset, false));
@@ -376,7 +378,7 @@ pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenMode
     Err(RequestFault::refused(Input::From, message).into())
 }
 
-/// `base` with the contacts of `layout`, and their forces.
+/// The model `base` with the contacts of `layout`, and the forces of these contacts.
 ///
 /// # Errors
 /// Contacts of `base` that stay are on bodies that get new ones: both would carry the weight.

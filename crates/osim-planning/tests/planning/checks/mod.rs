@@ -1,4 +1,4 @@
-//! Findings of `check` in a model, and the sphere that has them.
+//! Helpers that run `check` on a model and look up findings and remedies.
 
 use osim_inspect::{CheckResult, FindingWithRemedy, InspectOptions};
 use osim_model::{FindingCode, Model, Rule};
@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::feet::{Smooth, foot};
 
-/// Findings in a model that is called `name`.
+/// The result of `check` for the model `text`, which is called `name`.
 pub fn check_with(name: &str, text: &str, options: &InspectOptions) -> CheckResult {
     let model = Model::parse(text).unwrap();
     check_with_trials(options, &model, &options.inspect(name, &model, None), &[])
@@ -22,7 +22,7 @@ pub fn check_foot(spheres: &[Smooth]) -> CheckResult {
     check_text(&foot(spheres))
 }
 
-/// The rule of `code`.
+/// The rule with this code.
 pub fn rule(code: FindingCode) -> &'static Rule {
     rules::with_code(|one| one == code).next().unwrap()
 }
@@ -46,13 +46,13 @@ pub fn message(result: &CheckResult, code: FindingCode) -> String {
     find(result, code).message.to_string()
 }
 
-/// The request that puts `code` right, as a dictionary, without the model; null where there is none.
+/// The request that corrects the finding `code`, as a dictionary without the model; null if there is none.
 #[track_caller]
 pub fn remedy(result: &CheckResult, code: FindingCode) -> Value {
     said(find(result, code).remedy.as_ref())
 }
 
-/// The fields of a remedy, without the model that it is for.
+/// The fields of a remedy, without the model that it changes; null without a remedy.
 pub fn said(remedy: Option<&Request>) -> Value {
     let Some(remedy) = remedy else { return Value::Null };
     let mut fields = remedy.to_map();

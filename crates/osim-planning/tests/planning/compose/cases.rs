@@ -8,7 +8,7 @@ use osim_model::Model;
 
 pub const NAME: &str = "model.osim";
 
-/// The project's models that hold one whole model each, and those of OSIM_CORPUS, if that is set.
+/// The models of the project that are one file each, and the models in the folder OSIM_CORPUS, if this variable is set.
 pub fn models() -> Vec<(String, String)> {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut found = Vec::new();
@@ -38,7 +38,7 @@ fn of_folder(folder: &Path, name: &str) -> Vec<(String, String)> {
     paths.into_iter().filter_map(named).collect()
 }
 
-/// Options of `check` that change what is found, for this model; the first are none.
+/// Options of `check` with which it finds different faults in this model. The first entry has no options.
 pub fn options(model: &Model) -> Vec<Value> {
     let mut all = vec![
         json!({}),

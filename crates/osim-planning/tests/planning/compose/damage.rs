@@ -1,4 +1,4 @@
-//! Models with a damage that people do by hand, by unit, or by scaling one thing and not the other.
+//! Models with damage as people cause it: by hand, by a wrong unit, or by scaling one thing and not another.
 
 use osim_model::files::InMemory;
 use osim_model::{FileId, Model, Side, without_side};
@@ -8,13 +8,13 @@ use serde_json::{Value, json};
 
 use super::cases::NAME;
 
-/// A model with one thing wrong, and what.
+/// A model with one fault, and the name of the fault.
 pub struct Damaged {
     pub what: &'static str,
     pub text: String,
 }
 
-/// Every damage that the model can have.
+/// The model with each damage that is possible in it, one at a time.
 pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
     let left = names(model, Side::Left);
     let right = names(model, Side::Right);
@@ -90,7 +90,7 @@ fn names(model: &Model, side: Side) -> Vec<&str> {
     forces.map(|force| force.name.as_str()).filter(plain).collect()
 }
 
-/// A model after a request, without a note of the change.
+/// The model after a request, without a note of the change; `None` if the request is refused.
 fn changed(text: &str, fields: &Value) -> Option<String> {
     let mut fields = fields.as_object()?.clone();
     fields.retain(|_, value| *value != json!([]));
@@ -103,7 +103,7 @@ fn changed(text: &str, fields: &Value) -> Option<String> {
     String::from_utf8(plan.patched(&opened.model, FileId::MAIN).ok()?).ok()
 }
 
-/// All numbers in elements of this name, multiplied.
+/// The model with all numbers in elements called `tag` multiplied by `factor`.
 fn numbers_multiplied(text: &str, tag: &str, factor: f64) -> Option<String> {
     let (open, close) = (format!("<{tag}>"), format!("</{tag}>"));
     let mut parts = text.split(open.as_str());
@@ -121,11 +121,11 @@ fn numbers_multiplied(text: &str, tag: &str, factor: f64) -> Option<String> {
     found.then_some(out)
 }
 
-/// Tags of a geometry's place and of its frame, in all document versions.
+/// Tags of the place of a geometry, and of its frame, in all document versions.
 const PLACE: &[&str] = &["location", "translation"];
 const FRAME: &[&str] = &["socket_frame", "body_name", "socket_frame_connectee_name"];
 
-/// The model with other texts of the properties `names` in all elements called `tag`, where `new` gives one.
+/// The model with other texts for the properties `names` in all elements called `tag`, if `new` returns a text.
 fn damage_each(
     text: &str,
     model: &Model,
@@ -148,7 +148,7 @@ fn damage_each(
     changed.then_some(made)
 }
 
-/// The model with a mass of 0 for the body that has the largest.
+/// The model with a mass of 0 for its heaviest body.
 fn without_heaviest_mass(text: &str, model: &Model) -> Option<String> {
     let heaviest = model.bodies().iter().map(|body| body.mass.number).fold(0.0, f64::max);
     damage_each(text, model, "Body", &["mass"], |mass| {
@@ -156,7 +156,7 @@ fn without_heaviest_mass(text: &str, model: &Model) -> Option<String> {
     })
 }
 
-/// Numbers with a tenth of a millimetre, as scripts write them.
+/// Numbers rounded to a tenth of a millimetre, as scripts write them.
 fn rounded(numbers: &str) -> Option<String> {
     let numbers: Option<Vec<f64>> = numbers.split_whitespace().map(|word| word.parse().ok()).collect();
     Some(numbers?.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(" "))
@@ -171,13 +171,13 @@ fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
     damage_each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
 }
 
-/// A model with all floors on the body that carries the first sphere.
+/// The model with all floors on the body that carries the first sphere.
 fn on_limb(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     damage_each(text, model, "ContactHalfSpace", FRAME, |frame| name_of_body(frame, &body))
 }
 
-/// A model with the spheres of the first body on its counterpart.
+/// The model with the spheres of the first body on the counterpart of this body.
 fn on_other_side(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     let is_counterpart = |other: &str| {
@@ -194,7 +194,7 @@ fn on_other_side(text: &str, model: &Model) -> Option<String> {
     })
 }
 
-/// A path or name with another body at its end.
+/// The path or name `frame` with the name `body` at its end.
 fn name_of_body(frame: &str, body: &str) -> Option<String> {
     let frame = frame.trim();
     Some(match frame.rsplit_once('/') {
@@ -204,7 +204,7 @@ fn name_of_body(frame: &str, body: &str) -> Option<String> {
     })
 }
 
-/// A model with the first force once more.
+/// The model with a copy of its first force.
 fn doubled(text: &str, model: &Model) -> Option<String> {
     let force = model.forces().iter().find(|force| force.file == FileId::MAIN)?;
     let span = model.document().tree().span(force.element());

@@ -1,4 +1,4 @@
-//! A folder in memory in which commands are run as they are printed.
+//! A folder in memory. Commands run in it as `check` prints them.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 
 use super::cases::NAME;
 
-/// Files, and how they are checked.
+/// Files in memory, and the options with which they are checked.
 #[derive(Clone)]
 pub struct Desk {
     pub files: InMemory,
@@ -34,7 +34,7 @@ impl Desk {
         }
     }
 
-    /// Findings of `check` in a file; `None` where it cannot be read, or there is nothing to check.
+    /// The result of `check` for a file; `None` if the file cannot be read, or there is nothing to check.
     pub fn check(&self, model: &Path) -> Option<CheckResult> {
         let inspector = Inspector::for_check(&self.request(model), &self.files);
         let opened = open_with(model, inspector.set_files().companion_paths(), &self.files).ok()?;
@@ -43,7 +43,7 @@ impl Desk {
         Some(inspector.check(&opened.model, &inspected, None, &self.files))
     }
 
-    /// Runs a command as it is printed: the name of the new file, and the codes of its findings. Nothing is overwritten.
+    /// Runs a command as it is printed. Returns the name of the new file and the codes of its findings. No file is overwritten.
     pub fn run(&mut self, request: &Request) -> Result<(String, BTreeSet<&'static str>), String> {
         // As somebody who copies the text.
         let request =
@@ -74,7 +74,7 @@ impl Desk {
         Ok((name, warned))
     }
 
-    /// The result of each verb on a file: the codes that it warns with, or why it is refused.
+    /// The result of each verb for a file: the codes of its warnings, or the reason why it is refused.
     pub fn verbs(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
         let calls = [
             json!({"verb": "rescale", "target_mass": kg * 1.3}),
@@ -106,7 +106,7 @@ impl Desk {
     }
 }
 
-/// Findings that are at least warnings, as code and place; about spheres it is one for all.
+/// The findings that are at least warnings, as code and place. Findings about spheres have no place, because they are about all spheres.
 pub fn wrong(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
     let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     bad.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect()

@@ -1,6 +1,5 @@
-//! Every command that `check` proposes is run as it is printed, on every model and on each with every damage: it succeeds, its
-//! finding is gone, no warning is new, every verb runs on the result as it did before, and what comes of all of them has no
-//! command left.
+//! Runs every command that `check` proposes, as it is printed, on every model and on each model with every damage. The command succeeds,
+//! its finding is gone, no warning is new, and every verb runs on the result as it did before. After all commands of a model, none is left.
 
 mod cases;
 mod damage;
@@ -21,16 +20,16 @@ use cases::{NAME, models, options};
 use damage::damages;
 use desk::{Desk, wrong};
 
-/// Numbers of things that were run, and of those that held.
+/// Numbers of commands that were run, and of commands that had the right effect.
 #[derive(Default)]
 struct Counts {
     models: usize,
     remedies: (usize, usize),
     chains: (usize, usize),
     prose: (usize, usize),
-    /// Numbers of findings that are at least warnings, and of those without a command.
+    /// Number of findings that are at least warnings, and number of such findings without a command.
     findings: (usize, usize),
-    /// Codes that have a command somewhere.
+    /// Codes of findings for which a command was proposed at least once.
     proposed: BTreeSet<FindingCode>,
     causes: BTreeMap<String, usize>,
     failures: Vec<String>,
@@ -63,12 +62,12 @@ impl Counts {
     }
 }
 
-/// The commands of a check, in the order in which they are to be run.
+/// The commands in the result of a check, in the order in which they have to be run.
 fn commands(found: &CheckResult) -> Vec<Request> {
     found.steps.clone()
 }
 
-/// The model that a command makes of `on`.
+/// Runs a command, compares the model before and after it, and returns the name of the new file.
 fn step(
     desk: &mut Desk,
     request: &Request,
@@ -139,7 +138,7 @@ fn step(
     Some(made)
 }
 
-/// Runs every command of a model alone and all of them one after the other.
+/// Runs every command of a model, each alone and then all one after the other.
 fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &mut Counts) {
     let Ok(model) = Model::parse(text) else { return };
     let kg = MassRequest::default().model_mass(&model).map_or(60.0, |mass| mass.kg);
@@ -189,7 +188,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     counts.chains.1 += usize::from(counts.failures.len() == failures && names.len() == all.len());
 }
 
-/// Calls that a text names.
+/// The commands that a text names, collected while the text is spelled.
 #[derive(Default)]
 struct Calls(std::cell::RefCell<Vec<Call>>);
 
@@ -204,7 +203,7 @@ impl Dialect for Calls {
     }
 }
 
-/// Runs the commands that change a model and are named in its findings, with the numbers that are meant.
+/// Runs the commands in the texts of the findings of a model. Placeholders get suitable numbers, `kg` for a mass.
 fn prose(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
     for finding in &found.findings {
         let calls = Calls::default();
@@ -244,7 +243,7 @@ fn filled(call: &Call, kg: f64) -> Option<Request> {
     Request::from_json(fields.to_string().as_bytes()).ok()
 }
 
-/// Whether everything is tried on every model: the fixtures of the format differ in little.
+/// Whether everything is tried on every model. It is not by default, because the fixtures of file formats differ in little.
 fn thorough() -> bool {
     std::env::var_os("REMEDIES").is_some_and(|which| which == "all")
 }

@@ -1,4 +1,4 @@
-//! Each damage is called by its name, on every model that can have it, and no model is accused of one that it does not have.
+//! Each damage gives the finding with its name on every model that can have it, and no undamaged model gets such a finding.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -10,7 +10,7 @@ use super::cases::{NAME, models};
 use super::damage::damages;
 use super::desk::Desk;
 
-/// Codes that may be found for each damage. Damages that are absurd on some models only are not among them: three times the mass is right
+/// For each damage, the codes that may be found. Damages that only some models can have wrongly are left out: three times the mass is right
 /// for contacts that were made for it.
 const NAMES: [(&str, &[&str]); 18] = [
     ("left ten times stiffer", &["left-right-differ"]),
@@ -33,7 +33,7 @@ const NAMES: [(&str, &[&str]); 18] = [
     ("places in millimetres", &["odd-place"]),
 ];
 
-/// Published feet: damages of feet make sense on them.
+/// Models of published feet, on which damage to feet makes sense.
 fn feet() -> Vec<(String, String)> {
     let mut all = models();
     all.retain(|(name, text)| {
@@ -44,7 +44,7 @@ fn feet() -> Vec<(String, String)> {
     all
 }
 
-/// Whether contacts are under both sides of a body that stands on a level floor.
+/// Whether a model has contacts under both sides of a body that stands on a level floor.
 fn is_foot(model: &Model) -> bool {
     let sided =
         |side| model.forces().iter().any(|force| osim_model::Side::of_name(&force.name) == Some(side));

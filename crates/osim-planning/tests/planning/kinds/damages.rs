@@ -1,10 +1,10 @@
-//! The kinds of damage of `kinds.md` that are a matter of judgement, and edits that do no harm.
+//! The kinds of damage in `kinds.md` for which the right severity is a matter of judgement, and edits that do no harm.
 
 use super::published::{
     BODY, Edited, FORCES, FRAME, Published, SPHERE, all, is_heel, is_left, text, times, triple,
 };
 
-/// A kind of damage: its name in the list, the codes of findings that are about it, and how it is made.
+/// A kind of damage: its name in the list, the codes of the findings about it, and the function that makes it.
 pub type Kind = (&'static str, &'static str, fn(&Published) -> Edited);
 
 pub const DAMAGES: &[Kind] = &[
@@ -160,11 +160,8 @@ pub const DAMAGES: &[Kind] = &[
     ("gravity 9.81 with x and y swapped by frame (0 0 9.81)", "gravity-not-down", |m| m.gravity("0 0 9.81")),
 ];
 
-/// The name of an edit that does no harm, and the edit.
-pub type HarmlessEdit = (&'static str, fn(&Published) -> Edited);
-
-/// Edits that do no harm: none raises a warning.
-pub const HARMLESS: &[HarmlessEdit] = &[
+/// Edits that do no harm. None of them gives a warning.
+pub const HARMLESS: &[(&str, fn(&Published) -> Edited)] = &[
     ("friction of another floor", |m| friction(m, "0.9")),
     ("all masses 1 % more", |m| m.masses(all, |kg| kg * 1.01)),
     ("a sensor of 10 g", |m| m.masses(is_torso, |kg| kg + 0.01)),
@@ -215,7 +212,7 @@ fn one_of(name: &str, factor: f64) -> impl Fn(&str, &str) -> Option<String> {
     move |own, old| (own == name).then(|| times(old, factor))?
 }
 
-/// With the left spheres on a floor of their own.
+/// The model with a second floor, on which the left spheres press.
 fn second_floor(m: &Published, location: &str, orientation: &str) -> Edited {
     let tree = m.model.document().tree();
     let floor = tree.elements().find(|&id| tree.name(id) == "ContactHalfSpace")?;
@@ -245,7 +242,7 @@ fn second_floor(m: &Published, location: &str, orientation: &str) -> Edited {
     Some(left.replacen(piece, &format!("{piece}{extra}"), 1))
 }
 
-/// With the forces switched off whose spheres `of` chooses.
+/// The model with forces switched off; `of` chooses them by their spheres.
 fn off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     let tree = m.model.document().tree();
     let chosen = m.model.forces().iter().filter(|force| {

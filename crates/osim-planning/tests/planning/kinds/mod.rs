@@ -1,5 +1,5 @@
-//! Kinds of damage, each done to published models: `check` accuses, remarks on or is silent about it, as `kinds.md` in the folder of
-//! OSIM_CASES says; and edits that do no harm raise no warning.
+//! Each kind of damage, in published models: `check` gives a warning, a remark or nothing, as `kinds.md` in the folder OSIM_CASES says.
+//! Edits that do no harm give no warning.
 
 mod damages;
 mod published;
@@ -25,10 +25,10 @@ const MODELS: [&str; 9] = [
     "v40000_dynamic_jumper",
     "v30000_scone_h0914m",
 ];
-/// Each damage is done to so many models.
+/// The largest number of models in which each damage is tried.
 const MOST: usize = 6;
 
-/// Damage that one file does not show: the places still are plausible ones.
+/// Kinds of damage that one file does not show, because the new places are plausible, too.
 const UNSEEN: &[(&str, &str)] = &[
     ("toes' spheres put on calcn", "v40000_dhondt_2024_3seg_human"),
     ("toes' spheres put on calcn", "v40000_dynamic_jumper"),
@@ -39,7 +39,7 @@ const UNSEEN: &[(&str, &str)] = &[
 
 type Findings = BTreeSet<(Severity, FindingCode, String)>;
 
-/// The findings about a text, or `None` if it cannot be read: then the model is refused, which accuses it.
+/// The findings about the model `text`; `None` if it cannot be read. Such a model is refused, which counts as a warning.
 fn findings(text: &str) -> Option<Findings> {
     let model = Model::parse(text).ok()?;
     let options = InspectOptions::default();
@@ -49,7 +49,7 @@ fn findings(text: &str) -> Option<Findings> {
     Some(found.map(|found| (found.severity, found.code(), found.message.to_string())).collect())
 }
 
-/// The worst finding about a damage: that the model had before does not count.
+/// The worst finding about a damage. Findings that the model had before the damage do not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Said {
     Nothing,
@@ -90,7 +90,7 @@ fn models(folder: &Path) -> Vec<(Published, Findings)> {
     MODELS.into_iter().map(read).collect()
 }
 
-/// Each row of the list: the damage, and what has to be said.
+/// The rows of the list: for each damage, the severity that `check` has to give.
 fn rows(list: &str) -> BTreeMap<&str, &str> {
     let cells = |line: &'_ str| -> Option<[usize; 4]> {
         let mut bars = line.match_indices(" | ").map(|(at, _)| at);

@@ -1,4 +1,4 @@
-//! A published model, and edits of its text as a person, a script or a table makes them.
+//! A published model, and edits of its text as people, scripts or tables make them.
 
 use std::path::Path;
 
@@ -11,15 +11,15 @@ pub struct Published {
     pub model: Model,
 }
 
-/// Classes with the parameters of contacts.
+/// Classes of objects with the parameters of contacts.
 pub const FORCES: &[&str] =
     &["SmoothSphereHalfSpaceForce", "HuntCrossleyForce", "HuntCrossleyForce::ContactParameters"];
 pub const SPHERE: &[&str] = &["ContactSphere"];
 pub const FLOOR: &[&str] = &["ContactHalfSpace"];
 pub const BODY: &[&str] = &["Body"];
-/// The property that names the frame of a geometry, in documents of version 4 and 3.
+/// The names of the property with the frame of a geometry, in documents of version 4 and 3.
 pub const FRAME: &[&str] = &["socket_frame", "body_name"];
-/// What each edit makes of the text: `None` if it does not apply to the model.
+/// The text after an edit; `None` if the edit does not apply to the model.
 pub type Edited = Option<String>;
 
 impl Published {
@@ -29,7 +29,7 @@ impl Published {
         Self { name, text, model }
     }
 
-    /// The text with other properties in objects of some classes: `new` has the name of the object and the old value.
+    /// The text with new values of `properties` in objects of some classes. `new` gets the name of the object and the old value.
     pub fn edit(
         &self,
         classes: &[&str],
@@ -56,12 +56,12 @@ impl Published {
         })
     }
 
-    /// With this text in a property of all forces or of their parameters.
+    /// The text with the value `new` for a property of all forces, or of their parameters.
     pub fn forces(&self, property: &str, new: &str) -> Edited {
         self.edit(FORCES, &[property], |_, _| Some(new.to_owned()))
     }
 
-    /// With this text for a property of forces that many files do not have, because it has a default.
+    /// The text with the value `new` for a property of forces which is absent in many files, because it has a default.
     pub fn smoothing(&self, property: &str, new: &str) -> Edited {
         let text = self.edit(&["SmoothSphereHalfSpaceForce"], &[property], |_, _| Some(new.to_owned()));
         let end = "</SmoothSphereHalfSpaceForce>";
@@ -73,12 +73,12 @@ impl Published {
         text.or_else(inserted)
     }
 
-    /// With the numbers of a property of all forces multiplied.
+    /// The text with the numbers of a property of all forces multiplied by `factor`.
     pub fn forces_times(&self, property: &str, factor: f64) -> Edited {
         self.edit(FORCES, &[property], |_, old| times(old, factor))
     }
 
-    /// With other places of some spheres, in the frames of their bodies.
+    /// The text with new places of spheres, in the frames of their bodies; `of` chooses the spheres.
     pub fn places(&self, of: impl Fn(&str) -> bool, new: impl Fn([f64; 3]) -> [f64; 3]) -> Edited {
         self.edit(SPHERE, &["location"], |name, old| of(name).then(|| triple(old).map(&new).map(text))?)
     }
@@ -89,7 +89,7 @@ impl Published {
         })
     }
 
-    /// With spheres on another body; `body` has the name of the present one.
+    /// The text with spheres on other bodies. `body` gets the name of the present body and returns the new one.
     pub fn carriers(&self, body: impl Fn(&str) -> Option<String>) -> Edited {
         self.edit(SPHERE, FRAME, |_, old| {
             let old = old.trim();
@@ -113,14 +113,14 @@ impl Published {
         self.edit(FLOOR, &[property], |_, _| Some(new.to_owned()))
     }
 
-    /// With another default of the coordinates whose names contain `part`.
+    /// The text with other default values of the coordinates whose names contain `part`.
     pub fn default(&self, part: &str, new: impl Fn(f64) -> f64) -> Edited {
         self.edit(&["Coordinate"], &["default_value"], |name, old| {
             name.contains(part).then(|| Some(new(old.trim().parse().ok()?).to_string()))?
         })
     }
 
-    /// Without the forces that `of` chooses by their names and the names of their spheres.
+    /// The text without some forces; `of` chooses them by their names and the names of their spheres.
     pub fn without_forces(&self, of: impl Fn(&str) -> bool) -> Edited {
         let tree = self.model.document().tree();
         let chosen = self.model.forces().iter().filter(|force| {
@@ -136,7 +136,7 @@ impl Published {
         })
     }
 
-    /// The name of a body of the model that contains one of `parts`, on the side of `like`.
+    /// The name of a body of the model that contains one of `parts`, on the same side as the body `like`.
     pub fn body(&self, parts: &[&str], like: &str) -> Option<String> {
         let side = Side::of_name(like);
         let names = self.model.bodies().iter().map(|body| body.name.clone());

@@ -1,18 +1,18 @@
-//! The models to which contacts are added: everything that we have, and each in other forms of text.
+//! The models to which contacts are added: all models of the project, each also in other forms of text.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use osim_model::files::{FileError, Files, InMemory};
 
-/// A model by its name.
+/// A model with its name.
 #[derive(Clone)]
 pub struct Document {
     pub name: String,
     pub bytes: Vec<u8>,
 }
 
-/// Everything under `fixtures/` by its path there, and `corpus/` where OSIM_CORPUS is set.
+/// All files in `fixtures/`, by their paths in this folder, and in `corpus/` the files of the folder OSIM_CORPUS, if this variable is set.
 pub fn all_files() -> InMemory {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut files = InMemory::default();
@@ -29,7 +29,7 @@ pub fn all_files() -> InMemory {
     files
 }
 
-/// The models among them that are not wrong on purpose.
+/// The models among `files`, except those that are wrong on purpose.
 pub fn models(files: &InMemory) -> Vec<Document> {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut names: Vec<String> = below(&fixtures)
@@ -59,7 +59,7 @@ fn below(folder: &Path) -> Vec<PathBuf> {
     found
 }
 
-/// Files of which some are other ones.
+/// The files of the project, with some files replaced or added.
 pub struct Desk<'f> {
     pub files: &'f InMemory,
     pub own: BTreeMap<PathBuf, Vec<u8>>,

@@ -1,12 +1,13 @@
-//! Other forms of a model file that OpenSim reads as one model. Bytes are letters here, so that every file can be written so.
+//! Writes a model file in other forms that OpenSim reads as the same model. Each byte of a file is one letter here, so that every file can
+//! be a text.
 
-/// A function that writes a model in another form; `None` where the model has nothing that could be written so.
+/// A function that writes a model in another form; `None` if nothing in the model can be written in this form.
 pub type Form = fn(&str) -> Option<String>;
 
-/// A form that may hold values, such as a text that it inserts.
+/// Like [`Form`], as a closure that may hold values, such as a text that it inserts.
 pub type Written = Box<dyn Fn(&str) -> Option<String>>;
 
-/// Each form with its name.
+/// All forms, each with its name.
 pub fn forms() -> Vec<(String, Written)> {
     let mut all: Vec<(String, Written)> = Vec::new();
     let plain: [(&str, Form); 9] = [
@@ -71,7 +72,7 @@ pub fn forms() -> Vec<(String, Written)> {
     all
 }
 
-/// Sets without a member; `S` is the name of the set.
+/// Forms of a set without members; `S` stands for the name of the set.
 const SETS: [&str; 24] = [
     "",
     "<S/>",
@@ -99,7 +100,7 @@ const SETS: [&str; 24] = [
     "stray <S name='s'>stray<objects \u{e9}='1'/>stray</S> stray",
 ];
 
-/// Credits of all kinds; the last ones with notes of contacts that are gone.
+/// Credits of models in all forms. The last ones have notes of contacts that were removed.
 const CREDITS: [&str; 23] = [
     "",
     "<credits/>",
@@ -128,7 +129,7 @@ const CREDITS: [&str; 23] = [
      record 0000000000000000 00000000 00000000 1:00000000 1:00000000 0000.-.-.-.-.-.-.-.-; made -)];\n\tB</credits>",
 ];
 
-/// A document without white space between tags.
+/// The document without white space between tags.
 fn one_line(text: &str) -> Option<String> {
     let mut made = String::new();
     for part in text.split_inclusive('>') {
@@ -138,7 +139,8 @@ fn one_line(text: &str) -> Option<String> {
     Some(made)
 }
 
-/// A model with its first element `tag` in another form, where nothing is in it.
+/// The model with its first element `tag` replaced by `written`, or with `written` added if it has no such element; `None` if the element
+/// has members.
 fn with_set(text: &str, tag: &str, written: &str) -> Option<String> {
     let Some((span, inner)) = element(text, tag) else {
         let at = text.rfind("</Model>")?;
@@ -167,7 +169,7 @@ fn with_credits(text: &str, credits: &str) -> Option<String> {
     Some(format!("{}\n\t\t{credits}{}", &bare[..at], &bare[at..]))
 }
 
-/// Bytes of the first element of this name, and its content.
+/// The first element called `tag`: its range of bytes, and its content.
 fn element<'t>(text: &'t str, tag: &str) -> Option<(std::ops::Range<usize>, &'t str)> {
     let tag_begins = format!("<{tag}");
     let mut starts = text.match_indices(&tag_begins).map(|(at, _)| at);
@@ -182,12 +184,12 @@ fn element<'t>(text: &'t str, tag: &str) -> Option<(std::ops::Range<usize>, &'t 
     Some((start..end + close.len(), &text[open..end]))
 }
 
-/// The bytes of a file as letters, one for each byte.
+/// The bytes of a file as a text with one letter for each byte.
 pub fn letters(bytes: &[u8]) -> String {
     bytes.iter().map(|&byte| char::from(byte)).collect()
 }
 
-/// The bytes of letters that stand for one byte each.
+/// The bytes for a text with one letter for each byte.
 pub fn bytes(letters: &str) -> Vec<u8> {
     letters.chars().map(|letter| u8::try_from(u32::from(letter)).unwrap_or(b'?')).collect()
 }

@@ -1,5 +1,5 @@
-//! `remove` after `add` gives the first file back, byte for byte: every model that we have, in every form of text, by every way of
-//! adding, and also with other numbers in between.
+//! `remove` after `add` gives the first file back, byte for byte: for every model of the project, in every form of text, for every way of
+//! adding contacts, and also after other changes in between.
 
 pub mod documents;
 mod forms;
@@ -19,19 +19,19 @@ use documents::{Desk, Document, all_files, models};
 use forms::{bytes, forms, letters};
 use ways::{TABLE, Way, between, ways};
 
-/// Numbers of things that were tried, and of those that held.
+/// Numbers of trials, and of trials in which the first file came back.
 #[derive(Default)]
 struct Counts {
     back: usize,
-    /// Ways that do not fit the model, by the code of the answer.
+    /// Trials in which adding contacts was refused, by the code of the refusal.
     refused: BTreeMap<String, usize>,
     failures: Vec<String>,
 }
 
-/// The name of requests that are applied one after the other, and the requests.
+/// A name, and the requests that are applied one after the other under this name.
 type Steps = (&'static str, Vec<Value>);
 
-/// The bytes that a request makes of `bytes`, and why there are none.
+/// The bytes of the model after a request; or the code and the message of the refusal.
 fn step(desk: &mut Desk<'_>, name: &str, bytes: &[u8], request: &Value) -> Result<Vec<u8>, (String, String)> {
     desk.own.insert(name.into(), bytes.to_vec());
     let other = |error: String| ("other".to_owned(), error);
@@ -44,7 +44,7 @@ fn step(desk: &mut Desk<'_>, name: &str, bytes: &[u8], request: &Value) -> Resul
     plan.patched(&opened.model, FileId::MAIN).map_err(|fault| (fault.code().to_owned(), fault.to_string()))
 }
 
-/// Tries one way, and what is done in between.
+/// Adds contacts in one way, applies the requests in between, removes the contacts, and compares the bytes.
 fn try_one(
     desk: &mut Desk<'_>,
     what: &str,
@@ -85,7 +85,7 @@ fn try_one(
     }
 }
 
-/// The bytes around the first one that differs.
+/// The bytes around the first byte that differs.
 fn difference(expected: &[u8], seen: &[u8]) -> String {
     let at = expected.iter().zip(seen).take_while(|(one, other)| one == other).count();
     let around = |bytes: &[u8]| {
@@ -95,7 +95,7 @@ fn difference(expected: &[u8], seen: &[u8]) -> String {
     format!("expected {}, seen {}", around(expected), around(seen))
 }
 
-/// The model itself, or without the contacts that it has.
+/// The model itself if it has no contacts, else the model after its contacts were removed.
 fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document> {
     let name = &document.name;
     let select = json!({"verb": "remove", "models": [name], "select": ["*"]});
@@ -107,15 +107,15 @@ fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document
     Some(Document { name: name.clone(), bytes })
 }
 
-/// The share of forms that each model is tried in, where it is small and where it is large. Forms, ways and steps come by turns, so that
-/// every form comes with every kind of each.
+/// The share of the forms in which each model is tried: one in `small` forms for a small model, one in `large` for a large one. Forms, ways
+/// and requests take turns, so that every form occurs with every way and with all requests.
 #[derive(Clone, Copy)]
 struct Share {
     small: usize,
     large: usize,
 }
 
-/// A share of the forms, because all of them would take most of an hour.
+/// A small share of the forms, because all forms would take most of an hour.
 const FEW: Share = Share { small: 13, large: 61 };
 const MANY: Share = Share { small: 1, large: 7 };
 
@@ -147,7 +147,7 @@ fn try_all(files: &InMemory, documents: &[Document], share: Share, next: &Atomic
     }
 }
 
-/// The way of adding, and what is done in between, whose turn it is.
+/// The way of adding contacts and the requests in between, if it is the turn of this form.
 fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Steps)> {
     let number = (turn * 5).checked_rem(ways.len())?;
     let way = ways.get(number)?;
@@ -155,7 +155,7 @@ fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Step
     Some((way, steps.swap_remove((turn + 3 * number) % steps.len())))
 }
 
-/// Numbers of things tried with all models.
+/// Tries a share of the forms on all models.
 fn try_share(share: Share) -> Counts {
     let files = all_files();
     let documents = models(&files);
@@ -209,7 +209,7 @@ fn what_was_added_is_taken_back() {
     counts.check();
 }
 
-/// Contacts are added to models in all forms and taken back.
+/// Adds contacts to models in all forms, and removes them.
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
 fn what_was_added_is_taken_back_in_every_form() {

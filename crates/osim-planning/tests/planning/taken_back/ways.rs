@@ -1,20 +1,20 @@
-//! Ways of giving a model contacts, and what is done with it before they are taken out.
+//! Ways of adding contacts to a model, and changes between adding and removing them.
 
 use osim_model::{Model, Question};
 use serde_json::{Value, json};
 
 pub const TABLE: &str = "places.csv";
-/// The way of a model that keeps contacts of its own.
+/// The name of the way in which a model keeps its own contacts.
 const BESIDE: &str = "beside others";
 
-/// A request that gives contacts, with the table that it reads.
+/// A request that adds contacts, and the table that it reads.
 pub struct Way {
     pub name: &'static str,
     pub request: Value,
     pub table: String,
 }
 
-/// Ways for this model, which is called `name`.
+/// The ways of adding contacts to this model, which is called `name`.
 pub fn ways(name: &str, model: &Model) -> Vec<Way> {
     let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
     let (Some(first), Some(last)) = (bodies.first(), bodies.last()) else { return Vec::new() };
@@ -79,7 +79,8 @@ pub fn ways(name: &str, model: &Model) -> Vec<Way> {
     ways
 }
 
-/// Requests to apply in between: none, one or two, about the new forces where there are others.
+/// Changes between adding and removing contacts: none, one or two requests. If the model has other contacts, they apply only to the new
+/// forces.
 pub fn between(name: &str, way: &Way) -> Vec<(&'static str, Vec<Value>)> {
     let one = |mut request: Value| {
         request["models"] = json!([name]);
