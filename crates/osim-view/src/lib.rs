@@ -1,4 +1,4 @@
-//! What is known of the contacts of an OpenSim model, for people and for scripts.
+//! Shows the contacts of an OpenSim model to people and to scripts.
 //!
 //! [`figures`] gives points titles, labels and limits, for `contact_plots` to draw; [`report`] makes tables, records and
 //! explanations; [`html`] puts both on one page about a run. Nothing is decided here, no file is opened, and

@@ -1,4 +1,4 @@
-//! Units, titles, limits and remarks of figures.
+//! Units, titles, limits and remarks for the axes of figures.
 
 use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
@@ -8,16 +8,16 @@ use osim_inspect::series::{
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
 
-/// The units of a figure's axes of indentation and force.
+/// The units of the axes of indentation and of force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AxisUnits {
-    /// x/R, and force over the weight's share of one sphere.
+    /// Indentation as x/R, and force over the share of the weight that one sphere carries.
     Dimensionless,
-    /// Axes in mm and N.
+    /// Indentation in mm, and force in N.
     Real,
 }
 
-/// The wanted units. The default is x/R, with newtons for one contact, and with shares of the weight for several.
+/// The wanted units. The default is x/R, with newtons if the figure has one contact, and with shares of the weight if it has several.
 pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> Units {
     let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
@@ -43,7 +43,7 @@ pub(super) fn force_axis(units: Units) -> Axis {
     })
 }
 
-/// The wanted title, else one that says what the figure shows.
+/// The wanted title, else a title that describes the figure.
 pub(super) fn title_for(what: &str, bodies: &[ContactBody], wanted: Option<&str>) -> String {
     match (wanted, bodies) {
         (Some(title), _) => title.to_owned(),
@@ -76,7 +76,7 @@ pub(super) fn threshold_limits(kind: &SphereKind, units: Units) -> Vec<Limit> {
     series::thresholds(kind, units).into_iter().map(limit).collect()
 }
 
-/// One line for each body: its mass, spheres and gravity, or why they are not known.
+/// One line for each body: its mass, number of spheres and gravity, or the reason why they are not known.
 pub fn weights_in_words(bodies: &[ContactBody], dialect: &dyn Dialect) -> String {
     let line = |body: &ContactBody| match &body.weight {
         Ok(weight) => format!(

@@ -1,4 +1,4 @@
-//! Figures of contacts as curves: force and contact state against indentation, loops of dissipation, drops, and the indentations of many models.
+//! Figures with curves: force and contact state against indentation, loops of dissipation, drops, and the indentations of many models.
 
 use contact_plots::{Area, Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Paper, Point, figure};
 use contact_scaling::limits;
@@ -13,21 +13,21 @@ use crate::figures::axes::{
     force_axis, hertz_limit, indentation_axis, plot_failure, threshold_limits, title_for,
 };
 
-/// A force axis ends at this many times the weight's share of one sphere: running animals push this hard, and the state at rest can
-/// still be seen.
+/// A force axis ends at this many times the share of the weight that one sphere carries. Running animals push this hard, and the
+/// equilibrium can still be seen.
 const MOST_SHARES_SHOWN: f64 = 3.0;
 
-/// The curves of one kind of sphere.
+/// The force curves of one kind of sphere.
 pub(super) struct KindOfSphereLaws {
-    /// Name of the body, if the figure shows several.
+    /// Name of the body, if the figure has several bodies; else empty.
     pub(super) name: String,
     pub(super) series: ForceSeries,
-    /// The indentation at rest in brackets, if it is outside the figure; else empty.
+    /// The indentation in equilibrium, in brackets, if it is outside the figure; else empty.
     pub(super) remark: String,
 }
 
-/// Force against indentation of every kind of sphere of `bodies`, as in Fig. C.5. The horizontal axis has the range `limits`; the
-/// default is from above the ground to a little deeper than the bodies rest, at most to a sphere's centre.
+/// Force against indentation for every kind of sphere of `bodies`, as in Fig. C.5. The horizontal axis has the range `limits`; the default
+/// is from above the ground to a little deeper than the equilibria of the bodies, at most to the centre of a sphere.
 ///
 /// # Errors
 /// The weight of a body is not known, and forces are shares of the weight.
@@ -67,7 +67,7 @@ pub fn force(
     Ok(Figure::in_column(title_for("Contact force", bodies, wanted_title), description, vec![panel]))
 }
 
-/// A panel with all laws of one kind of sphere and the force before contact shaded, or with one law of each of several kinds.
+/// A panel with all force laws of one kind of sphere, where the force before contact is shaded; or with one law for each of several kinds.
 pub(super) fn force_panel(laws: Vec<KindOfSphereLaws>, units: Units) -> Panel {
     let mut panel = Panel::new("", indentation_axis(units), force_axis(units));
     panel.limits = hertz_limit(units);
@@ -111,7 +111,7 @@ fn joined_names<'n>(names: impl Iterator<Item = &'n String>) -> String {
     names.map(String::as_str).collect::<Vec<_>>().join(", ")
 }
 
-/// The end of the force axis, if forces are much larger than at rest.
+/// The end of the force axis, if forces are much larger than in equilibrium.
 fn end_of_force_axis(drawn: &[KindOfSphereLaws]) -> Option<f64> {
     let rests: Option<Vec<f64>> = drawn.iter().map(|one| one.series.rest.map(|(_, force)| force)).collect();
     let top = MOST_SHARES_SHOWN * rests?.into_iter().fold(0.0, f64::max);
@@ -127,8 +127,9 @@ fn rest_text(x: f64, units: Units) -> String {
     }
 }
 
-/// Loops of force against indentation while spheres go in and out; the area inside is the energy that is lost. One contact is shown
-/// at a quarter, half and all of the speed of a fall from `height`, with its force at rest; several contacts at that speed.
+/// Loops of force against indentation while spheres move into the ground and out again; the area inside a loop is the lost energy. A single
+/// contact has loops at a quarter, half and all of the speed of a fall from `height`, and its force at speed 0; several contacts have one
+/// loop each at this speed.
 ///
 /// # Errors
 /// The weight of a body is not known.
@@ -162,7 +163,7 @@ pub fn loops(
     Ok(loop_figure(title_for("Dissipation", bodies, wanted_title), &motion, units, at_rest, loops))
 }
 
-/// The loops of [`loops`], with one for each kind of sphere of `bodies`, which begins with the speed of a fall from `height`.
+/// Loops of force against indentation, one for each kind of sphere of `bodies`. Each begins with the speed of a fall from `height`.
 ///
 /// # Errors
 /// The weight of a body is not known.
@@ -191,7 +192,7 @@ pub fn impact_loops(
     Ok(loop_figure(title_for("Dissipation", bodies, wanted_title), &motion, units, vec![], loops))
 }
 
-/// A figure of loops; `motion` says how the spheres moved, and `at_rest` are points of the force at rest, if any.
+/// A figure of loops. `motion` describes in words how the spheres moved; `at_rest` has points of the force at speed 0, if they are drawn.
 fn loop_figure(
     title: String,
     motion: &str,
@@ -211,7 +212,7 @@ fn loop_figure(
     Figure::in_column(title, description, vec![panel])
 }
 
-/// The loop that begins with the speed of a fall.
+/// The loop that begins with the speed of a fall from the given height.
 fn impact_loop(
     body: &ContactBody,
     kind: &SphereKind,
@@ -225,8 +226,8 @@ fn with_body_name(name: &str, series: LoopSeries) -> LoopSeries {
     LoopSeries { name: format!("{name}: {}", series.name), ..series }
 }
 
-/// Contact state (C.4) against indentation of every kind of sphere of `bodies`. The horizontal axis has the range `limits`; the
-/// default is half a radius to either side.
+/// Contact state (C.4) against indentation for every kind of sphere of `bodies`. The horizontal axis has the range `limits`; the default is
+/// half a radius above and below the floor.
 ///
 /// # Errors
 /// No body has a smoothed law.
@@ -281,12 +282,11 @@ pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Pa
 pub(super) const TIME_IN_SECONDS: &str = "time t (s)";
 pub(super) const DIMENSIONLESS_TIME: &str = "non-dimensional time t/√(R/g) (–)";
 
-/// If no duration is given, a fall is drawn until all bodies rest, times this.
+/// If no duration is given, a fall is drawn until all bodies are at rest, and longer by this factor.
 const DRAWN_AFTER_REST: f64 = 1.15;
 
-/// Force over body weight of bodies that fall from `height`, against time and against dimensionless time, as in Fig. 4. The fall is
-/// followed for `duration_s`, else for 20 √(R/g) of the slowest body, and the figure ends soon after all rest. `from` is the height
-/// in words.
+/// Force over body weight of bodies that fall from `height`, against time and against dimensionless time, as in Fig. 4. The fall lasts
+/// `duration_s`, else 20 √(R/g) of the slowest body; the figure ends soon after all bodies are at rest. `from` is the height in words.
 ///
 /// # Errors
 /// The weight of a body is not known, or its contacts are too stiff to follow the fall.
@@ -321,8 +321,8 @@ pub fn drops(
     Ok(Figure::in_column(title_for("Drop test", bodies, wanted_title), description, panels))
 }
 
-/// A panel of falls: each has a name, points in s and body weights, and the unit of its `time`, s. The time axis ends at `end` or with
-/// the shortest fall.
+/// A panel of falls. Each fall has a name, points in s and body weights, and the unit of its `time`, s. The time axis ends at `end`, or
+/// with the shortest fall.
 pub(super) fn drop_panel<'f>(
     falls: impl Iterator<Item = (&'f str, &'f [Point], f64)>,
     time: &str,
@@ -342,12 +342,12 @@ pub(super) fn drop_panel<'f>(
     panel
 }
 
-/// End of the axis of x̂. Larger values, which are wrong anyway, are drawn there.
+/// End of the axis of x̂. Larger values, which are wrong anyway, are drawn at the end of the axis.
 const END_OF_AXIS: f64 = 1.0;
-/// Models have dots if there are at most this many.
+/// The models are drawn as dots if there are at most this many.
 const MOST_MODELS_WITH_DOTS: usize = 60;
 
-/// x̂ at rest of all models in one state.
+/// x̂ of all models in equilibrium, in one state: for example before a change.
 pub struct Indentations<'s> {
     /// Name of the series in the legend.
     pub name: &'s str,
@@ -355,7 +355,7 @@ pub struct Indentations<'s> {
     pub indentations: &'s [f64],
 }
 
-/// The chart of x̂ of models, sorted in each state, with the limit of the Hertz law; `None` if no state has two models.
+/// The chart of x̂ of all models, sorted in each state, with the limit of the Hertz law; `None` if no state has two models.
 pub fn indentations(states: &[Indentations<'_>]) -> Option<String> {
     let models = states.iter().map(|state| state.indentations.len()).max().filter(|models| *models > 1)?;
     let limit = limits::INDENTATION.value;
@@ -381,7 +381,7 @@ pub fn indentations(states: &[Indentations<'_>]) -> Option<String> {
     figure(&Figure::in_column(title, description, vec![panel]), Paper::default()).ok()
 }
 
-/// The number of values that are drawn at the end of the axis because they are above it.
+/// The number of values that are larger than the end of the axis, where they are drawn.
 pub(crate) fn count_above_axis(indentations: &[f64]) -> usize {
     indentations.iter().filter(|value| **value > END_OF_AXIS).count()
 }

@@ -1,4 +1,4 @@
-//! Draws the figure that a request asks for, and writes its numbers as a table.
+//! Draws the figure that a request describes, and writes the numbers of a figure as a table.
 
 use contact_plots::{Datum, Drawing, Paper, PlotError};
 use osim_inspect::series::{ContactBody, HeatRequest};
@@ -14,7 +14,7 @@ use crate::figures::heat::{heat, table_figure};
 use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
 
-/// A figure of `bodies`, or of a table, as `request` asks for it, before it is put on paper.
+/// Draws the figure that `request` describes, of `bodies` or of a table. The size of the paper is not yet known.
 ///
 /// # Errors
 /// The weight of a body is not known and needed, there are too many or too few bodies, or the figure does not have the axes or curves
@@ -69,7 +69,7 @@ fn drawing_of_bodies(
     drawn.distinct().map(Drawing::Panels).map_err(|error| failure_of_plot(error, bodies))
 }
 
-/// The drawing with the names and limits that the request wants.
+/// The drawing with the names of curves and the limits of axes from the request.
 ///
 /// # Errors
 /// It has no such curve or axis.
@@ -93,7 +93,7 @@ pub fn draw_feet(request: &PlotRequest, states: &[ModelFeet]) -> Result<Drawing,
     with_looks(drawing, &request.looks).map_err(|error| failure_of_plot(error, &[]))
 }
 
-/// Draws a figure of a motion.
+/// Draws a figure of contacts along a motion.
 ///
 /// # Errors
 /// The request names curves or limits that it does not have.
@@ -116,7 +116,7 @@ pub fn svg(drawing: &Drawing, paper: Paper, bodies: &[ContactBody]) -> Result<St
     drawn.map_err(|error| failure_of_plot(error, bodies))
 }
 
-/// The failure that a figure of `bodies` was not drawn, with advice.
+/// The failure that a figure of `bodies` could not be drawn, with advice.
 pub fn failure_of_plot(error: PlotError, bodies: &[ContactBody]) -> Failure {
     let why: Phrase = match error {
         PlotError::TooMany { .. } => {
@@ -139,7 +139,7 @@ pub fn failure_of_plot(error: PlotError, bodies: &[ContactBody]) -> Failure {
 const DATA_COLUMNS: [&str; 9] =
     ["panel", "kind", "name", "x_axis", "x", "y_axis", "y", "value_name", "value"];
 
-/// All numbers of a figure as CSV: a row for each point of a curve, mark, limit and cell; cells that do not apply are empty.
+/// All numbers of a figure as CSV: a row for each point of a curve, each mark, limit and cell. Cells without a meaning in a row are empty.
 ///
 /// # Errors
 /// The library that writes CSV fails.

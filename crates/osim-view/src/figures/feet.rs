@@ -11,7 +11,7 @@ use osim_model::messages::{Dialect, Input, four_significant, listed, phrase, sho
 use osim_model::{DVec2, DVec3};
 use osim_planning::ModelFeet;
 
-/// The last of `states` with its bones and names, and the spheres of the first where they are others.
+/// A figure with the last of `states` with its bones and names, and with the spheres of the first state that differ from it.
 pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     let (Some(now), before) = (states.last(), state_before(states)) else { return Scene::default() };
     let mut others: HashMap<&str, &Foot> = HashMap::new();
@@ -47,7 +47,7 @@ pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
     }
 }
 
-/// The figure as an SVG document; `name` is that of the model, for failures.
+/// The figure of the feet as an SVG document. `name` is the name of the model, for failures.
 ///
 /// # Errors
 /// A number is not finite.
@@ -57,7 +57,7 @@ pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) ->
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
-/// The feet before the change, if there are two states.
+/// The feet before the change, if `states` has feet before and after a change.
 fn state_before(states: &[ModelFeet]) -> Option<&ModelFeet> {
     states.split_last().and_then(|(_, before)| before.last())
 }
@@ -82,10 +82,10 @@ fn shift_to(other: &Foot, foot: &Foot) -> DVec3 {
     foot.origin_m - other.origin_m
 }
 
-/// Names and heights that a remark lists at most.
+/// The largest number of names, and of heights, that a remark lists.
 const NAMES_LISTED: usize = 12;
 
-/// A smaller shift of a foot is not mentioned, m.
+/// A shift of a foot by less than this, m, is not mentioned.
 const SMALL_SHIFT_M: f64 = 1e-6;
 
 fn remarks_on_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
@@ -115,7 +115,7 @@ fn remarks_on_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     remarks
 }
 
-/// The remark why the floor is not drawn.
+/// The remark that says why the floor is not drawn.
 fn remark_on_floor(foot: &Foot) -> Option<String> {
     let metres = |value: f64| format!("{} m", four_significant(value)).replace('-', "−");
     match &foot.floor {
@@ -135,7 +135,7 @@ fn remark_on_floor(foot: &Foot) -> Option<String> {
     }
 }
 
-/// Spheres that differ by less than this, m, are drawn once.
+/// Spheres whose places in two states differ by less than this, m, are drawn once.
 const SAME_PLACE_M: f64 = 1e-9;
 const MM_PER_M: f64 = 1e3;
 
@@ -188,7 +188,7 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     view
 }
 
-/// Adds those spheres and bones of another state that differ.
+/// Adds the spheres and bones of the other state that differ from this state.
 fn add_state_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, from: ViewSide) {
     let moved = |point: DVec3| point + shift;
     let drawn = SortedSpheres::new(&foot.spheres);
@@ -252,7 +252,7 @@ fn outlines(foot: &Foot, shift: DVec3, from: ViewSide, state: State) -> Vec<Outl
     lines.filter(|outline| !outline.points.is_empty()).collect()
 }
 
-/// The lines under the lowest sphere and at the floor, if it is near.
+/// The line under the lowest sphere, and the line of the floor, if the floor is near.
 fn levels(foot: &Foot, up: &str) -> Vec<Level> {
     let mut levels = Vec::new();
     // Rounded to thousandths of a millimetre, so that rounding errors of 0 are shown as 0.
@@ -271,7 +271,7 @@ fn levels(foot: &Foot, up: &str) -> Vec<Level> {
     levels
 }
 
-/// Lines about each state: what is drawn, spheres in wrong places, and missing bones.
+/// Lines about each state: what is drawn, which spheres are in wrong places, and which bones are missing.
 pub fn feet_remarks(states: &[ModelFeet], dialect: &dyn Dialect) -> String {
     states.iter().map(|state| remarks_on_state(state, dialect)).collect()
 }

@@ -1,4 +1,4 @@
-//! Heat maps: a quantity as colours over two others, or as a curve over one.
+//! Heat maps: a quantity as colours over two parameters, or as a curve over one parameter.
 
 use contact_plots::{Axis, Curve, Drawing, Figure, HeatLimit, HeatMap, Limit, Look, Mark, Panel, Point};
 use contact_scaling::limits;
@@ -10,8 +10,8 @@ use osim_requests::HeatQuantity;
 
 use crate::figures::axes::plot_failure;
 
-/// Colours over E₁* and α for the one contact of the one body; `stiffness` and `dissipation` make axes of its own E₁* (N/m²)
-/// and α (s/m). Where only one of the two changes the quantity, a curve over that one.
+/// A heat map over E₁* and α for the only contact of the only body. The functions `stiffness` and `dissipation` make the axes from its own
+/// E₁* (N/m²) and α (s/m). If only one of the two changes the quantity, the figure is a curve over that parameter.
 ///
 /// # Errors
 /// There are several bodies or contacts, the weight is not known, or the dissipation is 0 and has no multiples.
@@ -54,25 +54,25 @@ pub fn heat(
 
 const STIFFNESS_LABEL: &str = "stiffness E₁* (N/m²)";
 const DISSIPATION_LABEL: &str = "dissipation α (s/m)";
-/// If the largest value over the smallest is more than this, colours are logarithmic.
+/// Colours are logarithmic if the largest value over the smallest is more than this.
 const LOGARITHMIC_RATIO: f64 = 8.0;
 
-/// The axis of colours for these values.
+/// The axis of colours for the values of a heat map.
 pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
     let values = || values.iter().flatten().flatten().copied();
     let (low, high) = (values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max));
     if low > 0.0 && high > LOGARITHMIC_RATIO * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 
-/// Texts of a curve on a heat map.
+/// Texts in the figure of a curve, which replaces a heat map.
 struct CurveTexts<'t> {
     title: String,
     body: &'t str,
-    /// Label of the point at the present values of the body.
+    /// Label of the point with the present parameters of the body.
     mark_label: String,
 }
 
-/// The figure of a quantity over the one parameter that changes it.
+/// The figure of a quantity over the only parameter that changes it.
 fn curve_figure(
     profile: Profile,
     limit: Option<f64>,
@@ -107,11 +107,11 @@ fn only_body(bodies: &[ContactBody]) -> Result<&ContactBody, Failure> {
     }
 }
 
-/// Texts of a heat map's quantity.
+/// Texts about the quantity of a heat map.
 struct QuantityWords {
     title: &'static str,
     label: &'static str,
-    /// Name of the curve in the legend.
+    /// Name of the quantity's curve in the legend.
     curve: &'static str,
     limit: String,
 }
@@ -194,7 +194,7 @@ fn distinct_values(values: &[Option<f64>]) -> Vec<f64> {
     values
 }
 
-/// An axis on which the values are most equally spaced: logarithmic if their ratios are more alike than their differences.
+/// An axis for the values: logarithmic if their ratios are more alike than their differences, else linear.
 fn axis_for_values(name: &str, values: &[f64]) -> Axis {
     let spread = |steps: Vec<f64>| {
         let (low, high) = steps
@@ -208,7 +208,7 @@ fn axis_for_values(name: &str, values: &[f64]) -> Axis {
     if is_positive && ratios() < differences { Axis::logarithmic(name) } else { Axis::new(name) }
 }
 
-/// The value at each point of the grid; `None` where the table has none.
+/// The value of the table at each point of the grid; `None` if the table has no value for the point.
 fn grid_of_values(
     table: &HeatTable,
     y_values: &[Option<f64>],

@@ -8,7 +8,8 @@ use osim_model::files::FileName;
 use osim_motion::{FootSummary, PressureOnSole, Wrench};
 use osim_planning::MotionResult;
 
-/// Forces and depths over time and over strides, and two panels of the sole, for each foot: in three columns where all are there.
+/// A figure of forces and depths over time and over strides, and two panels of the sole, for each foot; in three columns if all panels
+/// exist.
 pub(super) fn motion(result: &MotionResult, title: Option<&str>) -> Figure {
     let feet = &result.summary.feet;
     let default_title = || {
@@ -50,7 +51,7 @@ impl FootPanels {
         }
     }
 
-    /// The panels in order: three above three, or pairs side by side.
+    /// The panels in order: two rows of three panels, or pairs side by side.
     fn panels(self, has_all_panels: bool) -> Vec<Panel> {
         let pairs = [Some(self.times), self.strides, self.sole];
         if !has_all_panels {
@@ -88,13 +89,13 @@ fn force_panel(result: &MotionResult, index: usize, foot: &FootSummary) -> Panel
     panel
 }
 
-/// The file's name without its folders and its ending.
+/// The name of the file without its folders and its extension.
 fn name_without_ending(name: &FileName) -> String {
     let path = name.to_path();
     path.file_stem().map_or_else(|| name.to_string(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// Spheres higher above the floor than this are not shown, radii.
+/// Spheres higher above the floor than this are not drawn, in radii.
 const LEAST_DEPTH_SHOWN: f64 = -0.5;
 
 fn depth_panel(result: &MotionResult, foot: &FootSummary) -> Panel {
@@ -130,7 +131,7 @@ fn hertz_limit() -> Limit {
 
 /// The largest number of arrows of one stance.
 const MOST_ARROWS: usize = 25;
-/// An arrow leans so far for a force of one body weight along the foot, mm.
+/// How far an arrow leans for a force of one body weight along the foot, mm.
 const LEAN_PER_BODY_WEIGHT_MM: f64 = 100.0;
 
 /// The path of the centre of pressure from above, and forces as arrows on the sole.
@@ -168,7 +169,8 @@ fn path_panel(result: &MotionResult, foot: &FootSummary, on_sole: &PressureOnSol
     panel
 }
 
-/// Arrows of forces in some frames of the first complete stance, else of the first one, from the centre of pressure.
+/// Arrows of the force, from the centre of pressure, in some frames of a stance: the first complete stance, or the first stance if none is
+/// complete.
 fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole: &PressureOnSole) -> Panel {
     let mut panel = Panel::new(
         "forces of one stance",
@@ -205,7 +207,7 @@ fn lean_and_height(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -
     (LEAN_PER_BODY_WEIGHT_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))
 }
 
-/// Panels of the force and of the deepest sphere over strides, from one touch-down (0 %) to the next (100 %); `None` without a complete
+/// Panels of the force and of the deepest sphere over strides: from one touch-down (0 %) to the next (100 %); `None` without a complete
 /// stride.
 fn stride_panels(result: &MotionResult, index: usize, foot: &FootSummary) -> Option<[Panel; 2]> {
     let strides = foot.strides();

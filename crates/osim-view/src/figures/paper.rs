@@ -15,23 +15,23 @@ use crate::figures::curves::{
     DIMENSIONLESS_TIME, KindOfSphereLaws, TIME_IN_SECONDS, drop_panel, force_panel, state_panel,
 };
 
-/// The animal of Table 1 that is called `taxon` and stands on the most spheres.
+/// The animal of Table 1 with the name `taxon`; of several, the one that stands on the most spheres.
 fn animal(taxon: &str) -> Result<Animal, Failure> {
     let spheres = |animal: &Animal| animal.scale().sphere_count();
     let most = table1::called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
     most.ok_or_else(|| table_failure(format!("there is no {taxon}")))
 }
 
-/// A failure with numbers of Table 1.
+/// The failure for an error in the numbers of Table 1.
 fn table_failure(error: impl Display) -> Failure {
     Failure::outside("Table 1", "plot", error.to_string())
 }
 
-/// How long drops of Fig. 4 are followed, s.
+/// Duration of the computed drops of Fig. 4, s.
 const DURATION_S: f64 = 1.1;
-/// End of the time axis of Fig. 4, s: both animals rest.
+/// End of the time axis of Fig. 4, s. At this time both animals are at rest.
 const END_OF_FIG_4_S: f64 = 0.5;
-/// Points for each √(R/g), so that the curves of all animals have equally many.
+/// Number of points for each √(R/g), so that the curves of all animals have equally many points.
 const SAMPLES_PER_UNIT_OF_TIME: f64 = 40.0;
 
 /// End of the force axes of Fig. 4, body weights.
@@ -88,7 +88,7 @@ fn panel(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
     panel
 }
 
-/// The drop of one animal by the law that the paper's tests used, which has no smoothing.
+/// The drop of one animal by the law of the paper's tests, which has no smoothing.
 fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop, Failure> {
     let (scale, values) = (animal.scale(), animal.plain_contact().map_err(table_failure)?.values());
     let dissipation =
@@ -107,7 +107,7 @@ fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop
 /// The animal whose sphere Fig. C.5 shows.
 const FIG_C5_ANIMAL: &str = "emu";
 
-/// Curves of Fig. C.5 go so many radii to either side.
+/// The curves of Fig. C.5 extend this far above and below the floor, in radii.
 const WIDTH_OF_FIG_C5_RADII: f64 = 0.5;
 
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };

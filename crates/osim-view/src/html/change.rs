@@ -1,4 +1,4 @@
-//! The page entry and sections of a model that was changed.
+//! The entry and the sections on a page for a model that was changed.
 
 use maud::{Markup, html};
 use osim_inspect::series::ContactBody;
@@ -19,34 +19,34 @@ use crate::report::plan::{
     properties_in_several_groups,
 };
 
-/// A change and what it does. What the plan, the inspections and the checks say is taken as it is spelled.
+/// A change of a model, and its effects. The texts of the plan, the inspections and the checks are already in the words of the front end.
 #[derive(Debug)]
 pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
     /// Inspection and check of the model before the change.
     pub before: InspectedAndChecked<'c>,
-    /// Figures of the old contacts under the new weight, if it differs.
+    /// Figures of the old contacts under the new weight, if the weight changes.
     pub before_under_new_weight: Option<&'c Figures>,
-    /// The new model; `None` if nothing changes.
+    /// Inspection and check of the new model; `None` if nothing changes.
     pub after: Option<InspectedAndChecked<'c>>,
     /// The contacts of each state of the model, whose force curves the page plots.
     pub bodies: Vec<ContactBody>,
-    /// The feet of these states, the last with its bones; empty if they are not drawn.
+    /// The feet before and after the change, the last ones with bones; empty if feet are not drawn.
     pub feet: Vec<ModelFeet>,
-    /// The model or preset that the contacts come from, if they are another body's.
+    /// The model or preset that the contacts come from, if they come from another body.
     pub reference: Option<&'c ReferenceState>,
     /// The section about the contacts along a recording, from [`recording`](crate::html::recording), if the change follows one.
     pub recording: Option<Section>,
-    /// Whether the new model is in a file.
+    /// Whether the new model was written to a file.
     pub in_file: bool,
-    /// The gravity that the contacts are scaled to, if the model has another one, m/s².
+    /// The gravity that the contacts are scaled to, m/s², if it differs from the gravity of the model.
     pub target_gravity_m_s2: Option<f64>,
     /// Files that the change read and wrote.
     pub files: ListedFiles,
 }
 
 impl<'c> ChangedModelOnPage<'c> {
-    /// A plan for a model, not written yet, without its results.
+    /// A plan for a model that is not written yet, without the inspection of the new model.
     pub fn new(plan: &'c Plan, before: InspectedAndChecked<'c>, files: ListedFiles) -> Self {
         Self {
             plan,
@@ -63,7 +63,7 @@ impl<'c> ChangedModelOnPage<'c> {
         }
     }
 
-    /// A plan with both states of its model. The caller sets `in_file`.
+    /// A plan with the model before and after the change. The caller sets `in_file`.
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: ListedFiles) -> Self {
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
@@ -77,7 +77,7 @@ impl<'c> ChangedModelOnPage<'c> {
     }
 }
 
-/// The entry of a changed model; `row` is its row in the table of models.
+/// The entry of a changed model. `row` is its row in the table of models.
 pub fn entry_of_changed_model(
     row: &RunRow,
     changed: ChangedModelOnPage<'_>,
@@ -90,7 +90,7 @@ pub fn entry_of_changed_model(
     Entry::of_changed_model(row, plan, facts, drawn, fragment)
 }
 
-/// Adds the sections about a change; returns what other parts of the page may draw.
+/// Adds the sections about a change. Returns the data for plots in other parts of the page.
 pub(super) fn add_change_sections(
     fragment: &mut Fragment,
     changed: ChangedModelOnPage<'_>,
@@ -140,7 +140,7 @@ pub(super) fn add_change_sections(
     drawn
 }
 
-/// States of the model, and the reference if there is one, to be drawn.
+/// The states of the model for plots, and the reference, if there is one.
 fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
     let reference = changed.reference.and_then(|reference| reference.body.clone());
     let mut drawn = DrawnStates {
@@ -154,7 +154,7 @@ fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
     drawn
 }
 
-/// Numbers about the change that the page's summary counts.
+/// Numbers about the change for the summary of the page.
 fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
     let last = changed.after.unwrap_or(changed.before);
     let mut facts = ModelFacts::new(&last.inspection.figures, last.check, changed.bodies.last());

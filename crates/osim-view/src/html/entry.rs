@@ -1,4 +1,4 @@
-//! The entry of a model on a page: its row in the table of models, and its sections.
+//! The entry of one model on a page: its row in the table of models, and its sections.
 
 use osim_inspect::Inspection;
 use osim_model::Property;
@@ -11,9 +11,9 @@ use crate::html::fragment::Fragment;
 use crate::html::special::{DrawnStates, Indentation, ModelFacts, is_too_deep};
 use crate::report::explain::{ErrorCode, error};
 
-/// Marks models that an earlier run has done.
+/// The mark of models that an earlier run has already changed.
 pub(super) const EARLIER_MARK: &str = " †";
-/// The text in the place of factors that are not equal.
+/// The text in a cell if the factors of a property are not equal.
 const UNEQUAL_FACTORS: &str = "unequal";
 /// Properties whose old and new values are columns of the table.
 const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
@@ -23,21 +23,21 @@ const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, 
 pub struct Entry {
     pub(super) model: String,
     pub(super) outcome: String,
-    /// Whether an earlier run has done it.
+    /// Whether an earlier run has already changed the model.
     pub(super) earlier: bool,
     /// Whether the model could not be read or changed.
     pub(super) failed: bool,
-    /// The cells after the outcome, in the order of the columns; empty if there is only the outcome.
+    /// The cells after the cell with the outcome, in the order of the columns; empty if the row has only the outcome.
     pub(super) cells: Vec<Cell>,
-    /// The text after its name, where its sections are folded.
+    /// The text after the name of the model, in the line that opens its folded sections.
     pub(super) summary: String,
     /// Sections about the model; `None` if it could not be read or changed.
     pub(super) fragment: Option<Box<Fragment>>,
-    /// The error, if it could not be done.
+    /// The error, if the model could not be read or changed.
     pub(super) error: Option<&'static ErrorCode>,
-    /// Numbers about the model that the page's summary counts.
+    /// Numbers about the model for the summary of the page.
     pub(super) facts: Option<ModelFacts>,
-    /// The model's states to be drawn, if it is chosen.
+    /// The states of the model for plots, which are drawn if the page chooses this model.
     pub(super) drawn: Option<DrawnStates>,
 }
 
@@ -90,12 +90,12 @@ impl Entry {
         }
     }
 
-    /// Marks the entry of a model that an earlier run has done.
+    /// Marks the entry as one that an earlier run has made.
     pub fn marked_as_earlier(self) -> Self {
         Self { earlier: true, ..self }
     }
 
-    /// The entry of a model that an earlier run has done, from its line in the summary.
+    /// The entry of a model that an earlier run has changed, from its line in the summary of that run.
     pub fn of_earlier_record(row: &RunRow, earlier: &EarlierRun) -> Self {
         let factor = |factor: Option<f64>, property: Property| {
             let second_line = match factor {
@@ -118,7 +118,7 @@ impl Entry {
         Self { cells, earlier: true, ..Self::with_outcome_only(&row.name(), row.status.clone()) }
     }
 
-    /// The entry of a model in a run, from its row alone, with the error if it failed.
+    /// The entry of a model in a run, from its row alone. If the model failed, with the error.
     pub fn of_row(row: &RunRow, failed: Option<&RowError>) -> Self {
         let outcome = match failed {
             Some(failed) => {
@@ -137,7 +137,7 @@ impl Entry {
         Self { error: error(failure.code), failed: true, ..Self::with_outcome_only(&failure.model, outcome) }
     }
 
-    /// The entry of a model of a folder that has no contacts.
+    /// The entry of a model in a folder, if the model has no contacts.
     pub fn without_contacts(model: &str) -> Self {
         Self::with_outcome_only(model, "skipped: no contacts".to_owned())
     }
@@ -180,14 +180,14 @@ fn cell_of_property(plan: &Plan, property: Property) -> Cell {
     Cell { text: format!("{from} → {to}"), second_line: factor, ..Cell::default() }
 }
 
-/// One number, or the smallest and the largest of several different ones.
+/// One number, or the smallest and the largest number if there are several.
 fn range_in_words(values: impl Iterator<Item = f64> + Clone) -> String {
     let low = four_significant(values.clone().fold(f64::INFINITY, f64::min));
     let high = four_significant(values.fold(f64::NEG_INFINITY, f64::max));
     if low == high { low } else { format!("{low}–{high}") }
 }
 
-/// The cell of x/R at rest, before and after if both are known.
+/// The cell with x/R in equilibrium; before and after the change if both are known.
 fn cell_of_indentation(indentation: Indentation) -> Cell {
     let Some(after) = indentation.now else { return Cell::default() };
     let outside = is_too_deep(after);
@@ -209,7 +209,7 @@ fn cell_of_count(count: usize) -> Cell {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Cell {
     pub(super) text: String,
-    /// A second line, such as the factor below old and new values.
+    /// A second line in the cell, such as the factor below the old and the new value.
     pub(super) second_line: String,
     /// Whether the figure is outside its limit.
     pub(super) outside: bool,
@@ -239,7 +239,7 @@ impl From<String> for Cell {
     }
 }
 
-/// A model of a run, for its row in the table.
+/// The numbers about one model of a run for its row in the table.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct RunRow {
     /// Row of the model in the manifest, from 1.
@@ -247,38 +247,38 @@ pub struct RunRow {
     pub model: String,
     pub output: Option<String>,
     pub status: String,
-    /// The mass that its contacts were made for, kg.
+    /// The mass that the old contacts were made for, kg.
     pub contacts_mass_kg: Option<f64>,
     /// The mass that its new contacts are made for, kg.
     pub target_mass_kg: Option<f64>,
-    /// How many numbers and places changed.
+    /// Number of changed values and places.
     pub changes: usize,
 }
 
-/// The line of an earlier run about a model.
+/// The numbers about a model in the summary of an earlier run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct EarlierRun {
-    /// New over old radius, if it is equal in all contacts.
+    /// New radius over old radius, if the ratio is the same in all contacts.
     pub radius_factor: Option<f64>,
-    /// New over old stiffness, if it is equal in all contacts.
+    /// New stiffness over old stiffness, if the ratio is the same in all contacts.
     pub stiffness_factor: Option<f64>,
-    /// New over old dissipation, if it is equal in all contacts.
+    /// New dissipation over old dissipation, if the ratio is the same in all contacts.
     pub dissipation_factor: Option<f64>,
-    /// OpenSim's names of the properties whose factors differ.
+    /// OpenSim's names of the properties for which this ratio differs between contacts.
     pub unequal_factors: Vec<String>,
-    /// How many codes of findings there were.
+    /// Number of different codes of findings.
     pub findings: usize,
 }
 
-/// The error of a model that could not be done.
+/// The error of a model that could not be read or changed.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct RowError {
     pub code: String,
     /// The message in the words of the front end.
     pub message: String,
-    /// Line of the place, from 1.
+    /// Line of the error in the file, from 1.
     pub line: Option<usize>,
-    /// Column of the place, from 1.
+    /// Column of the error in the file, from 1.
     pub column: Option<usize>,
 }
 
@@ -288,7 +288,7 @@ impl RunRow {
         Self { model: model.into(), status: status.into(), ..Self::default() }
     }
 
-    /// The model's name; with its row and output if it is in a manifest, where several rows may have the same model.
+    /// The name of the model; in a manifest, where several rows can have the same model, with its row and output.
     pub(super) fn name(&self) -> String {
         match (self.row, &self.output) {
             (Some(row), Some(output)) => format!("row {row}: {} → {output}", self.model),
@@ -297,7 +297,7 @@ impl RunRow {
         }
     }
 
-    /// The cells of both masses and of the number of changes.
+    /// The cells with the mass of the old contacts, the mass of the new contacts and the number of changes.
     pub(super) fn cells(&self) -> Vec<Cell> {
         let masses = match (self.contacts_mass_kg, self.target_mass_kg) {
             (Some(contacts_mass_kg), Some(target_mass_kg)) => {
@@ -312,7 +312,7 @@ impl RunRow {
 }
 
 impl RowError {
-    /// An error that is about no place in a file.
+    /// An error without a place in a file.
     pub fn new(code: impl Into<String>, message: impl Into<String>) -> Self {
         Self { code: code.into(), message: message.into(), line: None, column: None }
     }

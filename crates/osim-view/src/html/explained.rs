@@ -1,4 +1,4 @@
-//! Links to equations, findings and errors, their explanations, and texts that several sections use.
+//! Links to equations, findings and errors, the explanations of these, and texts that several sections use.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -14,10 +14,10 @@ use osim_planning::rules;
 use crate::report::explain::{self, ErrorCode, equations};
 use crate::report::layout::OUTSIDE;
 
-/// The section's anchor and heading.
+/// The anchor and the heading of the section with all explanations.
 pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings explained");
 
-/// Equations, findings and errors that a page names, each to be explained once.
+/// The equations, findings and errors that a page names. Each is explained once.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Topics {
     equations: BTreeSet<&'static str>,
@@ -36,7 +36,7 @@ impl Topics {
         self.errors.extend(&other.errors);
     }
 
-    /// The equations of a change, each linked to its explanation.
+    /// The numbers of the equations of a change, each linked to its explanation.
     pub(super) fn links_to_equations(&mut self, named: &str) -> Markup {
         let parts: Vec<Markup> =
             named.split(", ").map(|name| self.link_to_equation(name, &reference(name))).collect();
@@ -53,7 +53,7 @@ impl Topics {
         }
     }
 
-    /// A text in which every number of an equation in brackets is a link to its explanation.
+    /// The text; each number of an equation in brackets is a link to the explanation of the equation.
     pub(super) fn with_links_to_equations(&mut self, text: &str) -> Markup {
         let mut parts = Vec::new();
         let mut rest = text;
@@ -79,7 +79,7 @@ impl Topics {
     }
 }
 
-/// Splits a text at the first number of an equation in brackets: text before, number, text after.
+/// Splits a text at the first number of an equation in brackets: the text before it, the number, the text after it.
 fn first_bracketed_equation(text: &str) -> Option<(&str, &str, &str)> {
     let mut from = 0;
     loop {
@@ -125,7 +125,7 @@ pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> Strin
     .0
 }
 
-/// Anchor and explanation of each topic, in the order of the registers.
+/// The anchor and the explanation of each topic, in the order of the registers.
 pub(super) fn each_topic(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
     let equations = equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
@@ -178,13 +178,13 @@ fn explained_error(error: &ErrorCode, dialect: &dyn Dialect) -> Markup {
     }
 }
 
-/// A severity as a coloured word.
+/// The word for a severity, in its colour.
 pub(super) fn severity_tag(severity: Severity) -> Markup {
     let word = severity.as_str();
     html! { span class={ "tag " (word) } { (word) } }
 }
 
-/// The first names, and the number of the others.
+/// The first names, and the number of the other names.
 pub(super) fn listed_names(names: &[&str]) -> String {
     const MOST_NAMES: usize = 8;
     osim_model::messages::listed(names, MOST_NAMES)
@@ -195,7 +195,7 @@ pub(super) fn breakable_path(path: &str) -> Markup {
     html! { @for part in path.split_inclusive(['/', '\\']) { (part) @if part.ends_with(['/', '\\']) { wbr; } } }
 }
 
-/// A figure outside of its limit, with a sign on the same line.
+/// A figure that is outside its limit, with a sign that stays on the same line.
 pub(super) fn marked_outside(figure: &str) -> String {
     format!("{figure}\u{a0}{OUTSIDE}")
 }

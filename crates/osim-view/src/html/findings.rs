@@ -1,4 +1,4 @@
-//! The section of findings: verdicts and findings of a model, or of both states of a change.
+//! The section with the verdicts and the findings of a model, or of a model before and after a change.
 
 use maud::{Markup, html};
 use osim_inspect::{CheckResult, FindingIndex, FindingWithRemedy, Sign, Verdict};
@@ -27,11 +27,11 @@ pub(super) struct NewModelFindings<'r> {
     pub(super) check: &'r CheckResult,
     /// Whether the new model is in a file, so that commands can name it.
     pub(super) in_file: bool,
-    /// The gravity that the contacts are scaled to, if the model's file has another one, m/s².
+    /// The gravity that the contacts are scaled to, m/s², if it differs from the gravity in the file of the model.
     pub(super) gravity_m_s2: Option<f64>,
 }
 
-/// Adds the section about findings before and after a change: new, kept and gone ones.
+/// Adds the section about findings before and after a change: new findings, findings that stayed, and findings that are gone.
 pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult, new: &NewModelFindings<'_>) {
     let pairs = pair_with_old(&now.findings, &new.check.findings);
     let new_findings: Vec<&FindingWithRemedy> =
@@ -70,7 +70,7 @@ pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult,
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// Each finding of the new model with the equal or similar one of the old model, if there is one.
+/// Pairs each finding about the new model with the same or a similar finding about the old model, if there is one.
 fn pair_with_old<'f>(
     now: &'f [FindingWithRemedy],
     new: &'f [FindingWithRemedy],
@@ -79,7 +79,7 @@ fn pair_with_old<'f>(
     new.iter().map(|one| (one, index.find_same_or_other_depth(one))).collect()
 }
 
-/// The message of the old finding, if it differs.
+/// The message of the old finding, if it differs from the new message.
 fn old_message(fragment: &mut Fragment, one: &FindingWithRemedy, before: &FindingWithRemedy) -> Markup {
     let other = before.code() != one.code();
     let (message, message_before) = (one.message.to_string(), before.message.to_string());
@@ -94,7 +94,7 @@ fn old_message(fragment: &mut Fragment, one: &FindingWithRemedy, before: &Findin
     }
 }
 
-/// The file to which the line of a finding belongs.
+/// The file to which the line number of a finding belongs.
 #[derive(Clone, Copy)]
 enum LineOf {
     Only,
@@ -196,7 +196,7 @@ fn answer_cell(verdict: &Verdict) -> Markup {
     html! { td.words { (text) @if let Some(place) = place { " " span.quiet { (place) } } } }
 }
 
-/// The number of questions in words: six, or seven with a recording.
+/// The number of questions in words: six; with a recording, seven.
 fn number_in_words(questions: usize) -> String {
     match questions {
         6 => "Six".to_owned(),

@@ -1,4 +1,4 @@
-//! The sections about one model, with the topics that they name.
+//! The sections about one model, with the equations, findings and errors that they name.
 
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
@@ -11,7 +11,7 @@ pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
     pub(super) sections: Vec<Section>,
     pub(super) topics: Topics,
-    /// Ids of the wanted sections; `None` for all.
+    /// Ids of the sections that the caller wants; `None` for all sections.
     wanted: Option<Vec<String>>,
 }
 
@@ -20,22 +20,22 @@ impl Fragment {
         Self { detail, sections: Vec::new(), topics: Topics::default(), wanted: None }
     }
 
-    /// A page about one model, with only the `wanted` sections.
+    /// An empty fragment of a page about one model, which will only have the sections in `wanted`.
     pub(super) fn of_wanted_sections(wanted: Option<&[String]>) -> Self {
         Self { wanted: wanted.map(<[String]>::to_vec), ..Self::new(DetailLevel::Alone) }
     }
 
-    /// Whether the section `id` is wanted. Other sections need not be made.
+    /// Whether the caller wants the section `id`. Other sections need not be made.
     pub(super) fn is_wanted(&self, id: &str) -> bool {
         self.wanted.as_ref().is_none_or(|wanted| wanted.iter().any(|one| one == id))
     }
 
-    /// Whether the section `id` is wanted by its name. Some sections are shown only then.
+    /// Whether the caller wants the section `id` and named it. Some sections are shown only if they are named.
     pub(super) fn is_named(&self, id: &str) -> bool {
         self.wanted.is_some() && self.is_wanted(id)
     }
 
-    /// Adds a section, if it is wanted.
+    /// Adds a section, if the caller wants it.
     pub(super) fn add_section(&mut self, id: &'static str, title: &'static str, body: &Markup) {
         if self.is_wanted(id) {
             self.sections.push(Section { id, title, html: body.0.clone() });
@@ -65,12 +65,12 @@ impl Fragment {
     }
 }
 
-/// A table in a box that scrolls if the page is too narrow; screen readers read `name`.
+/// A table in a box that scrolls if the page is too narrow. Screen readers call it `name`.
 pub(super) fn scrollable(name: &str, table: &Markup) -> Markup {
     html! { div.wide role="group" aria-label=(name) tabindex="0" { (table) } }
 }
 
-/// A table with a caption and one row of headers. Headers that begin with a blank are those of columns with words instead of numbers.
+/// A table with a caption and a row of headers. A header that begins with a blank is for a column of words instead of numbers.
 pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]) -> Markup {
     let table = html! {
         table {
@@ -96,15 +96,15 @@ pub struct Section {
     pub html: String,
 }
 
-/// Feet are drawn on pages about at most this many models: bones take most of the time and the size of a page.
+/// The largest number of models on a page that draws feet. Bones need most of the time and most of the size of a page.
 const MOST_MODELS_WITH_FEET: usize = 20;
 
-/// How much a page shows of each model.
+/// How much a page shows about each model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DetailLevel {
-    /// The page is about this model alone.
+    /// The page is about a single model.
     Alone,
-    /// The page is about few models, whose feet may be drawn.
+    /// The page is about few models. It may draw their feet.
     OneOfFew,
     OneOfMany,
 }

@@ -17,7 +17,7 @@ use crate::html::special::{Indentation, is_too_deep};
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
 pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
 
-/// References that are named at most: each row of a manifest may have its own.
+/// The largest number of references that are named. Each row of a manifest may have its own reference.
 const MOST_REFERENCES: usize = 5;
 
 /// Counts over all models of a page.
@@ -26,16 +26,16 @@ pub(super) struct PageCounts {
     models: usize,
     failed: usize,
     earlier: usize,
-    /// The references of all models, each once, in order of appearance.
+    /// The references of all models, each once, in the order of the models.
     references: Vec<String>,
-    /// Outcomes of models that did not fail, with their numbers, in order of appearance.
+    /// The outcomes of models that did not fail, with the number of models for each, in the order of the models.
     outcomes: Vec<(String, usize)>,
-    /// How many models were inspected.
+    /// Number of models that were inspected.
     inspected: usize,
     /// Numbers of inspected models with errors, with warnings and with remarks.
     models_with: [usize; 3],
     findings: BTreeMap<(FindingCode, Severity), usize>,
-    /// Known x̂ of all models before the change; then under the new weight, and after it.
+    /// The known x̂ of all models before the change. `not_scaled` has x̂ under the new weight, `now` after the change.
     before: Vec<f64>,
     not_scaled: Vec<f64>,
     now: Vec<f64>,

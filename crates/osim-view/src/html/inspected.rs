@@ -1,4 +1,4 @@
-//! The page entry and sections of a model that was inspected and checked.
+//! The entry and the sections on a page for a model that was inspected and checked.
 
 use maud::{Markup, html};
 use osim_inspect::series::ContactBody;
@@ -16,18 +16,18 @@ use crate::html::{findings, plots, reference};
 use crate::report::extent::Extent;
 use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
 
-/// A model that was inspected, and what a page shows of it.
+/// A model that was inspected, and the data about it for a page.
 #[derive(Debug)]
 pub struct InspectedModelOnPage<'m> {
     pub options: &'m InspectOptions,
     pub model: &'m OpenModel,
     /// Inspection and check of the model.
     pub examined: InspectedAndChecked<'m>,
-    /// The files that it was read from, the model first.
+    /// The files from which the model was read, the model first.
     pub files: &'m [NamedDigest],
-    /// Feet of the model, if they are drawn.
+    /// Feet of the model, if the page draws them.
     pub feet: Option<ModelFeet>,
-    /// The section about its contacts along a recording, from [`recording`](crate::html::recording), if one is named.
+    /// The section about the contacts along a recording, from [`recording`](crate::html::recording), if the request names a recording.
     pub recording: Option<Section>,
 }
 
@@ -43,7 +43,7 @@ pub fn entry_of_inspected_model(
     Entry::of_inspected_model(inspection, facts, drawn, fragment)
 }
 
-/// Adds the sections about an inspected model; returns what other parts of the page may draw.
+/// Adds the sections about an inspected model. Returns the data for plots in other parts of the page.
 pub(super) fn add_inspection_sections(
     fragment: &mut Fragment,
     inspected: InspectedModelOnPage<'_>,
@@ -148,7 +148,7 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
     table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
 }
 
-/// Each body's factors, compared with the generic model, if there is one.
+/// The scale factors of each body, compared with the generic model, if there is one.
 fn table_of_factors(inspected: &Inspection) -> Markup {
     let Some(factors) = &inspected.body_factors else { return html! {} };
     let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
@@ -203,7 +203,7 @@ fn facts_of_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
     }
 }
 
-/// Inspection and check of one state of a model. Their texts are spelled already.
+/// Inspection and check of a model in one state. Their texts are already in the words of the front end.
 #[derive(Debug, Clone, Copy)]
 pub struct InspectedAndChecked<'m> {
     pub inspection: &'m Inspection,
@@ -216,11 +216,11 @@ impl<'m> From<&'m (Inspection, CheckResult)> for InspectedAndChecked<'m> {
     }
 }
 
-/// A file's name with its digest.
+/// The name and the digest of a file.
 #[derive(Debug, Clone)]
 pub struct NamedDigest {
     pub name: String,
-    /// The SHA-256 of its bytes; empty if there are no bytes.
+    /// The SHA-256 of the bytes of the file; empty if there are no bytes.
     pub sha256: String,
 }
 

@@ -1,4 +1,4 @@
-//! One page about a run, for people and for the record.
+//! One page about a run: readable for people, and a record of the run.
 //!
 //! The page holds everything itself: no script, no font, no picture from elsewhere. Workers make the [`Entry`] of a model;
 //! [`Page`] puts entries together in the order of the models. Rows and details wait as [`DeferredText`], so that memory can

@@ -1,4 +1,4 @@
-//! The table of a library's models, their details below it, and those that are drawn.
+//! The table of the models of a library, the details of the models below it, and the models with plots.
 
 use maud::{Markup, html};
 use osim_model::messages::Dialect;
@@ -18,7 +18,7 @@ pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
 pub(super) const SECTION_END: &str = "</section>\n";
 
-/// Which columns the table of models has.
+/// The set of columns in the table of models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Columns {
     Changes,
@@ -26,7 +26,7 @@ pub enum Columns {
 }
 
 impl Columns {
-    /// Headings of the columns. A heading that begins with a blank is above words, not numbers.
+    /// Headings of the columns. A heading that begins with a blank is above words instead of numbers.
     fn headers(self) -> &'static [&'static str] {
         match self {
             Self::Changes => &[
@@ -73,7 +73,7 @@ impl Columns {
     }
 }
 
-/// The beginning of the table, before its first row; `left_out` says what the page does not show.
+/// The beginning of the table, before its first row. `left_out` are sentences about models that the page does not show.
 pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     let (id, title) = MODELS;
     let before = html! {
@@ -92,7 +92,7 @@ pub(super) fn table_opening(columns: Columns, left_out: &[String]) -> String {
     )
 }
 
-/// The row of a model, linked to its `details` by their number, if it has some.
+/// The row of a model. It is linked to the details of the model by their number `details`, if the page has them.
 pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topics: &mut Topics) -> String {
     let name = breakable_path(&entry.model);
     let empty = columns.headers().len().saturating_sub(1 + entry.cells.len());
@@ -119,7 +119,7 @@ fn table_cell(cell: &Cell) -> Markup {
     }
 }
 
-/// The beginning of the first section, before the failures.
+/// The beginning of the first section, before the table of failed models.
 pub(super) fn glance_opening(counts: &Markup) -> String {
     let (id, title) = glance::SECTION;
     format!(
@@ -157,7 +157,7 @@ pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
     format!("{}\n", row.0)
 }
 
-/// Everything about model `number`, closed until somebody asks.
+/// The details of model `number`, folded until the reader opens them.
 ///
 /// The anchor is inside: a browser that follows a link into closed details opens them.
 pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
@@ -171,7 +171,7 @@ pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
     )
 }
 
-/// The code of what was wrong, linked to its explanation.
+/// The code of the error of a model, linked to its explanation.
 pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
     html! { @if let Some(error) = entry.error { " [" (topics.link_to_error(error)) "]" } }
 }

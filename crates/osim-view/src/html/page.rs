@@ -1,4 +1,4 @@
-//! Puts the page of `--report` together from entries of models.
+//! Builds the page of `--report` from the entries of models.
 
 use std::io::{self, Write};
 
@@ -13,12 +13,12 @@ use crate::html::models_table::{self, Columns};
 use crate::html::shell;
 use crate::html::special::{ChosenModels, MAX_DRAWN};
 
-/// Models of a library that are shown in full; the others are rows of the table.
+/// The largest number of models with details. Other models only have a row in the table.
 const MOST_MODELS_IN_FULL: usize = 1000;
-/// Folded details are opened on paper for at most this many models.
+/// The largest number of models whose folded details are printed open.
 const MOST_OPEN_ON_PAPER: usize = 20;
 
-/// A page that is being made.
+/// A page, to which entries of models are added one after the other.
 ///
 /// ```
 /// use osim_model::messages::Verb;
@@ -43,13 +43,13 @@ pub struct Page<'d, S> {
     counts: PageCounts,
     chosen: ChosenModels,
     shown_in_full: usize,
-    /// Whether some models are not shown in full because there are too many.
+    /// Whether some models have no details because there are too many models.
     rows_only: bool,
-    /// The first error while adding entries.
+    /// The first error that occurred while entries were added.
     first_error: Option<io::Error>,
 }
 
-/// Parts of the page that are written after the parts before them are complete.
+/// Parts of the page that can only be written after the parts before them are complete.
 #[derive(Debug, Default)]
 pub struct DeferredParts<S> {
     /// Rows of the table for models that failed.
@@ -61,7 +61,7 @@ pub struct DeferredParts<S> {
 }
 
 impl<'d, S: DeferredText> Page<'d, S> {
-    /// A page without models; `parts` keeps its texts.
+    /// A page without models. `parts` stores the texts of the page until it is written.
     pub fn new(about: About, parts: DeferredParts<S>, dialect: &'d dyn FrontEnd) -> Self {
         Self {
             about,
@@ -77,7 +77,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         }
     }
 
-    /// Adds the entry of the next model. An error is returned by [`Page::finish`], so that the other models are still done.
+    /// Adds the entry of the next model. An error is only returned by [`Page::finish`], so that the other models are still added.
     pub fn add(&mut self, entry: Entry) {
         if self.first_error.is_none() {
             self.first_error = self.add_entry(entry).err();
@@ -203,7 +203,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         sections
     }
 
-    /// Remarks on what the page of a large library leaves out, with commands that show it.
+    /// Remarks about the parts that the page of a large library leaves out, with the commands that show them.
     fn remarks_on_omissions(&self) -> Vec<String> {
         let mut remarks_on_omissions = Vec::new();
         if self.rows_only {
@@ -234,14 +234,14 @@ impl<'d, S: DeferredText> Page<'d, S> {
 pub struct About {
     pub verb: Verb,
     pub model: Option<String>,
-    /// The columns of the table, if there are several models.
+    /// The columns of the table, if the page is about several models.
     pub columns: Columns,
-    /// The call that made the page, as the user would write it.
+    /// The command that made the page, as the user would type it.
     pub call: String,
 }
 
 impl About {
-    /// A page of `verb` about the one `model`, or about several models.
+    /// A page of `verb`, about the one `model`, or about several models (`None`).
     pub fn new(verb: Verb, model: Option<String>, columns: Columns, call: impl Into<String>) -> Self {
         Self { verb, model, columns, call: call.into() }
     }
@@ -266,7 +266,7 @@ impl About {
     }
 }
 
-/// A text that is kept, in memory or in a file without a name, until the page is written.
+/// A text that is stored, in memory or in a file without a name, until the page is written.
 pub trait DeferredText {
     /// Adds a piece of text.
     ///

@@ -1,4 +1,4 @@
-//! Pictures of a page: plots, feet, and contacts along a recording.
+//! The pictures on a page: plots, feet, and contacts along a recording.
 
 use contact_plots::{Drawing, Figure, Paper};
 use maud::{Markup, PreEscaped, html};
@@ -14,14 +14,14 @@ use crate::html::fragment::{Fragment, Section, table};
 use crate::report::results::motion_feet;
 
 const CONTACTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
-/// The section that reports leave out, and that the page adds.
+/// Id and title of the section about the contact state. It is only shown if the caller names it, so not in reports.
 const STATE: (&str, &str) = ("state", "Contact state against indentation");
-/// Shares of the weight of one sphere against x/R: bodies of all sizes fit into one figure.
+/// The units of the plots: shares of the weight against x/R. Bodies of all sizes fit into one figure with these.
 const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
-/// A fall from a quarter of the radius, as in the paper's drop tests.
+/// The height of falls in the plots: a quarter of the radius, as in the paper's drop tests.
 const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
-/// The section: what `bodies`, states of one model, do.
+/// Adds the section with plots of `bodies`, which are one model in different states.
 ///
 /// `has_reference`: the last one is another body.
 pub(super) fn contact_section(
@@ -35,7 +35,8 @@ pub(super) fn contact_section(
     }
 }
 
-/// The section about the contact state of a smoothed law, if it is asked for; there is none without smoothing.
+/// Adds the section about the contact state of a smoothed law, if the caller names the section. A law without smoothing has no such
+/// section.
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
     let svg = fragment.is_named(STATE.0).then(|| state_svg(bodies).ok()).flatten();
     if let Some(svg) = svg {
@@ -45,7 +46,7 @@ pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
     }
 }
 
-/// The figures with their captions, and why one is not there.
+/// The figures with their captions, and for a figure that cannot be drawn the reason.
 pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn Dialect) -> Markup {
     let pressed = if has_reference {
         "Force of a sphere that is pressed into the ground, before and after the change, and of the reference. The curve \
@@ -81,7 +82,7 @@ fn plot_with_caption(what: &str, svg: &str) -> Markup {
     html! { figure { div.plot { (PreEscaped(svg)) } figcaption { (what) } } }
 }
 
-/// A figure as SVG. Which forces are shown was chosen for the whole page, so a failure does not propose to choose others.
+/// A figure as SVG. The forces were chosen for the whole page, so the failure does not propose to choose other forces.
 fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Result<String, Failure> {
     let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
@@ -109,14 +110,14 @@ fn drops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
 
 const FEET: (&str, &str) = ("feet", "Feet from the side and from above");
 
-/// The section: `states` of one model, the last with its bones. Nothing without feet.
+/// Adds the section with the feet of one model. The last of `states` has bones. Without feet, no section.
 pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
     if let Some(figure) = fragment.is_wanted(FEET.0).then(|| feet_figure(states)).flatten() {
         fragment.add_section(FEET.0, FEET.1, &figure);
     }
 }
 
-/// Meshes that are listed; of more, the page says how many.
+/// The largest number of meshes that are listed; if there are more, the page has their number.
 const MAX_LISTED_MESHES: usize = 12;
 
 /// The figure of the feet, with its caption.
@@ -140,7 +141,8 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
 
 // What contacts do along a recording: words, one row for each foot, and the figure.
 
-/// The section, made where a recording is compared: a page that never compares one does without all that it needs.
+/// Makes the section about contacts along a recording. It is a function of its own, so that pages without a recording do not need this
+/// code.
 pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn Dialect) -> Section {
     let body = html! {
         p.aside {

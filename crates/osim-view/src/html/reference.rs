@@ -1,4 +1,4 @@
-//! The contact beside that of its reference, both without dimensions, and what else follows the size of a body.
+//! The dimensionless contact beside that of its reference, and other numbers that follow the size of a body.
 
 use contact_scaling::DimensionlessContact;
 use maud::{Markup, html};
@@ -11,12 +11,12 @@ use crate::report::extent::Extent;
 use crate::report::similarity::{about, cells, gaps, headings};
 
 pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
-/// Numbers are equal if they differ by less, relative to the larger one.
+/// Numbers are equal if they differ by less than this, relative to the larger number.
 const RELATIVE_ROUNDING: f64 = 1e-9;
 
 type Contacts<'b> = Vec<(&'b SphereKind, DimensionlessContact)>;
 
-/// The section: `bodies` are the states of the model, before and after.
+/// Adds the section about the reference. `bodies` are the model before and after the change.
 pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodies: &[ContactBody]) {
     let Some(body) = &reference.body else { return };
     let states: Vec<(&str, Contacts<'_>)> =
@@ -136,7 +136,7 @@ fn all_agree(contacts: &Contacts<'_>, reference: &Contacts<'_>) -> bool {
     contacts.iter().all(|(_, contact)| reference.iter().any(|(_, other)| contacts_agree(contact, other)))
 }
 
-/// Whether the contact is that of the reference.
+/// A sentence that says whether the contact is the same as in the reference.
 fn verdict(name: &str, equal: bool, changed: bool) -> String {
     let is = if changed { "The contact is now" } else { "The contact is" };
     if equal {
@@ -148,7 +148,7 @@ fn verdict(name: &str, equal: bool, changed: bool) -> String {
     format!("{is} not that of {name} in all numbers: the rows of this table show which differ.")
 }
 
-/// Whether the numbers that both have are the same: a HuntCrossleyForce has no smoothing.
+/// Whether all numbers that both contacts have are the same. A `HuntCrossleyForce` has no smoothing.
 fn contacts_agree(one: &DimensionlessContact, other: &DimensionlessContact) -> bool {
     let numbers = |contact: &DimensionlessContact| {
         [
@@ -183,7 +183,7 @@ fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Ma
 
 // What else follows the size of a body.
 
-/// Adds the list, a row a kind.
+/// Adds the section with the numbers that follow the size of a body, with a row for each kind of number.
 pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
     let rows: Vec<Markup> = list
         .kinds

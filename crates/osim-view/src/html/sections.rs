@@ -1,4 +1,4 @@
-//! Sections about one model, each by itself: for a page that shows some now and others later.
+//! The sections about one model, each separately, for a front end that shows some now and others later.
 
 use osim_inspect::ReferenceState;
 use osim_inspect::series::ContactBody;
@@ -39,8 +39,8 @@ impl Sections {
         Self { sections: sections.collect(), explained: explained.collect() }
     }
 
-    /// What changes, from the plan alone, and those plots that are `wanted` of `bodies`: both states of the model, and what the
-    /// contacts are taken from, if it is another body. Nothing else of the model is computed: for pictures that follow a slider.
+    /// Sections about a plan: the changes, and the plots of `bodies` that are `wanted`. `bodies` are the model before and after the change,
+    /// and the reference if the contacts come from another body. Nothing else is computed, so that pictures can follow a slider.
     pub fn of_plan(
         plan: &Plan,
         bodies: &[ContactBody],
@@ -59,7 +59,7 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// The sections of a change whose names are `wanted`; `None` for all.
+    /// The sections about a change whose names are in `wanted`; `None` for all sections.
     pub fn of_change(
         changed: ChangedModelOnPage<'_>,
         wanted: Option<&[String]>,
@@ -70,7 +70,7 @@ impl Sections {
         Self::of(fragment, dialect)
     }
 
-    /// The sections about an inspected model whose names are `wanted`; `None` for all.
+    /// The sections about an inspected model whose names are in `wanted`; `None` for all sections.
     pub fn of_model(
         inspected: InspectedModelOnPage<'_>,
         wanted: Option<&[String]>,

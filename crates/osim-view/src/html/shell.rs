@@ -1,4 +1,4 @@
-//! The frame of a page around the models: head, contents, the call, and where the page comes from.
+//! The parts of a page around the models: head, contents, the command, and the origin of the page.
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
@@ -9,15 +9,15 @@ const STYLE: &str = include_str!("style.css");
 pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
 pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
 
-/// The mark by which pages of this program are recognised; the version follows.
+/// The text by which pages of this program are recognised; the version number follows.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
 
-/// Van Bijlert (2026), as CITATION.cff has it.
+/// The reference of the paper, van Bijlert (2026), as in CITATION.cff.
 const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
                                 count, and number of contact spheres. Journal of Biomechanics.";
 const DOI: &str = "10.1016/j.jbiomech.2026.113420";
 
-/// The page up to the first section.
+/// The beginning of the page, up to the first section.
 pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> String {
     let head = html! {
         meta charset="utf-8";
@@ -44,7 +44,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
     )
 }
 
-/// The purpose of the verb, and `command`, by which it is done again.
+/// The purpose of the verb, and the `command` that makes the page again.
 pub(super) fn asked(verb: Verb, command: &str) -> String {
     let (id, title) = ASKED;
     html! {
@@ -57,7 +57,7 @@ pub(super) fn asked(verb: Verb, command: &str) -> String {
     .0
 }
 
-/// A command in a box. Where it is too long for a line, it breaks between words and never after the dashes of an option.
+/// A command in a box. A long command breaks between words, but never after the dashes of an option.
 pub(super) fn command_line(command: &str) -> Markup {
     html! {
         pre.command { code {
@@ -69,7 +69,7 @@ pub(super) fn command_line(command: &str) -> Markup {
     }
 }
 
-/// The page after the last model.
+/// The end of the page, after the last model.
 pub(super) fn closing() -> String {
     let (id, title) = ORIGIN;
     let end = html! {
@@ -97,12 +97,12 @@ mod tests {
     use super::*;
     use contact_plots::{Axis, Curve, Figure, Limit, Look, Panel, Paper, figure};
 
-    /// `text` on one line: CITATION.cff folds texts over several.
+    /// The `text` on one line, because CITATION.cff folds texts over several lines.
     fn flat(text: &str) -> String {
         text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// A colour without a rule for the dark mode would be drawn as on white.
+    /// A colour without a rule for the dark mode would be drawn with its colour for a white page.
     #[test]
     fn every_colour_of_a_plot_has_a_dark_one() {
         let looks = (0..Look::MOST_SERIES).map(Look::series);

@@ -1,4 +1,5 @@
-//! What is special about the models of a library: the numbers that say it, and the models that a page draws for it.
+//! Chooses the special models of a library, such as the lightest: the numbers by which a model is special, and the models that a page
+//! draws.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
@@ -13,26 +14,26 @@ use osim_planning::ModelFeet;
 /// The numbers of one model by which it may be special.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ModelFacts {
-    /// Mass of the model, kg; after a change the mass that the new contacts carry.
+    /// Mass of the model, kg; after a change, the mass that the new contacts carry.
     pub(crate) mass_kg: Option<f64>,
     pub(crate) indentation: Indentation,
-    /// Findings in it; after a change in the new one.
+    /// Numbers of findings about the model; after a change, about the new model.
     pub(crate) counts: Counts,
-    /// Each code once, with its worst severity.
+    /// Each code of a finding, with the worst severity that it has in the model.
     pub(crate) codes: BTreeMap<FindingCode, Severity>,
-    /// The model's contact without dimensions: models with equal texts have the same contact.
+    /// The dimensionless contact of the model as text. Models with equal texts have the same contact.
     pub(crate) contact: Option<String>,
-    /// The model or preset that contacts were taken from, in words.
+    /// The model or preset that the contacts come from, in words.
     pub(crate) reference: Option<String>,
 }
 
-/// x̂ = x/R at rest, by the Hertz law, of the sphere that sinks in most.
+/// x̂ = x/R in equilibrium, by the Hertz law, of the sphere that sinks in most.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Indentation {
     pub(crate) before: Option<f64>,
-    /// The old contacts under the new weight, if it differs.
+    /// x̂ of the old contacts under the new weight, if the weight changes.
     pub(crate) not_scaled: Option<f64>,
-    /// The model after a change, or as it is if it was only read.
+    /// x̂ of the new model; x̂ of the model itself if nothing was changed.
     pub(crate) now: Option<f64>,
 }
 
@@ -82,21 +83,21 @@ fn contact_text(body: &ContactBody) -> Option<String> {
 
 // Which models of a library are special, and why: those that a page draws.
 
-/// Models of a library that get plots, at most.
+/// The largest number of models of a library that get plots.
 pub(crate) const MAX_DRAWN: usize = 10;
-/// Contacts without dimensions that are counted; more different ones than this have no most common one.
+/// The largest number of different dimensionless contacts that are counted. If there are more, the page names no most common contact.
 const MAX_COUNTED_CONTACTS: usize = 256;
 
 #[derive(Debug, Default)]
 pub(crate) struct DrawnStates {
     pub(crate) bodies: Vec<ContactBody>,
-    /// Whether the last of them is the reference.
+    /// Whether the last of the states is the reference.
     pub(crate) has_reference: bool,
-    /// The feet of these states; empty if a page leaves them out.
+    /// The feet of the states; empty if the page draws no feet.
     pub(crate) feet: Vec<ModelFeet>,
 }
 
-/// A model that the page draws if it is among the chosen ones.
+/// A model that the page draws if it is chosen as special.
 pub(crate) struct Candidate {
     number: usize,
     pub(crate) model: String,
@@ -104,10 +105,10 @@ pub(crate) struct Candidate {
     pub(crate) drawn: DrawnStates,
 }
 
-/// The model with the largest or smallest value, and that value.
+/// The model with the largest or smallest value so far, and the value.
 type BestCandidate = Option<(f64, Rc<Candidate>)>;
 
-/// Models that may be drawn, at most one for each reason, so that a page of any size keeps few.
+/// Models that may be drawn, at most one for each reason. So memory for few models is enough for a page of any size.
 #[derive(Default)]
 pub(crate) struct ChosenModels {
     models: usize,
@@ -121,7 +122,7 @@ pub(crate) struct ChosenModels {
 }
 
 impl ChosenModels {
-    /// Considers the next model, in the order of the page.
+    /// Compares the next model, in the order of the page, with the models chosen so far.
     pub(crate) fn offer(&mut self, number: usize, model: &str, facts: &ModelFacts, drawn: DrawnStates) {
         if drawn.bodies.is_empty() && drawn.feet.is_empty() {
             return;
@@ -153,12 +154,12 @@ impl ChosenModels {
         self.models == 0
     }
 
-    /// How many models could be drawn.
+    /// Number of models that could be drawn.
     pub(crate) fn models(&self) -> usize {
         self.models
     }
 
-    /// The models to draw, each with the reasons why.
+    /// The models to draw, each with the reasons for its choice.
     pub(crate) fn choice(&self) -> Vec<(&Candidate, Vec<String>)> {
         let mut chosen: Vec<(&Candidate, Vec<String>)> = Vec::new();
         for (one, why) in self.extremes() {
@@ -224,7 +225,7 @@ fn replace_if_better(
     }
 }
 
-/// Adds the models at both ends of a range as reasons, if the ends differ.
+/// Adds the models with the least and the largest value as chosen, if the two values differ.
 fn add_both_extremes<'c>(
     reasons: &mut Vec<(&'c Candidate, String)>,
     (highest, lowest): (&'c BestCandidate, &'c BestCandidate),

@@ -1,4 +1,4 @@
-//! Figures of spheres: one column per group of like spheres and per state of the model.
+//! Figures of spheres: a column for each group of equal spheres and each state of the model.
 
 use std::collections::{HashMap, HashSet};
 
@@ -14,23 +14,23 @@ use crate::report::inspection::spheres::{
 use crate::report::layout::OUTSIDE;
 
 pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
-/// Columns of numbers in one table, at most.
+/// The largest number of columns of numbers in one table.
 const MAX_COLUMNS: usize = 6;
 
-/// The model's figures in one state, and what to call it.
+/// The figures of the model in one state, and the name of this state.
 pub(super) struct ModelState<'s> {
     pub(super) name: String,
     pub(super) figures: &'s Figures,
-    /// Whether the state is that of another body, whose spheres may have other names.
+    /// Whether this state is the reference, so another body, whose spheres may have other names.
     pub(super) is_reference: bool,
 }
 
-/// The spheres of a state, to be looked up.
+/// Finds the spheres of a state by path or name.
 struct SphereLookup<'s> {
     by_path: HashMap<&'s str, &'s SphereFigures>,
-    /// Figures of a reference's spheres, by name of the sphere.
+    /// The figures of the reference's spheres, by the name of the sphere.
     by_name: HashMap<&'s str, &'s SphereFigures>,
-    /// Any sphere of a reference where all are alike.
+    /// Any sphere of the reference, if all its spheres are equal.
     any: Option<&'s SphereFigures>,
 }
 
@@ -51,24 +51,24 @@ impl<'s> SphereLookup<'s> {
         lookup
     }
 
-    /// The sphere of this state with which `sphere` of the model is compared: the sphere with its path; in a reference also the sphere
-    /// with its name, or any sphere if all are alike.
+    /// The sphere of this state with which `sphere` of the model is compared: the sphere with the same path; in a reference also the sphere
+    /// with the same name, or any sphere if all are equal.
     fn sphere_like(&self, sphere: &SphereFigures) -> Option<&'s SphereFigures> {
         let by_path = self.by_path.get(sphere.path.as_str());
         by_path.or_else(|| self.by_name.get(sphere.sphere.as_str())).copied().or(self.any)
     }
 }
 
-/// Spheres with equal figures in every state.
+/// Spheres whose figures are equal in every state.
 struct SphereGroup<'s> {
     names: Vec<&'s str>,
     limbs: Vec<&'s str>,
-    /// One of the spheres in each state.
+    /// One sphere of the group in each state.
     spheres: Vec<Option<&'s SphereFigures>>,
     mixed: bool,
 }
 
-/// Adds the section about the spheres; a sentence says why figures are missing.
+/// Adds the section about the spheres. If figures are missing, a sentence says why.
 pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
     let groups = groups(states);
     let groups_per_table = (MAX_COLUMNS / states.len().max(1)).max(1);
@@ -98,7 +98,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
 
-/// The table of spheres at their own heights; nothing if all are level.
+/// The table of spheres at their own heights; empty if all bottoms are at one height.
 fn own_heights_table(state: &ModelState<'_>) -> Markup {
     let rows: Vec<Markup> = equally_deep(state.figures, Extent::Brief)
         .iter()

@@ -1,4 +1,4 @@
-//! What was found, as text: of one model in rows, of many models by finding.
+//! The findings of `check` as text: rows for one model, and a table by code for many models.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -15,19 +15,19 @@ use crate::report::layout::{csv_text, severity, sign, table, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS, in_a_cell};
 use crate::report::similarity;
 
-/// Columns before the words of a row.
+/// Columns of a terminal before the words of a row.
 const INDENT: usize = 18;
 
-/// What a finding that answers none of the questions is about.
+/// The word in the place of a question, in rows of findings that answer none of the questions.
 const FILE: &str = "file";
 
-/// Models or findings of one rule that are named at most; more are counted.
+/// The largest number of models, and of findings of one rule, that are named. If there are more, the text has their number.
 const NAMED: usize = 3;
 
 // Findings of one model, for people.
 
-/// What is wrong and the command that corrects it; a row for each question that is not good, and one for those that are; in full all
-/// findings with why and what to do. What was found is taken as it is spelled.
+/// The result of a check as text: the worst finding and the commands that correct it; a row for each question without a good answer, and
+/// one row for the others; in full all findings with reasons and advice. The texts of `found` are already in the words of the front end.
 pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String {
     let rows = Rows::of(found);
     let is_full = layout.extent.is_full();
@@ -60,7 +60,7 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     text
 }
 
-/// A question that is not good, or a finding that answers none.
+/// A question whose answer is not good, or a finding that answers no question.
 struct Row<'c> {
     sign: Sign,
     on: &'c str,
@@ -75,13 +75,13 @@ impl Row<'_> {
     }
 }
 
-/// The answers to all questions, the worst first.
+/// The answers to all questions, sorted; the worst first.
 struct Rows<'c> {
     bad: Vec<Row<'c>>,
-    /// What is not known, by the reason.
+    /// Questions whose answer is not known, by the reason.
     unknown: BTreeMap<String, Vec<&'c str>>,
     good: Vec<Row<'c>>,
-    /// Questions whose only findings the published model has, too.
+    /// Questions that only have findings which the published model has, too.
     published: Vec<&'c str>,
 }
 
@@ -126,7 +126,7 @@ impl<'c> Rows<'c> {
         rows
     }
 
-    /// The good ones in one row.
+    /// All good answers in one row.
     fn good_in_words(&self) -> Option<String> {
         let good = self.good.iter().map(|row| row.on).filter(|on| !self.published.contains(on));
         let good: Vec<&str> = good.collect();
@@ -140,7 +140,7 @@ impl<'c> Rows<'c> {
     }
 }
 
-/// The worst finding of a row, with its place, how many there are, and all codes.
+/// The worst finding of a row, with its place, the number of findings, and all codes.
 fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemedy]) -> String {
     let name = place.and_then(|place| place.rsplit('/').next()).filter(|name| !text.contains(*name));
     // A message about spheres names the worst one, or says that it is about all.
@@ -159,13 +159,13 @@ fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemed
     format!("{text} [{code}{others}]")
 }
 
-/// Whether the published model has the finding, too. That others published contacts so does not make them right for a body of another mass.
+/// Whether the published model has the finding, too. This does not make the contacts right for a body of another mass.
 fn is_as_published(finding: &FindingWithRemedy) -> bool {
     finding.code() == FindingCode::KnownContacts
         || finding.is_published && finding.code() != FindingCode::ContactsOfAnotherMass
 }
 
-/// The worst row in words, and what the commands do.
+/// The first line of the text: the counts of findings and the effect of the commands, or that nothing is wrong.
 fn headline(found: &CheckResult, rows: &Rows<'_>) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let known = known.map(|known| format!("; {}", known.message)).unwrap_or_default();
@@ -194,7 +194,7 @@ fn headline(found: &CheckResult, rows: &Rows<'_>) -> String {
     }
 }
 
-/// How many of several findings, in words.
+/// "Some of all" findings in words: `it`, `both`, `all 3` or `2 of 3`.
 fn share(some: usize, all: usize) -> String {
     match (some, all) {
         (_, 1) => "it".to_owned(),
@@ -204,13 +204,13 @@ fn share(some: usize, all: usize) -> String {
     }
 }
 
-/// Commands, each in a line of its own, never broken: they are there to be copied.
+/// The commands, each on its own line. Lines are never broken, so that commands can be copied.
 fn commands(commands: &[String], words: &dyn FrontEnd) -> String {
     let line = |command: &String| format!("  {}{}\n", words.prompt(), one_line(command.clone()));
     commands.iter().map(line).collect()
 }
 
-/// Every finding with its place, why it matters and what to do. The same finding in several places is explained once.
+/// Each finding with its place, reason and advice. If the same finding occurs in several places, it is explained once.
 fn explanations(found: &CheckResult, layout: Layout) -> String {
     let mut text = String::new();
     for alike in found.findings.chunk_by(|a, b| a.code() == b.code()) {
@@ -249,28 +249,28 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
 
 // Findings of many models as one table.
 
-/// What was found in all models of a call.
+/// The results of checking all models of a call, collected for one table.
 #[derive(Debug)]
 pub struct LibraryTable {
     call: CheckRequest,
     counts: Vec<Counts>,
-    /// For each severity and code.
+    /// The models with each code, by severity and code.
     codes: BTreeMap<(Reverse<Severity>, FindingCode), FoundInModels>,
-    /// What corrects the models that can be corrected: the steps of each.
+    /// For each model that can be corrected, the steps that correct it.
     steps: Vec<Vec<Request>>,
     without_contacts: usize,
     not_read: Vec<String>,
 }
 
-/// A kind of finding in several models.
+/// The models in which a code was found.
 #[derive(Debug, Default)]
 struct FoundInModels {
     models: usize,
-    /// How bad it is in the worst model, in words if there are some, and the name of that model.
+    /// The worst of these models: the size of the fault, this size in words if there are words for it, and the name of the model.
     worst: (f64, String, String),
 }
 
-/// Where the results of a proposed command for many models go.
+/// The folder for results in a command that is proposed for many models.
 const RESULTS: &str = "RESULTS";
 
 impl LibraryTable {
@@ -286,7 +286,7 @@ impl LibraryTable {
         }
     }
 
-    /// Adds what was found in the next model.
+    /// Adds the findings about the next model to the counts of the table.
     pub fn add(&mut self, found: &CheckResult) {
         let shown: Vec<_> = found.findings.iter().filter(|finding| !is_as_published(finding)).collect();
         // Findings are sorted, so that those of one code are together.
@@ -307,7 +307,7 @@ impl LibraryTable {
         }
     }
 
-    /// Adds a model of a folder that has no contacts.
+    /// Counts a model in a folder that has no contacts.
     pub fn add_without_contacts(&mut self) {
         self.without_contacts += 1;
     }
@@ -321,7 +321,8 @@ impl LibraryTable {
         }
     }
 
-    /// How many models have errors or warnings, and the command that corrects them; a row for each finding; what was not read.
+    /// The table as text: the number of models with errors or warnings, and the command that corrects them; a row for each code; the files
+    /// that could not be read.
     pub fn text(self, words: &dyn FrontEnd, layout: Layout) -> String {
         let folder = match self.call.models.as_slice() {
             [only] => only.display().to_string(),
@@ -372,7 +373,7 @@ impl LibraryTable {
         }
     }
 
-    /// The one command that corrects all models that can be corrected.
+    /// One command that corrects all models which can be corrected.
     fn command(&self) -> Option<Request> {
         let first = self.steps.first()?;
         let output = OutputOptions { output_dir: Some(RESULTS.into()), ..OutputOptions::default() };
@@ -409,7 +410,7 @@ impl LibraryTable {
         table.within(layout.columns)
     }
 
-    /// What was not checked.
+    /// A sentence about the models that were not checked.
     fn left_out(&self) -> String {
         let without = match self.without_contacts {
             0 => "none is without contacts".to_owned(),
@@ -427,7 +428,7 @@ impl LibraryTable {
     }
 }
 
-/// Rows with a severity, in its colour.
+/// The rows with the words for severities in their colours.
 fn painted_rows(text: &str, layout: Layout) -> String {
     let mut out = String::new();
     for line in text.split_inclusive('\n') {
@@ -446,7 +447,8 @@ fn painted_rows(text: &str, layout: Layout) -> String {
 
 const COLUMNS: [&str; 8] = ["model", "severity", "code", "place", "line", "spheres", "message", "command"];
 
-/// The rows of one model, after a header where `header`. What was found is taken as it is spelled.
+/// The rows of one model as CSV; with a header before them if `header` is true. The texts of `found` are already in the words of the front
+/// end.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.

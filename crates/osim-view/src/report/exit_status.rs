@@ -1,6 +1,6 @@
-//! Exit statuses of the command, and what they mean.
+//! Exit statuses of the command line program, and their meanings.
 
-/// How a run of the command ended.
+/// The way in which a run of the program ended.
 ///
 /// ```
 /// use osim_view::report::ExitStatus;
@@ -15,7 +15,7 @@ pub enum ExitStatus {
     /// A model failed, or a result could not be written.
     Failed,
     Usage,
-    /// Another run is writing a file of this one.
+    /// Another run of the program is writing a file that this run has to write.
     Busy,
     /// Ctrl-C or a batch system stopped the run.
     Interrupted,
@@ -49,7 +49,7 @@ impl ExitStatus {
         }
     }
 
-    /// The status of a run whose other part ended with `other`.
+    /// The status of a run that has two parts, if the other part ended with `other`.
     pub fn and(self, other: Self) -> Self {
         if self == Self::Done || other == Self::Interrupted { other } else { self }
     }

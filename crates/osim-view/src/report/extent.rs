@@ -1,4 +1,4 @@
-//! How much of what is known a text shows, and how wide and colourful it is.
+//! The extent of a text (brief or full), its width and its colours.
 
 use osim_model::messages::{listed, shortest, shown_whole};
 
@@ -7,15 +7,15 @@ use crate::report::layout::{Colour, WIDTH, clipped, wrapped};
 /// How much a text of a result shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extent {
-    /// Rounded numbers, the first names of a long list, and explanations of what has to be put right.
+    /// Rounded numbers, the first names of a long list, and explanations of the faults that have to be corrected.
     #[default]
     Brief,
-    /// The text shows all explanations, rows, names and digits.
+    /// All explanations, rows, names and digits.
     Full,
 }
 
 impl Extent {
-    /// [`Extent::Full`] if `full` was asked for.
+    /// [`Extent::Full`] if the caller asked for a full text.
     pub const fn new(full: bool) -> Self {
         if full { Self::Full } else { Self::Brief }
     }
@@ -24,26 +24,26 @@ impl Extent {
         matches!(self, Self::Full)
     }
 
-    /// `value` as `rounded` writes it; in full the shortest digits that read back to the same number.
+    /// The number as `rounded` writes it; in full, the shortest digits that read back to the same number.
     pub(crate) fn number(self, value: f64, rounded: impl FnOnce(f64) -> String) -> String {
         if self.is_full() { shortest(value) } else { rounded(value) }
     }
 
-    /// The first `most` names and how many more there are; in full all names.
+    /// The first `most` names and the number of the others; in full, all names.
     pub(crate) fn names<S: AsRef<str>>(self, names: &[S], most: usize) -> String {
         listed(names, if self.is_full() { names.len() } else { most })
     }
 
-    /// A name in at most `width` columns; in full all of it.
+    /// The name, cut to at most `width` columns; in full, the whole name.
     pub(crate) fn name(self, name: &str, width: usize) -> String {
         if self.is_full() { shown_whole(name).to_string() } else { clipped(name, width) }
     }
 }
 
-/// How a text is laid out.
+/// The layout of a text: its extent, width and colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Layout {
-    /// Columns of the terminal; `None` for files and pipes, where a table is as wide as it is.
+    /// Columns of the terminal; `None` for files and pipes, where the width of a table has no limit.
     pub columns: Option<usize>,
     pub colour: Colour,
     pub extent: Extent,
@@ -55,7 +55,7 @@ impl Layout {
         self.columns.unwrap_or(WIDTH)
     }
 
-    /// Text in lines, the second and later ones after `indent`. Line ends in it are escaped.
+    /// The text in lines. The second and later lines begin with `indent`. Line ends in the text are escaped.
     pub(crate) fn wrapped(self, text: &str, indent: &str) -> String {
         wrapped(text, indent, self.width())
     }

@@ -27,7 +27,7 @@ pub fn line(value: &impl Serialize) -> String {
     text
 }
 
-/// Writes compact JSON in which every letter can be seen: it escapes the others.
+/// Writes compact JSON in which invisible letters are escaped.
 struct VisibleLetters;
 
 impl Formatter for VisibleLetters {
@@ -80,7 +80,7 @@ pub struct ErrorRecord {
 }
 
 impl FailureRecord {
-    /// A failure in the words of `dialect`.
+    /// The record of a failure, with texts in the words of `dialect`.
     pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
         let (model, model_bytes) = failure.model.clone().into_parts();
         Self {
@@ -243,8 +243,8 @@ pub enum Amount {
 }
 
 impl PlanRecord {
-    /// The plan for `model`, whose file is `path`, with the files that were written, if any. What the plan says is taken as it is
-    /// spelled.
+    /// The record of the plan for `model`, whose file is `path`, with the names of the files that were written, if any. The texts of the
+    /// plan are already in the words of the front end.
     pub fn new(
         plan: &Plan,
         model: &Model,

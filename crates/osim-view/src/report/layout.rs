@@ -1,4 +1,4 @@
-//! How texts are laid out: lines as wide as the terminal, columns of a table, rows of CSV, colours.
+//! The layout of texts: lines as wide as the terminal, columns of a table, rows of CSV, colours.
 
 use std::collections::HashSet;
 use std::{fmt, io};
@@ -14,30 +14,30 @@ use textwrap::core::{Word, display_width};
 use textwrap::{Options, WordSeparator, WordSplitter, WrapAlgorithm};
 use unicode_linebreak::linebreaks;
 
-/// Columns of an old terminal, and of texts in a file or a pipe.
+/// The width in columns of an old terminal. Texts in a file or a pipe are also this wide.
 pub const WIDTH: usize = 80;
 
-/// How text is broken into lines of at most `width` columns: so that they are about equally long.
+/// Options for breaking text into lines of at most `width` columns and of about equal length.
 pub(crate) fn options<'o>(width: usize) -> Options<'o> {
     Options::new(width).word_separator(WordSeparator::Custom(breakable_words))
 }
 
-/// A paragraph with names from outside in it: no line ends of theirs, and none endless.
+/// A paragraph that may have names from files in it: line ends in names are escaped, and very long names are cut.
 fn paragraph(text: &str) -> String {
     text.split(' ').map(|word| shown(word).to_string()).collect::<Vec<_>>().join(" ")
 }
 
-/// Text in lines of at most `width` columns. Line ends in it, which are in a name from outside, are escaped.
+/// The text in lines of at most `width` columns. Line ends in names are escaped.
 pub(crate) fn filled(text: &str, width: usize) -> String {
     textwrap::fill(&paragraph(text), options(width))
 }
 
-/// Text in lines of at most `width` columns, the second and later ones after `indent`. Line ends in it are escaped.
+/// The text in lines of at most `width` columns. The second and later lines begin with `indent`. Line ends in the text are escaped.
 pub fn wrapped(text: &str, indent: &str, width: usize) -> String {
     in_lines(&paragraph(text), indent, width)
 }
 
-/// Wraps a text about a file: the reader has to find the file again, so its path is shown whole.
+/// Breaks a text about a file into lines. The path of the file is never cut, because the reader has to find the file.
 pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str, width: usize) -> String {
     in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent, width)
 }
@@ -56,7 +56,7 @@ fn in_lines(text: &str, indent: &str, width: usize) -> String {
 
 const SOFT_HYPHEN: char = '\u{ad}';
 
-/// The pieces of a line between which it may be broken, each with the blanks after it.
+/// The pieces of a line between which it may be broken. Each has the blanks after it.
 fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     Box::new(behind_quotes(line).flat_map(|part| {
         // Whether a word is broken at its hyphens is for the caller to say.
@@ -66,8 +66,8 @@ fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
     }))
 }
 
-/// A bracket after a quoted name begins a word. The algorithm's older editions, that of the library among them, took
-/// every quotation mark for one that opens, and a bracket for what it quotes.
+/// Splits the line so that a bracket after a quoted name begins a new word. Older editions of the algorithm for line breaks, which the
+/// library uses, take every quotation mark for an opening one.
 fn behind_quotes(line: &str) -> impl Iterator<Item = &str> {
     let brackets = line.match_indices(['(', '[', '{']).map(|(at, _)| at);
     let begins = brackets.filter(|&at| {
@@ -83,10 +83,10 @@ fn cut(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &s
 
 // Lines of text, broken where a terminal ends.
 
-/// What begins a sentence for people: its other lines are further in.
+/// Beginnings of sentences about findings. The second and later lines of such a sentence are indented.
 const HEADS: [&str; 3] = ["error: ", "warning: ", "remark: "];
 
-/// What begins a command, which is copied as a whole. A terminal breaks it, too, but does not copy that.
+/// Beginnings of commands, which the reader copies as a whole. A terminal breaks long lines, too, but does not copy these breaks.
 const COMMANDS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
 
 /// Text with each line that is too long broken at blanks. A command stays one line, and so does a row of a table, but for a sentence in
@@ -129,7 +129,7 @@ fn line_broken(line: &str, width: usize) -> String {
     format!("{}{end}", textwrap::fill(sentence, options))
 }
 
-/// What stays in front of a line, indentation and cells of a table, and the sentence after it.
+/// Splits a line: the indentation and the first cells of a table, and the sentence after them.
 fn split(line: &str) -> (&str, &str) {
     let gap = line.rfind("  ").map_or(0, |at| at + 2);
     let sentence = line[gap..].trim_start_matches(' ');
@@ -138,8 +138,8 @@ fn split(line: &str) -> (&str, &str) {
 
 // Tables of text.
 
-/// A table without lines that old consoles cannot draw. A cell is one line: what cannot be seen in it is escaped. Columns without
-/// anything in them are left out.
+/// A table drawn only with letters that old consoles have. A cell is one line; invisible letters in it are escaped. Empty columns are left
+/// out.
 #[derive(Debug)]
 pub struct TextTable {
     header: Vec<String>,
@@ -153,7 +153,7 @@ pub fn table(header: &[&str]) -> TextTable {
     TextTable { header, rows: Vec::new(), right_aligned: Vec::new(), unbroken: None }
 }
 
-/// Columns that a cut name has at least.
+/// The width in columns that a shortened name has at least.
 const LEAST_NAME: usize = 8;
 
 impl TextTable {
@@ -171,7 +171,7 @@ impl TextTable {
         self.unbroken = Some(index);
     }
 
-    /// The table in lines of at most `width` columns; longer cells are several lines.
+    /// The table in lines of at most `width` columns. Longer cells are broken into several lines.
     pub fn fitted(self, width: usize) -> String {
         let mut table = self.laid_out();
         let width = u16::try_from(width).unwrap_or(u16::MAX);
@@ -179,8 +179,8 @@ impl TextTable {
         table.trim_fmt()
     }
 
-    /// The table in lines of at most `columns`, in which long names are cut in the middle, and columns that do not fit stand below the others;
-    /// whole where lines have no end. There are no blanks at the ends of lines.
+    /// The table in lines of at most `columns`. Long names are cut in the middle, and columns that do not fit are put below the others;
+    /// `None` means lines without a limit. There are no blanks at the ends of lines.
     pub(crate) fn within(mut self, columns: Option<usize>) -> String {
         while let Some(excess) = columns.and_then(|columns| self.width().checked_sub(columns + 2)) {
             let names = (0..self.header.len()).filter(|index| !self.right_aligned.contains(index));
@@ -201,7 +201,7 @@ impl TextTable {
         }
     }
 
-    /// As many columns as fit, and below them the others after the first column.
+    /// The table in parts: as many columns as fit, and below them the first column with the next ones.
     fn in_parts(self, columns: usize) -> String {
         let all = self.header.len();
         let fit = (2..all).take_while(|&end| self.with_columns(0..end).width() <= columns + 1).last();
@@ -246,7 +246,7 @@ impl TextTable {
         self.column(index).chain([header]).map(display_width).max().unwrap_or_default()
     }
 
-    /// Columns of a line; each cell has a blank on both sides.
+    /// The width of a line in columns. Each cell has a blank on both sides.
     fn width(&self) -> usize {
         let shown = (0..self.header.len()).filter(|&index| !self.is_empty_column(index));
         shown.map(|index| self.column_width(index) + 2).sum()
@@ -280,7 +280,8 @@ impl fmt::Display for TextTable {
     }
 }
 
-/// Names in at most `width` columns, cut in the middle so that different names stay different; longer ones where no cut does that.
+/// Names in at most `width` columns. They are cut in the middle so that different names stay different; if no cut does this, they are
+/// longer.
 fn cut_names(names: &[&str], width: usize) -> Vec<String> {
     let different = names.iter().collect::<HashSet<_>>().len();
     let longest = names.iter().map(|name| name.chars().count()).max().unwrap_or_default();
@@ -295,7 +296,7 @@ fn cut_names(names: &[&str], width: usize) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// A name with its last `end` letters, in at most `width` columns.
+/// A name in at most `width` columns, of which the last `end` letters are kept.
 fn cut_name(name: &str, width: usize, end: usize) -> String {
     let letters: Vec<char> = name.chars().collect();
     if letters.len() <= width || width < 3 {
@@ -305,15 +306,14 @@ fn cut_name(name: &str, width: usize, end: usize) -> String {
     first.chain(&['~']).chain(last).collect()
 }
 
-/// A name in at most `width` columns: its middle is left out, since names differ at their ends; what cannot be seen in it is
-/// escaped.
+/// A name in at most `width` columns. Its middle is left out, because names differ at their ends. Invisible letters are escaped.
 pub(crate) fn clipped(name: &str, width: usize) -> String {
     cut_name(&shown(name).to_string(), width, width / 2)
 }
 
 // Tables as CSV.
 
-/// The records as CSV, quoted where they have to be.
+/// The records as CSV. Cells are quoted if this is necessary.
 ///
 /// # Errors
 /// None in practice: the records are written into memory, and all of one table are equally long.
@@ -341,7 +341,7 @@ const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
 pub enum Colour {
     #[default]
     Plain,
-    /// Escape sequences, as terminals read them.
+    /// The text has colours, as escape sequences for terminals.
     Ansi,
 }
 

@@ -1,10 +1,11 @@
-//! Lines that say what should be known.
+//! Lines of messages about findings, masses and contacts.
 
 use osim_inspect::MassMismatch;
 use osim_model::messages::{Dialect, one_line};
 use osim_model::{Finding, FindingCode, Severity};
 
-/// Findings, one line each: `warning: line 12: message [code]`; those that a model had before its change on one line, by their codes.
+/// The findings, one on each line: `warning: line 12: message [code]`. Findings that the model had before the change share one line with
+/// their codes.
 pub(crate) fn finding_lines(findings: &[Finding]) -> String {
     let mut text = String::new();
     let (before, new): (Vec<&Finding>, Vec<&Finding>) = findings.iter().partition(|one| one.had_before);
@@ -27,17 +28,17 @@ pub(crate) fn finding_lines(findings: &[Finding]) -> String {
     text
 }
 
-/// A line about a model, called `name`, whose contacts carry a body of another mass.
+/// A line about a model, called `name`, whose contacts are made for another mass than the mass of its bodies.
 pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect) -> String {
     let message = mismatch.message().spelled(dialect);
     let line = format!("warning: {name}: {message} [{}]", FindingCode::MassSourcesDisagree);
     format!("{}\n", one_line(line))
 }
 
-/// In the row of a model that has nothing to show, because it has no contacts.
+/// The text in the row of a model that has no contacts, so that there is nothing to show.
 pub(crate) const NO_CONTACTS: &str = "no contacts";
 
-/// Why the row of a model has nothing to show, by the code of its failure.
+/// The text in the row of a model with a failure, by the code of the failure.
 pub(crate) fn in_a_cell(code: &str) -> &'static str {
     match code {
         "no-contacts" => NO_CONTACTS,

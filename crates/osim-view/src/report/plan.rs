@@ -1,4 +1,4 @@
-//! A plan as text.
+//! Shows a plan as text.
 
 use std::collections::{HashMap, HashSet};
 use std::fmt;
@@ -13,8 +13,8 @@ use crate::report::messages::finding_lines;
 
 // A plan as a table: equal changes share a row.
 
-/// A plan in tables for a terminal of so many columns, with its remarks and findings; `output` says what was written. The messages of
-/// the plan were spelled before.
+/// A plan as tables for a terminal of `columns` columns, with its remarks and findings. `output` says which files were written. The texts
+/// of the plan are already in the words of the front end.
 pub fn text(plan: &Plan, model: &str, output: &str, columns: Option<usize>) -> String {
     let mut text = format!("{}\n", one_line(format!("{model}: {}", plan.taken)));
     if plan.is_empty() {
@@ -59,15 +59,16 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
     format!("{}\n", one_line(line))
 }
 
-/// Below this all spheres are nearer to the origin of their bodies than in any human, m.
+/// If all places of spheres are nearer to the origins of their bodies than this, m, the animal is small. In every human, some are farther.
 const SMALL_FOOT_M: f64 = 0.02;
 
-/// Names of objects in a row of the table of objects; if there are more, the row says how many: it is one line.
+/// The largest number of names in a row of the table of objects. If there are more, the row has their number, so that it fits into one
+/// line.
 const MAX_NAMES_OF_OBJECTS: usize = 3;
-/// Names of spheres or forces in a row of the table of changes, which has more columns.
+/// The largest number of names of spheres or forces in a row of the table of changes, which has more columns.
 const MAX_NAMES_OF_CHANGE: usize = 2;
 
-/// Whole objects, one row for each class.
+/// The table of added and removed objects, with a row for each class.
 fn objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
     if objects.is_empty() {
         return String::new();
@@ -86,7 +87,7 @@ fn objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
     format!("{}\n", table.within(columns))
 }
 
-/// Whether the numbers that change are those of new objects: what they change from is the contact that they are made from.
+/// Whether the numbers that change belong to new objects. Then the old numbers are those of the contact from which the new one was made.
 pub fn is_new(plan: &Plan) -> bool {
     plan.objects().iter().any(|object| object.action == ObjectAction::Added)
 }
@@ -132,7 +133,7 @@ fn changes(plan: &Plan, columns: Option<usize>) -> String {
     text
 }
 
-/// Spheres that are added, one row each, as they are written.
+/// The table of added spheres, with a row for each sphere and its final numbers.
 fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     let spheres = plan.new_spheres();
     if spheres.is_empty() {
@@ -149,7 +150,7 @@ fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     format!("{}\n  (m, in the frame of the body)\n", table.within(columns))
 }
 
-/// Sphere centres that move, one row each: they are rarely alike. Those of new spheres are in a table of their own.
+/// The table of sphere centres that move, with a row for each sphere, because moves are rarely alike. New spheres are in another table.
 fn moves(plan: &Plan, columns: Option<usize>) -> String {
     let moves = moves_of_others(plan);
     if moves.is_empty() {
@@ -171,13 +172,13 @@ fn largest_of(largest: f64, coordinate: f64) -> f64 {
     largest.max(coordinate.abs())
 }
 
-/// A coordinate in metres to a tenth of a millimetre; to a thousandth where the `largest` is that of a small animal.
+/// A coordinate in metres, with four decimals; with six if the `largest` coordinate is that of a small animal.
 fn coordinate(metres: f64, largest: f64) -> String {
     let (decimals, unit) = if largest < SMALL_FOOT_M { (6, 1e6) } else { (4, 1e4) };
     format!("{:.decimals$}", (metres * unit).round() / unit + 0.0)
 }
 
-/// A number in four digits, as short as it can be.
+/// A number with four significant digits; with an exponent if it is small.
 fn number(value: f64) -> String {
     let text = four_significant(value);
     match text.parse::<f64>() {
@@ -186,21 +187,21 @@ fn number(value: f64) -> String {
     }
 }
 
-/// Centres that move of spheres that were there before.
+/// The centres that move, except those of new spheres.
 pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&PlaceChange> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();
     plan.moves.iter().filter(|place| !new.contains(place.path.as_str())).collect()
 }
 
-/// A coordinate of a centre, in metres to a hundredth of a millimetre, and 0 without a minus.
+/// A coordinate of a centre, in metres to a hundredth of a millimetre. Zero has no minus sign.
 pub fn centre(metres: f64) -> String {
     format!("{:.5}", (metres * 1e5).round() / 1e5 + 0.0)
 }
 
 // Equal changes together, so that twelve spheres are one line.
 
-/// Equal changes together, in the order of the first of each.
+/// Groups of equal changes, in the order of the first change of each group.
 pub fn groups(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
     let mut groups: Vec<Vec<&NumberChange>> = Vec::new();
     let mut places = HashMap::new();
@@ -226,7 +227,7 @@ pub(crate) fn name_or_count(group: &[&NumberChange]) -> String {
     }
 }
 
-/// The properties whose changes are in several groups: rows of these need the names of their spheres or forces.
+/// The properties whose changes are in several groups. Their rows need the names of spheres or forces.
 pub(crate) fn properties_in_several_groups(groups: &[Vec<&NumberChange>]) -> HashSet<Property> {
     let mut seen = HashSet::new();
     let properties = groups.iter().filter_map(|group| group.first()).map(|change| change.property);
@@ -240,17 +241,17 @@ pub fn names<'c>(group: &[&'c NumberChange]) -> Vec<&'c str> {
 
 // Objects of one class together, so that twelve spheres are one line.
 
-/// Objects of one class to which the same happens.
+/// Objects of one class that are all added, or all removed.
 pub struct ObjectGroup<'p> {
     /// Whether the objects are added or removed.
     pub action: ObjectAction,
     /// The class of the objects.
     pub class: &'static str,
-    /// Their names, in the plan's order.
+    /// The names of the objects, in the order of the plan.
     pub names: Vec<&'p str>,
 }
 
-/// Objects by what happens to them and by class, in the order of the first of each.
+/// Groups of objects by class, and by whether they are added or removed, in the order of the first object of each group.
 pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
     let mut groups: Vec<ObjectGroup<'_>> = Vec::new();
     for object in objects {
@@ -270,10 +271,10 @@ pub(crate) fn object_groups(objects: &[ObjectChange]) -> Vec<ObjectGroup<'_>> {
 
 // The change as a unified diff, as version control shows it.
 
-/// Lines before and after each change.
+/// Number of unchanged lines that are shown before and after each change.
 const CONTEXT_LINES: u32 = 1;
 
-/// Differences between the bytes of a model before and after, under these names.
+/// The differences between the bytes of a model before and after a change, with these names for the two files.
 pub fn unified_diff(old: &[u8], new: &[u8], old_name: &str, new_name: &str) -> String {
     // Bytes that are not UTF-8 are the same on both sides; a diff is for reading, so they may be shown as replacements.
     let (old, new) = (String::from_utf8_lossy(old), String::from_utf8_lossy(new));
@@ -300,7 +301,8 @@ impl DiffLines<'_> {
     }
 }
 
-/// The first line, from 0, and the number of lines, which a diff shows with lines counted from 1; of no lines, it shows the line before.
+/// The index of the first line and the number of lines. A diff shows line numbers from 1; for a range without lines, it shows the line
+/// before.
 struct LineRange(u32, u32);
 
 impl fmt::Display for LineRange {

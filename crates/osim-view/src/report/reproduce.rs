@@ -1,4 +1,4 @@
-//! Table 1 of the paper beside what its equations give: as text, CSV and a record; and what Fig. 1 needs.
+//! Table 1 of the paper beside the results of its equations: as text, CSV and a record; and the data that Fig. 1 needs.
 
 use contact_scaling::table1::{self, Animal, Column, Compared};
 use osim_inspect::SCHEMA_VERSION;
@@ -74,7 +74,7 @@ pub struct NumberRecord {
 }
 
 impl ReproductionRecord {
-    /// Computes it.
+    /// Computes the numbers of Table 1 and compares them with the paper.
     ///
     /// # Errors
     /// None with the numbers of the table.
@@ -92,7 +92,7 @@ impl ReproductionRecord {
         })
     }
 
-    /// E* of the human as the paper prints it.
+    /// E* of the human, as the paper prints it.
     fn rounded_base(&self) -> Option<&'static str> {
         let human = self.table1.first()?;
         let base = human.values.iter().find(|number| number.name == Column::CompositeModulus.name());
@@ -136,10 +136,10 @@ impl From<&Compared> for NumberRecord {
 
 // The comparison for people and for spreadsheets.
 
-/// Digits that are shown beyond those of the paper.
+/// Number of digits that are shown beyond the digits of the paper.
 const MORE_DIGITS: usize = 3;
 
-/// Table 1, number by number, and in how many the paper and its equations agree.
+/// Table 1, number by number, and the count of numbers in which the paper and its equations agree.
 pub fn reproduction_text(record: &ReproductionRecord) -> String {
     let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
     for number in record.table1.iter().flat_map(|animal| &animal.values) {
@@ -159,13 +159,13 @@ pub fn reproduction_text(record: &ReproductionRecord) -> String {
     text
 }
 
-/// What Fig. 1 shows and what it needs.
+/// Sentences about what Fig. 1 shows, and which data it needs.
 pub fn fig1_text(record: &ReproductionRecord) -> String {
     let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph, WIDTH)).collect();
     format!("{}\n", paragraphs.join("\n"))
 }
 
-/// Table 1 with a row for each number: its animal, as printed, as computed.
+/// Table 1 as CSV, with a row for each number: the animal, the printed number and the computed number.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.
@@ -225,7 +225,7 @@ fn cells(number: &NumberRecord) -> Vec<String> {
     ]
 }
 
-/// How many agree, why others do not, and how it was computed.
+/// How many numbers agree, why others do not agree, and how they were computed.
 fn summary(record: &ReproductionRecord) -> String {
     let (agree, all) = (record.within_last_digit, record.numbers);
     let mut text = filled(

@@ -1,4 +1,4 @@
-//! Other numbers that follow the size of a body, as text.
+//! Numbers besides contacts that follow the size of a body, as text.
 
 use osim_inspect::{SizeList, SizeRow, SizeSpread};
 use osim_model::messages::{four_significant, three_significant};
@@ -6,10 +6,10 @@ use osim_model::messages::{four_significant, three_significant};
 use crate::report::extent::{Extent, Layout};
 use crate::report::layout::table;
 
-/// Names that are listed; more are counted.
+/// The largest number of names that are listed. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 6;
 
-/// A description of the list, in sentences for any page.
+/// Sentences that describe the list, for a text or a page.
 pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = vec![ratios(list, extent)];
     sentences.push(
@@ -24,7 +24,7 @@ pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
     sentences
 }
 
-/// The gaps of the list, in sentences for any page.
+/// Sentences about the gaps in the list: objects without a counterpart in the other model, and objects that could not be read.
 pub fn gaps(list: &SizeList, extent: Extent) -> Vec<String> {
     let mut sentences = Vec::new();
     let pairs = [(&list.only_in_model, "the original"), (&list.only_in_original, "the model")];
@@ -77,7 +77,7 @@ pub fn cells(list: &SizeList, row: &SizeRow, extent: Extent) -> [String; 5] {
     }
 }
 
-/// The factors by which numbers changed: `same`, or the median and the range.
+/// The factors by which numbers changed: `same`, or the median and the range of the factors.
 fn factors_in_words(row: &SizeRow, extent: Extent) -> String {
     match (row.pairs, row.same, &row.factor) {
         (Some(pairs), Some(same), _) if pairs > 0 && same == pairs => "same".to_owned(),

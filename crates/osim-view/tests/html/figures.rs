@@ -1,4 +1,4 @@
-//! Figures: titles, units, limits, and the text where nothing can be drawn.
+//! Tests of figures: titles, units, limits, and the text in place of a figure that cannot be drawn.
 
 use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;

@@ -1,4 +1,4 @@
-//! Pages and figures, on models of the project's fixtures.
+//! Tests of pages and figures, on models of the project's fixtures.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]

@@ -1,4 +1,4 @@
-//! Pages: sections, escapes, what a large library leaves out.
+//! Tests of pages: sections, escapes, and omissions on the page of a large library.
 
 use osim_inspect::InspectOptions;
 use osim_model::files::{Failure, OpenModel};
@@ -43,7 +43,7 @@ fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> En
     entry_of_inspected_model(shown, detail, front_end)
 }
 
-/// Every anchor that is linked is there, and none is there twice.
+/// Asserts that the page has the target of every link, and no target twice.
 fn assert_anchors(page: &str) {
     let values = |attribute: &str| -> Vec<String> {
         let starts = page.split(attribute).skip(1);

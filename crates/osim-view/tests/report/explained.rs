@@ -1,10 +1,10 @@
-//! Explanations of every topic.
+//! Tests of the explanations of all topics.
 
 use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
 use osim_view::report::explain::{self, Letters, Topic, TopicRecord};
 use osim_view::report::json::line;
 
-/// Columns of a line: the hat of x̂ takes none.
+/// The width of a line in columns. The hat of x̂ needs no column.
 fn columns(line: &str) -> usize {
     line.chars().filter(|letter| *letter != '\u{302}').count()
 }

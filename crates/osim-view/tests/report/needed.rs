@@ -1,4 +1,4 @@
-//! Every question, as each front end asks it.
+//! All questions of the program, as each front end asks them.
 
 use osim_model::messages::Input;
 use osim_model::{
@@ -6,7 +6,7 @@ use osim_model::{
 };
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
-/// One example of every question.
+/// An example of each question.
 fn example_of_every_question() -> Vec<Needed> {
     let name = |name: &str| name.to_owned();
     vec![
@@ -60,7 +60,7 @@ fn example_of_every_question() -> Vec<Needed> {
     ]
 }
 
-/// Questions whose way out depends on what was to be done.
+/// Examples of questions whose advice depends on what the user wanted to do.
 fn by_purpose() -> Vec<Needed> {
     let shared = |radius, can_choose| Needed::SharedSphere {
         sphere: "/contactgeometryset/heel_r".to_owned(),
@@ -94,7 +94,7 @@ fn by_purpose() -> Vec<Needed> {
         .collect()
 }
 
-/// The variants that the source declares.
+/// The number of variants of `Needed` in the source.
 fn count_of_declared_questions() -> usize {
     let source = include_str!("../../../osim-model/src/model/fault/needed.rs");
     let (_, after) = source.split_once("pub enum Needed {").unwrap();

@@ -1,4 +1,4 @@
-//! Records for scripts.
+//! Tests of the JSON records for scripts.
 
 use std::path::Path;
 

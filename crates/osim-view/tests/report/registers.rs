@@ -1,4 +1,4 @@
-//! The registers of figures: of `inspect`, of `drop-test` and its series, of `design` without a model.
+//! Tests of the registers of figures: of `inspect`, of `drop-test` and its series, and of `design` without a model.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,7 +26,7 @@ fn registers() -> [(&'static str, Vec<&'static Quantity>); 4] {
     ]
 }
 
-/// A body of 62 kg on six spheres of the paper, and what else is given.
+/// The result of a drop test: a body of 62 kg on six spheres of the paper. `others` are further options.
 fn drop_result(others: &Value) -> DropResult {
     let mut request = json!({
         "verb": "drop-test", "mass": 62, "spheres": 6, "radius": 0.032, "stiffness": 1e6, "dissipation": 2, "samples": 3,
@@ -36,7 +36,7 @@ fn drop_result(others: &Value) -> DropResult {
     run_drop_test(&request, &InMemory::default()).unwrap()
 }
 
-/// Everything that a design can be asked for.
+/// A design sheet with every figure that a design can have.
 fn full_design_sheet() -> DesignSheet {
     let request = json!({
         "verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16, "restitution": 0.9,
@@ -55,7 +55,7 @@ fn fields(object: &Value) -> Vec<&str> {
     object.as_object().unwrap().keys().map(String::as_str).collect()
 }
 
-/// Fails unless a schema requires the fields of `object`, in their order, and allows `optional` beside them.
+/// Asserts that a schema requires the fields of `object`, in their order, and only allows `optional` besides them.
 #[track_caller]
 fn assert_lists(schema: &Value, object: &Value, optional: &[&str]) {
     assert_eq!(schema["required"], json!(fields(object)));

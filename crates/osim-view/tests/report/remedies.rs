@@ -1,4 +1,4 @@
-//! Remedies, as each front end gives them.
+//! Remedies, in the words of each front end.
 
 use std::path::Path;
 
@@ -24,7 +24,7 @@ const MODELS: [&str; 10] = [
     "format/mixed_radii.osim",
 ];
 
-/// Spelled remedies for the findings of a model.
+/// The remedies for the findings of a model, in the words of `front_end`.
 fn remedies(options: &InspectOptions, name: &str, front_end: &dyn FrontEnd) -> Vec<String> {
     let model = open(name);
     let inspected = options.inspect(name, &model.model, None);

@@ -1,4 +1,4 @@
-//! Models of the fixtures, read, inspected and planned.
+//! Helpers that read, inspect and plan models of the fixtures.
 
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ fn fixture(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name)
 }
 
-/// The model `name` of the fixtures, under that name.
+/// Opens the model `name` of the fixtures under this name.
 pub(crate) fn open(name: &str) -> OpenModel {
     let path = fixture(name);
     let bytes = std::fs::read(&path).unwrap();
@@ -45,7 +45,7 @@ pub(crate) fn inspected(
     (inspected, found)
 }
 
-/// The plan by which the contacts of `model` are made right for a body of `target_mass_kg`.
+/// The plan that scales the contacts of `model` to a body of `target_mass_kg`.
 pub(crate) fn rescaled(model: &Model, target_mass_kg: f64, front_end: &dyn FrontEnd) -> Plan {
     let options = InspectOptions::default();
     let selected = options.selection.apply(model).unwrap();

@@ -1,4 +1,4 @@
-//! Tables and CSV.
+//! Tests of tables and CSV.
 
 use osim_inspect::{Figure, InspectOptions};
 use osim_model::FileId;
@@ -51,7 +51,7 @@ fn colours_are_all_that_they_add() {
     }
 }
 
-/// Letters of a line, without its blanks at the end.
+/// The length of the longest line in letters, without blanks at its end.
 fn longest_line(text: &str) -> usize {
     text.lines().map(|line| line.chars().count()).max().unwrap()
 }

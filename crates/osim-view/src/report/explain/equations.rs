@@ -1,10 +1,10 @@
-//! Equations of the paper and beyond, the rules of this project, and what uses them.
+//! Explanations of equations: of the paper, of other sources, and rules of this project; and where each is used.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
 use osim_model::messages::Phrase;
 
-/// Equations of the paper and beyond, then the project's own rules.
+/// The equations of the paper and of other sources, then the rules of this project.
 ///
 /// Texts may name inputs and calls in backticks, as
 /// [`Phrase::template`](osim_model::messages::Phrase::template) reads them.
@@ -12,7 +12,7 @@ pub fn equations() -> impl Iterator<Item = &'static Equation> {
     contact_scaling::equations::all().chain(RULES)
 }
 
-/// The equation or rule of this name: `10`, `C.5`, `given`.
+/// The equation or rule with this name, such as `10`, `C.5` or `given`.
 pub fn equation(name: &str) -> Option<&'static Equation> {
     let rule = || RULES.iter().find(|rule| rule.label.eq_ignore_ascii_case(name));
     contact_scaling::equations::find(name).or_else(rule)
@@ -31,7 +31,7 @@ const fn symbol(symbol: &'static str, meaning: &'static str, unit: &'static str)
 const R_A: Symbol = symbol("R_a", "radius of the sphere before, or in the generic model", "m");
 const R_B: Symbol = symbol("R_b", "radius of the sphere to be written", "m");
 
-/// Rules by the word that is printed. Inputs are in backticks.
+/// Rules of this project, by the word that is printed in place of an equation's number. Names of inputs are in backquotes.
 const RULES: &[Equation] = &[
     Equation {
         label: "given",
@@ -98,12 +98,12 @@ const RULES: &[Equation] = &[
     },
 ];
 
-/// Where the equation called `label` meets the user; empty for a label that is not known.
+/// A sentence about where the user meets the equation called `label`; empty if there is no such equation.
 pub(crate) fn sentence_of_use(label: &str) -> Phrase {
     Phrase::template(template(label))
 }
 
-/// Where the equation called `label` meets the user, with names of inputs and of calls in backticks.
+/// The sentence about where the user meets the equation called `label`, with names of inputs and of calls in backquotes.
 fn template(label: &str) -> &'static str {
     match label {
         "1" => "fit: modulus and contact onset; drop-test: force of a HuntCrossleyForce; inspect",

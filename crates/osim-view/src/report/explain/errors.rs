@@ -1,4 +1,4 @@
-//! A register of every error code: what it means and the way out.
+//! A register of all error codes: the meaning of each, and what the user can do.
 //!
 //! The tables of `docs/reference/errors.md` are made from it; a test looks for codes that are not here.
 
@@ -30,7 +30,7 @@ pub enum ErrorGroup {
     File,
     /// Errors of a model's content.
     Model,
-    /// Something that only the user can know.
+    /// A question that only the user can answer.
     Question,
     /// Errors of a request.
     Request,
@@ -51,7 +51,7 @@ impl ErrorGroup {
     }
 }
 
-/// Every kind of failure.
+/// All errors, in the order of the groups.
 pub fn errors() -> impl Iterator<Item = &'static ErrorCode> {
     ErrorGroup::ALL.iter().flat_map(|group| group.errors())
 }

@@ -1,4 +1,4 @@
-//! What an equation says, and what a finding or an error means and asks for.
+//! Explanations of equations, quantities, findings and errors.
 
 mod equations;
 mod errors;

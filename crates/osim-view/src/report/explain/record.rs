@@ -1,4 +1,4 @@
-//! Explanations for scripts: one object for each topic and line; and the answer to a request.
+//! Explanations for scripts: a JSON object for each topic, one on a line; and the answer to an `explain` request.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::{Form, Symbol};
@@ -123,7 +123,7 @@ pub struct SymbolRecord {
 }
 
 impl TopicRecord {
-    /// A topic in the words of `dialect`.
+    /// The explanation of a topic in the words of `dialect`.
     pub fn new(topic: Topic, dialect: &dyn Dialect) -> Self {
         match topic {
             Topic::Equation(equation) => Self::of_equation(equation, dialect),
@@ -203,7 +203,7 @@ impl SymbolRecord {
     }
 }
 
-/// The explanation of the topics that a request names; if it names none, the list of all topics.
+/// The explanations of the topics that a request names; if it names none, the list of all topics.
 ///
 /// # Errors
 /// Something that is neither an equation, a quantity nor a code.

@@ -1,4 +1,4 @@
-//! Explanations for people, 80 columns wide, in letters that the reader can see.
+//! Explanations for people, 80 columns wide, in letters that the reader's terminal can show.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::reference;
@@ -10,7 +10,7 @@ use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{WIDTH, options, table};
 
-/// All that is known of one topic, as text.
+/// The whole explanation of one topic as text.
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
     match topic {
         Topic::Equation(equation) => equation_text(equation, dialect, letters),
@@ -104,7 +104,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted(WIDTH))).join("\n")
 }
 
-/// The line that names the page of the book with all topics of this kind.
+/// The line with the page of the documentation that has all topics of one kind.
 fn book_line(label: &str, page: &str) -> String {
     format!("{label}docs/reference/{page}.md\n")
 }
@@ -121,12 +121,12 @@ fn paragraph(label: &str, body: &str) -> String {
 pub enum Letters {
     #[default]
     Unicode,
-    /// Only the letters of old consoles: `alpha`, `sqrt(R)`.
+    /// Only ASCII, for old consoles: `alpha`, `sqrt(R)`.
     Ascii,
 }
 
 impl Letters {
-    /// `text` in these letters. It is done before the layout, since spellings differ in length.
+    /// The `text` in these letters. This has to be done before lines are broken, because the spellings differ in length.
     pub(super) fn spelled(self, text: &str) -> String {
         match self {
             Self::Unicode => text.to_owned(),
@@ -137,7 +137,7 @@ impl Letters {
 
 // Formulas for consoles that can only show ASCII.
 
-/// Symbols and their spelling; longer ones first where one begins with another.
+/// Symbols and their ASCII spelling. If one symbol begins with another, the longer symbol comes first.
 const SPELLINGS_OF_SYMBOLS: &[(&str, &str)] = &[
     ("x̂", "xhat"),
     ("k̂", "khat"),
@@ -182,7 +182,7 @@ pub(super) fn ascii(text: &str) -> String {
     roots(&out)
 }
 
-/// A root of one symbol gets brackets: nobody could see how far it reaches.
+/// Writes a root with brackets around its symbol, because in ASCII the reader could not see how far the root extends.
 fn roots(text: &str) -> String {
     let mut parts = text.split('√');
     let mut out = parts.next().unwrap_or_default().to_owned();

@@ -1,4 +1,4 @@
-//! Something that can be explained, by its name: equations, codes, and everything that has a number.
+//! The topics that `explain` can explain, by their names: equations, codes of findings and errors, and quantities.
 
 use std::sync::LazyLock;
 
@@ -31,7 +31,7 @@ pub enum Topic {
 pub struct UnknownTopic {
     /// The name that no topic has.
     pub name: String,
-    /// Names of topics that are like it.
+    /// Names of topics that are similar to it.
     pub similar_names: Vec<&'static str>,
 }
 
@@ -43,7 +43,7 @@ impl Topic {
         numbers.chain(findings).chain(errors().map(Self::Error)).collect()
     }
 
-    /// All topics of `named`: one name, or several as the column "equation" has them (`11, B.2`).
+    /// All topics with the name `named`; or with several names, as in the column "equation" of a table (`11, B.2`).
     ///
     /// # Errors
     /// Something that is neither an equation, a quantity nor a code.
@@ -61,7 +61,7 @@ impl Topic {
         Err(UnknownTopic::new(unknown))
     }
 
-    /// The label of an equation, or a code.
+    /// The label of an equation, or the code of a finding or error.
     pub fn name(self) -> &'static str {
         match self {
             Self::Equation(equation) => equation.label,
@@ -72,7 +72,7 @@ impl Topic {
     }
 }
 
-/// All topics called `name`: one code may be that of a warning and that of an error.
+/// All topics called `name`. A finding and an error can have the same code.
 fn topics_called(name: &str) -> Vec<Topic> {
     let is_code = |code: &str| code == name.trim_matches(['[', ']', ' ']);
     let equation = equation(name).map(Topic::Equation);
@@ -83,7 +83,7 @@ fn topics_called(name: &str) -> Vec<Topic> {
     if topics.is_empty() && is_kind_of_questions(name) { questions() } else { topics }
 }
 
-/// Whether `name` is the kind of all errors that ask, by the name that they have in the library.
+/// Whether `name` is the name of the error kind of all questions in the library, `NeedsAnswer`.
 fn is_kind_of_questions(name: &str) -> bool {
     name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
@@ -94,13 +94,14 @@ fn questions() -> Vec<Topic> {
     errors().filter(asks).map(Topic::Error).collect()
 }
 
-/// The likeness from which on a topic was probably meant; equal names have 1.
+/// A topic is proposed if the likeness of its name to the given name is at least this; equal names have 1.
 const MIN_LIKENESS: f64 = 0.7;
 
-/// Letters of a name from which on the names are proposed that contain it: a shorter name is a part of too many.
+/// If a given name has at least this many letters, longer names that contain it are proposed. A shorter name is contained in too many
+/// names.
 const MIN_LETTERS: usize = 5;
 
-/// Names that are proposed, at most, because they contain the name.
+/// The largest number of names that are proposed because they contain the given name.
 const MAX_PROPOSED: usize = 2;
 
 impl UnknownTopic {
@@ -118,7 +119,7 @@ impl UnknownTopic {
         Self { name: name.to_owned(), similar_names }
     }
 
-    /// A message that the name is not known, which names may be meant, and how to list all of them.
+    /// The message that no topic has this name, with the names of similar topics and the command that lists all topics.
     pub fn message(&self, front_end: &dyn FrontEnd) -> String {
         let quoted: Vec<String> = self.similar_names.iter().map(|name| format!("'{name}'")).collect();
         let proposal = if quoted.is_empty() {
@@ -133,12 +134,12 @@ impl UnknownTopic {
 
 // Everything that has a number: OpenSim's properties, and the figures of every register.
 
-/// A quantity of the registers, with what explains it.
+/// A quantity of the registers, with its explanation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuantityTopic {
-    /// OpenSim's name of a property, or the name in JSON and CSV.
+    /// The name of a property in OpenSim; or the name of a figure in JSON and CSV.
     pub name: &'static str,
-    /// Symbols of the quantity: each names its topic, too.
+    /// Symbols of the quantity. A symbol also is a name of the topic.
     pub symbols: &'static [&'static str],
     /// Unit of the quantity; empty for a pure number.
     pub unit: &'static str,
@@ -172,7 +173,7 @@ pub(super) fn quantities() -> impl Iterator<Item = &'static QuantityTopic> {
     QUANTITIES.iter()
 }
 
-/// The quantity of this name, symbol or label.
+/// The quantity with this name, symbol or label.
 pub(super) fn quantity(name: &str) -> Option<&'static QuantityTopic> {
     let flat = |text: &str| text.trim_ascii().to_lowercase().replace(['-', ' '], "_");
     let by_name = || quantities().find(|topic| topic.name == flat(name));
@@ -214,7 +215,7 @@ impl QuantityTopic {
         Phrase::template(&self.what)
     }
 
-    /// What is easily misunderstood about the quantity.
+    /// A sentence about what is easily misunderstood about the quantity.
     pub fn trap(&self) -> Phrase {
         Phrase::template(self.trap)
     }
@@ -224,7 +225,7 @@ impl QuantityTopic {
     }
 }
 
-/// The text without the backticks around names of classes, which nobody types.
+/// The text without the backquotes around names of classes, which users do not type.
 fn without_backticks_of_classes(text: &str) -> String {
     let is_class = |piece: &str| piece.starts_with(|c: char| c.is_ascii_uppercase());
     let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 == 1 && !is_class(piece) {

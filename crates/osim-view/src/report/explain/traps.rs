@@ -1,9 +1,9 @@
-//! What is easily misunderstood about each quantity, and the symbols by which people know it.
+//! Common misunderstandings about each quantity, and the symbols of the quantity.
 
-/// The trap of a quantity, by its name in JSON, or OpenSim's name; and other names for it.
+/// A common misunderstanding about a quantity, with the quantity's name in JSON or in OpenSim, and its other names.
 pub(super) struct Trap {
     pub(super) name: &'static str,
-    /// Symbols and words, as in the paper and in tables.
+    /// Symbols and words for the quantity, as in the paper and in tables.
     pub(super) symbols: &'static [&'static str],
     pub(super) trap: &'static str,
 }
@@ -12,7 +12,7 @@ const fn trap(name: &'static str, symbols: &'static [&'static str], trap: &'stat
     Trap { name, symbols, trap }
 }
 
-/// Every trap. Inputs and calls are in backticks.
+/// All misunderstandings. Names of inputs and calls are in backquotes.
 pub(super) const ALL: &[Trap] = &[
     trap(
         "stiffness",

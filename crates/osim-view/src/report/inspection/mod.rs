@@ -1,4 +1,4 @@
-//! A model's contacts, and what they do under its weight, as text.
+//! The contacts of a model, and the figures of these under its weight, as text.
 
 mod models_table;
 pub mod spheres;

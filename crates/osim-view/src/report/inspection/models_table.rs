@@ -1,4 +1,4 @@
-//! Many models as one table: a row each, as many columns as fit.
+//! Many models in one table: a row for each model, and as many columns as fit into a line.
 
 use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
 use osim_model::Property;
@@ -7,7 +7,7 @@ use osim_model::messages::{Dialect, Phrase, counted, four_significant, shown, th
 use crate::report::layout::{Colour, OUTSIDE, WIDTH, clipped, painted, table, wrapped, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS, in_a_cell};
 
-/// What is in a row beside the name, in the order of the table.
+/// The columns after the name of the model, in the order of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Column {
     Mass,
@@ -20,17 +20,17 @@ enum Column {
     Findings,
 }
 
-/// Those that a narrow terminal goes without, the first one first.
+/// The columns that are left out on a narrow terminal, in this order.
 const LEFT_OUT: [Column; 5] =
     [Column::Restitution, Column::Radius, Column::Class, Column::Stiffness, Column::Spheres];
 
-/// Columns of a terminal that names have at least, where they need them.
+/// The width in columns that long names of models keep at least.
 const NAME: usize = 18;
 
-/// Blanks between two columns.
+/// The number of blanks between two columns of the table.
 const GAP: usize = 2;
 
-/// The models of one call.
+/// The models of one call, collected for a table.
 #[derive(Debug, Default)]
 pub struct ModelsTable {
     rows: Vec<(String, Cells)>,
@@ -67,7 +67,7 @@ impl Column {
         }
     }
 
-    /// What the heading means, where it does not say so.
+    /// The meaning of the column's heading; empty if the heading says it.
     const fn meaning(self) -> &'static str {
         match self {
             Self::Mass => "kg: mass of the model",
@@ -81,7 +81,7 @@ impl Column {
         }
     }
 
-    /// Whether the column has numbers, which end at one place.
+    /// Whether the column has numbers, which are aligned on the right.
     const fn is_number(self) -> bool {
         !matches!(self, Self::Class | Self::Findings)
     }
@@ -106,15 +106,15 @@ impl Column {
     }
 }
 
-/// What there is room for in a line.
+/// The columns of the table for which a line has room.
 struct Fitting {
     columns: Vec<Column>,
-    /// How long the names of models may be; `None` if lines have no end.
+    /// The largest width of names of models; `None` if lines have no limit.
     name_width: Option<usize>,
 }
 
 impl ModelsTable {
-    /// Adds a model that was inspected, and how much is wrong with it.
+    /// Adds a model that was inspected, with the numbers of its findings.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
         self.with_findings += usize::from(counts.error + counts.warning > 0);
         self.without_contacts += usize::from(inspected.forces.is_empty());
@@ -130,7 +130,7 @@ impl ModelsTable {
         self.rows.push((model.to_owned(), Column::ALL.map(|column| cell(column).to_owned())));
     }
 
-    /// One row for each model in lines of at most `width` columns, then what the headings mean, and how many there are.
+    /// One row for each model in lines of at most `width` columns, then the meanings of the headings, and the number of models.
     ///
     /// Names are whole and no column is left out where lines have no end, in a file or a pipe. `names_full`: the front end can ask for
     /// all models in full.
@@ -168,7 +168,7 @@ impl ModelsTable {
         )
     }
 
-    /// The folder in which all models are, with the mark at its end; empty where there is none.
+    /// The folder that has all models, with the separator at its end; empty if there is none.
     fn common_folder(&self) -> &str {
         let mut names = self.rows.iter().map(|(name, _)| name.as_str());
         let first = names.next().unwrap_or_default();
@@ -179,7 +179,7 @@ impl ModelsTable {
         })
     }
 
-    /// What there is room for in lines of at most `width` columns.
+    /// The columns that fit into lines of at most `width` columns.
     fn fitting(&self, width: Option<usize>, folder: &str) -> Fitting {
         let mut columns = Column::ALL.to_vec();
         let Some(width) = width else { return Fitting { columns, name_width: None } };
@@ -225,12 +225,12 @@ impl ModelsTable {
     }
 }
 
-/// The folders of a name, with the mark at its end.
+/// The folders in a path, with the separator at the end.
 fn folder_of(name: &str) -> &str {
     name.rfind(['/', '\\']).and_then(|end| name.get(..=end)).unwrap_or_default()
 }
 
-/// What the headings mean, which columns are left out, and where more is.
+/// A legend: the meanings of the headings, the columns that are left out, and the commands that show more.
 fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: usize) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
@@ -257,18 +257,18 @@ fn spheres(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures> {
     inspected.figures.limbs.iter().flat_map(|limb| &limb.spheres)
 }
 
-/// The forces that OpenSim computes and a change would take.
+/// The forces that OpenSim computes and that a change would change.
 fn chosen(inspected: &Inspection) -> impl Iterator<Item = &InspectedForce> {
     inspected.forces.iter().filter(|force| force.applies && force.selected)
 }
 
-/// n, where it is known; of limbs that differ the fewest and the most.
+/// The number n of spheres that share the weight, if it is known; if limbs differ, the smallest and the largest n.
 fn shared_by(inspected: &Inspection) -> String {
     let text = range(inspected.figures.limbs.iter().filter_map(|limb| limb.sphere_count), four_significant);
     if text == NOTHING { "?".to_owned() } else { text }
 }
 
-/// In place of a missing value.
+/// The text in place of a value that is missing.
 const NOTHING: &str = "-";
 
 fn class(inspected: &Inspection) -> &'static str {
@@ -287,27 +287,28 @@ struct Judged {
     within: bool,
 }
 
-/// x̂ under one body weight by the law of the sphere's class.
+/// x̂ of a sphere under one body weight, by the law of its force's class.
 fn at_rest(sphere: &SphereFigures) -> Option<Judged> {
     let known = [Figure::IndentationModelLaw, Figure::Indentation];
     let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
     Some(Judged { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
 }
 
-/// Restitution by the law itself, under the limit that the paper gives with (13): a mark beside a number is about this number.
+/// The restitution by the contact law itself, judged by the limit that the paper gives with (13), so that the mark is about the number
+/// beside it.
 fn restitution(sphere: &SphereFigures) -> Option<Judged> {
     let value = sphere.value(Figure::RestitutionExact)?;
     let limit = Figure::RestitutionApproximate.info().limit;
     Some(Judged { value, within: limit.is_none_or(|limit| limit.admits(value)) })
 }
 
-/// Three digits and a power of ten: moduli have many zeros.
+/// The value with three digits and a power of ten, because moduli have many zeros.
 fn powers_of_ten(value: f64) -> String {
     let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
     format!("{rounded:e}")
 }
 
-/// One value, or the smallest and the largest of several.
+/// The value, or the smallest and the largest if there are several.
 fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> String {
     let ends = values.fold(None, |ends: Option<(f64, f64)>, value| match ends {
         Some((low, high)) => Some((low.min(value), high.max(value))),
@@ -320,7 +321,7 @@ fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> Strin
     }
 }
 
-/// The one of all values that `worse` chooses, marked where any is outside its limit.
+/// The worst of all values, as `worse` decides, with a mark if any value is outside its limit.
 fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
     let one = values.reduce(|a, b| Judged { value: worse(a.value, b.value), within: a.within && b.within });
     match one {
@@ -330,7 +331,7 @@ fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> 
     }
 }
 
-/// How many findings of the worst severity, and whether there are contacts at all.
+/// The number of findings of the worst severity; or a note that the model has no contacts.
 fn findings(inspected: &Inspection, counts: Counts) -> String {
     // What is found in a model without contacts is that it has none.
     if inspected.forces.is_empty() && counts.error + counts.warning == 0 {

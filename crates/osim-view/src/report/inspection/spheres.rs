@@ -1,4 +1,4 @@
-//! The figures of spheres: as rows that the text and the page share, as a table, and as CSV.
+//! The figures of spheres: as rows for the text and the page, as a table, and as CSV.
 
 use std::collections::{HashMap, HashSet};
 
@@ -11,23 +11,23 @@ use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
 use crate::report::extent::{Extent, Layout};
 use crate::report::layout::{OUTSIDE, csv_text, table};
 
-/// The common properties of the spheres of a table.
+/// Properties of the spheres in a table, which decide on its rows.
 #[derive(Clone, Copy)]
 pub struct Spheres {
-    /// Whether spheres of a limb differ.
+    /// Whether the spheres of a limb differ in radius or parameters.
     pub mixed: bool,
-    /// Whether some follow the smoothed law.
+    /// Whether some of the spheres follow the smoothed law.
     pub smooth: bool,
 }
 
 impl Spheres {
-    /// The common properties of `spheres`; `mixed` says that those of a limb differ.
+    /// The properties of `spheres`. `mixed` says that the spheres of a limb differ.
     pub fn new<'s>(mixed: bool, mut spheres: impl Iterator<Item = &'s SphereFigures>) -> Self {
         let smooth = spheres.any(|sphere| sphere.value(Figure::ConstantIndentation).is_some());
         Self { mixed, smooth }
     }
 
-    /// The figures that are shown for them, in their order.
+    /// The figures that a table of these spheres shows, in their order.
     pub fn figures(self) -> impl Iterator<Item = Figure> {
         let shown = move |figure: &Figure| match figure.visibility() {
             FigureVisibility::Always => true,
@@ -40,7 +40,7 @@ impl Spheres {
     }
 }
 
-/// The first cell of a row; for restitution with the impact speed (m/s), if there is one.
+/// The first cell of a row: the name of the figure; for restitution with the impact speed (m/s), if it is known.
 pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>, extent: Extent) -> String {
     match (figure, impact_speed_m_s) {
         (Figure::RestitutionExact, Some(speed)) => {
@@ -50,7 +50,7 @@ pub fn heading(figure: Figure, impact_speed_m_s: Option<f64>, extent: Extent) ->
     }
 }
 
-/// The limit, in the second cell.
+/// The second cell of a row: the limit of the figure.
 pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
@@ -61,7 +61,7 @@ pub struct FigureText {
     pub outside: bool,
 }
 
-/// The figure of a sphere as it is shown; `None` if it is not known.
+/// The figure of a sphere as the table shows it; `None` if it is not known.
 pub fn value(figure: Figure, sphere: &SphereFigures, extent: Extent) -> Option<FigureText> {
     let outside = sphere.is_within(figure) == Some(false);
     match sphere.value(figure) {
@@ -78,23 +78,23 @@ fn shown_figures(extent: Extent) -> impl Iterator<Item = Figure> {
         .filter(move |figure| extent.is_full() || figure.visibility() != FigureVisibility::Never)
 }
 
-/// The shown values of a sphere: spheres with the same values share a column.
+/// All values of a sphere as the table shows them. Spheres with the same key share a column.
 pub fn key(sphere: &SphereFigures, extent: Extent) -> Vec<String> {
     let text = |figure| sphere.value(figure).map(|value| extent.number(value, four_significant));
     shown_figures(extent).map(|figure| text(figure).unwrap_or_default()).collect()
 }
 
-/// The key without a text, in all digits: if this is equal, so is the key.
+/// All values of a sphere as numbers. If these are equal for two spheres, so is the [`key`], which takes longer to make.
 pub(crate) fn exact_key(sphere: &SphereFigures, extent: Extent) -> Vec<Option<u64>> {
     shown_figures(extent).map(|figure| sphere.value(figure).map(f64::to_bits)).collect()
 }
 
 // How deep spheres are where each is at its own height, as rows: the text and the page share them.
 
-/// Spheres of a limb that are equally deep.
+/// Spheres of a limb with the same indentation.
 pub struct EquallyDeep<'f> {
     pub limb: &'f str,
-    /// x/R by the Hertz law and by the model's.
+    /// x/R by the Hertz law, and by the law of the model.
     pub indentation: [String; 2],
     pub spheres: Vec<&'f str>,
 }
@@ -103,7 +103,7 @@ pub struct EquallyDeep<'f> {
 pub(crate) const CAPTION: &str =
     "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
-/// The spheres of limbs that stand on all of their spheres, at different heights.
+/// The spheres of limbs that stand on all their spheres, if these are at different heights, grouped by depth.
 pub(crate) fn equally_deep(figures: &Figures, extent: Extent) -> Vec<EquallyDeep<'_>> {
     let mut rows: Vec<EquallyDeep<'_>> = Vec::new();
     for limb in figures.limbs.iter().filter(|limb| stands_unevenly(limb)) {
@@ -127,7 +127,7 @@ pub(crate) fn equally_deep(figures: &Figures, extent: Extent) -> Vec<EquallyDeep
     rows
 }
 
-/// Whether depths differ by more than rounding, and no sphere hangs above the floor.
+/// Whether indentations at own heights differ from those of level bottoms by more than rounding errors, and all spheres touch the floor.
 fn stands_unevenly(limb: &LimbFigures) -> bool {
     const ROUNDING_OF_FIGURES: f64 = 1e-6;
     let differs = |sphere: &SphereFigures| {
@@ -142,23 +142,23 @@ fn stands_unevenly(limb: &LimbFigures) -> bool {
 
 // What the spheres do, with a column for each group of spheres that do the same.
 
-/// Figures of more groups of spheres than this go into a further table.
+/// The largest number of groups of spheres in one table. Further groups go into another table.
 const GROUPS_ABREAST: usize = 4;
 
-/// Names that are listed; more are counted.
+/// The largest number of names that are listed. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 6;
 
-/// The text in place of a figure that is not known; its two blanks keep digits below digits.
+/// The text in place of a figure that is not known. Its two blanks keep digits below digits.
 const UNKNOWN_FIGURE: &str = "-  ";
 
-/// Spheres that do the same, wherever they are.
+/// Spheres with the same figures, on any limb.
 struct AlikeSpheres<'a> {
     names: Vec<&'a str>,
     first: &'a SphereFigures,
     mixed: bool,
 }
 
-/// The figures; empty if there are none and no reason is to be given.
+/// The tables of figures; empty if there are no figures and no reason has to be given.
 pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
     let extent = layout.extent;
     let groups = groups(inspected, extent);
@@ -188,7 +188,7 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout
     text
 }
 
-/// The spheres at their own heights, where these differ.
+/// The table of spheres at their own heights, if these heights differ.
 fn standing(inspected: &Inspection, layout: Layout) -> String {
     let extent = layout.extent;
     let rows = equally_deep(&inspected.figures, extent);
@@ -252,7 +252,7 @@ fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
 
 // A model's spheres as CSV: one row per sphere that stands, numbers in full.
 
-/// Where a value comes from: the model, the limb, the sphere, and the force that presses it.
+/// The origin of a value in the CSV: the model, the limb, the sphere, and the force that presses the sphere.
 struct SpherePlace<'p> {
     model: &'p Inspection,
     limb: &'p LimbFigures,
@@ -266,10 +266,10 @@ fn number_text(value: Option<f64>) -> String {
     value.map(shortest).unwrap_or_default()
 }
 
-/// A function that gives a cell.
+/// A function that makes the text of a cell.
 type Cell = fn(&SpherePlace<'_>) -> String;
 
-/// Columns that say which model, limb and sphere a row is about.
+/// Columns with the model, limb and sphere that a row is about.
 const PLACE_COLUMNS: [(&str, Cell); 12] = [
     ("model_file", |p| p.model.model.clone()),
     ("model_name", |p| p.model.name.clone()),
@@ -287,7 +287,7 @@ const PLACE_COLUMNS: [(&str, Cell); 12] = [
     ("force_names", |p| p.sphere.forces.join(" ")),
 ];
 
-/// The parameters of the first force that presses the sphere.
+/// Columns with the parameters of the first force that presses the sphere.
 const PARAMETER_COLUMNS: [Property; 9] = [
     Property::Stiffness,
     Property::Dissipation,
@@ -300,7 +300,7 @@ const PARAMETER_COLUMNS: [Property; 9] = [
     Property::HuntCrossleySmoothing,
 ];
 
-/// Columns after the figures: names of those that are beyond their limits, and codes of findings.
+/// Columns after the figures: names of the figures that are beyond their limits, and codes of findings.
 const LAST_COLUMNS: [&str; 2] = ["outside_limits", "findings"];
 
 /// Names of the columns of the CSV of spheres. `docs/reference/json.md` explains them.
@@ -322,14 +322,14 @@ fn cells(place: &SpherePlace<'_>) -> Vec<String> {
     before.chain(figures).chain(last).collect()
 }
 
-/// The codes of a model's findings, each once: every row repeats them.
+/// The codes of the findings about a model, each once. Every row of the model has them.
 fn codes(inspected: &Inspection) -> String {
     let mut seen = HashSet::new();
     let codes = inspected.findings.iter().map(|finding| finding.code().as_str());
     codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
 }
 
-/// The rows of one model, after a header where `header`.
+/// The rows of one model as CSV; with a header before them if `header` is true.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.

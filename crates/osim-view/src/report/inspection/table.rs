@@ -1,4 +1,4 @@
-//! A model's contacts as tables of at most 80 columns, and a body on its feet in sentences.
+//! The contacts of a model as tables of at most 80 columns, and sentences about how a body stands on its feet.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,8 @@ use crate::report::layout::{painted, table};
 use crate::report::messages::finding_lines;
 use crate::report::similarity;
 
-/// Masses, limbs, spheres, forces, and what they do. What the inspection says is taken as it is spelled.
+/// The inspection as text: masses, limbs, spheres, forces, and figures. The texts of the inspection are already in the words of the front
+/// end.
 pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
     let mut text = head(inspected, layout);
     if !inspected.spheres.is_empty() {
@@ -87,7 +88,7 @@ fn head(inspected: &Inspection, layout: Layout) -> String {
     text
 }
 
-/// One row per sphere; x, y, z are those of its lowest point.
+/// One row for each sphere; x, y, z are the place of its lowest point.
 fn spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
     let extent = layout.extent;
     let mut table = table(&["sphere", "body", "limb", "radius", "lowest x", "y", "z"]);
@@ -114,7 +115,7 @@ fn spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
     )
 }
 
-/// Forces with the same parameters share a row; a legend says which they are.
+/// A row for each group of forces with the same parameters, and a legend with the names of these forces.
 fn forces(inspected: &Inspection, layout: Layout) -> String {
     let extent = layout.extent;
     let groups = groups(inspected, extent);
@@ -135,7 +136,7 @@ fn forces(inspected: &Inspection, layout: Layout) -> String {
     text
 }
 
-/// Where bodies are over their floors, and what puts them on their feet.
+/// Sentences about the heights of bodies over their floors, and about the coordinate that puts each body on its feet.
 fn standing(inspected: &Inspection, layout: Layout) -> String {
     let several = inspected.standing.len() > 1;
     let mut text = String::new();
@@ -152,7 +153,7 @@ fn standing(inspected: &Inspection, layout: Layout) -> String {
     text
 }
 
-/// Each body's factors, compared with the generic model; `?` if no source has them.
+/// The scale factors of each body, compared with the generic model; `?` for a factor that no source has.
 fn body_factors(inspected: &Inspection, layout: Layout) -> String {
     let number = |factor| layout.extent.number(factor, |factor| format!("{factor:.6}"));
     let mut table = table(&["scaled body", "x", "y", "z", "from"]);
@@ -170,10 +171,10 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
 
 // A body over its floor and on its feet, in sentences: the text and the page share them.
 
-/// Spheres that are named at most.
+/// The largest number of spheres that are named.
 const MOST_SPHERES_NAMED: usize = 6;
 
-/// The text about a body: where it is at the default pose, and where it stands on all its feet and on one limb.
+/// Sentences about a body: its height at the default pose, and the equilibria on all its feet and on one limb.
 pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
     let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else { return Vec::new() };
     let mut sentence =
@@ -195,7 +196,7 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
     sentences
 }
 
-/// The body on one limb, unless it has no other.
+/// The equilibrium of the body on one limb, if it differs from the equilibrium on all limbs.
 fn other_than_all(body: &StandingBody) -> Option<&BodyAtRest> {
     let (one, all) = (body.on_one_limb.as_ref()?, body.as_posed.as_ref()?);
     (one.spheres != all.spheres).then_some(one)
@@ -211,7 +212,7 @@ fn on_feet(body: &StandingBody, how: &str, rest: &BodyAtRest, extent: Extent) ->
     format!("{how}{limb}: carries {load} N{place}; {}", depths(rest, extent))
 }
 
-/// Which spheres touch, and how deep they are.
+/// The spheres that touch the floor, and how deep each is.
 fn depths(rest: &BodyAtRest, extent: Extent) -> String {
     let touching: Vec<&StandingSphere> = rest.touching().collect();
     let deep = |one: &StandingSphere| extent.number(one.relative_indentation, three_significant);
@@ -251,7 +252,7 @@ pub struct ForceGroup<'m> {
     pub forces: Vec<&'m InspectedForce>,
 }
 
-/// The forces of a model, those with the same parameters together.
+/// The forces of a model in groups; the forces of a group have the same parameters.
 pub fn groups(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
     let mut groups: Vec<ForceGroup<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
@@ -267,12 +268,12 @@ pub fn groups(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
     groups
 }
 
-/// Whether a number of the force is not in the object itself.
+/// Whether a number of the force is a default, and not in the element of the force.
 pub fn has_default(force: &InspectedForce) -> bool {
     Property::ALL.iter().any(|&property| force.origin.is_default(property))
 }
 
-/// How many forces of which class, and their names.
+/// The number of forces of each class, and the names of the forces.
 pub fn described(members: &[&InspectedForce], extent: Extent) -> String {
     const MOST_NOTE_STEPS: usize = 6;
     let Some(first) = members.first() else { return String::new() };
@@ -321,7 +322,7 @@ fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
     ]
 }
 
-/// The numbers that the cells of a force are made from: forces with equal numbers have equal cells.
+/// The numbers from which the cells of a force are made. Forces with equal numbers have equal cells.
 fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option<u64>) {
     let one = |&property: &Property| {
         (force.parameters.get(property).map(f64::to_bits), force.origin.is_default(property))
@@ -329,13 +330,13 @@ fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option
     (Property::ALL.iter().map(one).collect(), force.composite_modulus_n_m2.map(f64::to_bits))
 }
 
-/// A number of the file: exact if the exact text is short.
+/// A number of the file: all its digits if these are at most eight letters, else four significant digits.
 fn six_digits(value: f64) -> String {
     let exact = readable(value);
     if exact.len() <= 8 { exact } else { four_significant(value) }
 }
 
-/// Decimals that show a hundredth of the smallest radius.
+/// The number of decimals with which a hundredth of the smallest radius can be seen.
 pub fn decimals(spheres: &[InspectedSphere]) -> usize {
     let radii =
         spheres.iter().map(|sphere| sphere.radius_m).filter(|radius| *radius > 0.0 && radius.is_finite());
@@ -349,7 +350,7 @@ pub fn decimals(spheres: &[InspectedSphere]) -> usize {
     decimals
 }
 
-/// A length or coordinate, in m.
+/// A length or coordinate in m, with this number of decimals.
 pub fn metres(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // Nobody's coordinate is -0.0000.

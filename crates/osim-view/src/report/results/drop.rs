@@ -1,4 +1,4 @@
-//! A drop: as text, CSV, a chart of letters, and JSON.
+//! The result of a drop test: as text, CSV, a chart of letters, and JSON.
 
 #[cfg(feature = "schemas")]
 use std::borrow::Cow;
@@ -21,11 +21,11 @@ use serde::{Serialize, Serializer};
 
 use crate::report::layout::{WIDTH, table};
 
-/// Curves closer than this (in radii and body weights) differ by the rounding of the integration.
+/// Curves closer than this (in radii and body weights) differ only by rounding errors of the integration.
 const ROUNDING_OF_CURVES: f64 = 1e-9;
 const CHART_ROWS: usize = 16;
 
-/// The figures of a drop, whether they are within what the laws were made for, and how far it is from another drop.
+/// The figures of a drop, whether they are within the limits of the laws, and the difference from another drop.
 pub fn drop_text(drop: &DropResult) -> String {
     let values = drop.values;
     let mut text = format!(
@@ -73,8 +73,7 @@ fn rows(drop: &DropResult) -> String {
     format!("{}\n", table.trim_fmt())
 }
 
-/// Whether the figures are within what the laws were made for, by the equations that `check` compares with the same limits:
-/// (11) and (13).
+/// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.
 fn limits(drop: &DropResult) -> String {
     let word = |within: bool| if within { "within" } else { "outside" };
     let admits = |figure: DropFigure| {
@@ -98,12 +97,12 @@ fn limits(drop: &DropResult) -> String {
     text
 }
 
-/// A difference; what rounding leaves counts as 0.
+/// A difference in words. A difference that is only a rounding error counts as 0.
 fn difference_in_words(difference: f64) -> String {
     if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
 
-/// Force over body weight against time, in letters: for terminals, which can draw it.
+/// A chart of force over body weight against time, made of letters, for terminals.
 pub fn drop_chart(drop: &DropResult) -> String {
     let report = &drop.report;
     let points = report
@@ -117,7 +116,7 @@ pub fn drop_chart(drop: &DropResult) -> String {
     chart.map_or_else(|_| String::new(), |chart| format!("\n{chart}"))
 }
 
-/// The series, one row for each moment.
+/// The motion of the drop as CSV, one row for each moment.
 ///
 /// # Errors
 /// None in practice: the rows are written into memory.
@@ -134,7 +133,7 @@ pub fn drop_csv(drop: &DropResult) -> Result<String, csv::Error> {
 
 // The JSON contract of a drop.
 
-/// A drop, as the JSON has it: each [`DropFigure`] by its name, and the motion.
+/// A drop for JSON: each [`DropFigure`] under its name, and the motion.
 #[derive(Debug, Clone, Copy)]
 pub struct DropRecord<'d>(&'d DropResult);
 
@@ -155,7 +154,7 @@ pub struct DropDifferenceRecord {
     pub force_bw: f64,
 }
 
-/// The motion of a drop: each [`DropColumn`] by its name.
+/// The motion of a drop for JSON: each [`DropColumn`] under its name.
 #[derive(Debug, Clone, Copy)]
 pub struct DropSeriesRecord<'d>(&'d DropReport);
 

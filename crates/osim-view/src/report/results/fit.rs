@@ -1,4 +1,4 @@
-//! A fit, as text and as JSON.
+//! The result of a fit, as text and as JSON.
 
 use contact_scaling::fit::{Doubt, Estimate, Fit, Parameter};
 use contact_scaling::limits;
@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::report::layout::table;
 
-/// The parameters with their confidence intervals, and whether the laws were made for this measurement.
+/// The fitted parameters with their confidence intervals, and whether the measurement is within the limits of the laws.
 pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
     let fit = &result.fit;
     let mut text = format!(
@@ -51,7 +51,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
     text
 }
 
-/// A doubt about a fit, in words.
+/// A reason to doubt a fit, in words.
 pub(super) fn in_words(doubt: &Doubt) -> String {
     match doubt {
         Doubt::LowRSquared { r_squared } => format!(
@@ -70,7 +70,7 @@ pub(super) fn in_words(doubt: &Doubt) -> String {
     }
 }
 
-/// A bound of an interval that may not be known.
+/// A bound of a confidence interval, in words; the bound may be unknown.
 fn bound(value: f64) -> String {
     if value.is_nan() { "not known".to_owned() } else { readable(value) }
 }

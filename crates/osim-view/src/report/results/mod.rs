@@ -1,4 +1,4 @@
-//! Results of requests that are not about a change: drops, fits, presets, designs without a model.
+//! Results of requests that change no model: drops, fits, presets, designs without a model.
 
 mod drop;
 mod fit;

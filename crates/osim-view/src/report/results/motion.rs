@@ -1,4 +1,4 @@
-//! Contacts along a motion: in words, as tables, and as files of OpenSim.
+//! Contacts along a motion: in words, as tables, and as files for OpenSim.
 
 use osim_model::messages::{Dialect, readable, shortest, shown};
 use osim_model::{DVec3, Side};
@@ -13,7 +13,7 @@ pub use crate::report::results::motion_record::{
 
 // A motion in words, with figures of each foot and sphere.
 
-/// The summary of contacts along a motion, words first.
+/// The summary of contacts along a motion: sentences, then tables.
 pub fn motion_text(
     result: &MotionResult,
     remarks: &[MotionRemark],
@@ -57,7 +57,7 @@ fn feet(result: &MotionResult, columns: Option<usize>) -> String {
     format!("{}\n", all.within(columns))
 }
 
-/// The headers and the rows of the table of feet: one row each, and one for all together.
+/// The headers and the rows of the table of feet: a row for each foot, and a row for all feet together.
 pub(crate) fn motion_feet(result: &MotionResult) -> (Vec<&'static str>, Vec<Vec<String>>) {
     let weight_n = result.summary.weight_n;
     let bw = |force_n: f64| format!("{:.3}", force_n / weight_n);
@@ -128,10 +128,10 @@ fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {
 
 // One row per frame, sphere and force: as columns, and as CSV.
 
-/// A column of the rows of a motion.
+/// A column of the table of a motion, with a value for each row.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MotionColumn {
-    /// Name of the number; it ends in the unit, where there is one.
+    /// Name of the column. It ends in the unit, if the values have one.
     pub name: &'static str,
     pub cells: MotionCells,
 }
@@ -140,14 +140,14 @@ pub struct MotionColumn {
 pub enum MotionCells {
     Numbers(Vec<f64>),
     Texts(Vec<String>),
-    /// For each row, whether something holds.
+    /// For each row, true or false.
     Flags(Vec<bool>),
 }
 
-/// How to get a number of a row.
+/// A function that computes the number of a row.
 type Number = fn(&ContactPair, &ContactState) -> f64;
 
-/// The numbers after time, sphere and body.
+/// The columns with numbers, after the columns for time, sphere and body.
 const NUMBER_COLUMNS: [(&str, Number); 15] = [
     ("centre_x_m", |_, state| state.centre_m[0]),
     ("centre_y_m", |_, state| state.centre_m[1]),
@@ -166,7 +166,7 @@ const NUMBER_COLUMNS: [(&str, Number); 15] = [
     ("slip_speed_m_s", |_, state| state.slip_speed_m_s()),
 ];
 
-/// Each sphere on each plane in each frame, column by column.
+/// The table of a motion by columns. It has a row for each sphere on each plane in each frame.
 pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     let (states, model) = (&result.states, &result.opened.model);
     let sphere =
@@ -215,7 +215,7 @@ pub fn motion_columns(result: &MotionResult) -> Vec<MotionColumn> {
     .collect()
 }
 
-/// The motion as CSV. Numbers are the shortest that read back exactly.
+/// The table of a motion as CSV. Numbers have the fewest digits that read back exactly.
 ///
 /// # Errors
 /// Never, for text in memory.
@@ -245,12 +245,12 @@ impl MotionCells {
 /// The contact forces on one body.
 struct Load {
     body: String,
-    /// The part of the columns' names between `ground_force_` and `_vx`.
+    /// The part of the column names between `ground_force_` and `_vx`.
     label: String,
     pairs: Vec<usize>,
 }
 
-/// The bodies that contacts press on: a foot of one body has the name of its side.
+/// The bodies that contacts press on, with their contact forces. A foot with a single body is called by its side.
 fn loads(result: &MotionResult) -> Vec<Load> {
     let mut loads: Vec<Load> = Vec::new();
     for foot in &result.summary.feet {
@@ -272,7 +272,7 @@ fn loads(result: &MotionResult) -> Vec<Load> {
     loads
 }
 
-/// The ground reactions as a `.sto`: force, point and free moment of each body, in ground.
+/// The ground reactions as a `.sto` file: force, point and free moment for each body, in ground.
 pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     let loads = loads(result);
     let mut text = format!(
@@ -314,7 +314,7 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     text
 }
 
-/// Where the force of a body acts, where it is large enough.
+/// The point at which the force on a body acts; `None` if the force is too small.
 fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<DVec3> {
     let state = first?;
     let down = (state.centre_m - state.point_m).dot(state.normal);
@@ -324,7 +324,7 @@ fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
 }
 
-/// OpenSim's `ExternalLoads` for the file of [`ground_reactions_sto`], which is beside it as `data_file`.
+/// OpenSim's `ExternalLoads` file for the output of [`ground_reactions_sto`], which is in the same folder under the name `data_file`.
 pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"contacts\">\n\t\t<objects>\n",

@@ -1,4 +1,4 @@
-//! The JSON contract of a motion.
+//! The JSON record of contacts along a motion.
 
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::DVec3;

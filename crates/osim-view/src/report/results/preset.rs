@@ -1,4 +1,4 @@
-//! A preset, a design without a model, and a sweep's end.
+//! Presets, designs without a model, and the end of a sweep, as text and JSON.
 
 use std::path::Path;
 
@@ -93,7 +93,7 @@ impl From<&Preset> for PresetRecord {
     }
 }
 
-/// A preset with its source and its figures, with and without dimensions.
+/// A preset with its source and its numbers, with dimensions and dimensionless.
 pub fn preset_text(preset: &Preset) -> String {
     let (scale, contact) = (&preset.scale, &preset.contact);
     let dimensionless = DimensionlessContact::of(contact, scale);
@@ -126,7 +126,7 @@ pub fn preset_text(preset: &Preset) -> String {
 
 // A design without a model, as text.
 
-/// Every figure with its equation and its limit.
+/// All figures of a design with their equations and limits.
 pub fn design_sheet_text(sheet: &DesignSheet) -> String {
     let mut table = table(&["quantity", "value", "unit", "equation", ""]);
     for figure in &sheet.figures {
@@ -198,7 +198,7 @@ pub struct SweepRecord {
 }
 
 impl SweepRecord {
-    /// A sweep of `model` into `folder`.
+    /// The record of a sweep of `model` into `folder`.
     pub fn new(model: &FileName, folder: &Path, manifest: Option<&Path>) -> Self {
         let (model, model_bytes) = model.clone().into_parts();
         let (folder, folder_bytes) = FileName::from(folder).into_parts();
@@ -219,17 +219,17 @@ impl SweepRecord {
         }
     }
 
-    /// Adds how many points there are, and the file of the point that the request names.
+    /// Adds the number of points, and the file of the point that the request names.
     pub fn of_points(self, points: usize, file: Option<String>) -> Self {
         Self { points, file, ..self }
     }
 
-    /// Adds how many models were made, and how many could not be made.
+    /// Adds the number of models that were made, and of models that could not be made.
     pub fn counted(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
     }
 
-    /// Adds how many of its models an earlier sweep had made.
+    /// Adds the number of its models that an earlier sweep had made.
     pub fn of_which_before(self, done_before: usize) -> Self {
         Self { done_before, ..self }
     }
