@@ -52,7 +52,7 @@ struct GenericModel {
     codes: BTreeSet<FindingCode>,
     /// The reason why nothing can be compared with the generic model: an error in it.
     fault: Option<Phrase>,
-    /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are no published ones.
+    /// Whether the bodies have the mass for which the contacts were published; `None` if the contacts are not published ones.
     fits_contacts: Option<bool>,
 }
 
@@ -98,7 +98,7 @@ fn generic_model(
     })
 }
 
-/// Whether the bodies have the mass for which the contacts of the model were published; `None` if the contacts are no published ones.
+/// Whether the bodies have the mass for which the contacts of the model were published; `None` if the contacts are not published ones.
 fn fits_known_contacts(inspected: &Inspection) -> Option<bool> {
     Some(same_mass(inspected.known_contacts?.made_for_kg, inspected.mass_kg?))
 }

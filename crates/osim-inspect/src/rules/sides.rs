@@ -223,7 +223,7 @@ pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
     },
 };
 
-/// One finding for all pairs of spheres whose places are no mirror images. It is about the pair that is farthest apart; spheres on bodies
+/// One finding for all pairs of spheres whose places are not mirror images. It is about the pair that is farthest apart; spheres on bodies
 /// that are not counterparts count as the farthest.
 pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
     let mut far_pairs: Vec<(f64, &SpherePair<'_>)> =

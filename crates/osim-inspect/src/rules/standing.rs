@@ -90,7 +90,7 @@ impl<'i> Uneven<'i> {
         self.difference_radii > radii + ROUNDING
     }
 
-    /// Whether the difference is a warning. It is no warning if the foot leans, because then the difference follows from the pose.
+    /// Whether the difference is a warning. It is not a warning if the foot leans, because then the difference follows from the pose.
     fn is_warning(&self) -> bool {
         self.differs_by_more_than(WARNING_RADII) && self.tilt_rad <= MOST_LEAN_RAD
     }

@@ -163,7 +163,7 @@ osim_inspect::quantities! {
 }
 
 impl DesignQuantity {
-    /// The text that stands for an equation if a figure follows from the contact law itself, which has no number.
+    /// The text in the place of an equation, if a figure follows from the contact law itself, which has no number.
     pub const EXACT_LAW: &'static str = "exact";
 }
 

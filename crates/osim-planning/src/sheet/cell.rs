@@ -100,7 +100,7 @@ fn controls_terminal(letter: char) -> bool {
     letter.is_control() || matches!(letter, '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
-/// The letter that the escape at the beginning of `text` stands for, and the text after the escape; `None` if this letter is never escaped.
+/// The letter that the escape at the beginning of `text` means, and the text after the escape; `None` if this letter is never escaped.
 fn letter_of_escape(text: &str) -> Option<(char, &str)> {
     let (digits, rest) = text.split_once('}')?;
     let letter = char::from_u32(u32::from_str_radix(digits, 16).ok()?)?;

@@ -72,7 +72,7 @@ pub fn forms() -> Vec<(String, Written)> {
     all
 }
 
-/// Forms of a set without members; `S` stands for the name of the set.
+/// Forms of a set without members; `S` is in the place of the name of the set.
 const SETS: [&str; 24] = [
     "",
     "<S/>",
