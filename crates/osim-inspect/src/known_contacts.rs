@@ -57,7 +57,7 @@ impl KnownContacts {
     /// # Ok::<(), osim_model::Fault>(())
     /// ```
     pub fn find(model: &Model, forces: &[ForceId], count: Option<f64>, mass_kg: Option<f64>) -> Option<Self> {
-        Self::find_like(&contacts_of_sets(model, forces)?, count, mass_kg, entries(), &Likeness::EXACT)
+        Self::find_like(&contacts_of_sets(model, forces)?, count, mass_kg, entries(), &ComparedNumbers::EXACT)
     }
 
     /// The severity that the table gives a finding about `forces`, if their contacts are not known but the numbers on which the finding
@@ -69,7 +69,7 @@ impl KnownContacts {
         mass_kg: Option<f64>,
         code: FindingCode,
     ) -> Option<Severity> {
-        let likeness = Likeness::for_finding(code)?;
+        let likeness = ComparedNumbers::for_finding(code)?;
         let with_severity = entries().iter().filter(|entry| entry.severity(code).is_some());
         let contacts = contacts_of_sets(model, forces)?;
         Self::find_like(&contacts, count, mass_kg, with_severity, &likeness)?.severity(code)
@@ -80,7 +80,7 @@ impl KnownContacts {
         count: Option<f64>,
         mass_kg: Option<f64>,
         entries: impl IntoIterator<Item = &'static Entry> + Clone,
-        likeness: &Likeness,
+        likeness: &ComparedNumbers,
     ) -> Option<Self> {
         let fits = |entry: &Entry, mass: f64, isometric: bool| {
             entry.is_of(contacts, count, (mass, isometric), likeness)
@@ -114,7 +114,7 @@ impl KnownContacts {
 
     /// Whether the contacts are made for exactly this mass, kg.
     pub(crate) fn is_made_for(&self, mass_kg: f64) -> bool {
-        Likeness::EXACT.is_close(self.made_for_kg, mass_kg)
+        ComparedNumbers::EXACT.is_close(self.made_for_kg, mass_kg)
     }
 
     /// Whether the contacts were published under a body of another mass than the mass that they are made for.
@@ -173,7 +173,7 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact>
 }
 
 /// The numbers of a contact that are compared with published ones, and the tolerance.
-struct Likeness {
+struct ComparedNumbers {
     tolerance: f64,
     stiffness: bool,
     dissipation: bool,
@@ -182,7 +182,7 @@ struct Likeness {
     friction: bool,
 }
 
-impl Likeness {
+impl ComparedNumbers {
     const EXACT: Self = Self {
         tolerance: SAME_VALUE,
         stiffness: true,
@@ -226,7 +226,7 @@ impl Entry {
         contacts: &[SetContact],
         count: Option<f64>,
         (mass, isometric): (f64, bool),
-        likeness: &Likeness,
+        likeness: &ComparedNumbers,
     ) -> bool {
         let mass_ratio = mass / if isometric { self.made_for_kg } else { self.body_kg() };
         let (per_limb, total) =
@@ -258,7 +258,7 @@ impl Entry {
         contact: &SetContact,
         published: &PublishedContact,
         [mass, share]: [f64; 2],
-        likeness: &Likeness,
+        likeness: &ComparedNumbers,
     ) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
         let radius = contact.radius_m / published.radius_m;
@@ -281,7 +281,7 @@ impl Entry {
     }
 
     /// Whether the friction is the published one. The coefficients do not depend on size; the two speeds may stay, or follow the radius.
-    fn has_friction(&self, contact: &SetContact, radius: f64, likeness: &Likeness) -> bool {
+    fn has_friction(&self, contact: &SetContact, radius: f64, likeness: &ComparedNumbers) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
         let [r#static, dynamic, viscous] = self.friction;
         let velocity = self.transition_velocity;

@@ -102,7 +102,7 @@ impl RemedyTrials<'_> {
     /// The first remedy that works, and the model after it.
     fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
         let from = model_path(found);
-        candidates(found).into_iter().find_map(|Candidate { mut request, parts, .. }| {
+        candidates(found).into_iter().find_map(|RemedyCandidate { mut request, parts, .. }| {
             let its: Vec<&FindingWithRemedy> =
                 found.findings.iter().filter(|one| is_proposed_in(&parts, one)).collect();
             let to = set_numbered_output(&mut request, &from, self.files)?;
@@ -153,8 +153,8 @@ fn model_path(found: &CheckResult) -> PathBuf {
 /// The remedies to try, in this order: remedies that make contacts right for their body, because the others depend on them; conversions of
 /// forces; numbers of some forces; designs of all forces. Remedies that differ only in their forces are also joined to one command, and all
 /// designs are merged to one.
-fn candidates(found: &CheckResult) -> Vec<Candidate> {
-    let rank = |one: &Candidate| match &one.request {
+fn candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
+    let rank = |one: &RemedyCandidate| match &one.request {
         Request::Rescale(_) | Request::Transfer(_) => 0,
         Request::Convert(_) => 1,
         Request::Set(_) => 2,
@@ -164,12 +164,12 @@ fn candidates(found: &CheckResult) -> Vec<Candidate> {
         _ => 5,
     };
     // The smallest of several constant indentations also has the effect of the others.
-    let constant = |one: &Candidate| match &one.request {
+    let constant = |one: &RemedyCandidate| match &one.request {
         Request::Design(design) => design.wanted.constant_indentation.map_or(1.0, ConstantIndentation::get),
         _ => 1.0,
     };
     let mut all = joined_over_forces(&found.steps);
-    all.extend(found.steps.iter().cloned().map(Candidate::of_one));
+    all.extend(found.steps.iter().cloned().map(RemedyCandidate::of_one));
     all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(constant(a).total_cmp(&constant(b))));
     all.extend(merged_designs(&all));
     all
@@ -194,28 +194,28 @@ fn codes_of_warnings(found: &CheckResult) -> BTreeSet<FindingCode> {
 
 /// A request to try, and the proposed remedies that it contains.
 #[derive(Debug, Clone, PartialEq)]
-struct Candidate {
+struct RemedyCandidate {
     request: Request,
     parts: Vec<Request>,
 }
 
-impl Candidate {
+impl RemedyCandidate {
     fn of_one(request: Request) -> Self {
         Self { parts: vec![request.clone()], request }
     }
 }
 
 /// One request for each group of remedies that differ only in the forces that they name.
-fn joined_over_forces(remedies: &[Request]) -> Vec<Candidate> {
-    let mut groups: Vec<Candidate> = Vec::new();
+fn joined_over_forces(remedies: &[Request]) -> Vec<RemedyCandidate> {
+    let mut groups: Vec<RemedyCandidate> = Vec::new();
     for remedy in remedies {
-        let joined_with = |group: &Candidate| joined_pair(&group.request, remedy);
+        let joined_with = |group: &RemedyCandidate| request_for_forces_of_both(&group.request, remedy);
         match groups.iter_mut().find_map(|group| joined_with(group).map(|joined_with| (group, joined_with))) {
             Some((group, joined_with)) => {
                 group.request = joined_with;
                 group.parts.push(remedy.clone());
             }
-            None => groups.push(Candidate::of_one(remedy.clone())),
+            None => groups.push(RemedyCandidate::of_one(remedy.clone())),
         }
     }
     groups.retain(|group| group.parts.len() > 1);
@@ -223,7 +223,7 @@ fn joined_over_forces(remedies: &[Request]) -> Vec<Candidate> {
 }
 
 /// The request `one`, extended to the forces of `other`. `None` if the requests differ in something else, or one of them is for all forces.
-fn joined_pair(one: &Request, other: &Request) -> Option<Request> {
+fn request_for_forces_of_both(one: &Request, other: &Request) -> Option<Request> {
     let (mut all, mut more) = (one.clone(), other.clone());
     let (before, added) =
         (std::mem::take(selected_forces(&mut all)?), std::mem::take(selected_forces(&mut more)?));
@@ -245,7 +245,7 @@ fn selected_forces(request: &mut Request) -> Option<&mut Vec<Pattern>> {
 
 /// One design that wants everything which the designs among the candidates want; `None` if there are fewer than two designs. If two designs
 /// want different numbers of one quantity, the first counts.
-fn merged_designs(candidates: &[Candidate]) -> Option<Candidate> {
+fn merged_designs(candidates: &[RemedyCandidate]) -> Option<RemedyCandidate> {
     let designs: Vec<&DesignRequest> = candidates
         .iter()
         .filter_map(|candidate| match &candidate.request {
@@ -256,14 +256,14 @@ fn merged_designs(candidates: &[Candidate]) -> Option<Candidate> {
     let (first, others) = designs.split_first().filter(|(_, others)| !others.is_empty())?;
     let mut all: DesignRequest = (*first).clone();
     for other in others {
-        add_wanted(&mut all.wanted, &other.wanted);
+        add_wanted_quantities(&mut all.wanted, &other.wanted);
     }
     let parts = designs.into_iter().map(|design| design.clone().into()).collect();
-    Some(Candidate { request: all.into(), parts })
+    Some(RemedyCandidate { request: all.into(), parts })
 }
 
 /// Adds the quantities of `other` to `wanted`, if `wanted` does not have them yet.
-fn add_wanted(wanted: &mut WantedOptions, other: &WantedOptions) {
+fn add_wanted_quantities(wanted: &mut WantedOptions, other: &WantedOptions) {
     wanted.indentation = wanted.indentation.or(other.indentation);
     wanted.restitution = wanted.restitution.or(other.restitution);
     wanted.impact_speed = wanted.impact_speed.or(other.impact_speed);

@@ -27,7 +27,7 @@ impl PreparedChange {
     /// Those of [`plan_beside`](Self::plan_beside); a change after which the model is wrong, unless the caller means it.
     pub fn plan(&self, opened: &OpenModel, files: &dyn Files) -> Result<Plan, Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
-        let changed = (!plan.is_empty()).then(|| renumbered_or_read(&plan, opened)).transpose()?;
+        let changed = (!plan.is_empty()).then(|| changed_model_with_numbers(&plan, opened)).transpose()?;
         self.judge_result(opened, &mut plan, changed.as_ref())?;
         Ok(plan)
     }
@@ -42,7 +42,7 @@ impl PreparedChange {
         files: &dyn Files,
     ) -> Result<(Plan, Option<Model>), Failure> {
         let mut plan = self.plan_with_note(opened, files)?;
-        let changed = (!plan.is_empty()).then(|| read_again(&plan, opened)).transpose()?;
+        let changed = (!plan.is_empty()).then(|| changed_model_from_bytes(&plan, opened)).transpose()?;
         self.judge_result(opened, &mut plan, changed.as_ref())?;
         Ok((plan, changed))
     }
@@ -195,15 +195,15 @@ impl PreparedChange {
 ///
 /// # Errors
 /// Those of [`Plan::changed_model`].
-fn renumbered_or_read(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
-    plan.with_contact_numbers(&opened.model).map_or_else(|| read_again(plan, opened), Ok)
+fn changed_model_with_numbers(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
+    plan.with_contact_numbers(&opened.model).map_or_else(|| changed_model_from_bytes(plan, opened), Ok)
 }
 
 /// The model after `plan` is applied to `opened`, read from its new bytes.
 ///
 /// # Errors
 /// Those of [`Plan::changed_model`].
-fn read_again(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
+fn changed_model_from_bytes(plan: &Plan, opened: &OpenModel) -> Result<Model, Failure> {
     plan.changed_model(&opened.model).map_err(|fault| opened.failure(fault))
 }
 

@@ -47,7 +47,7 @@ fn find_in_values(model: &Model) -> Vec<Finding> {
 /// Finds places of spheres and gravity that are written oddly. OpenSim silently takes its default if it cannot read a text.
 fn find_in_triples(model: &Model) -> Vec<Finding> {
     let locations = model.spheres().iter().filter_map(|sphere| {
-        let triple = Triple {
+        let triple = NumberTriple {
             file: sphere.file,
             object: sphere.element(),
             tag: sphere.location_slot().tag,
@@ -57,20 +57,20 @@ fn find_in_triples(model: &Model) -> Vec<Finding> {
     });
     let gravity = model.gravity_object().and_then(|(file, object)| {
         let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
-        Triple { file, object, tag: "gravity", read }.finding(model, "the model")
+        NumberTriple { file, object, tag: "gravity", read }.finding(model, "the model")
     });
     locations.chain(gravity).collect()
 }
 
 /// Three numbers in one element, such as the place of a sphere, as OpenSim reads them.
-struct Triple {
+struct NumberTriple {
     file: FileId,
     object: ElementId,
     tag: &'static str,
     read: [f64; 3],
 }
 
-impl Triple {
+impl NumberTriple {
     fn finding(&self, model: &Model, owner: &str) -> Option<Finding> {
         let document = model.file(self.file);
         let element = document.property_element(self.object, self.tag)?;

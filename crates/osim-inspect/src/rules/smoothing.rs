@@ -33,12 +33,12 @@ pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     let affected = check.spheres_with(above)?;
     let text = format!("body weight is carried {} R above the floor", four_significant(affected.largest));
     let finding = check.finding_at_force(&FLOATS, &text, &affected);
-    Some(FindingWithRemedy::new(finding, bring_to_floor(check.remedies, &check.spheres)))
+    Some(FindingWithRemedy::new(finding, bring_spheres_to_floor(check.remedies, &check.spheres)))
 }
 
 /// A remedy that designs the constant indentation so that spheres reach the floor. It also narrows a wide transition, because far above the
 /// floor the force of (C.1) is large again.
-fn bring_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
+fn bring_spheres_to_floor(remedies: &Remedies<'_>, spheres: &[&SphereFigures]) -> Option<Request> {
     let (width_for_tenth, width_for_half) =
         (transition_width_for(spheres, TOUCHING_SHARE.value)?, transition_width_for(spheres, 0.5)?);
     let is_wide = |sphere: &&SphereFigures| {

@@ -60,14 +60,14 @@ pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
 
 /// Finds the limb whose bottoms differ most in height, if the difference is a warning.
 pub(super) fn find_uneven_bottoms(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let worst = Uneven::worst(check)?;
+    let worst = UnevenLimb::worst(check)?;
     worst
         .is_warning()
         .then(|| FindingWithRemedy::new(worst.finding(&UNEVEN_BOTTOMS), check.remedies.level_feet()))
 }
 
 /// A limb whose lowest and highest bottoms differ.
-struct Uneven<'i> {
+struct UnevenLimb<'i> {
     limb: &'i LimbFigures,
     lowest: &'i Bottom,
     highest: &'i Bottom,
@@ -77,7 +77,7 @@ struct Uneven<'i> {
     tilt_rad: f64,
 }
 
-impl<'i> Uneven<'i> {
+impl<'i> UnevenLimb<'i> {
     fn worst(check: &FigureCheck<'i>) -> Option<Self> {
         let bottoms = check.inspected.standing.iter().flat_map(|body| &body.bottoms);
         let bottoms: HashMap<&str, &Bottom> = bottoms.map(|bottom| (bottom.path.as_str(), bottom)).collect();
@@ -156,7 +156,7 @@ pub(super) static UNLEVEL_FOOT: Rule = Rule {
 
 /// Finds the limb whose bottoms differ most in height, unless the difference is a warning.
 pub(super) fn find_unlevel_foot(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
-    let worst = Uneven::worst(check)
+    let worst = UnevenLimb::worst(check)
         .filter(|worst| worst.differs_by_more_than(REMARK_RADII) && !worst.is_warning())?;
     Some(worst.finding(&UNLEVEL_FOOT).into())
 }

@@ -108,7 +108,7 @@ pub fn heat(
         ];
         return Err(Failure::outside(&body.name, "plot", message));
     }
-    let sweep = Sweep::new(body, kind, request)?;
+    let sweep = HeatSweep::new(body, kind, request)?;
     let row = |dissipation: &f64| x.iter().map(|stiffness| sweep.value(*stiffness, *dissipation)).collect();
     let values: Vec<Vec<Option<f64>>> = y.iter().map(row).collect();
     let limit = sweep.limit();
@@ -142,7 +142,7 @@ fn refine(values: &[f64]) -> Vec<f64> {
 }
 
 /// Computes the quantity for any stiffness and dissipation of the contact.
-struct Sweep<'s> {
+struct HeatSweep<'s> {
     kind: &'s SphereKind,
     quantity: HeatQuantity,
     /// The number n of spheres that carry the weight.
@@ -151,7 +151,7 @@ struct Sweep<'s> {
     impact_speed_m_s: f64,
 }
 
-impl<'s> Sweep<'s> {
+impl<'s> HeatSweep<'s> {
     fn new(body: &'s ContactBody, kind: &'s SphereKind, request: &HeatRequest) -> Result<Self, Failure> {
         let weight = body.weight()?;
         let height_m = request.height.metres(kind.radius_m);

@@ -146,21 +146,21 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
 #[derive(Debug)]
 pub(crate) struct BodyPairs {
     /// Pairs of bodies by their common name without the side. Sorted, so that sums have the same last bit in each run.
-    by_name: BTreeMap<String, SameName>,
+    by_name: BTreeMap<String, BodiesOfSameName>,
     /// The signs of the mirror that fits most bodies.
     common_mirror: DVec3,
 }
 
 /// A right and a left body whose names differ only in the side.
 #[derive(Debug, Default)]
-struct SameName {
+struct BodiesOfSameName {
     right: Option<String>,
     left: Option<String>,
     /// Centres of mass and joints that both bodies have, in the right and in the left frame, m.
     landmarks: Vec<(DVec3, DVec3)>,
 }
 
-impl SameName {
+impl BodiesOfSameName {
     fn left_and_right(&self) -> Option<(&str, &str)> {
         Some((self.right.as_deref()?, self.left.as_deref()?))
     }
@@ -183,7 +183,7 @@ impl BodyPairs {
         };
         let same_name = |sides: [Option<&str>; 2]| {
             let [right, left] = sides.map(|name| name.map(str::to_owned));
-            SameName { right, left, landmarks: common_landmarks(sides).unwrap_or_default() }
+            BodiesOfSameName { right, left, landmarks: common_landmarks(sides).unwrap_or_default() }
         };
         let by_name = bodies.into_iter().map(|(name, sides)| (name, same_name(sides))).collect();
         Self { common_mirror: common_mirror(&by_name), by_name }
@@ -221,7 +221,7 @@ impl BodyPairs {
 }
 
 /// The signs of the mirror in which the landmarks of all bodies together are closest.
-fn common_mirror(bodies: &BTreeMap<String, SameName>) -> DVec3 {
+fn common_mirror(bodies: &BTreeMap<String, BodiesOfSameName>) -> DVec3 {
     let apart_m = |signs: DVec3| -> f64 {
         let landmarks = bodies.values().flat_map(|bodies| &bodies.landmarks);
         landmarks.map(|&(right_m, left_m)| (signs * right_m).distance(left_m)).sum()
@@ -275,7 +275,7 @@ pub(super) fn pair_nearest(images: &[[DVec3; 2]], others: &[DVec3], within_m: f6
     if !(within_m.is_finite() && within_m > 0.0) {
         return Vec::new();
     }
-    let grid = Grid::of(images, within_m);
+    let grid = PlaceGrid::of(images, within_m);
     let mut near: Vec<(f64, usize, usize)> = Vec::new();
     for (other, &place) in others.iter().enumerate() {
         let neighbours = grid.neighbours(place).take(MOST_NEIGHBOURS);
@@ -305,12 +305,12 @@ fn keep_first_pairs(
 }
 
 /// Places sorted into cubes of space, so that near places are found without comparing all.
-struct Grid {
+struct PlaceGrid {
     cube_m: f64,
     cubes: HashMap<[i64; 3], Vec<(usize, DVec3)>>,
 }
 
-impl Grid {
+impl PlaceGrid {
     fn of(images: &[[DVec3; 2]], cube_m: f64) -> Self {
         let mut grid = Self { cube_m, cubes: HashMap::new() };
         for (index, both) in images.iter().enumerate() {

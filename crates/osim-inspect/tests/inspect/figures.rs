@@ -23,7 +23,7 @@ const TWO_FORCES: &str = include_str!("../../../../fixtures/format/shared_sphere
 /// A model in which a `SmoothSphereHalfSpaceForce` and a `HuntCrossleyForce` press the same sphere.
 const TWO_CLASSES: &str = include_str!("../../../../fixtures/format/shared_sphere_two_classes.osim");
 /// A model with two feet whose names do not say which one is the left foot.
-const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
+const FEET_WITHOUT_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn inspect_with(text: &str, stance: Stance) -> Inspection {
     let model = Model::parse(text).unwrap();
@@ -263,7 +263,7 @@ fn a_limb_is_mixed_where_its_spheres_stand_otherwise_level_than_with_equal_share
     // By 4e-10 is as good as alike.
     let alike = Smooth { stiffness: HEEL.stiffness * (1.0 + 1.2e-9), name: "toe_r", ..HEEL };
     assert!(!figures(&foot(&[HEEL, alike])).limbs[0].is_mixed());
-    assert!(!figures(NO_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
+    assert!(!figures(FEET_WITHOUT_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
 }
 
 #[test]
@@ -322,7 +322,7 @@ fn a_limb_without_a_chosen_sphere_has_no_figures() {
 
 /// The reason why figures under body weight are absent.
 #[track_caller]
-fn why_absent(figures: &Figures) -> String {
+fn why_figures_are_absent(figures: &Figures) -> String {
     assert!(figures.spheres().all(|sphere| sphere.value(Figure::Load).is_none()));
     figures.why_no_body_weight.as_ref().unwrap().to_string()
 }
@@ -330,19 +330,19 @@ fn why_absent(figures: &Figures) -> String {
 #[test]
 fn without_mass_or_gravity_or_count_the_reason_is_given() {
     let no_mass = foot(&[HEEL]).replace("<mass>60</mass>", "<mass>0</mass>");
-    assert_eq!(why_absent(&figures(&no_mass)), "what the model weighs is not known");
+    assert_eq!(why_figures_are_absent(&figures(&no_mass)), "what the model weighs is not known");
     let no_gravity = foot(&[HEEL]).replace("0 -10 0", "0 0 0");
-    assert!(why_absent(&figures(&no_gravity)).contains("gravity"));
+    assert!(why_figures_are_absent(&figures(&no_gravity)).contains("gravity"));
     assert_eq!(figures(&no_gravity).gravity_m_s2, None);
     assert_eq!(figures(&no_gravity).impact_speed_m_s, None);
-    let why = why_absent(&figures(NO_SIDES));
+    let why = why_figures_are_absent(&figures(FEET_WITHOUT_SIDES));
     assert!(why.contains("left or right cannot be determined"), "{why}");
     assert!(why.ends_with("say it with `spheres`"), "{why}");
 }
 
 #[test]
 fn the_reason_that_comes_first_is_given_where_there_are_two() {
-    let why = why_absent(&figures(&NO_SIDES.replace("0 -9.81 0", "0 0 0")));
+    let why = why_figures_are_absent(&figures(&FEET_WITHOUT_SIDES.replace("0 -9.81 0", "0 0 0")));
     assert!(why.contains("gravity") && !why.contains("spheres"), "{why}");
 }
 
@@ -352,7 +352,7 @@ fn a_gravity_that_pulls_nothing_is_none() {
         let stance = Stance { gravity_m_s2: Some(gravity), ..Stance::default() };
         let seen = inspect_with(&foot(&[HEEL]), stance).figures;
         assert_eq!(seen.gravity_m_s2, None, "{gravity}");
-        assert!(why_absent(&seen).contains("gravity"));
+        assert!(why_figures_are_absent(&seen).contains("gravity"));
     }
     // On the moon the same foot weighs 60 · 1.62 N.
     let moon = Stance { gravity_m_s2: Some(1.62), ..Stance::default() };
@@ -363,15 +363,15 @@ fn a_gravity_that_pulls_nothing_is_none() {
 #[test]
 fn one_sphere_may_carry_all_the_weight() {
     let stance = Stance { spheres: Some(1.0), ..Stance::default() };
-    let seen = inspect_with(NO_SIDES, stance).figures;
+    let seen = inspect_with(FEET_WITHOUT_SIDES, stance).figures;
     assert_eq!(seen.limbs[0].sphere_count, Some(1.0));
     assert!(seen.why_no_body_weight.is_none());
 }
 
 /// A front end that writes all texts in capital letters.
-struct Loud;
+struct ShoutingFrontEnd;
 
-impl Dialect for Loud {
+impl Dialect for ShoutingFrontEnd {
     fn input(&self, input: Input, _: Option<&Example>) -> String {
         input.name().to_uppercase()
     }
@@ -383,8 +383,8 @@ impl Dialect for Loud {
 
 #[test]
 fn the_reason_is_spelled_as_the_front_end_says() {
-    let mut figures = figures(NO_SIDES);
-    figures.spell(&Loud);
+    let mut figures = figures(FEET_WITHOUT_SIDES);
+    figures.spell(&ShoutingFrontEnd);
     let why = figures.why_no_body_weight.unwrap().to_string();
     assert!(why.ends_with("say it with SPHERES"), "{why}");
 }

@@ -12,7 +12,7 @@ const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_
 /// A player on two feet, and a ball with its own joint to ground.
 const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_and_ball.osim");
 /// A model whose limbs have different numbers of spheres.
-const UNEQUAL: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
+const UNEQUAL_SPHERE_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
 
 fn options_selecting(pattern: &str) -> InspectOptions {
     let select: Vec<Pattern> = vec![pattern.parse().unwrap()];
@@ -85,7 +85,7 @@ fn a_count_is_given_or_found_or_asked_for() {
     assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model), Ok(12.0));
     assert_eq!(sharing.count(Some(5.0), 2.0, CountedSpheres::Model), Ok(5.0));
 
-    let unequal = Model::parse(UNEQUAL).unwrap();
+    let unequal = Model::parse(UNEQUAL_SPHERE_COUNTS).unwrap();
     let sharing = LoadSharing::of(&unequal, &unequal.force_ids());
     let asked = sharing.count(None, 1.0, CountedSpheres::Reference).unwrap_err();
     assert_eq!(asked.code(), "sphere-count");

@@ -28,7 +28,7 @@ fn foot_model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &s
 
 /// Path, body and radius of the sphere that the force presses, and the codes of the findings.
 #[track_caller]
-fn pressed(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>) {
+fn pressed_sphere(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>) {
     let model = Model::parse(text).unwrap();
     let [sphere] = model.forces()[0].spheres()[..] else { panic!("not one sphere: {text}") };
     let sphere = model.sphere(sphere).unwrap();
@@ -48,7 +48,7 @@ fn a_name_is_a_name_also_where_a_set_has_it() {
             format!("floor ./contactgeometryset/../contactgeometryset/./{name}"),
             format!("floor nothing/../contactgeometryset//{name}"),
         ] {
-            let read = pressed(&foot_model(40000, "foot", name, &list, ""));
+            let read = pressed_sphere(&foot_model(40000, "foot", name, &list, ""));
             assert_eq!(
                 read,
                 (format!("/contactgeometryset/{name}"), Some("foot".to_owned()), 0.0325, vec![]),
@@ -57,7 +57,7 @@ fn a_name_is_a_name_also_where_a_set_has_it() {
         }
     }
     for (version, foot) in [(40000, "bodyset"), (40000, "forceset"), (40000, "ground"), (30000, "bodyset")] {
-        let read = pressed(&foot_model(version, foot, "heel", "floor heel", ""));
+        let read = pressed_sphere(&foot_model(version, foot, "heel", "floor heel", ""));
         assert_eq!(read.1.as_deref(), Some(foot), "{version}");
         assert!(read.3.is_empty(), "{version} {foot}: {:?}", read.3);
     }
@@ -69,7 +69,7 @@ fn what_is_in_components_comes_before_the_sets() {
                  </ContactSphere></components>";
     // In a list, OpenSim looks in the model first.
     let (path, _, radius, found) =
-        pressed(&foot_model(40000, "foot", "heel", "floor contactgeometryset", other));
+        pressed_sphere(&foot_model(40000, "foot", "heel", "floor contactgeometryset", other));
     assert_eq!((path.as_str(), radius), ("/contactgeometryset", 0.5));
     // Its set has another path now, so that OpenSim finds no floor either.
     assert!(
@@ -84,7 +84,7 @@ fn what_is_in_components_comes_before_the_sets() {
 
 #[test]
 fn old_documents_have_no_blanks_in_names() {
-    let (path, _, _, found) = pressed(&foot_model(30000, "foot", " heel", "floor heel", ""));
+    let (path, _, _, found) = pressed_sphere(&foot_model(30000, "foot", " heel", "floor heel", ""));
     assert_eq!((path.as_str(), found), ("/contactgeometryset/heel", vec![]));
     // Their joints call bodies by their names, blanks and all, and OpenSim refuses that.
     let model = Model::parse(foot_model(30000, " foot", "heel", "floor heel", "")).unwrap();
@@ -97,7 +97,7 @@ fn a_name_that_opensim_refuses_is_said() {
     for name in [" heel", "heel/r", "heel*", "heel+", "heel\\r", ".", ".."] {
         let text = foot_model(40000, "foot", "heel", "floor heel", "")
             .replace("name=\"press\"", &format!("name=\"{name}\""));
-        assert_eq!(pressed(&text).3, [FindingCode::RefusedName], "{name}");
+        assert_eq!(pressed_sphere(&text).3, [FindingCode::RefusedName], "{name}");
     }
 }
 
@@ -129,7 +129,7 @@ const ODD: [&str; 24] = [
     "1",
 ];
 
-fn escaped(name: &str) -> String {
+fn xml_text(name: &str) -> String {
     name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
@@ -143,9 +143,9 @@ fn two_feet(
     list: impl Fn(&str) -> String,
 ) -> String {
     let frame = |body: Option<&str>| {
-        let path = body.map_or_else(|| "ground".to_owned(), |body| format!("bodyset/{}", escaped(body)));
+        let path = body.map_or_else(|| "ground".to_owned(), |body| format!("bodyset/{}", xml_text(body)));
         match version {
-            30000 => format!("<body_name>{}</body_name>", body.map_or_else(|| "ground".to_owned(), escaped)),
+            30000 => format!("<body_name>{}</body_name>", body.map_or_else(|| "ground".to_owned(), xml_text)),
             30505 => format!(
                 "<connectors><Connector_PhysicalFrame_ name=\"frame\"><connectee_name>../../{path}</connectee_name>\
                  </Connector_PhysicalFrame_></connectors>"
@@ -154,11 +154,11 @@ fn two_feet(
             _ => format!("<socket_frame>/{path}</socket_frame>"),
         }
     };
-    let bodies = feet.map(|foot| format!("<Body name=\"{}\"><mass>1</mass></Body>", escaped(foot)));
+    let bodies = feet.map(|foot| format!("<Body name=\"{}\"><mass>1</mass></Body>", xml_text(foot)));
     let geometry = [0, 1].map(|side| {
         format!(
             "<ContactSphere name=\"{}\">{}<radius>0.0{}</radius></ContactSphere>",
-            escaped(spheres[side]),
+            xml_text(spheres[side]),
             frame(Some(feet[side])),
             side + 3
         )
@@ -168,9 +168,9 @@ fn two_feet(
             "<HuntCrossleyForce name=\"{0}\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
              <HuntCrossleyForce::ContactParameters><geometry>{1} {2}</geometry><stiffness>1e6</stiffness>\
              </HuntCrossleyForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>",
-            escaped(sphere),
-            escaped(&list(floor)),
-            escaped(&list(sphere))
+            xml_text(sphere),
+            xml_text(&list(floor)),
+            xml_text(&list(sphere))
         )
     });
     format!(
@@ -179,7 +179,7 @@ fn two_feet(
          </ContactGeometrySet></Model></OpenSimDocument>",
         bodies.concat(),
         forces.concat(),
-        escaped(floor),
+        xml_text(floor),
         frame(None),
         geometry.concat()
     )

@@ -63,7 +63,7 @@ fn finding_codes(text: &str) -> BTreeSet<FindingCode> {
 
 /// Asserts that each published model has the finding `code` after a change of all places, except the models `spared`.
 #[track_caller]
-fn assert_named(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 3]) -> [f64; 3]) {
+fn assert_found_in_models(code: FindingCode, spared: &[&str], change: impl Fn(&str, [f64; 3]) -> [f64; 3]) {
     let models = published_models();
     let not_named =
         models.iter().filter(|(_, text)| !finding_codes(&with_moved_spheres(text, &change)).contains(&code));
@@ -87,16 +87,16 @@ fn places_that_are_as_published_are_not_named() {
 
 #[test]
 fn places_in_millimetres_and_centimetres_are_named() {
-    assert_named(FindingCode::OddPlace, &[], |_, place| place.map(|value| 1000.0 * value));
-    assert_named(FindingCode::OddPlace, &[], |_, place| place.map(|value| 100.0 * value));
+    assert_found_in_models(FindingCode::OddPlace, &[], |_, place| place.map(|value| 1000.0 * value));
+    assert_found_in_models(FindingCode::OddPlace, &[], |_, place| place.map(|value| 100.0 * value));
 }
 
 #[test]
 fn places_in_thousandths_are_named_where_a_body_has_several() {
     // One has a sphere at the end of each body.
     let alone = ["v30000_osim_rl_gait9dof18musc_crlf"];
-    assert_named(FindingCode::CrowdedSpheres, &alone, |_, place| place.map(|value| 0.001 * value));
-    assert_named(FindingCode::CrowdedSpheres, &alone, |_, place| place.map(|value| 0.01 * value));
+    assert_found_in_models(FindingCode::CrowdedSpheres, &alone, |_, place| place.map(|value| 0.001 * value));
+    assert_found_in_models(FindingCode::CrowdedSpheres, &alone, |_, place| place.map(|value| 0.01 * value));
 }
 
 #[test]
@@ -104,6 +104,6 @@ fn places_a_fifth_of_a_metre_aside_are_named() {
     // A robot whose spheres are at the ends of its shanks, 1 m long, with a radius of gyration of 0.11 m.
     let robot = ["v40000_walker_terrain_46_spheres_crlf"];
     let out = |name: &str| if Side::of_name(name) == Some(Side::Left) { -0.2 } else { 0.2 };
-    assert_named(FindingCode::OddPlace, &robot, |name, [x, y, z]| [x, y, z + out(name)]);
-    assert_named(FindingCode::OddPlace, &robot, |name, [x, y, z]| [x, y, z - out(name)]);
+    assert_found_in_models(FindingCode::OddPlace, &robot, |name, [x, y, z]| [x, y, z + out(name)]);
+    assert_found_in_models(FindingCode::OddPlace, &robot, |name, [x, y, z]| [x, y, z - out(name)]);
 }

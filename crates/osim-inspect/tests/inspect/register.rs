@@ -13,7 +13,7 @@ use osim_inspect::{Figure, Figures, InspectOptions, LimitCheck, SphereFigures};
 use osim_model::Model;
 
 /// A model with two feet whose names do not say which one is the left foot.
-const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
+const FEET_WITHOUT_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
 fn figures(text: &str) -> Figures {
     let model = Model::parse(text).unwrap();
@@ -66,7 +66,7 @@ fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
 
 #[test]
 fn what_is_not_known_is_in_no_list_of_limits() {
-    let figures = figures(NO_SIDES);
+    let figures = figures(FEET_WITHOUT_SIDES);
     let limited: Vec<&str> = first_sphere(&figures).limits().map(|check| check.figure).collect();
     assert_eq!(limited, ["restitution_approximate", "constant_indentation", "transition_width"]);
 }
@@ -119,7 +119,7 @@ fn a_table_heads_a_figure_with_unit_and_equation() {
 
 #[test]
 fn a_sphere_is_serialised_with_its_numbers_and_limits() {
-    let figures = figures(NO_SIDES);
+    let figures = figures(FEET_WITHOUT_SIDES);
     let json = serde_json::to_value(first_sphere(&figures)).unwrap();
     assert_eq!(json["sphere"], "heel_a");
     assert_eq!(json["path"], "/contactgeometryset/heel_a");

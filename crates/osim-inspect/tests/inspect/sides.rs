@@ -13,7 +13,7 @@ use osim_model::{Finding, FindingCode, Model, Severity, Side};
 const HUMAN: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/scale_tool/generic_hunt_crossley.osim");
 /// A model with published contacts, six spheres on each foot.
-const PUBLISHED: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+const PUBLISHED_FEET: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
 const SPHERE: &str = "ContactSphere";
 const SMOOTH: &str = "SmoothSphereHalfSpaceForce";
@@ -22,7 +22,7 @@ const RADIUS: &str = "0.032000000000000001";
 const SPEED: &str = "0.20000000000000001";
 
 /// Codes of the rules about sides, sizes and places of contacts.
-const JUDGED: &[FindingCode] = &[
+const SIDE_CODES: &[FindingCode] = &[
     FindingCode::DoubledSpheres,
     FindingCode::LeftRightDiffer,
     FindingCode::LeftRightPlaces,
@@ -67,7 +67,7 @@ fn with_sphere_removed_or_copied(text: &str, name: &str, count: usize) -> String
 }
 
 fn codes_of_findings(model: &Model) -> BTreeSet<FindingCode> {
-    model_findings(model).iter().map(Finding::code).filter(|code| JUDGED.contains(code)).collect()
+    model_findings(model).iter().map(Finding::code).filter(|code| SIDE_CODES.contains(code)).collect()
 }
 
 #[track_caller]
@@ -89,7 +89,7 @@ fn message_of_finding(text: &str, code: FindingCode) -> String {
 
 #[test]
 fn models_whose_sides_are_mirror_images_are_not_accused() {
-    for text in [HUMAN, HUNT_CROSSLEY, PUBLISHED] {
+    for text in [HUMAN, HUNT_CROSSLEY, PUBLISHED_FEET] {
         assert_found(text, &[]);
     }
 }
@@ -178,7 +178,7 @@ fn places_that_are_not_mirror_images_are_named() {
     // In a frame that is turned: no sign of the body's axes puts it right.
     let expected = "ball_l on calcn_l is 40 mm from the mirror image of ball_r on calcn_r, ";
     assert!(found.starts_with(expected) && found.ends_with(", expected at most 3 %"), "{found}");
-    let published = with_edited_element(PUBLISHED, (SPHERE, "s3_l"), " -0.05163625<", " 0.05163625<");
+    let published = with_edited_element(PUBLISHED_FEET, (SPHERE, "s3_l"), " -0.05163625<", " 0.05163625<");
     let found = message_of_finding(&published, FindingCode::LeftRightPlaces);
     assert!(found.ends_with(": the sign of z is wrong on one of them"), "{found}");
 
@@ -380,7 +380,7 @@ fn places_aside_and_in_thousandths_are_named() {
     assert_found(&["heel_r", "heel_l"].iter().fold(HUMAN.to_owned(), outwards), &[]);
 
     let places = (1..=6).flat_map(|number| [format!("s{number}_r"), format!("s{number}_l")]);
-    let text = places.fold(PUBLISHED.to_owned(), |text, name| {
+    let text = places.fold(PUBLISHED_FEET.to_owned(), |text, name| {
         with_property_multiplied(&text, (SPHERE, &name), "location", 0.001)
     });
     assert_found(&text, &[FindingCode::CrowdedSpheres]);

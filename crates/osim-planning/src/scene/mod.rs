@@ -228,7 +228,7 @@ impl BoneSurfaces {
                         bones.broken.push(format!("{mesh}: left out, there are too many triangles to turn"));
                         continue;
                     }
-                    let points = surface.points.iter().flatten().map(|&value| in_units(value)).collect();
+                    let points = surface.points.iter().flatten().map(|&value| in_view_units(value)).collect();
                     let triangles = surface.triangles.concat();
                     bones.surfaces.push(BoneSurface { body, mesh, points, triangles });
                 }
@@ -243,7 +243,7 @@ const UNITS_PER_M: f64 = 1e5;
 
 /// A length in whole hundredths of a millimetre; or a component of an axis in hundred-thousandths.
 #[expect(clippy::cast_possible_truncation, reason = "what is too far away is at the edge of what is drawn")]
-fn in_units(metres: f64) -> i32 {
+fn in_view_units(metres: f64) -> i32 {
     (metres * UNITS_PER_M).round() as i32
 }
 
@@ -345,5 +345,5 @@ impl FootFrames<'_> {
 }
 
 fn pose_numbers(placement: &Placement) -> Vec<i32> {
-    axes_and_origin(placement).into_iter().flatten().map(in_units).collect()
+    axes_and_origin(placement).into_iter().flatten().map(in_view_units).collect()
 }

@@ -10,7 +10,7 @@ const WIDE_STIFFNESS_RATIO: f64 = 3.0;
 /// The recordings do not determine the dissipation if the dissipations that fit nearly as well differ by more than this, s/m.
 const WIDE_DISSIPATION_S_M: f64 = 1.0;
 /// The recordings do not determine stiffness and height separately if the correlation of the two is larger than this.
-const CORRELATED: f64 = 0.95;
+const STRONG_CORRELATION: f64 = 0.95;
 
 /// All remarks on a fit. `others` are the names of forces that use the same floor and were not chosen.
 pub(super) fn remarks(
@@ -155,7 +155,7 @@ fn remark_on_moved_spheres(down: &FittedParameter) -> Phrase {
 }
 
 fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
-    (correlation.abs() > CORRELATED).then(|| {
+    (correlation.abs() > STRONG_CORRELATION).then(|| {
         format!("stiffness and height trade against each other (correlation {correlation:.2})").into()
     })
 }

@@ -61,7 +61,7 @@ struct Compared {
 }
 
 /// Each model gets every third request of the list; the next two models get the others.
-const EVERY: usize = 3;
+const EVERY_THIRD_CALL: usize = 3;
 
 #[test]
 fn numbers_are_judged_as_in_the_file() {
@@ -106,7 +106,7 @@ fn rules_find_the_same_without_what_only_people_read() {
 fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared) -> Option<Vec<u8>> {
     let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
     let first = model.forces().first().map_or("none", |force| force.name.as_str());
-    let calls = calls(first).into_iter().skip(number % EVERY).step_by(EVERY);
+    let calls = calls(first).into_iter().skip(number % EVERY_THIRD_CALL).step_by(EVERY_THIRD_CALL);
     let yes: Vec<&str> = Question::ALL.iter().map(Question::code).collect();
     let mut written = None;
     for mut call in calls {

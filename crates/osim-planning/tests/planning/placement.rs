@@ -11,11 +11,11 @@ use osim_planning::check_with_trials;
 use serde_json::{Value, json};
 
 /// A model with the places of Falisse et al. (2022) on bones of the same size, and a model with these places on bones of a child.
-const RIGHT: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
-const CHILD: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
+const RIGHT_PLACES: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+const CHILD_BONES: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
 /// A model with scaled bones, whose spheres are those of no published model. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the
 /// origin of the calcaneus.
-const NOBODYS: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
+const UNPUBLISHED: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
 /// The generic model, and the model that the real Scale Tool made from it.
 const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
 const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
@@ -52,12 +52,12 @@ fn with_x(text: &str, sphere: &str, millimetres: f64) -> String {
 
 #[test]
 fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
-    assert_eq!(codes_without_reference(RIGHT), []);
-    assert_eq!(codes_without_reference(CHILD), [FindingCode::SpheresMisplaced]);
+    assert_eq!(codes_without_reference(RIGHT_PLACES), []);
+    assert_eq!(codes_without_reference(CHILD_BONES), [FindingCode::SpheresMisplaced]);
     // Published at 1.0, too; half a millimetre on a foot is no other size.
     for (size, expected) in [("1", vec![]), ("0.914", vec![]), ("0.95", vec![FindingCode::SpheresMisplaced])]
     {
-        let text = RIGHT.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
+        let text = RIGHT_PLACES.replace("0.913924 0.913924 0.913924", &[size; 3].join(" "));
         // The joint to the toes shows the size, too.
         let text = if size == "1" { text.replace(">0.16341 ", ">0.1788 ") } else { text };
         assert_eq!(codes_without_reference(&text), expected, "{size}");
@@ -67,7 +67,7 @@ fn a_published_layout_is_right_on_bones_of_its_size_and_of_no_other() {
 #[test]
 fn a_layout_that_grew_with_its_bones_is_right() {
     // Every place of the fixture on a larger foot, and the mesh with it.
-    let grown = RIGHT.replace("0.913924 0.913924 0.913924", "1.827848 0.913924 0.913924");
+    let grown = RIGHT_PLACES.replace("0.913924 0.913924 0.913924", "1.827848 0.913924 0.913924");
     let grown = [
         ("0.00190115", "0.0038023"),
         ("0.14838637", "0.29677274"),
@@ -93,7 +93,7 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
         (100.0, FindingCode::SpheresNotCompared),
     ] {
         assert_eq!(
-            codes_without_reference(&with_x(NOBODYS, "s2_r", millimetres)),
+            codes_without_reference(&with_x(UNPUBLISHED, "s2_r", millimetres)),
             [expected],
             "{millimetres}"
         );
@@ -103,8 +103,8 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
 #[test]
 fn a_joint_nearer_than_a_radius_says_nothing() {
     // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
-    assert!(NOBODYS.contains(">0.14304034 "));
-    let near = NOBODYS.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
+    assert!(UNPUBLISHED.contains(">0.14304034 "));
+    let near = UNPUBLISHED.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
     assert_eq!(codes_without_reference(&near), [FindingCode::SpheresNotCompared]);
     // At 40 mm it is the next joint, and spheres are beyond it.
     assert_eq!(codes_without_reference(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
@@ -120,7 +120,7 @@ fn a_foot_is_filled_as_in_published_models() {
         (0.0, FindingCode::SpheresNotCompared),
         (-50.0, FindingCode::SpheresMisplaced),
     ] {
-        let text = ["s5_r", "s6_r"].iter().fold(NOBODYS.to_owned(), |text, name| with_x(&text, name, x));
+        let text = ["s5_r", "s6_r"].iter().fold(UNPUBLISHED.to_owned(), |text, name| with_x(&text, name, x));
         assert_eq!(codes_without_reference(&text), [expected], "{x}");
         let found = check(&text, None);
         let odd = found.findings.iter().find(|one| one.code() == FindingCode::SpheresMisplaced);
@@ -133,7 +133,7 @@ fn a_foot_is_filled_as_in_published_models() {
 fn nothing_is_asked_where_nothing_shows_a_scaling() {
     // Unscaled bones, and meshes in millimetres.
     for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
-        let text = NOBODYS.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
+        let text = UNPUBLISHED.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
         assert_eq!(codes_without_reference(&text), [], "{size}");
     }
 }
@@ -179,7 +179,7 @@ fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
 
 #[test]
 fn a_model_that_cannot_be_compared_says_why() {
-    let found = check(SCALED, Some(RIGHT));
+    let found = check(SCALED, Some(RIGHT_PLACES));
     let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
 }
@@ -204,7 +204,7 @@ fn bones_of(text: &str, size: &str) -> String {
 
 #[test]
 fn the_note_comes_before_everything_else() {
-    let scaled = bones_of(&with_note(RIGHT, "note"), "0.6306 0.6397 0.6306");
+    let scaled = bones_of(&with_note(RIGHT_PLACES, "note"), "0.6306 0.6397 0.6306");
     let found = check(&scaled, None);
     let left =
         found.findings.iter().find(|finding| finding.code() == FindingCode::SpheresLeftBehind).unwrap();
@@ -215,26 +215,26 @@ fn the_note_comes_before_everything_else() {
     level["level"] = json!(true);
     assert_eq!(said(left.remedy.as_ref()), level);
     // Stretched by more than 20 %: bottoms are not kept.
-    let stretched = check(&bones_of(&with_note(RIGHT, "note"), "0.6 0.9 0.6"), None);
+    let stretched = check(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.9 0.6"), None);
     assert!(stretched.findings.iter().any(|finding| said(finding.remedy.as_ref()) == by_note));
 }
 
 #[test]
 fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
-    assert_eq!(codes_without_reference(&placed_by_tool(CHILD)), []);
+    assert_eq!(codes_without_reference(&placed_by_tool(CHILD_BONES)), []);
     // Another note was written where the spheres were, right or wrong.
-    assert_eq!(codes_without_reference(&with_note(CHILD, "rescale")), [FindingCode::SpheresMisplaced]);
+    assert_eq!(codes_without_reference(&with_note(CHILD_BONES, "rescale")), [FindingCode::SpheresMisplaced]);
 }
 
 #[test]
 fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
-    let moved = with_x(&bones_of(&with_note(RIGHT, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
+    let moved = with_x(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
     assert!(!codes_without_reference(&moved).contains(&FindingCode::SpheresLeftBehind));
 }
 
 #[test]
 fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
-    let found = check(&bones_of(&with_note(RIGHT, "rescale"), "0.6306 0.6397 0.6306"), None);
+    let found = check(&bones_of(&with_note(RIGHT_PLACES, "rescale"), "0.6306 0.6397 0.6306"), None);
     let remedies = found.findings.iter().filter_map(|finding| finding.remedy.as_ref());
     let remedies: Vec<Value> = remedies.map(|remedy| said(Some(remedy))).collect();
     assert_eq!(remedies, [json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true})]);
@@ -242,7 +242,7 @@ fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
 
 #[test]
 fn a_note_that_is_not_believed_leads_to_no_command() {
-    let scaled = bones_of(&with_note(RIGHT, "note"), "0.6 0.6 0.6").replacen(
+    let scaled = bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.6 0.6").replacen(
         "<dissipation>2<",
         "<dissipation>2.1<",
         1,
@@ -254,19 +254,19 @@ fn a_note_that_is_not_believed_leads_to_no_command() {
 
 #[test]
 fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
-    for text in [NOBODYS.replace("foot.vtp", "foot.stl"), bones_of(NOBODYS, "0.001 0.001 0.001")] {
+    for text in [UNPUBLISHED.replace("foot.vtp", "foot.stl"), bones_of(UNPUBLISHED, "0.001 0.001 0.001")] {
         assert!(!codes_without_reference(&text).contains(&FindingCode::SpheresMisplaced));
     }
 }
 
 #[test]
 fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
-    let found = check(CHILD, Some(RIGHT));
+    let found = check(CHILD_BONES, Some(RIGHT_PLACES));
     // The same bodies: compared, and no layout is looked at.
     assert!(!codes(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes(&found));
     // Meshes of one body that no factors per axis explain: not a scaled copy.
-    let unlike = RIGHT.replacen("0.913924 0.913924 0.913924", "0.913924 -0.913924 0.913924", 1);
-    let found = check(CHILD, Some(&unlike));
+    let unlike = RIGHT_PLACES.replacen("0.913924 0.913924 0.913924", "0.913924 -0.913924 0.913924", 1);
+    let found = check(CHILD_BONES, Some(&unlike));
     let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code())).collect();
     assert_eq!(codes(&found).len(), 2, "{said:?}");
     assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
@@ -322,7 +322,7 @@ fn spheres_that_this_program_resized_are_placed_again() {
 #[test]
 fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
     // Beyond the toe joint, and a hundredth as stiff.
-    let text = with_x(NOBODYS, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let text = with_x(UNPUBLISHED, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
     let found = check(&text, None);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
     let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warning).collect();

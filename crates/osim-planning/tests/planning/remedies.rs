@@ -337,9 +337,9 @@ fn a_model_that_cannot_be_changed_has_findings_and_no_remedy() {
 }
 
 /// A front end that writes inputs and commands as their names in angle brackets.
-struct Terse;
+struct AngleBracketFrontEnd;
 
-impl Dialect for Terse {
+impl Dialect for AngleBracketFrontEnd {
     fn input(&self, input: Input, _: Option<&Example>) -> String {
         format!("<{}>", input.name())
     }
@@ -349,7 +349,7 @@ impl Dialect for Terse {
     }
 }
 
-impl Speller for Terse {
+impl Speller for AngleBracketFrontEnd {
     fn request(&self, request: &Request) -> String {
         format!("change by {}", request.verb().name())
     }
@@ -359,7 +359,7 @@ impl Speller for Terse {
 fn a_front_end_spells_findings_and_remedies() {
     let mut result = check("human.osim", &human());
     assert_eq!(find(&result, FindingCode::SunkIn).command, None);
-    result.spell(&Terse);
+    result.spell(&AngleBracketFrontEnd);
     let deep = find(&result, FindingCode::SunkIn);
     assert_eq!(deep.command.as_deref(), Some("change by design"));
     assert!(!deep.advice.to_string().contains('<'), "{}", deep.advice);

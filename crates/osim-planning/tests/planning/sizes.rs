@@ -47,7 +47,7 @@ fn add_request() -> Value {
 }
 
 /// The fixtures with a changed mesh of the right foot.
-fn with_foot(change: impl Fn(&str) -> String) -> InMemory {
+fn with_foot_mesh(change: impl Fn(&str) -> String) -> InMemory {
     let mut files = fixtures();
     let mesh = String::from_utf8(files.read(Path::new(FOOT)).unwrap()).unwrap();
     files.add(FOOT, change(&mesh).into_bytes());
@@ -76,7 +76,7 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
         (0.001, "multiply its scale factors by 1000 if the file is in m and not in mm"),
         (8.0, ": it is another animal's bone of this name, or its scale factors are wrong"),
     ] {
-        let files = with_foot(|mesh| mesh_multiplied(mesh, factor));
+        let files = with_foot_mesh(|mesh| mesh_multiplied(mesh, factor));
         let mut request = add_request();
         let said = code_of_refusal(&request, &files);
         let start = "mesh r_human_foot.vtp on calcn_r is ";
@@ -107,7 +107,7 @@ fn one_broken_vertex_decides_nothing() {
             mesh[start..].trim_start().splitn(4, char::is_whitespace).nth(3).unwrap()
         )
     };
-    let files = with_foot(broken);
+    let files = with_foot_mesh(broken);
     let said = code_of_refusal(&add_request(), &files);
     assert!(said.contains("r_human_foot.vtp: point 1 is 1"), "{said}");
     assert!(said.contains("take it out of the file; or give the places in a table"), "{said}");

@@ -5,7 +5,7 @@ use osim_planning::contact_table::{ContactTable, TablePlace};
 use crate::random::{Random, seeds};
 
 /// The form in which a table is written.
-struct Style {
+struct TableStyle {
     delimiter: char,
     decimal: char,
     end: &'static str,
@@ -13,7 +13,7 @@ struct Style {
     last_end: bool,
 }
 
-impl Style {
+impl TableStyle {
     fn of(random: &mut Random) -> Self {
         let delimiter = [',', ';', '\t'][random.index(3)];
         let decimal = if delimiter != ',' && random.below(2) == 0 { ',' } else { '.' };
@@ -46,15 +46,15 @@ fn number(random: &mut Random, above_0: bool, decimal: char) -> (f64, String) {
     (text.parse().unwrap(), text.replace('.', &decimal.to_string()))
 }
 
-struct Made {
+struct RandomTable {
     text: String,
     rows: Vec<(String, String, [f64; 3], Option<f64>)>,
     columns: Vec<&'static str>,
-    style: Style,
+    style: TableStyle,
 }
 
-fn random_table(random: &mut Random) -> Made {
-    let style = Style::of(random);
+fn random_table(random: &mut Random) -> RandomTable {
+    let style = TableStyle::of(random);
     let mut columns = vec!["name", "body", "x", "y", "z"];
     if random.below(3) > 0 {
         columns.push("radius");
@@ -107,7 +107,7 @@ fn random_table(random: &mut Random) -> Made {
     if style.bom {
         text.insert(0, '\u{feff}');
     }
-    Made { text, rows, columns, style }
+    RandomTable { text, rows, columns, style }
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::html::explained::as_sentence;
 use crate::html::fragment::{Fragment, Section, table};
 use crate::report::results::motion_feet;
 
-const CONTACTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
+const CONTACT_PLOTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// Id and title of the section about the contact state. It is only shown if the caller names it, so not in reports.
 const STATE: (&str, &str) = ("state", "Contact state against indentation");
 /// The units of the plots: shares of the weight against x/R. Bodies of all sizes fit into one figure with these.
@@ -30,8 +30,8 @@ pub(super) fn contact_section(
     has_reference: bool,
     dialect: &dyn Dialect,
 ) {
-    if fragment.is_wanted(CONTACTS.0) {
-        fragment.add_section(CONTACTS.0, CONTACTS.1, &figures(bodies, has_reference, dialect));
+    if fragment.is_wanted(CONTACT_PLOTS.0) {
+        fragment.add_section(CONTACT_PLOTS.0, CONTACT_PLOTS.1, &figures(bodies, has_reference, dialect));
     }
 }
 
@@ -108,12 +108,12 @@ fn drops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
 
 // The feet of a model on a page.
 
-const FEET: (&str, &str) = ("feet", "Feet from the side and from above");
+const FEET_SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
 
 /// Adds the section with the feet of one model. The last of `states` has bones. Without feet, no section.
 pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
-    if let Some(figure) = fragment.is_wanted(FEET.0).then(|| feet_figure(states)).flatten() {
-        fragment.add_section(FEET.0, FEET.1, &figure);
+    if let Some(figure) = fragment.is_wanted(FEET_SECTION.0).then(|| feet_figure(states)).flatten() {
+        fragment.add_section(FEET_SECTION.0, FEET_SECTION.1, &figure);
     }
 }
 

@@ -45,9 +45,9 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
                    smoothing.";
     let headers = ["contact", " spheres", "R in m", "x/R", "α √(gR)", "√cf/R", "bd R", "bv √(gR)"];
     let body = html! {
-        p { (verdict(&name, equal(shown), states.len() > 1)) }
+        p { (verdict_on_contact(&name, equal(shown), states.len() > 1)) }
         (table("Contacts beside the reference's", caption, &headers, &rows))
-        (parameters(body, bodies))
+        (table_of_parameters(body, bodies))
     };
     fragment.add_section(SECTION.0, SECTION.1, &body);
 }
@@ -75,7 +75,7 @@ pub(super) fn in_words(reference: &ReferenceState) -> String {
 }
 
 /// A table of the contact parameters in the files of both models.
-fn parameters(reference: &ContactBody, bodies: &[ContactBody]) -> Markup {
+fn table_of_parameters(reference: &ContactBody, bodies: &[ContactBody]) -> Markup {
     let named =
         std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
     let rows: Vec<Markup> = named
@@ -137,7 +137,7 @@ fn all_agree(contacts: &Contacts<'_>, reference: &Contacts<'_>) -> bool {
 }
 
 /// A sentence that says whether the contact is the same as in the reference.
-fn verdict(name: &str, equal: bool, changed: bool) -> String {
+fn verdict_on_contact(name: &str, equal: bool, changed: bool) -> String {
     let is = if changed { "The contact is now" } else { "The contact is" };
     if equal {
         return format!(

@@ -98,7 +98,7 @@ mod tests {
     use contact_plots::{Axis, Curve, Figure, Limit, Look, Panel, Paper, figure};
 
     /// The `text` on one line, because CITATION.cff folds texts over several lines.
-    fn flat(text: &str) -> String {
+    fn on_one_line(text: &str) -> String {
         text.split_ascii_whitespace().collect::<Vec<_>>().join(" ")
     }
 
@@ -128,7 +128,7 @@ mod tests {
     fn the_citation_is_that_of_the_citation_file() {
         let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../CITATION.cff");
         let Ok(file) = std::fs::read_to_string(path) else { return };
-        let file = flat(&file);
+        let file = on_one_line(&file);
         assert!(
             file.contains(DOI) && file.contains("Journal of Biomechanics") && file.contains("year: 2026")
         );

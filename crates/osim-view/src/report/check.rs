@@ -19,7 +19,7 @@ use crate::report::similarity;
 const INDENT: usize = 18;
 
 /// The word in the place of a question, in rows of findings that answer none of the questions.
-const FILE: &str = "file";
+const ROW_OF_FILE: &str = "file";
 
 /// The largest number of models, and of findings of one rule, that are named. If there are more, the text has their number.
 const NAMED: usize = 3;
@@ -29,7 +29,7 @@ const NAMED: usize = 3;
 /// The result of a check as text: the worst finding and the commands that correct it; a row for each question without a good answer, and
 /// one row for the others; in full all findings with reasons and advice. The texts of `found` are already in the words of the front end.
 pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String {
-    let rows = Rows::of(found);
+    let rows = AnswerRows::of(found);
     let is_full = layout.extent.is_full();
     let mut text = wrapped_with_path(&found.model, &headline(found, &rows), "  ", layout.width());
     text.push_str(&commands(&found.commands, words));
@@ -61,13 +61,13 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
 }
 
 /// A question whose answer is not good, or a finding that answers no question.
-struct Row<'c> {
+struct AnswerRow<'c> {
     sign: Sign,
     on: &'c str,
     text: String,
 }
 
-impl Row<'_> {
+impl AnswerRow<'_> {
     fn text(&self, layout: Layout) -> String {
         let word = self.sign.as_str();
         let text = format!("{word:<8} {:<8} {}", self.on, self.text);
@@ -76,16 +76,16 @@ impl Row<'_> {
 }
 
 /// The answers to all questions, sorted; the worst first.
-struct Rows<'c> {
-    bad: Vec<Row<'c>>,
+struct AnswerRows<'c> {
+    bad: Vec<AnswerRow<'c>>,
     /// Questions whose answer is not known, by the reason.
     unknown: BTreeMap<String, Vec<&'c str>>,
-    good: Vec<Row<'c>>,
+    good: Vec<AnswerRow<'c>>,
     /// Questions that only have findings which the published model has, too.
     published: Vec<&'c str>,
 }
 
-impl<'c> Rows<'c> {
+impl<'c> AnswerRows<'c> {
     fn of(found: &'c CheckResult) -> Self {
         let mut rows =
             Self { bad: Vec::new(), unknown: BTreeMap::new(), good: Vec::new(), published: Vec::new() };
@@ -96,15 +96,15 @@ impl<'c> Rows<'c> {
             if about().next().is_some() && about().all(is_as_published) {
                 rows.published.push(on);
                 let text = format!("as published: {text}");
-                rows.good.push(Row { sign: Sign::Good, on, text });
+                rows.good.push(AnswerRow { sign: Sign::Good, on, text });
             } else if verdict.sign == Sign::Good {
-                rows.good.push(Row { sign: Sign::Good, on, text });
+                rows.good.push(AnswerRow { sign: Sign::Good, on, text });
             } else if verdict.sign == Sign::Unknown {
                 rows.unknown.entry(text).or_default().push(on);
             } else {
                 let findings: Vec<_> = about().filter(|finding| !is_as_published(finding)).collect();
                 let place = verdict.place.as_deref();
-                rows.bad.push(Row { sign: verdict.sign, on, text: row_text(text, place, &findings) });
+                rows.bad.push(AnswerRow { sign: verdict.sign, on, text: row_text(text, place, &findings) });
             }
         }
         let files = found.findings.iter().filter(|finding| finding.rule.verdict.is_none());
@@ -115,7 +115,7 @@ impl<'c> Rows<'c> {
             for findings in rows_of_rule {
                 let Some(first) = findings.first() else { continue };
                 let text = row_text(first.message.to_string(), first.place.as_deref(), findings);
-                rows.bad.push(Row { sign: first.severity.into(), on: FILE, text });
+                rows.bad.push(AnswerRow { sign: first.severity.into(), on: ROW_OF_FILE, text });
             }
         }
         rows.bad.sort_by_key(|row| match row.sign {
@@ -166,7 +166,7 @@ fn is_as_published(finding: &FindingWithRemedy) -> bool {
 }
 
 /// The first line of the text: the counts of findings and the effect of the commands, or that nothing is wrong.
-fn headline(found: &CheckResult, rows: &Rows<'_>) -> String {
+fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
     let known = found.findings.iter().find(|finding| finding.code() == FindingCode::KnownContacts);
     let known = known.map(|known| format!("; {}", known.message)).unwrap_or_default();
     let Counts { error, warning, .. } = found.counts;
@@ -346,7 +346,7 @@ impl LibraryTable {
         if !self.codes.is_empty() {
             text.push_str(&painted_rows(&format!("{}\n", self.table(&folder, layout)), layout));
         }
-        text.push_str(&layout.wrapped(&self.left_out(), "  "));
+        text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
         text
     }
 
@@ -411,7 +411,7 @@ impl LibraryTable {
     }
 
     /// A sentence about the models that were not checked.
-    fn left_out(&self) -> String {
+    fn unchecked_in_words(&self) -> String {
         let without = match self.without_contacts {
             0 => "none is without contacts".to_owned(),
             count => format!("{count} without contacts"),

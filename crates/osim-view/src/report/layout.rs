@@ -58,7 +58,7 @@ const SOFT_HYPHEN: char = '\u{ad}';
 
 /// The pieces of a line between which it may be broken. Each has the blanks after it.
 fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
-    Box::new(behind_quotes(line).flat_map(|part| {
+    Box::new(words_with_brackets_apart(line).flat_map(|part| {
         // Whether a word is broken at its hyphens is for the caller to say.
         let ends = linebreaks(part).map(|(end, _)| end);
         let ends = ends.filter(|&end| end == part.len() || !part[..end].ends_with(['-', '/', SOFT_HYPHEN]));
@@ -68,7 +68,7 @@ fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
 
 /// Splits the line so that a bracket after a quoted name begins a new word. Older editions of the algorithm for line breaks, which the
 /// library uses, take every quotation mark for an opening one.
-fn behind_quotes(line: &str) -> impl Iterator<Item = &str> {
+fn words_with_brackets_apart(line: &str) -> impl Iterator<Item = &str> {
     let brackets = line.match_indices(['(', '[', '{']).map(|(at, _)| at);
     let begins = brackets.filter(|&at| {
         let before = line[..at].trim_end_matches(' ');
@@ -84,10 +84,10 @@ fn cut(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &s
 // Lines of text, broken where a terminal ends.
 
 /// Beginnings of sentences about findings. The second and later lines of such a sentence are indented.
-const HEADS: [&str; 3] = ["error: ", "warning: ", "remark: "];
+const TEXT_HEADS: [&str; 3] = ["error: ", "warning: ", "remark: "];
 
 /// Beginnings of commands, which the reader copies as a whole. A terminal breaks long lines, too, but does not copy these breaks.
-const COMMANDS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
+const COMMAND_BEGINNINGS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
 
 /// Text with each line that is too long broken at blanks. A command stays one line, and so does a row of a table, but for a sentence in
 /// its last cell: that goes on below its beginning. Names without a blank are never broken. Letters may be coloured.
@@ -109,11 +109,11 @@ pub fn broken(text: &str, width: usize) -> String {
 fn line_broken(line: &str, width: usize) -> String {
     let (text, end) = line.strip_suffix('\n').map_or((line, ""), |text| (text, "\n"));
     let words = text.trim_start_matches(' ');
-    if display_width(text) <= width || COMMANDS.iter().any(|command| words.starts_with(command)) {
+    if display_width(text) <= width || COMMAND_BEGINNINGS.iter().any(|command| words.starts_with(command)) {
         return line.to_owned();
     }
     let (head, sentence) = split(text);
-    let hang = display_width(head) + if HEADS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
+    let hang = display_width(head) + if TEXT_HEADS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
     // Where hardly anything would fit beside the other cells, nothing is won.
     if hang > width / 2 {
         return line.to_owned();
@@ -154,7 +154,7 @@ pub fn table(header: &[&str]) -> TextTable {
 }
 
 /// The width in columns that a shortened name has at least.
-const LEAST_NAME: usize = 8;
+const LEAST_NAME_WIDTH: usize = 8;
 
 impl TextTable {
     pub(crate) fn add_row(&mut self, cells: impl IntoIterator<Item = impl AsRef<str>>) {
@@ -185,9 +185,9 @@ impl TextTable {
         while let Some(excess) = columns.and_then(|columns| self.width().checked_sub(columns + 2)) {
             let names = (0..self.header.len()).filter(|index| !self.right_aligned.contains(index));
             let longest = names.map(|index| (self.column_width(index), index)).max();
-            let Some((width, index)) = longest.filter(|(width, _)| *width > LEAST_NAME) else { break };
+            let Some((width, index)) = longest.filter(|(width, _)| *width > LEAST_NAME_WIDTH) else { break };
             let names: Vec<&str> = self.column(index).collect();
-            let cut = cut_names(&names, width.saturating_sub(excess + 1).max(LEAST_NAME));
+            let cut = cut_names(&names, width.saturating_sub(excess + 1).max(LEAST_NAME_WIDTH));
             if cut == names {
                 break;
             }

@@ -61,7 +61,7 @@ fn example_of_every_question() -> Vec<Needed> {
 }
 
 /// Examples of questions whose advice depends on what the user wanted to do.
-fn by_purpose() -> Vec<Needed> {
+fn questions_by_purpose() -> Vec<Needed> {
     let shared = |radius, can_choose| Needed::SharedSphere {
         sphere: "/contactgeometryset/heel_r".to_owned(),
         changed: "heel_floor_r".to_owned(),
@@ -110,7 +110,7 @@ fn every_question_is_asked_in_the_words_of_each_front_end() {
     let examples = example_of_every_question();
     assert_eq!(examples.len(), count_of_declared_questions(), "a question is missing, or there twice");
     let mut review = String::new();
-    for needed in examples.into_iter().chain(by_purpose()) {
+    for needed in examples.into_iter().chain(questions_by_purpose()) {
         let phrase = needed.phrase();
         let (command, python, page) =
             (phrase.spelled(&CommandLine), phrase.spelled(&Python), phrase.spelled(&Page));

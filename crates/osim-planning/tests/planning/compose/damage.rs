@@ -47,7 +47,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             "one missing",
             (!first.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": first}))).flatten(),
         ),
-        ("one doubled", doubled(text, model)),
+        ("one doubled", with_doubled_force(text, model)),
         ("bones x 1.2", numbers_multiplied(text, "scale_factors", 1.2)),
         (
             "smoothed by 0",
@@ -62,16 +62,16 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ("floor upright", floor(text, model, "0 0 0")),
         ("floor sloping", floor(text, model, "0 0 -1.3")),
         ("floor in degrees", floor(text, model, "0 0 -90")),
-        ("floor on a limb", on_limb(text, model)),
+        ("floor on a limb", with_floors_on_limb(text, model)),
         (
             "radii in millimetres",
             damage_each(text, model, "ContactSphere", &["radius"], |radius| scaled(radius, 1000.0)),
         ),
         (
             "places in millimetres",
-            damage_each(text, model, "ContactSphere", PLACE, |place| scaled(place, 1000.0)),
+            damage_each(text, model, "ContactSphere", PLACE_TAGS, |place| scaled(place, 1000.0)),
         ),
-        ("one on the other side", on_other_side(text, model)),
+        ("one on the other side", with_spheres_on_other_side(text, model)),
         ("masses of a child", numbers_multiplied(text, "mass", 0.2)),
         ("heaviest body weighs nothing", without_heaviest_mass(text, model)),
         ("radii in feet", set(json!({"radius": "x3.28084"}), &[])),
@@ -79,7 +79,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             "left forces deleted",
             (!left.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": left}))).flatten(),
         ),
-        ("places rounded", damage_each(text, model, "ContactSphere", PLACE, rounded)),
+        ("places rounded", damage_each(text, model, "ContactSphere", PLACE_TAGS, rounded)),
     ];
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
 }
@@ -122,7 +122,7 @@ fn numbers_multiplied(text: &str, tag: &str, factor: f64) -> Option<String> {
 }
 
 /// Tags of the place of a geometry, and of its frame, in all document versions.
-const PLACE: &[&str] = &["location", "translation"];
+const PLACE_TAGS: &[&str] = &["location", "translation"];
 const FRAME: &[&str] = &["socket_frame", "body_name", "socket_frame_connectee_name"];
 
 /// The model with other texts for the properties `names` in all elements called `tag`, if `new` returns a text.
@@ -172,13 +172,13 @@ fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
 }
 
 /// The model with all floors on the body that carries the first sphere.
-fn on_limb(text: &str, model: &Model) -> Option<String> {
+fn with_floors_on_limb(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     damage_each(text, model, "ContactHalfSpace", FRAME, |frame| name_of_body(frame, &body))
 }
 
 /// The model with the spheres of the first body on the counterpart of this body.
-fn on_other_side(text: &str, model: &Model) -> Option<String> {
+fn with_spheres_on_other_side(text: &str, model: &Model) -> Option<String> {
     let body = model.spheres().iter().find_map(|sphere| sphere.body.clone())?;
     let is_counterpart = |other: &str| {
         let side = Side::of_name(&body);
@@ -205,7 +205,7 @@ fn name_of_body(frame: &str, body: &str) -> Option<String> {
 }
 
 /// The model with a copy of its first force.
-fn doubled(text: &str, model: &Model) -> Option<String> {
+fn with_doubled_force(text: &str, model: &Model) -> Option<String> {
     let force = model.forces().iter().find(|force| force.file == FileId::MAIN)?;
     let span = model.document().tree().span(force.element());
     let piece = text.get(span.clone())?;

@@ -68,7 +68,7 @@ fn commands(found: &CheckResult) -> Vec<Request> {
 }
 
 /// Runs a command, compares the model before and after it, and returns the name of the new file.
-fn step(
+fn run_command(
     desk: &mut Desk,
     request: &Request,
     name: &str,
@@ -156,7 +156,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     }
     counts.proposed.extend(found.findings.iter().filter(|one| one.remedy.is_some()).map(|one| one.code()));
     let all = commands(&found);
-    prose(name, &found, &desk, kg, counts);
+    try_commands_in_texts(name, &found, &desk, kg, counts);
     if all.is_empty() {
         return;
     }
@@ -165,7 +165,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     let mut last = None;
     let mut names = BTreeSet::new();
     for request in &all {
-        if let Some(made) = step(&mut desk, request, name, counts, with_verbs.then_some(kg)) {
+        if let Some(made) = run_command(&mut desk, request, name, counts, with_verbs.then_some(kg)) {
             names.insert(made.clone());
             last = Some(made);
         }
@@ -204,7 +204,7 @@ impl Dialect for Calls {
 }
 
 /// Runs the commands in the texts of the findings of a model. Placeholders get suitable numbers, `kg` for a mass.
-fn prose(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
+fn try_commands_in_texts(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
     for finding in &found.findings {
         let calls = Calls::default();
         for text in [&finding.message, &finding.advice] {
@@ -244,7 +244,7 @@ fn filled(call: &Call, kg: f64) -> Option<Request> {
 }
 
 /// Whether everything is tried on every model. It is not by default, because the fixtures of file formats differ in little.
-fn thorough() -> bool {
+fn tries_every_model() -> bool {
     std::env::var_os("REMEDIES").is_some_and(|which| which == "all")
 }
 
@@ -252,14 +252,14 @@ fn try_all(models: &[(usize, (String, String))]) -> Counts {
     let mut counts = Counts::default();
     for (at, (name, text)) in models {
         let Ok(model) = Model::parse(text.as_str()) else { continue };
-        let whole = thorough() || !name.starts_with("format/") || at % 8 == 0;
+        let whole = tries_every_model() || !name.starts_with("format/") || at % 8 == 0;
         for given in options(&model) {
-            let verbs = thorough() || (whole && given == json!({}));
+            let verbs = tries_every_model() || (whole && given == json!({}));
             try_model(&format!("{name} {given}"), text, &given, verbs, &mut counts);
         }
         for (number, damaged) in damages(text, &model).into_iter().filter(|_| whole).enumerate() {
             // What every verb does afterwards takes most of the time.
-            let verbs = thorough() || (at + number) % 3 == 0;
+            let verbs = tries_every_model() || (at + number) % 3 == 0;
             try_model(&format!("{name} [{}]", damaged.what), &damaged.text, &json!({}), verbs, &mut counts);
         }
     }

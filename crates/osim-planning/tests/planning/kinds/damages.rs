@@ -20,13 +20,13 @@ pub const DAMAGES: &[Kind] = &[
     (
         "left feet on a second floor 50 mm higher",
         "uneven-bottoms unlevel-foot left-right-places floor-slopes not-on-floor",
-        |m| second_floor(m, "<location>0 0.05 0</location>", "0 0 -1.5707963267948966"),
+        |m| with_second_floor(m, "<location>0 0.05 0</location>", "0 0 -1.5707963267948966"),
     ),
     ("left feet on a second floor tilted 20 deg", "floor-slopes", |m| {
-        second_floor(m, "<location>0 0 0</location>", "0 0 -1.2217304763960306")
+        with_second_floor(m, "<location>0 0 0</location>", "0 0 -1.2217304763960306")
     }),
     ("left feet press on a wall", "floor-upright", |m| {
-        second_floor(m, "<location>0 0 0</location>", "0 0 0")
+        with_second_floor(m, "<location>0 0 0</location>", "0 0 0")
     }),
     ("floor 10 mm typed as 10 m", "not-on-floor", |m| m.floor("location", "0 -10 0")),
     ("floor frame turned in degrees", "floor-upright angle-in-degrees", |m| {
@@ -150,7 +150,7 @@ pub const DAMAGES: &[Kind] = &[
     ("all masses 0", "massless-body mass-unknown", |m| m.masses(all, |_| 0.0)),
     ("left forces commented out", "one-side-only", |m| m.without_forces(is_left)),
     ("pelvis_ty with the wrong sign", "not-on-floor", |m| m.default("pelvis_ty", |value| -value)),
-    ("False (capital) in appliesForce of the left side", "left-right-off", |m| off(m, is_left)),
+    ("False (capital) in appliesForce of the left side", "left-right-off", |m| with_forces_off(m, is_left)),
     ("gravity in ft/s2", "odd-gravity", |m| m.gravity("0 -32.17 0")),
     ("gravity in cm/s2", "gravity-too-large", |m| m.gravity("0 -981 0")),
     ("gravity in g (0 -1 0)", "odd-gravity", |m| m.gravity("0 -1 0")),
@@ -213,7 +213,7 @@ fn one_of(name: &str, factor: f64) -> impl Fn(&str, &str) -> Option<String> {
 }
 
 /// The model with a second floor, on which the left spheres press.
-fn second_floor(m: &Published, location: &str, orientation: &str) -> Edited {
+fn with_second_floor(m: &Published, location: &str, orientation: &str) -> Edited {
     let tree = m.model.document().tree();
     let floor = tree.elements().find(|&id| tree.name(id) == "ContactHalfSpace")?;
     let name = tree.attribute(floor, "name")?.into_owned();
@@ -243,7 +243,7 @@ fn second_floor(m: &Published, location: &str, orientation: &str) -> Edited {
 }
 
 /// The model with forces switched off; `of` chooses them by their spheres.
-fn off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
+fn with_forces_off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     let tree = m.model.document().tree();
     let chosen = m.model.forces().iter().filter(|force| {
         let mut spheres = force.spheres().into_iter().filter_map(|id| m.model.sphere(id));

@@ -26,10 +26,10 @@ const MODELS: [&str; 9] = [
     "v30000_scone_h0914m",
 ];
 /// The largest number of models in which each damage is tried.
-const MOST: usize = 6;
+const MOST_MODELS: usize = 6;
 
 /// Kinds of damage that one file does not show, because the new places are plausible, too.
-const UNSEEN: &[(&str, &str)] = &[
+const UNSEEN_DAMAGES: &[(&str, &str)] = &[
     ("toes' spheres put on calcn", "v40000_dhondt_2024_3seg_human"),
     ("toes' spheres put on calcn", "v40000_dynamic_jumper"),
     // Its spheres are in the middle of the foot.
@@ -51,23 +51,23 @@ fn findings(text: &str) -> Option<Findings> {
 
 /// The worst finding about a damage. Findings that the model had before the damage do not count.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-enum Said {
+enum WorstFinding {
     Nothing,
     Remark,
     Accused,
 }
 
-fn said(before: &Findings, after: Option<&Findings>, codes: &str) -> Said {
-    let Some(after) = after else { return Said::Accused };
+fn said(before: &Findings, after: Option<&Findings>, codes: &str) -> WorstFinding {
+    let Some(after) = after else { return WorstFinding::Accused };
     let about = |code: &FindingCode| codes.split(' ').any(|one| one == code.as_str());
     // A remark that all contacts are published ones disappears.
     let known = |findings: &Findings| findings.iter().any(|(_, code, _)| *code == FindingCode::KnownContacts);
     let new = after.difference(before).filter(|(_, code, _)| about(code)).map(|(severity, _, _)| *severity);
     match new.max() {
-        Some(Severity::Error | Severity::Warning) => Said::Accused,
-        Some(Severity::Remark) => Said::Remark,
-        None if about(&FindingCode::KnownContacts) && known(before) && !known(after) => Said::Remark,
-        None => Said::Nothing,
+        Some(Severity::Error | Severity::Warning) => WorstFinding::Accused,
+        Some(Severity::Remark) => WorstFinding::Remark,
+        None if about(&FindingCode::KnownContacts) && known(before) && !known(after) => WorstFinding::Remark,
+        None => WorstFinding::Nothing,
     }
 }
 
@@ -118,14 +118,14 @@ fn each_kind_of_damage_is_judged() {
             wrong.push(format!("{damage}: not in the list"));
             continue;
         };
-        let enough = if *expected == "accuse" { Said::Accused } else { Said::Remark };
-        let mut counts: BTreeMap<Said, usize> = BTreeMap::new();
+        let enough = if *expected == "accuse" { WorstFinding::Accused } else { WorstFinding::Remark };
+        let mut counts: BTreeMap<WorstFinding, usize> = BTreeMap::new();
         let damaged = models.iter().filter_map(|(model, before)| Some((model.name, before, make(model)?)));
-        for (model, before, text) in damaged.take(MOST) {
+        for (model, before, text) in damaged.take(MOST_MODELS) {
             let after = findings(&text);
             let said = said(before, after.as_ref(), codes);
             *counts.entry(said).or_default() += 1;
-            if said < enough && !UNSEEN.contains(&(damage, model)) {
+            if said < enough && !UNSEEN_DAMAGES.contains(&(damage, model)) {
                 let after = after.unwrap_or_default();
                 let new = after
                     .difference(before)

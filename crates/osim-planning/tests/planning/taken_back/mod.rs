@@ -110,16 +110,16 @@ fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document
 /// The share of the forms in which each model is tried: one in `small` forms for a small model, one in `large` for a large one. Forms, ways
 /// and requests take turns, so that every form occurs with every way and with all requests.
 #[derive(Clone, Copy)]
-struct Share {
+struct FormShare {
     small: usize,
     large: usize,
 }
 
 /// A small share of the forms, because all forms would take most of an hour.
-const FEW: Share = Share { small: 13, large: 61 };
-const MANY: Share = Share { small: 1, large: 7 };
+const FEW_FORMS: FormShare = FormShare { small: 13, large: 61 };
+const MANY_FORMS: FormShare = FormShare { small: 1, large: 7 };
 
-fn try_all(files: &InMemory, documents: &[Document], share: Share, next: &AtomicUsize) -> Counts {
+fn try_all(files: &InMemory, documents: &[Document], share: FormShare, next: &AtomicUsize) -> Counts {
     let mut counts = Counts::default();
     let forms = forms();
     let mut desk = Desk { files, own: BTreeMap::new() };
@@ -139,7 +139,7 @@ fn try_all(files: &InMemory, documents: &[Document], share: Share, next: &Atomic
                 let first = Document { name: own.name.clone(), bytes: bytes(&text) };
                 let Ok(model) = Model::parse(first.bytes.clone()) else { continue };
                 let ways = ways(&first.name, &model);
-                let Some((way, steps)) = chosen(&ways, &first.name, turn) else { continue };
+                let Some((way, steps)) = way_of_turn(&ways, &first.name, turn) else { continue };
                 let what = format!("{} [{form}] {}, {}", first.name, way.name, steps.0);
                 try_one(&mut desk, &what, &first, way, &steps.1, &mut counts);
             }
@@ -148,7 +148,7 @@ fn try_all(files: &InMemory, documents: &[Document], share: Share, next: &Atomic
 }
 
 /// The way of adding contacts and the requests in between, if it is the turn of this form.
-fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Steps)> {
+fn way_of_turn<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Steps)> {
     let number = (turn * 5).checked_rem(ways.len())?;
     let way = ways.get(number)?;
     let mut steps = between(name, way);
@@ -156,7 +156,7 @@ fn chosen<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Step
 }
 
 /// Tries a share of the forms on all models.
-fn try_share(share: Share) -> Counts {
+fn try_share(share: FormShare) -> Counts {
     let files = all_files();
     let documents = models(&files);
     let next = AtomicUsize::new(0);
@@ -204,7 +204,7 @@ impl Counts {
 
 #[test]
 fn what_was_added_is_taken_back() {
-    let counts = try_share(FEW);
+    let counts = try_share(FEW_FORMS);
     println!("{}", counts.told());
     counts.check();
 }
@@ -213,7 +213,7 @@ fn what_was_added_is_taken_back() {
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
 fn what_was_added_is_taken_back_in_every_form() {
-    let counts = try_share(MANY);
+    let counts = try_share(MANY_FORMS);
     println!("{}", counts.told());
     counts.check();
 }

@@ -179,11 +179,11 @@ pub(super) fn ascii(text: &str) -> String {
     for (symbol, spelling) in SPELLINGS_OF_SYMBOLS {
         out = out.replace(symbol, spelling);
     }
-    roots(&out)
+    roots_with_brackets(&out)
 }
 
 /// Writes a root with brackets around its symbol, because in ASCII the reader could not see how far the root extends.
-fn roots(text: &str) -> String {
+fn roots_with_brackets(text: &str) -> String {
     let mut parts = text.split('√');
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {

@@ -25,10 +25,10 @@ const LEFT_OUT: [Column; 5] =
     [Column::Restitution, Column::Radius, Column::Class, Column::Stiffness, Column::Spheres];
 
 /// The width in columns that long names of models keep at least.
-const NAME: usize = 18;
+const LEAST_NAME_WIDTH: usize = 18;
 
 /// The number of blanks between two columns of the table.
-const GAP: usize = 2;
+const COLUMN_GAP: usize = 2;
 
 /// The models of one call, collected for a table.
 #[derive(Debug, Default)]
@@ -89,8 +89,8 @@ impl Column {
     fn cell(self, inspected: &Inspection, counts: Counts) -> String {
         match self {
             Self::Mass => inspected.mass_kg.map_or_else(|| "?".to_owned(), four_significant),
-            Self::Spheres if inspected.spheres.is_empty() => NOTHING.to_owned(),
-            Self::Spheres => format!("{} of {}", shared_by(inspected), inspected.spheres.len()),
+            Self::Spheres if inspected.spheres.is_empty() => MISSING_VALUE.to_owned(),
+            Self::Spheres => format!("{} of {}", sharing_spheres(inspected), inspected.spheres.len()),
             Self::Class => class(inspected).to_owned(),
             Self::Stiffness => {
                 let values = chosen(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
@@ -99,15 +99,15 @@ impl Column {
             Self::Radius => {
                 range(spheres(inspected).filter_map(|sphere| sphere.value(Figure::Radius)), four_significant)
             }
-            Self::Indentation => extreme(spheres(inspected).filter_map(at_rest), f64::max),
-            Self::Restitution => extreme(spheres(inspected).filter_map(restitution), f64::min),
+            Self::Indentation => worst_in_words(spheres(inspected).filter_map(indentation_at_rest), f64::max),
+            Self::Restitution => worst_in_words(spheres(inspected).filter_map(restitution), f64::min),
             Self::Findings => findings(inspected, counts),
         }
     }
 }
 
 /// The columns of the table for which a line has room.
-struct Fitting {
+struct FittingColumns {
     columns: Vec<Column>,
     /// The largest width of names of models; `None` if lines have no limit.
     name_width: Option<usize>,
@@ -143,7 +143,7 @@ impl ModelsTable {
     ) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
-        let Fitting { columns, name_width } = self.fitting(width, folder);
+        let FittingColumns { columns, name_width } = self.fitting(width, folder);
         let headings: Vec<&str> =
             std::iter::once("model").chain(columns.iter().map(|column| column.heading())).collect();
         let mut table = table(&headings);
@@ -180,18 +180,18 @@ impl ModelsTable {
     }
 
     /// The columns that fit into lines of at most `width` columns.
-    fn fitting(&self, width: Option<usize>, folder: &str) -> Fitting {
+    fn fitting(&self, width: Option<usize>, folder: &str) -> FittingColumns {
         let mut columns = Column::ALL.to_vec();
-        let Some(width) = width else { return Fitting { columns, name_width: None } };
+        let Some(width) = width else { return FittingColumns { columns, name_width: None } };
         let longest = self
             .rows
             .iter()
             .map(|(name, _)| shown(name.strip_prefix(folder).unwrap_or(name)).to_string().chars().count())
             .max();
-        let wanted = longest.unwrap_or_default().clamp("model".len(), NAME);
+        let wanted = longest.unwrap_or_default().clamp("model".len(), LEAST_NAME_WIDTH);
         let room = |columns: &[Column]| {
-            let taken: usize = columns.iter().map(|&column| self.width(column) + GAP).sum();
-            width.saturating_sub(taken + GAP)
+            let taken: usize = columns.iter().map(|&column| self.width(column) + COLUMN_GAP).sum();
+            width.saturating_sub(taken + COLUMN_GAP)
         };
         for left_out in LEFT_OUT {
             if room(&columns) >= wanted {
@@ -200,7 +200,7 @@ impl ModelsTable {
             columns.retain(|&column| column != left_out);
         }
         let room = room(&columns).max("model".len());
-        Fitting { columns, name_width: Some(room) }
+        FittingColumns { columns, name_width: Some(room) }
     }
 
     fn width(&self, column: Column) -> usize {
@@ -263,13 +263,13 @@ fn chosen(inspected: &Inspection) -> impl Iterator<Item = &InspectedForce> {
 }
 
 /// The number n of spheres that share the weight, if it is known; if limbs differ, the smallest and the largest n.
-fn shared_by(inspected: &Inspection) -> String {
+fn sharing_spheres(inspected: &Inspection) -> String {
     let text = range(inspected.figures.limbs.iter().filter_map(|limb| limb.sphere_count), four_significant);
-    if text == NOTHING { "?".to_owned() } else { text }
+    if text == MISSING_VALUE { "?".to_owned() } else { text }
 }
 
 /// The text in place of a value that is missing.
-const NOTHING: &str = "-";
+const MISSING_VALUE: &str = "-";
 
 fn class(inspected: &Inspection) -> &'static str {
     let is_smooth = |force: &InspectedForce| force.parameters.get(Property::HertzSmoothing).is_some();
@@ -277,7 +277,7 @@ fn class(inspected: &Inspection) -> &'static str {
         (true, true) => "both",
         (true, false) => "smooth",
         (false, true) => "HuntCrossley",
-        (false, false) => NOTHING,
+        (false, false) => MISSING_VALUE,
     }
 }
 
@@ -288,7 +288,7 @@ struct Judged {
 }
 
 /// x̂ of a sphere under one body weight, by the law of its force's class.
-fn at_rest(sphere: &SphereFigures) -> Option<Judged> {
+fn indentation_at_rest(sphere: &SphereFigures) -> Option<Judged> {
     let known = [Figure::IndentationModelLaw, Figure::Indentation];
     let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
     Some(Judged { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
@@ -317,17 +317,17 @@ fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> Strin
     match ends.map(|(low, high)| (written(low), written(high))) {
         Some((low, high)) if low == high => low,
         Some((low, high)) => format!("{low}-{high}"),
-        None => NOTHING.to_owned(),
+        None => MISSING_VALUE.to_owned(),
     }
 }
 
 /// The worst of all values, as `worse` decides, with a mark if any value is outside its limit.
-fn extreme(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
+fn worst_in_words(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
     let one = values.reduce(|a, b| Judged { value: worse(a.value, b.value), within: a.within && b.within });
     match one {
         Some(Judged { value, within: true }) => three_significant(value),
         Some(Judged { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
-        None => NOTHING.to_owned(),
+        None => MISSING_VALUE.to_owned(),
     }
 }
 
@@ -337,5 +337,5 @@ fn findings(inspected: &Inspection, counts: Counts) -> String {
     if inspected.forces.is_empty() && counts.error + counts.warning == 0 {
         return NO_CONTACTS.to_owned();
     }
-    counts.worst().describe(NOTHING)
+    counts.worst().describe(MISSING_VALUE)
 }

@@ -38,7 +38,7 @@ pub fn drop_text(drop: &DropResult) -> String {
         readable(values.duration_s)
     );
     text.push_str(&rows(drop));
-    text.push_str(&limits(drop));
+    text.push_str(&limits_in_words(drop));
     if drop.report.first_contact.is_none() {
         text.push_str("\nthe body does not reach the ground in this time\n");
     } else if DropFigure::ContactTime.value(drop).is_none() {
@@ -74,7 +74,7 @@ fn rows(drop: &DropResult) -> String {
 }
 
 /// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.
-fn limits(drop: &DropResult) -> String {
+fn limits_in_words(drop: &DropResult) -> String {
     let word = |within: bool| if within { "within" } else { "outside" };
     let admits = |figure: DropFigure| {
         let limit = figure.info().limit?;

@@ -145,10 +145,10 @@ pub enum MotionCells {
 }
 
 /// A function that computes the number of a row.
-type Number = fn(&ContactPair, &ContactState) -> f64;
+type NumberOfRow = fn(&ContactPair, &ContactState) -> f64;
 
 /// The columns with numbers, after the columns for time, sphere and body.
-const NUMBER_COLUMNS: [(&str, Number); 15] = [
+const NUMBER_COLUMNS: [(&str, NumberOfRow); 15] = [
     ("centre_x_m", |_, state| state.centre_m[0]),
     ("centre_y_m", |_, state| state.centre_m[1]),
     ("centre_z_m", |_, state| state.centre_m[2]),
@@ -243,7 +243,7 @@ impl MotionCells {
 // The ground reactions of a model as OpenSim reads them: a table, and which of its columns act on which body.
 
 /// The contact forces on one body.
-struct Load {
+struct BodyLoad {
     body: String,
     /// The part of the column names between `ground_force_` and `_vx`.
     label: String,
@@ -251,8 +251,8 @@ struct Load {
 }
 
 /// The bodies that contacts press on, with their contact forces. A foot with a single body is called by its side.
-fn loads(result: &MotionResult) -> Vec<Load> {
-    let mut loads: Vec<Load> = Vec::new();
+fn loads(result: &MotionResult) -> Vec<BodyLoad> {
+    let mut loads: Vec<BodyLoad> = Vec::new();
     for foot in &result.summary.feet {
         for body in &foot.foot.bodies {
             let is_own = |pair: &usize| result.states.pairs.get(*pair).is_some_and(|pair| &pair.body == body);
@@ -266,7 +266,7 @@ fn loads(result: &MotionResult) -> Vec<Load> {
                 None => body.clone(),
             };
             let pairs = foot.foot.pairs.iter().copied().filter(is_own).collect();
-            loads.push(Load { body: body.clone(), label, pairs });
+            loads.push(BodyLoad { body: body.clone(), label, pairs });
         }
     }
     loads
