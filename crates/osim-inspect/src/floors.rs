@@ -157,7 +157,7 @@ const LEVEL_DEGREES: f64 = 1.0;
 /// The tilt of a plane against gravity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Tilt {
-    /// Level to within a degree.
+    /// The plane is level, to within a degree.
     Level,
     /// The plane slopes by this angle against level ground, degrees.
     Slope(f64),

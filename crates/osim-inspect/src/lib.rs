@@ -1,4 +1,4 @@
-//! Inspects the contacts of a model: what they do under its weight, and whether that is right.
+//! Inspects and checks the contacts of a model: computes their figures under its weight, and finds what is wrong with them.
 //!
 //! ```
 //! use osim_inspect::{Changeable, Figure, InspectOptions, check_model};

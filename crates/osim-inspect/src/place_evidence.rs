@@ -11,7 +11,7 @@ use sha2::{Digest, Sha256};
 
 use crate::reach::{BodyBones, Reach, reaches, same_size};
 
-/// What the file of the model shows about the places of its spheres: right, wrong, or not known.
+/// The evidence in a model's file about the places of its spheres: right, wrong, or not known.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum PlaceEvidence {
     /// The note shows that bodies were scaled after it was written, and that the spheres stayed at their places.
@@ -28,7 +28,7 @@ pub(crate) enum PlaceEvidence {
     Right,
     /// Nothing in the file shows that bones were scaled.
     Unscaled,
-    /// Bones were scaled, and nothing shows whether spheres followed.
+    /// Bones were scaled, and nothing shows whether the spheres were moved with them.
     Unknown,
 }
 

@@ -139,7 +139,7 @@ const PLAUSIBLE_FACTORS: std::ops::RangeInclusive<f64> = 0.01..=10.0;
 /// Words in the names of bodies and meshes that belong to a foot.
 const FOOT_WORDS: [&str; 9] = ["foot", "calc", "toe", "talus", "tars", "pes", "phal", "hoof", "paw"];
 
-/// The bones of a model, body by body.
+/// The bones of the bodies of a model.
 pub(crate) struct BodyBones {
     anatomy: Anatomy,
     /// The bone of each body that has meshes. A bone is computed at its first use.

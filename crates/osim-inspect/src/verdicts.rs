@@ -297,7 +297,7 @@ fn spheres(count: usize) -> String {
     counted(count, "sphere")
 }
 
-/// Describes the radii.
+/// Describes the radii of the spheres.
 fn describe_sizes(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let radii = inspected.smallest(Figure::Radius).zip(inspected.largest(Figure::Radius));
     let (least, most) = radii.ok_or_else(|| inspected.why_no_figures())?;

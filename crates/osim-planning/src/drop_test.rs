@@ -65,7 +65,7 @@ impl BodyOptions {
     }
 }
 
-/// Lets the body fall.
+/// Lets the body of the request fall on its contacts.
 ///
 /// # Errors
 /// Numbers that are missing or contradict a model, a model that cannot be read, or a drop that cannot be followed.

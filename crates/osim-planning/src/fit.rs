@@ -16,7 +16,7 @@ pub struct FitResult {
     /// Number of spheres that shared the force.
     pub sphere_count: f64,
     pub radius_m: f64,
-    /// The parameters, with the residuals.
+    /// The fitted parameters, with the residuals of the fit.
     pub fit: Fit,
     /// For each row that was fitted, its line in the file.
     pub lines: Vec<u64>,

@@ -188,7 +188,7 @@ impl Inspector {
         &self.extra_files
     }
 
-    /// Inspects a model.
+    /// Inspects a model with the options of the request.
     ///
     /// # Errors
     /// The generic model cannot be read, factors cannot be determined, or a mass that the caller gave looks like a slip.

@@ -199,7 +199,7 @@ impl PlatesRead {
 
 // Tables over time, through whatever holds the files.
 
-/// Reads a table.
+/// Reads the table at `path`.
 ///
 /// # Errors
 /// It cannot be read, with the line.

@@ -13,7 +13,7 @@ use osim_requests::{PresetsRequest, RequestError, RequestFault};
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Opens a model without files beside it.
+/// Opens a model without companion files.
 pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
     open_with(path, CompanionPaths::default(), files)
 }

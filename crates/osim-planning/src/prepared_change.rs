@@ -30,7 +30,7 @@ pub(crate) trait Planner: Send + Sync {
     /// What only the caller can know, or what cannot be done with this model.
     fn plan(&self, model: &Model) -> Result<Plan, Fault>;
 
-    /// Plans the change of a model, with files beside it such as the meshes of its bones.
+    /// Plans the change of a model that needs companion files, such as the meshes of its bones.
     ///
     /// # Errors
     /// Those of [`plan`](Self::plan), with the name of the file and the place; a file that is missing or broken.
@@ -47,7 +47,8 @@ pub(crate) trait Planner: Send + Sync {
     }
 }
 
-/// A request that was checked once for all of its models: where they are, how the change of each is planned, and where results go.
+/// A request that was checked once for all of its models: the paths of the models, the planner for their changes, and the options for the
+/// results.
 ///
 /// ```
 /// use osim_model::FileId;
@@ -70,7 +71,7 @@ pub(crate) trait Planner: Send + Sync {
 /// ```
 pub struct PreparedChange {
     pub verb: Verb,
-    /// Files and folders of models.
+    /// Files and folders with the models of the request.
     pub models: Vec<PathBuf>,
     pub output: OutputOptions,
     /// The geometry set and the model that belong to a force set which is a file by itself.
@@ -98,7 +99,7 @@ pub struct PreparedChange {
 }
 
 impl PreparedChange {
-    /// Combines a `planner` with the `models` for which it plans changes, and with the options `inspection` with which they are inspected.
+    /// Combines a `planner` with the `models` whose changes it plans. `inspection` are the options with which these models are inspected.
     pub(crate) fn new(
         verb: Verb,
         models: Vec<PathBuf>,

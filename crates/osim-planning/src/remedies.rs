@@ -289,8 +289,8 @@ fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) ->
     Some(to)
 }
 
-/// If a remedy has only one step, gives it the output file of every change, unless the file exists. If the model is itself the output of a
-/// step, the output keeps its number.
+/// If a remedy has only one step, gives it the default output file of a change, unless the file exists. If the model is itself the output
+/// of a step, the output keeps its number.
 fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
     if split_step_number(from).1 == 0
         && !files.exists(&OutputOptions::beside(from))

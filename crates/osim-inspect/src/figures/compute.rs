@@ -172,7 +172,7 @@ struct LoadedLimb<'s> {
     count: Option<f64>,
     standing: &'s StandingBySphere<'s>,
     weight: Option<WeightOnFloor>,
-    /// Speed before an impact, m/s.
+    /// Speed of the spheres before an impact, m/s; `None` if it is not known.
     speed: Option<f64>,
 }
 

@@ -43,7 +43,7 @@ pub(super) struct SphereOnFloor<'s> {
     pub(super) weight: Option<WeightOnFloor>,
     /// The load of one body weight, and the number of spheres that share it.
     pub(super) one_body_weight: Option<SharedLoad>,
-    /// Speed before an impact, m/s.
+    /// Speed of the sphere before an impact, m/s; `None` if it is not known.
     pub(super) impact_speed_m_s: Option<f64>,
     /// The equilibria of the sphere under one and two body weights; empty if they are not known.
     pub(super) rests: &'s [SphereRest],

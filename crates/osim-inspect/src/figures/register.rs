@@ -289,7 +289,7 @@ impl SphereFigures {
         self.answer(figure).value()
     }
 
-    /// Whether `figure` is within its limit; `None` if its value is not known, or it has no limit.
+    /// Whether `figure` is within its limit; `None` if the value of the figure is not known, or the figure has no limit.
     pub fn is_within(&self, figure: Figure) -> Option<bool> {
         let limit = figure.info().limit?;
         match self.answer(figure) {
@@ -313,7 +313,7 @@ impl SphereFigures {
     }
 }
 
-/// An object with each figure under its name, in the order of the register.
+/// Serialises the figures as one object, each figure under its name, in the order of the register.
 impl Serialize for SphereFigures {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;

@@ -119,7 +119,7 @@ fn find_all(
     with_published_severities(model, &chosen, inspected, findings)
 }
 
-/// Whether the contacts are meant for another mass than that of the bodies, whose bones then say nothing about radii.
+/// Whether the contacts are made for another mass than the mass of the bodies. The bones then show nothing about the right radii.
 fn are_bodies_of_another_mass(model: &Model, inspected: &Inspection, options: &InspectOptions) -> bool {
     let Some(made_for) = &inspected.contacts_mass_kg else { return false };
     let is_meant =

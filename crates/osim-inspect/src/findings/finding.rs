@@ -7,7 +7,7 @@ use osim_model::{Finding, FindingCode, Severity};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
 
-/// A finding about a model, and the request that corrects it. It derefs to its [`Finding`].
+/// A finding about a model, and the request that corrects the fault. It derefs to its [`Finding`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct FindingWithRemedy {
     pub finding: Finding,

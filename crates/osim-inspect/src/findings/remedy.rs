@@ -99,7 +99,7 @@ impl<'m> Remedies<'m> {
         self.load.gravity.is_none()
     }
 
-    /// The model that a remedy changes; `None` if there is no remedy. `changes_radii` says whether it writes radii.
+    /// The model that a remedy changes; `None` if there is no remedy. `changes_radii` says whether the remedy writes radii.
     pub(crate) fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
     }

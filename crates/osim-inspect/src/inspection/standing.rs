@@ -1,5 +1,5 @@
-//! How high a body is over its floor at the default pose, and with which coordinate it stands: as data, and in the words of `check`,
-//! `inspect` and changes.
+//! The height of a body over its floor at the default pose, and the coordinate with which the body stands: as data, and in the words of
+//! `check`, `inspect` and changes.
 
 use std::collections::BTreeMap;
 
@@ -122,14 +122,14 @@ impl BodyAtRest {
         self.spheres.iter().filter(|one| one.touches())
     }
 
-    /// The sphere that is deepest in its radius; the first of several.
+    /// The sphere with the largest indentation in its radius; of several, the first.
     pub fn deepest(&self) -> Option<&StandingSphere> {
         self.spheres.iter().reduce(|a, b| if b.relative_indentation > a.relative_indentation { b } else { a })
     }
 }
 
 impl StandingBody {
-    /// Summaries of all `standing` trees. `limbs` are those of the spheres; `stance_limbs` of them share the weight.
+    /// Summaries of all joint trees in `standing`. `limbs` are the limbs of the model, and `stance_limbs` of them share the weight.
     pub fn all(model: &Model, standing: &[Standing], limbs: &Limbs, stance_limbs: f64) -> Vec<Self> {
         Self::with_rests(model, standing, limbs, stance_limbs, RestsToCompute::All)
     }

@@ -144,7 +144,7 @@ pub(super) static TERRAIN: Rule = Rule {
     example: Example::Models { good: "format/v40000.osim", bad: "format/terrain_on_ground.osim" },
 };
 
-/// Finds terrain: one finding for all its spheres, and one for all its bodies.
+/// Finds spheres and bodies of terrain: one finding for all its spheres, and one for all its bodies.
 pub(super) fn find_terrain(model: &Model) -> Vec<Finding> {
     terrain_spheres(model).into_iter().chain(terrain_bodies(model)).collect()
 }

@@ -12,7 +12,7 @@ use osim_requests::Request;
 use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
 
-/// A function that says what is wrong with a value, in words that follow the name of the value; `None` if nothing is wrong.
+/// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
 type DescribeValue = fn(&Value) -> Option<String>;
 
 /// Rules about single values. Only the first rule that applies to a value is reported.
@@ -98,7 +98,7 @@ pub(super) static NOT_FINITE: Rule = Rule {
     },
 };
 
-/// Why a value is not finite, in words that follow its name.
+/// Why a value is not finite, in words that follow the name of the value.
 fn describe_not_finite(value: &Value) -> Option<String> {
     (!value.number.is_finite()).then(|| format!("is {}", value.number))
 }
@@ -122,7 +122,7 @@ pub(super) static ODD_NUMBER: Rule = Rule {
     },
 };
 
-/// What is odd about how a value is written, in words that follow its name.
+/// What is odd about the writing of a value, in words that follow the name of the value.
 fn describe_odd_number(value: &Value) -> Option<String> {
     value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
 }
@@ -151,7 +151,7 @@ pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     },
 };
 
-/// Why a value is outside its domain, in words that follow its name. The rule about default stiffness is another one.
+/// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.
 fn describe_out_of_domain(value: &Value) -> Option<String> {
     (!value.property.allows(value.number) && !is_default_stiffness(value))
         .then(|| format!("is {}, expected {}", value.number, value.property.domain()))

@@ -20,9 +20,9 @@ use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Sta
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
 pub struct Weight {
-    /// Mass M, kg.
+    /// Mass M of the body, kg.
     pub mass_kg: f64,
-    /// Gravity g, m/s².
+    /// Gravity g on the body, m/s².
     pub gravity_m_s2: f64,
     /// Number n of spheres that share the weight.
     pub sphere_count: f64,
@@ -134,7 +134,7 @@ impl ContactBody {
         Self { name, kinds, weight: Err(why.clone()), contacts_mass_kg: Err(why.clone()), mismatch: None }
     }
 
-    /// The body scaled to another mass: radii isometric, every parameter by its equation.
+    /// The body scaled to another mass: radii isometric, every parameter by the equation for it.
     ///
     /// # Errors
     /// The mass its contacts are made for is not known, or the ratio leaves the range of numbers.

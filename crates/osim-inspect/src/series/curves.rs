@@ -169,7 +169,7 @@ fn loop_depth(body: &ContactBody, kind: &SphereKind) -> Result<f64, Failure> {
     law.hertz().indentation_from_force(2.0 * body.weight()?.share_n()).map_err(|error| body.failure(&error))
 }
 
-/// The force at rest against indentation, over the range of a loop.
+/// The force at speed 0 against indentation, over the range of a loop.
 pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
     let law = law(body, kind)?;
     let unit = force_unit(units, body)?;

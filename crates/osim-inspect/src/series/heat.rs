@@ -32,9 +32,9 @@ impl From<&PlotRequest> for HeatRequest {
 /// A quantity over stiffness (x, N/m²) and dissipation (y, s/m).
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatSeries {
-    /// Values of E₁* along the horizontal axis.
+    /// Values of E₁* along the horizontal axis of the heat map, N/m².
     pub x: Vec<f64>,
-    /// Values of α along the vertical axis.
+    /// Values of α along the vertical axis of the heat map, s/m.
     pub y: Vec<f64>,
     /// A row of values for each α; `None` if the quantity has no value at this point.
     pub values: Vec<Vec<Option<f64>>>,

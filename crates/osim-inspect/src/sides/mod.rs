@@ -1,4 +1,4 @@
-//! Pairs the contacts of the left and the right side, and compares them.
+//! Pairs the contacts of the left side with those of the right side, and compares them.
 
 mod mirror;
 mod pairs;
@@ -71,7 +71,7 @@ impl<'m> BothSides<'m> {
         self.forces_by_path.get(path).copied()
     }
 
-    /// The force on the right whose spheres are the mirror images of those of `left`.
+    /// The force on the right side whose spheres are the mirror images of the spheres of `left`.
     pub(crate) fn right_counterpart(&self, left: &Force) -> Option<&'m Force> {
         self.set_pairs_of(left).first().map(|pair| pair.right.0)
     }

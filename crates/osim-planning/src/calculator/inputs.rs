@@ -20,7 +20,7 @@ pub(super) struct DesignInputs {
     pub(super) modulus: ModulusSource,
     indentation: Option<f64>,
     contact_stiffness: Option<f64>,
-    /// Whether the load is one body weight, which the spheres carry at rest.
+    /// Whether the load is one body weight, which the spheres carry in equilibrium.
     pub(super) is_body_weight: bool,
 }
 

@@ -64,11 +64,11 @@ pub struct ContactTable {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactRow {
-    /// Line in the file; the header is line 1.
+    /// Line in the file of the table; the header is line 1.
     pub line: u64,
     /// Name of the sphere.
     pub name: String,
-    /// Name of the body that carries it.
+    /// Name of the body that carries the sphere.
     pub body: String,
     pub place: TablePlace,
     /// Radius of the sphere, m, if the table has radii.
@@ -76,7 +76,7 @@ pub struct ContactRow {
 }
 
 impl ContactTable {
-    /// Reads a whole table.
+    /// Reads a whole table of contacts.
     ///
     /// # Errors
     /// The first thing that is wrong: a column that is missing or not known, a cell that is not what it should be, a name that

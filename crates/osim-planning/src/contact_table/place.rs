@@ -19,7 +19,7 @@ pub enum TablePlace {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlaceOnBody {
-    /// The contact's centre in the frame of its body, m.
+    /// The centre of the contact in the frame of its body, m.
     pub location_m: [f64; 3],
     /// Whether the table gave the place in ground, so that it was converted to the body's frame at the default pose.
     pub from_default_pose: bool,

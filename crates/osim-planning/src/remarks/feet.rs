@@ -203,7 +203,7 @@ const FOOT_LENGTH_OVER_PAD: f64 = 20.0;
 /// mouse: the cube root of 1190 kg over 0.0209 kg.
 const LARGEST_SCALE: f64 = 50.0;
 
-/// Positions of a model's joints on its bodies.
+/// Positions of the joints of a model on its bodies.
 pub(crate) struct JointPositions {
     anatomy: Option<Anatomy>,
     distances: JointDistances,

@@ -40,7 +40,7 @@ pub struct Row {
 }
 
 impl Sheet {
-    /// Reads a whole table.
+    /// Reads a whole CSV table.
     ///
     /// # Errors
     /// It is not text in UTF-8, or a row has more or fewer cells than the header (with its line). Rows of empty cells are left out.

@@ -160,7 +160,7 @@ impl<'s> SweepPlan<'s> {
         is_header(columns)
     }
 
-    /// Plans the variants at the ends of the axes. A value outside its domain is so refused before anything is written.
+    /// Plans the variants at the ends of the axes. Values outside their domain are so found before anything is written.
     ///
     /// # Errors
     /// What is wrong, with the point.

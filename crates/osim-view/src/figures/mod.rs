@@ -1,4 +1,4 @@
-//! Figures of what contacts do, for `contact_plots` to draw.
+//! Figures about contacts. The crate `contact_plots` draws them.
 //!
 //! [`osim_inspect::series`] computes the points; here they get titles, labels and limits.
 //!

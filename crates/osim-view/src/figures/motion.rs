@@ -113,7 +113,7 @@ fn depth_panel(result: &MotionResult, foot: &FootSummary) -> Panel {
     panel
 }
 
-/// The normal of the floor under a foot.
+/// The normal of the floor under the foot.
 fn normal(result: &MotionResult, foot: &FootSummary) -> DVec3 {
     let first = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
     first.map_or(DVec3::Y, |state| state.normal)
@@ -199,7 +199,7 @@ fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole:
     panel
 }
 
-/// The lean of an arrow, mm, and its height, body weights.
+/// How far the arrow of a force leans, mm, and how high it is, body weights.
 fn lean_and_height(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
     let normal = normal(result, foot);
     let weight_n = result.summary.weight_n;

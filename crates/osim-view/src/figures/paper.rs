@@ -71,7 +71,7 @@ pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
 /// The drop of one animal.
 struct AnimalDrop {
     taxon: &'static str,
-    /// Time in s, force in body weights.
+    /// Points of the drop: time in s, and force in body weights.
     points: Vec<Point>,
     /// Unit of time of the dimensionless axis, √(R/g), s.
     time_unit_s: f64,

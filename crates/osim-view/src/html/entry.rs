@@ -1,4 +1,4 @@
-//! The entry of one model on a page: its row in the table of models, and its sections.
+//! The entry of one model on a page: a row in the table of models, and sections.
 
 use osim_inspect::Inspection;
 use osim_model::Property;
@@ -18,7 +18,7 @@ const UNEQUAL_FACTORS: &str = "unequal";
 /// Properties whose old and new values are columns of the table.
 const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
 
-/// The entry of a model on a page.
+/// The entry of one model on a page.
 #[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
@@ -205,7 +205,7 @@ fn cell_of_count(count: usize) -> Cell {
     if count == 0 { "–".to_owned().into() } else { count.to_string().into() }
 }
 
-/// A cell of the table of models.
+/// A cell in the row of a model.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Cell {
     pub(super) text: String,
@@ -218,7 +218,7 @@ pub(super) struct Cell {
 }
 
 impl Cell {
-    /// Class of the cell in the style sheet.
+    /// Class of the cell in the style sheet of the page.
     pub(super) fn class(&self) -> Option<&'static str> {
         match (self.words, self.outside, self.text.contains(' ')) {
             (true, ..) => Some("words"),
@@ -249,7 +249,7 @@ pub struct RunRow {
     pub status: String,
     /// The mass that the old contacts were made for, kg.
     pub contacts_mass_kg: Option<f64>,
-    /// The mass that its new contacts are made for, kg.
+    /// The mass that the new contacts are made for, kg.
     pub target_mass_kg: Option<f64>,
     /// Number of changed values and places.
     pub changes: usize,

@@ -99,7 +99,7 @@ pub struct Section {
 /// The largest number of models on a page that draws feet. Bones need most of the time and most of the size of a page.
 const MOST_MODELS_WITH_FEET: usize = 20;
 
-/// How much a page shows about each model.
+/// The amount of detail with which a page shows each model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DetailLevel {
     /// The page is about a single model.

@@ -20,7 +20,7 @@ pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at 
 /// The largest number of references that are named. Each row of a manifest may have its own reference.
 const MOST_REFERENCES: usize = 5;
 
-/// Counts over all models of a page.
+/// Counts of models, findings and failures over all models of a page.
 #[derive(Debug, Default)]
 pub(super) struct PageCounts {
     models: usize,
@@ -136,7 +136,7 @@ impl PageCounts {
         findings.iter().map(row).collect()
     }
 
-    /// The chart of x̂ over the models.
+    /// The chart with x̂ of all models.
     pub(super) fn chart(&self) -> Markup {
         let (id, title) = CHART;
         let (now, limit) =

@@ -54,9 +54,9 @@ pub struct Page<'d, S> {
 pub struct DeferredParts<S> {
     /// Rows of the table for models that failed.
     pub failures: S,
-    /// Rows of the table for the other models.
+    /// Rows of the table for the models that did not fail.
     pub rows: S,
-    /// The sections about each model.
+    /// The sections with details about each model.
     pub details: S,
 }
 
@@ -121,7 +121,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         self.parts.details.add(&terminal_safe(&fragment.html()))
     }
 
-    /// Writes the page.
+    /// Writes the page with the entries of all models.
     ///
     /// # Errors
     /// The page cannot be written, or an entry could not be added.
@@ -268,7 +268,7 @@ impl About {
 
 /// A text that is stored, in memory or in a file without a name, until the page is written.
 pub trait DeferredText {
-    /// Adds a piece of text.
+    /// Adds a piece to the text.
     ///
     /// # Errors
     /// The disk is full.

@@ -69,7 +69,7 @@ pub(crate) fn is_too_deep(indentation: f64) -> bool {
     !limits::INDENTATION.admits(indentation)
 }
 
-/// x/R and damping of each kind of sphere, as a page shows them.
+/// x/R and damping of each kind of sphere as one text, rounded as on a page.
 fn contact_text(body: &ContactBody) -> Option<String> {
     let contacts = body.dimensionless().ok()?;
     let shown = contacts.iter().map(|(_, contact)| {

@@ -210,7 +210,7 @@ fn commands(commands: &[String], words: &dyn FrontEnd) -> String {
     commands.iter().map(line).collect()
 }
 
-/// Each finding with its place, reason and advice. If the same finding occurs in several places, it is explained once.
+/// Each finding with its place, reason and advice. A finding that occurs in several places is explained once.
 fn explanations(found: &CheckResult, layout: Layout) -> String {
     let mut text = String::new();
     for alike in found.findings.chunk_by(|a, b| a.code() == b.code()) {

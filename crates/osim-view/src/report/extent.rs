@@ -4,7 +4,7 @@ use osim_model::messages::{listed, shortest, shown_whole};
 
 use crate::report::layout::{Colour, WIDTH, clipped, wrapped};
 
-/// How much a text of a result shows.
+/// The amount of detail in a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Extent {
     /// Rounded numbers, the first names of a long list, and explanations of the faults that have to be corrected.
@@ -50,7 +50,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Columns of a line of text.
+    /// The width of a line of text in columns.
     pub(crate) fn width(self) -> usize {
         self.columns.unwrap_or(WIDTH)
     }

@@ -129,7 +129,7 @@ fn line_broken(line: &str, width: usize) -> String {
     format!("{}{end}", textwrap::fill(sentence, options))
 }
 
-/// Splits a line: the indentation and the first cells of a table, and the sentence after them.
+/// Splits a line into two parts: the indentation with the first cells of a table, and the sentence after these.
 fn split(line: &str) -> (&str, &str) {
     let gap = line.rfind("  ").map_or(0, |at| at + 2);
     let sentence = line[gap..].trim_start_matches(' ');

@@ -187,7 +187,7 @@ fn number(value: f64) -> String {
     }
 }
 
-/// The centres that move, except those of new spheres.
+/// The centres that move, except the centres of new spheres.
 pub(crate) fn moves_of_others(plan: &Plan) -> Vec<&PlaceChange> {
     let new = plan.new_spheres();
     let new: HashSet<&str> = new.iter().map(|sphere| sphere.path).collect();

@@ -40,7 +40,7 @@ pub const HEEL: Smooth = Smooth {
     hertz_smoothing: 250.0,
     hunt_crossley_smoothing: 0.7,
 };
-/// A sphere of a toe. Each of its numbers differs from that of [`HEEL`].
+/// A sphere of a toe. Its numbers differ from the numbers of [`HEEL`].
 pub const TOE: Smooth = Smooth {
     name: "toe_r",
     radius: 0.03,

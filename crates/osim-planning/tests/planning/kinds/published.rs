@@ -4,7 +4,7 @@ use std::path::Path;
 
 use osim_model::{Model, Side};
 
-/// A model of the corpus.
+/// A model of the corpus of published models.
 pub struct Published {
     pub name: &'static str,
     pub text: String,

@@ -17,22 +17,22 @@ impl ErrorCode {
         Phrase::template(self.means)
     }
 
-    /// How the user can get out of the error.
+    /// A sentence about what the user can do about the error.
     pub fn way_out(&self) -> Phrase {
         Phrase::template(self.way_out)
     }
 }
 
-/// Groups of errors.
+/// The kinds of errors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorGroup {
     /// Errors of a file, before anything in it is read.
     File,
-    /// Errors of a model's content.
+    /// Errors in the content of a model.
     Model,
     /// A question that only the user can answer.
     Question,
-    /// Errors of a request.
+    /// Errors in a request.
     Request,
 }
 

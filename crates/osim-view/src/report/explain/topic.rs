@@ -20,18 +20,18 @@ pub enum Topic {
     Equation(&'static Equation),
     /// A property of a contact, or a figure.
     Quantity(&'static QuantityTopic),
-    /// The rule of a warning or finding.
+    /// The rule of a finding.
     Finding(&'static Rule),
-    /// The topic of an error's code.
+    /// An error, by its code.
     Error(&'static ErrorCode),
 }
 
-/// A name by which no topic is called.
+/// The fault that no topic has the given name.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownTopic {
-    /// The name that no topic has.
+    /// The given name.
     pub name: String,
-    /// Names of topics that are similar to it.
+    /// Names of topics that are similar to the given name.
     pub similar_names: Vec<&'static str>,
 }
 

@@ -281,7 +281,7 @@ fn class(inspected: &Inspection) -> &'static str {
     }
 }
 
-/// A value, and whether it is within its limit.
+/// The value of a figure, and whether it is within its limit.
 struct Judged {
     value: f64,
     within: bool,

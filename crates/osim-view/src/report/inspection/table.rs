@@ -244,7 +244,7 @@ fn names_of_spheres(spheres: &[&StandingSphere], extent: Extent) -> String {
 
 // Forces with the same parameters together.
 
-/// Forces with the same parameters.
+/// A group of forces with the same parameters.
 pub struct ForceGroup<'m> {
     /// The parameters, in the order of the table.
     pub cells: Vec<String>,
