@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mass_that_known_contacts_or_the_target_explain_is_not_asked_about() {
+    fn a_mass_of_known_contacts_or_of_the_target_raises_no_question() {
         let (known, other) = (model_of_child("1000000"), model_of_child("1020000"));
         assert!((MassRequest::default().bodies_kg(&other).unwrap() - 28.0).abs() < 1e-9);
         for (model, contacts_mass_kg, target_mass_kg, expected) in [
@@ -356,7 +356,7 @@ mod tests {
     }
 
     #[test]
-    fn a_target_in_grams_is_asked_about_for_a_body_of_another_size_too() {
+    fn a_target_mass_in_grams_raises_a_question_for_a_body_of_any_size() {
         let model = model_of_child("1000000");
         for (target_mass_kg, expected) in [
             (20_000.0, Some(MassMistake::Grams)),

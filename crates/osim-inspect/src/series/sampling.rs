@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_straight_line_has_its_breaks_only() {
+    fn a_straight_line_has_no_points_between_its_breaks() {
         let points = sample_curve(|x| (x, 2.0 * x), &equal_breaks(0.0, 1.0, 4, 0.1));
         assert_eq!(points.iter().map(|p| p.0).collect::<Vec<_>>(), [0.0, 0.1, 0.25, 0.5, 0.75, 1.0]);
     }

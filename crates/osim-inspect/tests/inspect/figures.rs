@@ -254,7 +254,7 @@ fn a_hunt_crossley_force_has_no_figures_of_smoothing() {
 }
 
 #[test]
-fn a_limb_is_mixed_where_its_spheres_stand_otherwise_level_than_with_equal_shares() {
+fn a_limb_is_mixed_if_figures_with_level_bottoms_differ_from_equal_shares() {
     assert!(figures(&foot(&[HEEL, TOE])).limbs[0].is_mixed());
     assert!(figures(HUMAN).limbs.iter().all(|limb| !limb.is_mixed()));
     // x̂ by 4e-9 of itself otherwise: x follows E*^(-2/3), and the level is half way between.
@@ -341,13 +341,13 @@ fn without_mass_or_gravity_or_count_the_reason_is_given() {
 }
 
 #[test]
-fn the_reason_that_comes_first_is_given_where_there_are_two() {
+fn of_two_reasons_for_absent_figures_the_first_is_given() {
     let why = why_figures_are_absent(&figures(&FEET_WITHOUT_SIDES.replace("0 -9.81 0", "0 0 0")));
     assert!(why.contains("gravity") && !why.contains("spheres"), "{why}");
 }
 
 #[test]
-fn a_gravity_that_pulls_nothing_is_none() {
+fn a_gravity_of_zero_counts_as_no_gravity() {
     for gravity in [0.0, -10.0, f64::INFINITY, f64::NAN] {
         let stance = Stance { gravity_m_s2: Some(gravity), ..Stance::default() };
         let seen = inspect_with(&foot(&[HEEL]), stance).figures;
@@ -382,7 +382,7 @@ impl Dialect for ShoutingFrontEnd {
 }
 
 #[test]
-fn the_reason_is_spelled_as_the_front_end_says() {
+fn the_reason_for_absent_figures_is_in_the_words_of_the_front_end() {
     let mut figures = figures(FEET_WITHOUT_SIDES);
     figures.spell(&ShoutingFrontEnd);
     let why = figures.why_no_body_weight.unwrap().to_string();

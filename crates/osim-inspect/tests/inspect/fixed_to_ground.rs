@@ -33,7 +33,7 @@ fn model_of_bodies(bodies: &[&str], joints: &[(&str, &str, &str)]) -> Model {
 }
 
 #[test]
-fn what_is_welded_to_ground_weighs_nothing_unless_the_animal_hangs_on_it() {
+fn a_body_welded_to_ground_has_no_weight_unless_the_animal_hangs_on_it() {
     let (weld, free) = ("WeldJoint", ("FreeJoint", "ground", "animal"));
     for (bodies, joints, kg, fixed) in [
         // A goalkeeper, of two bodies, and one that is joined the other way round.

@@ -43,7 +43,7 @@ fn chosen_spheres_carry_their_share_of_all_that_stand() {
 }
 
 #[test]
-fn what_falls_weighs_the_same_on_chosen_spheres() {
+fn a_falling_body_has_the_same_weight_on_chosen_spheres() {
     let model = Model::parse(HUMAN).unwrap();
     let failed = |fault: Fault| Failure::outside("human.osim", "plot", fault.to_string());
     for pattern in ["*", "contact_s1_*", "contact_s3_r"] {
@@ -61,7 +61,7 @@ fn what_falls_weighs_the_same_on_chosen_spheres() {
 }
 
 #[test]
-fn what_is_joined_to_the_body_only_through_ground_does_not_count() {
+fn a_body_that_only_ground_connects_does_not_count() {
     let model = Model::parse(PLAYER_AND_BALL).unwrap();
     let named = |names: &[&str]| -> Vec<ForceId> {
         let chosen = model.forces().iter().filter(|force| names.contains(&force.name.as_str()));
@@ -77,7 +77,7 @@ fn what_is_joined_to_the_body_only_through_ground_does_not_count() {
 }
 
 #[test]
-fn a_count_is_given_or_found_or_asked_for() {
+fn a_sphere_count_is_given_or_found_or_asked_for() {
     let human = Model::parse(HUMAN).unwrap();
     let sharing = LoadSharing::of(&human, &ids_of_forces(&human, "_r"));
     assert_eq!(sharing.limbs().if_known().map(<[_]>::len), Some(2));
@@ -99,7 +99,7 @@ fn a_count_is_given_or_found_or_asked_for() {
 }
 
 #[test]
-fn a_share_of_less_than_one_sphere_gives_no_figures() {
+fn a_count_of_less_than_one_sphere_gives_no_figures() {
     let model = Model::parse(HUMAN).unwrap();
     let stance = Stance { spheres: Some(0.5), ..Stance::default() };
     let seen = InspectOptions { stance, ..InspectOptions::default() }.inspect("human.osim", &model, None);

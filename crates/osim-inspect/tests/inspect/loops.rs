@@ -36,7 +36,7 @@ fn codes(model: &Model) -> Vec<&str> {
 
 // OpenSim 4.6: 70 kg without the joint and with a PinJoint (c is divided), 110 kg with a WeldJoint or a FreeJoint.
 #[test]
-fn a_loop_is_reported_and_its_mass_asked_for_where_opensim_counts_twice() {
+fn a_loop_is_reported_and_its_mass_asked_for_if_opensim_counts_a_body_twice() {
     let weighs = |model: &Model, mass: MassRequest| mass.model_mass(model).map(|mass| mass.kg);
     for (class, found) in
         [("", [""; 0].as_slice()), ("PinJoint", &["loop-of-joints"]), ("BallJoint", &["loop-of-joints"])]

@@ -39,7 +39,7 @@ fn pressed_sphere(text: &str) -> (String, Option<String>, f64, Vec<FindingCode>)
 }
 
 #[test]
-fn a_name_is_a_name_also_where_a_set_has_it() {
+fn a_sphere_may_have_the_name_of_a_set() {
     for name in ["contactgeometryset", "forceset", "bodyset", "ground", "heel.r", "...", "m", "press"] {
         for list in [
             format!("floor {name}"),
@@ -64,7 +64,7 @@ fn a_name_is_a_name_also_where_a_set_has_it() {
 }
 
 #[test]
-fn what_is_in_components_comes_before_the_sets() {
+fn objects_in_components_come_before_objects_in_sets() {
     let other = "<components><ContactSphere name=\"contactgeometryset\"><socket_frame>/bodyset/foot</socket_frame><radius>0.5</radius>\
                  </ContactSphere></components>";
     // In a list, OpenSim looks in the model first.
@@ -93,7 +93,7 @@ fn old_documents_have_no_blanks_in_names() {
 }
 
 #[test]
-fn a_name_that_opensim_refuses_is_said() {
+fn a_name_that_opensim_refuses_is_reported() {
     for name in [" heel", "heel/r", "heel*", "heel+", "heel\\r", ".", ".."] {
         let text = foot_model(40000, "foot", "heel", "floor heel", "")
             .replace("name=\"press\"", &format!("name=\"{name}\""));
@@ -187,7 +187,7 @@ fn two_feet(
 
 /// Each force presses the sphere that it names, and that sphere is on its own foot, whatever the names of all objects are.
 #[test]
-fn by_chance_every_name_leads_to_its_own() {
+fn each_force_presses_the_sphere_of_its_name_for_random_names() {
     for seed in seeds() {
         let mut random = Random::of(seed);
         let version = [30000, 30505, 30516, 40000][random.index(4)];

@@ -65,7 +65,7 @@ fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
 }
 
 #[test]
-fn what_is_not_known_is_in_no_list_of_limits() {
+fn a_figure_without_a_value_is_not_compared_with_its_limit() {
     let figures = figures(FEET_WITHOUT_SIDES);
     let limited: Vec<&str> = first_sphere(&figures).limits().map(|check| check.figure).collect();
     assert_eq!(limited, ["restitution_approximate", "constant_indentation", "transition_width"]);
@@ -90,7 +90,7 @@ fn the_schema_of_a_sphere_lists_exactly_what_is_serialised() {
 }
 
 #[test]
-fn a_schema_says_what_a_figure_is_with_equation_and_unit() {
+fn a_schema_has_meaning_equation_and_unit_of_each_figure() {
     let schema = schemars::schema_for!(SphereFigures);
     let described =
         |figure: Figure| schema.get("properties").unwrap()[figure.info().name]["description"].clone();
@@ -108,7 +108,7 @@ fn a_schema_says_what_a_figure_is_with_equation_and_unit() {
 }
 
 #[test]
-fn a_table_heads_a_figure_with_unit_and_equation() {
+fn a_heading_in_a_table_has_unit_and_equation_of_the_figure() {
     let heading = |figure: Figure| figure.info().heading();
     assert_eq!(heading(Figure::Radius), "radius, m");
     assert_eq!(heading(Figure::MeanContactStress), "mean stress, N/m2 (15)");

@@ -46,7 +46,7 @@ fn traps_are_named_with_their_codes() {
 }
 
 #[test]
-fn a_constant_contact_force_of_zero_is_named() {
+fn a_constant_contact_force_of_zero_gives_a_finding() {
     let zero =
         FOOT.replace("<dissipation>", "<constant_contact_force>0</constant_contact_force><dissipation>");
     assert!(codes_of(&Model::parse(zero).unwrap()).contains(&"zero-constant-contact-force"));
@@ -67,7 +67,7 @@ fn defaults_that_hold_contacts_are_named() {
 }
 
 #[test]
-fn a_set_beside_its_model_shows_what_the_model_shows() {
+fn a_set_in_a_file_beside_its_model_has_the_same_findings() {
     for file in ["v40000", "floor_of_its_own", "frame_on_body", "connectee_relative"] {
         let text = fixture(file);
         let alone = Model::parse(text.as_str()).unwrap();
@@ -103,7 +103,7 @@ fn codes_and_messages(tag: &str, text: &str) -> Vec<(&'static str, String)> {
 }
 
 #[test]
-fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
+fn a_location_or_gravity_that_opensim_misreads_is_reported() {
     for plain in ["0 -9.8 0", "1, 2, 3", "+1 .5 1e-3", " 1\u{b}2 3 "] {
         assert_eq!(
             (codes_and_messages("location", plain), codes_and_messages("gravity", plain)),
@@ -135,7 +135,7 @@ fn a_location_or_gravity_that_opensim_reads_in_its_own_way_is_said() {
 }
 
 #[test]
-fn an_odd_location_of_defaults_is_that_of_each_sphere_without_its_own() {
+fn an_odd_location_in_defaults_is_reported_for_each_sphere_without_a_location() {
     let defaults = |location: &str| {
         format!(
             "<Model name=\"one_foot\"><defaults><ContactSphere name=\"default\">\
@@ -156,7 +156,7 @@ fn an_odd_location_of_defaults_is_that_of_each_sphere_without_its_own() {
 }
 
 #[test]
-fn a_transition_velocity_that_is_no_number_is_found_in_the_older_class_too() {
+fn a_transition_velocity_without_a_number_is_also_found_in_the_older_class() {
     let older = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
     let tag = "<transition_velocity>";
     let (before, rest) = older.split_once(tag).unwrap();

@@ -95,7 +95,7 @@ fn models_whose_sides_are_mirror_images_are_not_accused() {
 }
 
 #[test]
-fn a_number_of_one_side_is_named_with_the_side_that_is_unlike_the_rest() {
+fn a_difference_between_sides_names_the_side_unlike_most_contacts() {
     for (name, expected) in [("contact_ball_r", Side::Right), ("contact_ball_l", Side::Left)] {
         let text = with_edited_element(HUMAN, (SMOOTH, name), ">2000000<", ">20000000<");
         assert_found(&text, &[FindingCode::LeftRightDiffer]);
@@ -118,7 +118,7 @@ fn no_majority_names_a_side_where_all_contacts_of_one_side_differ() {
 }
 
 #[test]
-fn a_number_that_some_others_have_is_not_a_majority() {
+fn a_number_of_a_few_contacts_is_not_a_majority() {
     // Toes of another radius on both sides; the ball on the left has theirs by a slip.
     let toes = ["toe_r", "toe_l"].iter();
     let text =
@@ -391,7 +391,7 @@ fn places_aside_and_in_thousandths_are_named() {
 }
 
 #[test]
-fn names_of_the_other_side_are_named() {
+fn spheres_with_names_of_the_other_side_are_reported() {
     let swapped = SPHERES.iter().fold(HUMAN.to_owned(), |text, name| {
         let other = if let Some(bone) = name.strip_suffix("_r") {
             format!("{bone}_l")
@@ -451,7 +451,7 @@ fn no_published_model_gets_a_finding_about_its_sides() {
 }
 
 #[test]
-fn no_fixture_is_accused_that_is_not_about_it() {
+fn only_fixtures_about_sides_have_findings_about_sides() {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let folders = ["check", "drawn_feet", "format", "scale_tool", "table1", "walks"];
     let found: Vec<_> =

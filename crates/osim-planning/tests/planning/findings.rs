@@ -70,7 +70,7 @@ fn hertz_holds_up_to_0_16_at_two_body_weights() {
 }
 
 #[test]
-fn what_is_beyond_hertz_at_one_body_weight_is_not_said_again_of_two() {
+fn a_sphere_beyond_hertz_at_one_body_weight_is_not_reported_again_at_two() {
     let result = check_foot(&[Smooth { stiffness: stiffness_for(0.2, WEIGHT), ..SOLE }]);
     assert!(has(&result, FindingCode::BeyondHertz) && !has(&result, FindingCode::BeyondHertzAtTwo));
 }
@@ -134,7 +134,7 @@ fn a_sphere_floats_that_carries_its_load_before_it_touches() {
 }
 
 #[test]
-fn each_finding_says_its_figure_and_the_limit() {
+fn each_finding_has_the_value_of_its_figure_and_the_limit() {
     // mpmath 1.3.0, 40 digits, where the numbers are not those that the sphere was made from.
     for (code, sphere, expected) in [
         (
@@ -193,7 +193,7 @@ fn line_of(model: &str, text: &str) -> Option<usize> {
 }
 
 #[test]
-fn of_several_spheres_the_worst_is_the_place_and_all_that_are_concerned_are_named() {
+fn a_finding_about_several_spheres_is_placed_at_the_worst_and_names_all() {
     // Each of three spheres carries 200 N.
     let of = |name, x_hat| Smooth { name, stiffness: stiffness_for(x_hat, 200.0), ..SOLE };
     let spheres = [of("heel_r", 0.2), of("mid_r", 0.09), of("toe_r", 0.25)];
@@ -220,7 +220,7 @@ fn of_spheres_that_are_equally_bad_the_first_is_the_place() {
 }
 
 #[test]
-fn what_parameters_of_a_force_cause_is_said_of_the_force() {
+fn a_finding_about_parameters_is_placed_at_the_force() {
     let spheres = [SOLE, Smooth { name: "toe_r", dissipation: 1.0, ..SOLE }];
     let result = check_foot(&spheres);
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
@@ -230,7 +230,7 @@ fn what_parameters_of_a_force_cause_is_said_of_the_force() {
 }
 
 #[test]
-fn of_a_force_with_several_sets_the_one_of_the_sphere_is_the_line() {
+fn the_line_of_a_finding_is_that_of_the_parameter_set_of_the_sphere() {
     // The heel, of 2.25 s/m, is damped most; its set begins on the line before its spheres.
     let result = check_text(THREE_MATERIALS);
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
@@ -245,20 +245,20 @@ fn with_stance(text: &str, stance: Stance) -> CheckResult {
 }
 
 #[test]
-fn a_model_without_gravity_needs_one() {
+fn a_model_without_gravity_gets_a_finding() {
     assert!(has(&with_stance(NO_GRAVITY, Stance::default()), FindingCode::NoGravity));
     let given = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
     assert!(!has(&with_stance(NO_GRAVITY, given), FindingCode::NoGravity));
 }
 
 #[test]
-fn where_no_figure_can_be_made_gravity_is_not_what_is_missing() {
+fn gravity_is_not_reported_missing_if_figures_fail_for_another_reason() {
     let text = foot(&[Smooth { dissipation: -1.0, ..SOLE }]);
     assert!(!has(&with_stance(&text, Stance::default()), FindingCode::NoGravity));
 }
 
 #[test]
-fn a_count_that_is_not_known_is_asked_for_until_it_is_given() {
+fn an_unknown_sphere_count_is_asked_for_until_it_is_given() {
     let asked = with_stance(NO_SIDES, Stance::default());
     assert!(message(&asked, FindingCode::CountUnknown).contains("left or right cannot be determined"));
     let given = Stance { spheres: Some(2.0), ..Stance::default() };
@@ -267,13 +267,13 @@ fn a_count_that_is_not_known_is_asked_for_until_it_is_given() {
 }
 
 #[test]
-fn a_count_does_not_help_where_nobody_chose_among_two_bodies() {
+fn a_sphere_count_does_not_help_if_no_body_of_two_was_chosen() {
     let given = Stance { spheres: Some(2.0), ..Stance::default() };
     assert!(has(&with_stance(PLAYER_AND_BALL, given), FindingCode::CountUnknown));
 }
 
 #[test]
-fn what_is_special_about_forces_on_the_floor_is_said() {
+fn special_forms_of_contact_forces_are_reported() {
     assert!(has(&check_text(MIXED_RADII), FindingCode::MixedRadii));
 }
 
@@ -309,7 +309,7 @@ fn findings_of_one_kind_are_in_the_order_of_their_lines() {
 }
 
 #[test]
-fn a_name_that_is_no_text_is_kept_in_its_bytes() {
+fn a_file_name_that_is_not_text_keeps_its_bytes() {
     let model = Model::parse(HUMAN.replace(">1000000<", ">100000<")).unwrap();
     let name = FileName::from_parts("f\u{fffd}.osim".to_owned(), Some(b"f\xff.osim".to_vec()));
     let options = InspectOptions::default();
@@ -348,7 +348,7 @@ fn messages_of_findings_count_in_words() {
 }
 
 #[test]
-fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
+fn findings_about_files_beside_the_model_are_in_the_result() {
     let model = Model::parse(foot(&[SOLE])).unwrap();
     let options = InspectOptions::default();
     let beside = Finding::new(rule(FindingCode::CompiledModelBeside), "F_model.so is here");
@@ -362,7 +362,7 @@ fn what_is_known_of_files_beside_the_model_is_among_the_findings() {
 }
 
 #[test]
-fn only_a_model_that_can_be_changed_is_told_how() {
+fn only_a_model_that_can_be_changed_gets_commands() {
     // Spheres that are too soft by a factor of ten sink in.
     let model = Model::parse(HUMAN.replace(">1000000<", ">100000<")).unwrap();
     let options = InspectOptions::default();

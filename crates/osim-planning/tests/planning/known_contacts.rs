@@ -90,7 +90,7 @@ fn one_value_that_is_off_by_two_per_cent_makes_them_unknown() {
 }
 
 #[test]
-fn what_was_published_so_is_a_remark_and_nothing_else_is() {
+fn only_faults_that_were_published_are_remarks() {
     let found = check(FALISSE);
     assert_eq!((found.counts.error, found.counts.warning), (0, 0), "{:?}", found.findings);
     let codes: Vec<&str> = found.findings.iter().map(|finding| finding.code().as_str()).collect();
@@ -110,7 +110,7 @@ fn what_was_published_so_is_a_remark_and_nothing_else_is() {
 }
 
 #[test]
-fn contacts_are_known_whatever_mass_was_said() {
+fn contacts_are_recognised_whatever_mass_the_caller_gives() {
     let masses = MassRequest { model_kg: Some(40.0), ..MassRequest::default() };
     let options = InspectOptions { masses, ..InspectOptions::default() };
     let (_, inspected) = inspect(FALISSE, &options);

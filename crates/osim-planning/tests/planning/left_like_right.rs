@@ -86,7 +86,7 @@ fn the_side_that_is_a_slip_is_put_right_whichever_it_is() {
 }
 
 #[test]
-fn nothing_is_proposed_where_nothing_decides() {
+fn no_remedy_is_proposed_if_the_wrong_side_is_not_known() {
     // Two feet of two forces each, and one foot is stiffer: no number is published.
     assert_copied(UNEQUAL_STIFFNESS, &Value::Null);
 }
@@ -100,7 +100,7 @@ fn forces_that_were_chosen_by_name_are_not_chosen_otherwise() {
 }
 
 #[test]
-fn a_name_that_would_be_read_as_a_pattern_is_not_chosen_by() {
+fn a_force_whose_name_is_a_pattern_is_not_chosen_by_name() {
     let text = UNEQUAL_STIFFNESS.replace("contact_heel", "contact[heel]");
     assert_copied(&text, &Value::Null);
 }

@@ -117,7 +117,7 @@ fn a_factor_is_not_applied_twice_because_feet_were_made_level_with_it() {
 }
 
 #[test]
-fn nothing_to_set_is_still_missing() {
+fn a_request_that_sets_nothing_is_refused() {
     assert!(planned(UNEVEN, &json!({"verb": "set"})).unwrap_err().contains("Missing"));
     assert!(planned(UNEVEN, &json!({"verb": "set", "level": false})).unwrap_err().contains("Missing"));
 }

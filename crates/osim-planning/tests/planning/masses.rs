@@ -31,7 +31,7 @@ fn contacts_of_a_preset_under_its_own_body_are_right() {
 }
 
 #[test]
-fn one_number_that_is_not_the_presets_makes_them_others() {
+fn contacts_with_one_other_number_are_not_those_of_the_preset() {
     for (own, other, found) in [
         ("<radius>0.032<", "<radius>0.03200001<", true),
         ("<radius>0.032<", "<radius>0.0320004<", false),
@@ -62,7 +62,7 @@ fn spheres_without_figures_are_not_those_of_a_preset() {
 }
 
 #[test]
-fn who_says_what_the_contacts_are_made_for_knows_it() {
+fn a_mass_of_contacts_from_the_caller_counts() {
     let has_finding = |masses| {
         let options = InspectOptions { masses, ..InspectOptions::default() };
         has(&check_with("model.osim", OTHER_MASS, &options), FindingCode::ContactsOfAnotherMass)
@@ -112,7 +112,7 @@ fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
 }
 
 #[test]
-fn masses_that_agree_or_are_said_are_no_mismatch() {
+fn masses_that_agree_or_that_the_caller_gives_are_not_a_mismatch() {
     assert_eq!(mass_mismatch(&foot(&[SOLE]), &MassRequest::default()), None, "without a note");
     assert_eq!(mass_mismatch(&with_note(&foot(&[SOLE]), 61.1), &MassRequest::default()), None, "within 2 %");
     let text = with_note(&foot(&[SOLE]), 75.5);
@@ -128,7 +128,7 @@ fn masses_that_agree_or_are_said_are_no_mismatch() {
 }
 
 #[test]
-fn a_mismatch_is_said_after_the_finding_of_masses_and_nowhere_else() {
+fn a_mismatch_is_only_reported_after_the_finding_about_masses() {
     let text = with_note(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
     let result = check_text(&text);
     let aside = "; figures are those under 60 kg: for the others say `mass` 75.5";

@@ -101,7 +101,7 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
 }
 
 #[test]
-fn a_joint_nearer_than_a_radius_says_nothing() {
+fn a_joint_nearer_than_a_radius_does_not_show_the_length_of_a_bone() {
     // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
     assert!(UNPUBLISHED.contains(">0.14304034 "));
     let near = UNPUBLISHED.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
@@ -130,7 +130,7 @@ fn a_foot_is_filled_as_in_published_models() {
 }
 
 #[test]
-fn nothing_is_asked_where_nothing_shows_a_scaling() {
+fn no_question_is_asked_if_no_bone_was_scaled() {
     // Unscaled bones, and meshes in millimetres.
     for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
         let text = UNPUBLISHED.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
@@ -203,7 +203,7 @@ fn bones_of(text: &str, size: &str) -> String {
 }
 
 #[test]
-fn the_note_comes_before_everything_else() {
+fn the_note_counts_more_than_all_other_evidence() {
     let scaled = bones_of(&with_note(RIGHT_PLACES, "note"), "0.6306 0.6397 0.6306");
     let found = check(&scaled, None);
     let left =
@@ -227,7 +227,7 @@ fn a_note_of_spheres_that_were_placed_with_their_bodies_is_believed() {
 }
 
 #[test]
-fn a_sphere_that_was_moved_since_makes_the_note_say_nothing_of_places() {
+fn a_sphere_moved_after_the_note_makes_the_note_no_evidence_of_places() {
     let moved = with_x(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.6 0.6"), "s1_r", 12.0);
     assert!(!codes_without_reference(&moved).contains(&FindingCode::SpheresLeftBehind));
 }
@@ -260,7 +260,7 @@ fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
 }
 
 #[test]
-fn another_original_is_said_and_what_the_file_shows_is_not_hidden() {
+fn a_wrong_original_is_reported_and_the_evidence_of_the_file_stays() {
     let found = check(CHILD_BONES, Some(RIGHT_PLACES));
     // The same bodies: compared, and no layout is looked at.
     assert!(!codes(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes(&found));

@@ -97,7 +97,7 @@ fn contacts_that_were_made_for_this_body_are_not_to_be_scaled() {
 }
 
 #[test]
-fn what_a_remedy_says_puts_the_finding_right() {
+fn a_model_after_its_remedy_has_no_such_finding() {
     let result = check("human.osim", &human());
     let deep = wanted_by_remedy(&result, FindingCode::SunkIn);
     let model = Model::parse(human()).unwrap();
@@ -260,7 +260,7 @@ fn a_constant_contact_force_of_0_becomes_a_twentieth_of_the_radius() {
 // Whose weight it is: what was said is said again.
 
 #[test]
-fn what_was_said_of_the_load_is_said_again() {
+fn a_remedy_repeats_the_options_about_the_load() {
     let masses = MassRequest {
         model_kg: Some(80.0),
         exclude_bodies: vec!["platform".parse().unwrap()],
@@ -277,14 +277,14 @@ fn what_was_said_of_the_load_is_said_again() {
 }
 
 #[test]
-fn a_gravity_that_is_the_models_own_is_not_said() {
+fn a_remedy_does_not_repeat_the_gravity_of_the_model() {
     let stance = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
     let result = check_with("human.osim", &human(), &InspectOptions { stance, ..InspectOptions::default() });
     assert_eq!(design_of(&result, FindingCode::SunkIn)["gravity"], Value::Null);
 }
 
 #[test]
-fn a_mass_that_no_body_says_is_said() {
+fn a_remedy_repeats_a_mass_that_the_bodies_do_not_have() {
     let text = foot(&[Smooth { stiffness: 3e5, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
     let masses = MassRequest { contacts_mass_kg: Some(60.0), ..MassRequest::default() };
     let result = check_with("foot.osim", &text, &InspectOptions { masses, ..InspectOptions::default() });

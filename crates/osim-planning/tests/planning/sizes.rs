@@ -96,7 +96,7 @@ fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
 }
 
 #[test]
-fn one_broken_vertex_decides_nothing() {
+fn one_broken_vertex_of_a_mesh_gives_no_finding() {
     let broken = |mesh: &str| {
         let start = mesh.find("<Points>").unwrap();
         let start = start + mesh[start..].find("<DataArray").unwrap();
@@ -128,7 +128,7 @@ fn table_of_spheres(change: impl Fn(&str, [f64; 3]) -> (String, [f64; 3])) -> St
 }
 
 #[test]
-fn what_a_table_says_is_named_in_the_model_that_it_makes() {
+fn odd_places_in_a_table_give_findings_in_the_new_model() {
     let own = |side: &str| side.to_owned();
     let other = |side: &str| if side == "r" { "l".to_owned() } else { "r".to_owned() };
     let out = |side: &str| if side == "r" { 0.2 } else { -0.2 };

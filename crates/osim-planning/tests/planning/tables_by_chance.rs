@@ -111,7 +111,7 @@ fn random_table(random: &mut Random) -> RandomTable {
 }
 
 #[test]
-fn by_chance_every_cell_is_read_as_it_was_meant() {
+fn every_cell_of_a_random_table_is_read_as_intended() {
     for seed in seeds() {
         let made = random_table(&mut Random::of(seed));
         let table = ContactTable::read(made.text.as_bytes());
@@ -134,7 +134,7 @@ fn by_chance_every_cell_is_read_as_it_was_meant() {
 
 /// A wrong cell gives a message with its line, whatever else is in the table. No text that is not a number is read as a number.
 #[test]
-fn by_chance_a_cell_that_is_no_number_is_named() {
+fn a_wrong_cell_of_a_random_table_is_reported() {
     for seed in seeds() {
         let mut random = Random::of(seed);
         let made = random_table(&mut random);

@@ -358,7 +358,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_that_is_added_at_the_end_of_one() {
+    fn a_line_added_at_the_end_of_a_file_of_one_line() {
         assert_eq!(unified_diff(b"", b"a\n", "x", "y"), "--- x\n+++ y\n@@ -0,0 +1 @@\n+a\n");
     }
 }

@@ -97,7 +97,7 @@ fn one_model_has_sections_plots_and_explanations() {
 }
 
 #[test]
-fn what_comes_from_outside_is_escaped() {
+fn names_from_files_are_escaped_on_a_page() {
     let failure = Failure::outside("<b>.osim", "unreadable", "it is \"not\" <there>".to_owned());
     let about = About::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
     let text = page(about, &CommandLine, [Entry::failed(&failure, &CommandLine)]);

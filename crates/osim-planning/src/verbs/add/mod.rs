@@ -26,8 +26,8 @@ use places::Places;
 use reference::{FromReference, Numbers, with_contacts};
 
 /// Plans new contacts for models that have none, or in place of the contacts that they have.
-struct Adding {
-    source: Source,
+struct AddPlanner {
+    source: ContactSource,
     /// Whether new spheres are moved so that the bottoms of each foot are level.
     level: bool,
     replace: bool,
@@ -42,14 +42,14 @@ struct Adding {
 }
 
 /// The source of the places and of the numbers of new contacts.
-enum Source {
+enum ContactSource {
     /// A reference gives the places and the numbers.
     Reference(Box<FromReference>),
     /// The request gives the places. The numbers come from a reference or a design.
     OwnPlaces(Places, Numbers),
 }
 
-impl Planner for Adding {
+impl Planner for AddPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         self.plan_for_file(model, Path::new(""), &InMemory::default()).map_err(AddFault::into_fault)
     }
@@ -60,17 +60,17 @@ impl Planner for Adding {
     }
 }
 
-impl Adding {
+impl AddPlanner {
     fn plan_for_file(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
         self.answers.ask(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.without_contacts(model)?.unzip();
         let base = bare.as_ref().map_or(model, RebuiltModel::model);
         let (mut plan, rebuilt, remarks) = match &self.source {
-            Source::Reference(from_reference) => {
+            ContactSource::Reference(from_reference) => {
                 let (plan, rebuilt) = from_reference.plan(base)?;
                 (plan, rebuilt, self.remarks.clone())
             }
-            Source::OwnPlaces(places, numbers) => {
+            ContactSource::OwnPlaces(places, numbers) => {
                 let (mut layout, remarks) = places.layout(base, path, numbers, &self.answers, files)?;
                 let (rebuilt, selected) = with_contacts(base, &mut layout)?;
                 self.ask_about_radii(rebuilt.model(), &layout)?;
@@ -84,7 +84,7 @@ impl Adding {
         }
         plan.findings.retain(|finding| finding.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
-        let has_reference = !matches!(self.source, Source::OwnPlaces(_, Numbers::Designed(_)));
+        let has_reference = !matches!(self.source, ContactSource::OwnPlaces(_, Numbers::Designed(_)));
         if !self.friction && has_reference {
             plan.remarks.extend(remark_on_kept_friction(&plan, rebuilt.model()));
         }

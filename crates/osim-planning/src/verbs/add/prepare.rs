@@ -16,7 +16,7 @@ use super::reference::{
     DesignedNumbers, FromReference, Numbers, ReferenceNumbers, check_maps, layout, open_reference, transfer,
     wanted_contacts,
 };
-use super::{Adding, Source};
+use super::{AddPlanner, ContactSource};
 use crate::contact_table::ContactTable;
 use crate::prepared_change::PreparedChange;
 use crate::verbs::reference::{MassOfPublished, reference_of_opened};
@@ -41,19 +41,19 @@ pub(in crate::verbs) fn prepare(
         (None, None) => return Err(missing_source().into()),
         (None, Some(from)) => {
             let (numbers_or_contacts, reference, is_file, remarks) = whole_reference(&request, from, files)?;
-            (Source::Reference(Box::new(numbers_or_contacts)), Some(reference), is_file, remarks)
+            (ContactSource::Reference(Box::new(numbers_or_contacts)), Some(reference), is_file, remarks)
         }
         (Some(places), Some(from)) => {
             let (numbers_or_contacts, reference, is_file) = reference_numbers(&request, from, files)?;
             let numbers = Numbers::Reference(Box::new(numbers_or_contacts));
-            (Source::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
+            (ContactSource::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
         }
         (Some(places), None) => {
             if !places.has_radii() {
                 return Err(missing_radius().into());
             }
             let numbers = Numbers::Designed(Box::new(designed_numbers(&request)?));
-            (Source::OwnPlaces(places, numbers), None, false, Vec::new())
+            (ContactSource::OwnPlaces(places, numbers), None, false, Vec::new())
         }
     };
     // Designed contacts are inspected under the load of the design.
@@ -62,7 +62,7 @@ pub(in crate::verbs) fn prepare(
         None => (request.numbers.impact_speed, request.load.gravity),
     };
     let extra_files = request.from.iter().filter(|_| is_file).chain(&request.contacts).cloned().collect();
-    let planner = Adding {
+    let planner = AddPlanner {
         source,
         level: request.level,
         replace: request.replace,

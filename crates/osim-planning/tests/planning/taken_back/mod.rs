@@ -203,7 +203,7 @@ impl Counts {
 }
 
 #[test]
-fn what_was_added_is_taken_back() {
+fn added_contacts_are_taken_back() {
     let counts = try_share(FEW_FORMS);
     println!("{}", counts.told());
     counts.check();
@@ -212,7 +212,7 @@ fn what_was_added_is_taken_back() {
 /// Adds contacts to models in all forms, and removes them.
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
-fn what_was_added_is_taken_back_in_every_form() {
+fn added_contacts_are_taken_back_in_every_form() {
     let counts = try_share(MANY_FORMS);
     println!("{}", counts.told());
     counts.check();

@@ -301,7 +301,7 @@ fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
         Some(value) => {
             format!(
                 "{}{}",
-                extent.number(value, six_digits),
+                extent.number(value, few_digits),
                 if force.origin.is_default(property) { "*" } else { "" }
             )
         }
@@ -331,7 +331,7 @@ fn exact_parameters(force: &InspectedForce) -> (Vec<(Option<u64>, bool)>, Option
 }
 
 /// A number of the file: all its digits if these are at most eight letters, else four significant digits.
-fn six_digits(value: f64) -> String {
+fn few_digits(value: f64) -> String {
     let exact = readable(value);
     if exact.len() <= 8 { exact } else { four_significant(value) }
 }
