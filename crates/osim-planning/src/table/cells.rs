@@ -13,7 +13,7 @@ use serde_json::{Map, Value};
 
 use crate::opening::{find_preset, looks_like_file};
 use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
-use crate::table::columns::{Column, Columns, Kind};
+use crate::table::columns::{CellKind, Column, Columns};
 use crate::verbs::changing_verbs;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +56,7 @@ impl RowCells {
         files: &dyn Files,
     ) -> Result<Self, RowFault> {
         let mut cells = Self {
-            verb: verb(row, columns)?,
+            verb: verb_of_row(row, columns)?,
             model: PathBuf::new(),
             output: None,
             output_dir: None,
@@ -64,29 +64,29 @@ impl RowCells {
             fields: Map::new(),
         };
         for (column, cell) in filled(row, columns) {
-            if column.kind != Kind::UserColumn && is_broken_formula(cell) {
+            if column.kind != CellKind::UserColumn && is_broken_formula(cell) {
                 return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
             }
             match column.kind {
-                Kind::Model => cells.model = path_below(folder, cell),
-                Kind::Path => cells.path(&column.field, path_below(folder, cell)),
-                Kind::From => {
+                CellKind::Model => cells.model = path_below(folder, cell),
+                CellKind::Path => cells.path(&column.field, path_below(folder, cell)),
+                CellKind::From => {
                     let presets = presets(row, columns, folder);
-                    let from = from(folder, cell, presets.as_deref(), files);
+                    let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
                     cells.say(&column.field, path::to_value(&from));
                 }
-                Kind::Value => cells.say(&column.field, number(cell, sheet, column)?),
-                Kind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
-                Kind::ListWithCommas => {
+                CellKind::Value => cells.say(&column.field, number(cell, sheet, column)?),
+                CellKind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
+                CellKind::ListWithCommas => {
                     cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
                 }
-                Kind::Paths => {
+                CellKind::Paths => {
                     let paths = items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
                     cells.say(&column.field, paths.collect::<Vec<Value>>());
                 }
-                Kind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
-                Kind::Set => cells.say("set", cell),
-                Kind::Flag | Kind::Verb | Kind::UserColumn => {}
+                CellKind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
+                CellKind::Set => cells.say("set", cell),
+                CellKind::Flag | CellKind::Verb | CellKind::UserColumn => {}
             }
         }
         if cells.model.as_os_str().is_empty() {
@@ -127,23 +127,23 @@ fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r C
 }
 
 /// The verb of a row: the text in its verb cell; else the verb that the other cells of the row show.
-fn verb(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
-    let has = |kind: Kind, field: &str| {
+fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
+    let has = |kind: CellKind, field: &str| {
         filled(row, columns)
             .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
     };
-    if let Some((column, cell)) = has(Kind::Verb, "") {
+    if let Some((column, cell)) = has(CellKind::Verb, "") {
         let known = CHANGING.iter().copied().find(|verb| verb.name().eq_ignore_ascii_case(cell));
         return known
             .ok_or_else(|| RowFault::of(&column.header, format!("'{cell}', expected {}", changing_verbs())));
     }
-    if has(Kind::From, "").is_some() {
+    if has(CellKind::From, "").is_some() {
         return Ok(Verb::Transfer);
     }
-    if has(Kind::Set, "").is_some() {
+    if has(CellKind::Set, "").is_some() {
         return Ok(Verb::Set);
     }
-    if has(Kind::Value, "target_mass").is_some() {
+    if has(CellKind::Value, "target_mass").is_some() {
         return Ok(Verb::Rescale);
     }
     let message = "what to do is missing: fill in a target mass (rescale), from (transfer), set, or verb";
@@ -161,7 +161,7 @@ fn path_below(folder: &Path, path: &str) -> PathBuf {
 }
 
 /// The name of a preset, or else the path of a model, which begins at the table's folder.
-fn from(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
+fn preset_or_model_path(folder: &Path, cell: &str, presets: Option<&Path>, files: &dyn Files) -> PathBuf {
     let path = path_below(folder, cell);
     let is_preset = || find_preset(Path::new(cell), presets, files).is_ok_and(|preset| preset.is_some());
     let is_file = !is_preset() && (files.exists(&path) || looks_like_file(Path::new(cell)));
@@ -221,7 +221,7 @@ impl Masses {
     /// Collects the masses from all rows of a table. A cell that is not a number is refused later, when its row is read.
     pub(super) fn of(sheet: &Sheet, columns: &Columns) -> Self {
         let read = |input: Input| {
-            let is_of = |field: &str, kind| kind == Kind::Value && field == input.name();
+            let is_of = |field: &str, kind| kind == CellKind::Value && field == input.name();
             let at = columns.columns.iter().position(|column| is_of(&column.field, column.kind))?;
             let column = columns.columns.get(at)?;
             let cells = sheet.rows.iter().filter_map(|row| row.cells.get(at));

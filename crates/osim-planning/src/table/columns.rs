@@ -13,7 +13,7 @@ const FIT_MODEL: &str = "file";
 
 /// The way in which a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(super) enum CellKind {
     Model,
     /// The name of the verb. It is needed only if the fields of the row do not show the verb.
     Verb,
@@ -40,7 +40,7 @@ pub(super) struct Column {
     /// The text of the column in the first row of the table.
     pub header: String,
     pub field: String,
-    pub kind: Kind,
+    pub kind: CellKind,
 }
 
 #[derive(Debug)]
@@ -63,7 +63,7 @@ impl Columns {
         for cell in header {
             let twice = |one: &Column, other: &Column| match one.kind {
                 // Columns without a name are ignored.
-                Kind::UserColumn => !one.header.is_empty() && one.header == other.header,
+                CellKind::UserColumn => !one.header.is_empty() && one.header == other.header,
                 _ => (&one.field, one.kind) == (&other.field, other.kind),
             };
             match column(cell, &known) {
@@ -77,7 +77,7 @@ impl Columns {
         if let Some(message) = Phrase::joined(wrong, "; ") {
             return Err(message);
         }
-        let Some(model) = columns.iter().find(|column| column.kind == Kind::Model) else {
+        let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
             return Err(format!("no column 'model' in the first row, which has {}", listed(header)).into());
         };
         let model = model.header.clone();
@@ -87,13 +87,13 @@ impl Columns {
     /// The cells in the user's own columns of a row: name of the column and text of the cell. Columns without a name are ignored.
     pub(super) fn user_columns(&self, cells: &[String]) -> Vec<(String, String)> {
         let own = self.columns.iter().enumerate();
-        let own = own.filter(|(_, column)| column.kind == Kind::UserColumn && !column.header.is_empty());
+        let own = own.filter(|(_, column)| column.kind == CellKind::UserColumn && !column.header.is_empty());
         own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
     }
 
     pub(super) fn header_of(&self, field: &str) -> Option<&str> {
         let column =
-            self.columns.iter().find(|column| column.field == field && column.kind != Kind::Model)?;
+            self.columns.iter().find(|column| column.field == field && column.kind != CellKind::Model)?;
         Some(&column.header)
     }
 }
@@ -103,7 +103,7 @@ fn listed(header: &[String]) -> String {
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
 
-fn column(cell: &str, known: &BTreeMap<String, Option<Kind>>) -> Result<Column, Phrase> {
+fn column(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Result<Column, Phrase> {
     // `model` is the model; the field of standalone sets, which has the same name, is written with two dashes before it.
     let (name, dashes) = match cell.strip_prefix("--") {
         Some(name) => (name, true),
@@ -111,10 +111,10 @@ fn column(cell: &str, known: &BTreeMap<String, Option<Kind>>) -> Result<Column, 
     };
     let field = name.to_ascii_lowercase().replace('-', "_");
     let kind = match field.as_str() {
-        _ if cell.is_empty() || cell.starts_with('#') => Kind::UserColumn,
-        "model" if !dashes => Kind::Model,
-        "verb" if !dashes => Kind::Verb,
-        "set" if !dashes => Kind::Set,
+        _ if cell.is_empty() || cell.starts_with('#') => CellKind::UserColumn,
+        "model" if !dashes => CellKind::Model,
+        "verb" if !dashes => CellKind::Verb,
+        "set" if !dashes => CellKind::Set,
         name => match known.get(name) {
             Some(Some(kind)) => *kind,
             Some(None) => return Err(of_the_run(cell, name)),
@@ -140,7 +140,7 @@ fn of_the_run(cell: &str, field: &str) -> Phrase {
 }
 
 /// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; empty if no field is similar.
-fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> String {
+fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> String {
     let flat = |text: &str| text.replace('_', "");
     let close = known.keys().find(|field| {
         let (a, b) = (flat(field), flat(name));
@@ -155,7 +155,7 @@ fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<Kind>>) -> St
 }
 
 /// The fields of all changing verbs, and how their cells are read. `None` marks fields of the whole run, which a row cannot set for itself.
-fn fields() -> BTreeMap<String, Option<Kind>> {
+fn fields() -> BTreeMap<String, Option<CellKind>> {
     let of_verb = |verb: Verb| {
         let names = silent_fields(verb).into_iter().map(|(name, _)| name);
         let named = names.filter(|name| !["models", "set", FIT_MODEL].contains(&name.as_str()));
@@ -164,18 +164,18 @@ fn fields() -> BTreeMap<String, Option<Kind>> {
     CHANGING.iter().copied().flat_map(of_verb).collect()
 }
 
-fn kind(option: &Entry) -> Option<Kind> {
+fn kind(option: &Entry) -> Option<CellKind> {
     if option.is_of_run {
         return None;
     }
     Some(match (option.takes, option.list) {
-        _ if option.name == Input::From.name() => Kind::From,
-        (OptionValue::Flag, _) => Kind::Flag,
-        (_, List::Commas) => Kind::ListWithCommas,
-        (_, List::One) if option.is_path() => Kind::Path,
-        (_, List::Repeated) if option.is_path() => Kind::Paths,
-        (_, List::One) => Kind::Value,
-        (_, List::Repeated) => Kind::List,
+        _ if option.name == Input::From.name() => CellKind::From,
+        (OptionValue::Flag, _) => CellKind::Flag,
+        (_, List::Commas) => CellKind::ListWithCommas,
+        (_, List::One) if option.is_path() => CellKind::Path,
+        (_, List::Repeated) if option.is_path() => CellKind::Paths,
+        (_, List::One) => CellKind::Value,
+        (_, List::Repeated) => CellKind::List,
     })
 }
 
