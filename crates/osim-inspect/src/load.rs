@@ -268,7 +268,7 @@ pub fn unexplained_mass_slip(
     model: &Model,
     selection: &Selection,
 ) -> Option<NeedsAnswer> {
-    find_unexplained(masses.implausible_masses(model), masses, model, selection)
+    find_unexplained_slip(masses.implausible_masses(model), masses, model, selection)
 }
 
 /// The first of the given masses that may be in pounds, but may also be right in kilograms. This is a reason for a remark, not for a
@@ -278,10 +278,10 @@ pub fn masses_perhaps_in_pounds(
     model: &Model,
     selection: &Selection,
 ) -> Option<NeedsAnswer> {
-    find_unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
+    find_unexplained_slip(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
-fn find_unexplained(
+fn find_unexplained_slip(
     slips: Vec<NeedsAnswer>,
     masses: &MassRequest,
     model: &Model,

@@ -191,8 +191,8 @@ impl LayoutCache {
 
 fn match_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<LayoutMatch> {
     let centres = DigestedCentres::from(list);
-    let Some(layout) = layouts().iter().find(|layout| layout.has_places(&centres)) else {
-        let followed = layouts().iter().any(|layout| layout.grew_to(&centres, bones));
+    let Some(layout) = published_layouts().iter().find(|layout| layout.has_places(&centres)) else {
+        let followed = published_layouts().iter().any(|layout| layout.grew_to(&centres, bones));
         return followed.then_some(LayoutMatch::AsPublished);
     };
     let bodies: BTreeSet<&str> = centres.list.iter().map(|place| place.body).collect();
@@ -240,7 +240,7 @@ fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Opti
 /// The layout with these centres, in a published size or in the size of the bones.
 fn layout_with(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static PublishedLayout> {
     let centres = DigestedCentres::from(list);
-    layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
+    published_layouts().iter().find(|layout| layout.has_places(&centres) || layout.grew_to(&centres, bones))
 }
 
 /// Centres of the spheres that carry weight; `None` if the place of a sphere is not known, or no sphere carries weight.
@@ -341,7 +341,7 @@ fn published_name(body: &str) -> &str {
     ["_r", "_l"].iter().find_map(|side| body.strip_suffix(side)).unwrap_or(body)
 }
 
-fn layouts() -> &'static [PublishedLayout] {
+fn published_layouts() -> &'static [PublishedLayout] {
     static PUBLISHED_LAYOUTS: OnceLock<Vec<PublishedLayout>> = OnceLock::new();
     // A test checks that the table can be read.
     PUBLISHED_LAYOUTS.get_or_init(|| serde_json::from_str(include_str!("layouts.json")).unwrap_or_default())

@@ -223,7 +223,7 @@ fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fa
         }
     }
     if kinds.is_empty() {
-        return Err(none_applies());
+        return Err(fault_of_no_force());
     }
     let is_only_kind = kinds.len() == 1;
     let named = kinds.into_iter().map(|(kind, names)| {
@@ -233,7 +233,7 @@ fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fa
     Ok(named.collect())
 }
 
-fn none_applies() -> Fault {
+fn fault_of_no_force() -> Fault {
     Fault::refused("none of the chosen forces applies: there is no contact to work with")
 }
 
@@ -257,7 +257,7 @@ pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result
     #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let chosen = model.loaded_spheres(forces).len() as f64;
     if loaded.is_empty() {
-        return Err(none_applies());
+        return Err(fault_of_no_force());
     }
     let mut spheres = Vec::new();
     for one in loaded {
@@ -278,13 +278,13 @@ const SIDE_ENDINGS: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"),
 /// number.
 pub(super) fn list_spheres(names: &[String]) -> String {
     if let Some(common) = names_without_sides(names) {
-        return format!("{}, both sides", listed(&common));
+        return format!("{}, both sides", listed_names(&common));
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    listed(&names)
+    listed_names(&names)
 }
 
-fn listed(names: &[&str]) -> String {
+fn listed_names(names: &[&str]) -> String {
     match names {
         [first, .., last] if names.len() > MOST_NAMES_LISTED => {
             format!("{first} to {last} ({} spheres)", names.len())

@@ -133,7 +133,7 @@ fn only_parameter(values: &[Vec<Option<f64>>]) -> Option<Parameter> {
 }
 
 /// Adds values between neighbours, equally far apart in their logarithms.
-fn refine(values: &[f64]) -> Vec<f64> {
+fn refined_values(values: &[f64]) -> Vec<f64> {
     let between = values.windows(2).flat_map(|pair| {
         let ratio = pair[1] / pair[0];
         (0..PROFILE_STEPS).map(move |step| pair[0] * ratio.powf(f64::from(step) / f64::from(PROFILE_STEPS)))
@@ -206,7 +206,7 @@ impl<'s> HeatSweep<'s> {
         let point = |at: f64| Some((at, value(at)?));
         Profile {
             along,
-            points: refine(grid).into_iter().filter_map(point).collect(),
+            points: refined_values(grid).into_iter().filter_map(point).collect(),
             present: point(at_present),
         }
     }

@@ -56,13 +56,13 @@ pub(super) fn sample_curve(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<
     let size = (extent(knots.iter().map(|(_, p)| p.0)), extent(knots.iter().map(|(_, p)| p.1)));
     let mut points: Vec<Point> = knots.first().map(|(_, point)| *point).into_iter().collect();
     for pair in knots.windows(2) {
-        refine(&curve, (pair[0], pair[1]), size, MOST_HALVINGS, &mut points);
+        add_refined_interval(&curve, (pair[0], pair[1]), size, MOST_HALVINGS, &mut points);
     }
     points
 }
 
 /// Adds the points of an interval, halved where the curve bends. The first end is left out; the second end is the last point.
-fn refine(
+fn add_refined_interval(
     curve: &impl Fn(f64) -> Point,
     (from, to): ((f64, Point), (f64, Point)),
     size: (f64, f64),
@@ -82,8 +82,8 @@ fn refine(
         return;
     }
     let [_, middle, _] = inner;
-    refine(curve, (from, middle), size, halvings_left - 1, points);
-    refine(curve, (middle, to), size, halvings_left - 1, points);
+    add_refined_interval(curve, (from, middle), size, halvings_left - 1, points);
+    add_refined_interval(curve, (middle, to), size, halvings_left - 1, points);
 }
 
 fn extent(values: impl Iterator<Item = f64>) -> f64 {

@@ -75,7 +75,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
         });
     }
     let extra_files = motions.iter().chain(plates).chain(loads).cloned().collect();
-    let bounds = bounds(&request);
+    let bounds = fit_bounds(&request);
     if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
         let why = phrase![
             "no height is fitted: leave out ",
@@ -95,7 +95,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
 }
 
 /// Which parameters are fitted, and their bounds.
-fn bounds(request: &FitRequest) -> FitBounds {
+fn fit_bounds(request: &FitRequest) -> FitBounds {
     let is_wanted = |choice| request.fit.is_empty() || request.fit.contains(&choice);
     let is_in_spheres = request.height_in == HeightChoice::Spheres;
     let height = if is_in_spheres { FittedHeight::Spheres } else { FittedHeight::Floor };

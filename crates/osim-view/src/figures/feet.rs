@@ -183,7 +183,7 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
         state: State::Now,
     }));
     if side {
-        view.levels = levels(foot, up);
+        view.levels = level_lines(foot, up);
     }
     view
 }
@@ -253,7 +253,7 @@ fn outlines(foot: &Foot, shift: DVec3, from: ViewSide, state: State) -> Vec<Outl
 }
 
 /// The line under the lowest sphere, and the line of the floor, if the floor is near.
-fn levels(foot: &Foot, up: &str) -> Vec<Level> {
+fn level_lines(foot: &Foot, up: &str) -> Vec<Level> {
     let mut levels = Vec::new();
     // Rounded to thousandths of a millimetre, so that rounding errors of 0 are shown as 0.
     let rounded = |value: f64| (1e6 * value).round() / 1e3 + 0.0;

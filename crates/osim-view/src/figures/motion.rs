@@ -114,14 +114,14 @@ fn depth_panel(result: &MotionResult, foot: &FootSummary) -> Panel {
 }
 
 /// The normal of the floor under the foot.
-fn normal(result: &MotionResult, foot: &FootSummary) -> DVec3 {
+fn floor_normal(result: &MotionResult, foot: &FootSummary) -> DVec3 {
     let first = foot.foot.pairs.first().and_then(|&pair| result.states.frame(0).get(pair));
     first.map_or(DVec3::Y, |state| state.normal)
 }
 
 /// A force along the normal of the foot's floor, body weights.
 fn along_normal(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> f64 {
-    wrench.force_n.dot(normal(result, foot)) / result.summary.weight_n
+    wrench.force_n.dot(floor_normal(result, foot)) / result.summary.weight_n
 }
 
 /// The limit of the Hertz law as a line.
@@ -201,7 +201,7 @@ fn arrow_panel(result: &MotionResult, index: usize, foot: &FootSummary, on_sole:
 
 /// How far the arrow of a force leans, mm, and how high it is, body weights.
 fn lean_and_height(result: &MotionResult, foot: &FootSummary, wrench: &Wrench) -> (f64, f64) {
-    let normal = normal(result, foot);
+    let normal = floor_normal(result, foot);
     let weight_n = result.summary.weight_n;
     let forward = ViewAxes::with_up(normal).forward;
     (LEAN_PER_BODY_WEIGHT_MM * wrench.force_n.dot(forward) / weight_n, along_normal(result, foot, wrench))

@@ -16,7 +16,7 @@ use crate::figures::curves::{
 };
 
 /// The animal of Table 1 with the name `taxon`; of several, the one that stands on the most spheres.
-fn animal(taxon: &str) -> Result<Animal, Failure> {
+fn animal_of_table(taxon: &str) -> Result<Animal, Failure> {
     let spheres = |animal: &Animal| animal.scale().sphere_count();
     let most = table1::called(taxon).max_by(|a, b| spheres(a).total_cmp(&spheres(b)));
     most.ok_or_else(|| table_failure(format!("there is no {taxon}")))
@@ -43,7 +43,7 @@ const MOST_BODY_WEIGHTS: f64 = 3.0;
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
-    let animals = [animal("mouse")?, animal("giraffe")?];
+    let animals = [animal_of_table("mouse")?, animal_of_table("giraffe")?];
     let drops = |scale_dissipation: bool| -> Result<Vec<AnimalDrop>, Failure> {
         animals.iter().map(|animal| drop_of_animal(animal, scale_dissipation)).collect()
     };
@@ -118,7 +118,7 @@ const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: Forc
 /// # Errors
 /// None with the numbers of Table 1.
 pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
-    let animal = animal(FIG_C5_ANIMAL)?;
+    let animal = animal_of_table(FIG_C5_ANIMAL)?;
     let (emu, values) = (animal.scale(), animal.contact().map_err(table_failure)?.values());
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
     let mut bodies = Vec::new();

@@ -33,9 +33,9 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
     let equal = |reference: &Contacts<'_>| last.is_some_and(|last| all_agree(last, reference));
     let has_own_gravity = equal(&in_own_gravity) || !equal(&in_model_gravity);
     let shown = if has_own_gravity { &in_own_gravity } else { &in_model_gravity };
-    let mut rows: Vec<Markup> = shown.iter().map(|contact| row("reference", contact)).collect();
+    let mut rows: Vec<Markup> = shown.iter().map(|contact| table_row("reference", contact)).collect();
     for (state, contacts) in &states {
-        rows.extend(contacts.iter().map(|contact| row(state, contact)));
+        rows.extend(contacts.iter().map(|contact| table_row(state, contact)));
     }
     let name = match gravity.filter(|_| !has_own_gravity) {
         Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
@@ -165,7 +165,7 @@ fn contacts_agree(one: &DimensionlessContact, other: &DimensionlessContact) -> b
     })
 }
 
-fn row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Markup {
+fn table_row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact)) -> Markup {
     let four = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), four_significant);
     html! {
         tr {

@@ -70,7 +70,7 @@ struct SphereGroup<'s> {
 
 /// Adds the section about the spheres. If figures are missing, a sentence says why.
 pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
-    let groups = groups(states);
+    let groups = sphere_groups(states);
     let groups_per_table = (MAX_COLUMNS / states.len().max(1)).max(1);
     let why =
         states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
@@ -119,7 +119,7 @@ fn own_heights_table(state: &ModelState<'_>) -> Markup {
     table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
 }
 
-fn groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
+fn sphere_groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
     let mut groups: Vec<SphereGroup<'s>> = Vec::new();
     let Some(first) = states.first() else { return groups };
     let lookups: Vec<SphereLookup<'s>> = states.iter().map(SphereLookup::of).collect();

@@ -32,7 +32,7 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     let rows = AnswerRows::of(found);
     let is_full = layout.extent.is_full();
     let mut text = wrapped_with_path(&found.model, &headline(found, &rows), "  ", layout.width());
-    text.push_str(&commands(&found.commands, words));
+    text.push_str(&command_lines(&found.commands, words));
     text.push('\n');
     for row in &rows.bad {
         text.push_str(&row.text(layout));
@@ -205,7 +205,7 @@ fn share(some: usize, all: usize) -> String {
 }
 
 /// The commands, each on its own line. Lines are never broken, so that commands can be copied.
-fn commands(commands: &[String], words: &dyn FrontEnd) -> String {
+fn command_lines(commands: &[String], words: &dyn FrontEnd) -> String {
     let line = |command: &String| format!("  {}{}\n", words.prompt(), one_line(command.clone()));
     commands.iter().map(line).collect()
 }

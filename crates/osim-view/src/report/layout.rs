@@ -112,7 +112,7 @@ fn line_broken(line: &str, width: usize) -> String {
     if display_width(text) <= width || COMMAND_BEGINNINGS.iter().any(|command| words.starts_with(command)) {
         return line.to_owned();
     }
-    let (head, sentence) = split(text);
+    let (head, sentence) = split_sentence(text);
     let hang = display_width(head) + if TEXT_HEADS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
     // Where hardly anything would fit beside the other cells, nothing is won.
     if hang > width / 2 {
@@ -130,7 +130,7 @@ fn line_broken(line: &str, width: usize) -> String {
 }
 
 /// Splits a line into two parts: the indentation with the first cells of a table, and the sentence after these.
-fn split(line: &str) -> (&str, &str) {
+fn split_sentence(line: &str) -> (&str, &str) {
     let gap = line.rfind("  ").map_or(0, |at| at + 2);
     let sentence = line[gap..].trim_start_matches(' ');
     line.split_at(line.len() - sentence.len())

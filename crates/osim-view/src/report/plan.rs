@@ -22,10 +22,10 @@ pub fn text(plan: &Plan, model: &str, output: &str, columns: Option<usize>) -> S
     } else {
         text.push('\n');
         for table in [
-            objects(plan.objects(), columns),
-            changes(plan, columns),
-            new_spheres(plan, columns),
-            moves(plan, columns),
+            table_of_objects(plan.objects(), columns),
+            table_of_changes(plan, columns),
+            table_of_new_spheres(plan, columns),
+            table_of_moves(plan, columns),
         ] {
             if !table.is_empty() {
                 text.push_str(&format!("{table}\n"));
@@ -69,7 +69,7 @@ const MAX_NAMES_OF_OBJECTS: usize = 3;
 const MAX_NAMES_OF_CHANGE: usize = 2;
 
 /// The table of added and removed objects, with a row for each class.
-fn objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
+fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
     if objects.is_empty() {
         return String::new();
     }
@@ -92,7 +92,7 @@ pub fn is_new(plan: &Plan) -> bool {
     plan.objects().iter().any(|object| object.action == ObjectAction::Added)
 }
 
-fn changes(plan: &Plan, columns: Option<usize>) -> String {
+fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
     let changes: &[NumberChange] = &plan.changes;
     if changes.is_empty() {
         return String::new();
@@ -134,7 +134,7 @@ fn changes(plan: &Plan, columns: Option<usize>) -> String {
 }
 
 /// The table of added spheres, with a row for each sphere and its final numbers.
-fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
+fn table_of_new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     let spheres = plan.new_spheres();
     if spheres.is_empty() {
         return String::new();
@@ -143,7 +143,7 @@ fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
     let mut table = table(&["new sphere", "on", "radius", "x", "y", "z"]);
     for sphere in spheres {
         let mut cells = vec![sphere.name.to_owned(), sphere.body.to_owned(), number(sphere.radius_m)];
-        cells.extend(sphere.centre_m.map(|metres| coordinate(metres, largest)));
+        cells.extend(sphere.centre_m.map(|metres| coordinate_text(metres, largest)));
         table.add_row(cells);
     }
     table.right_aligned(&[2, 3, 4, 5]);
@@ -151,7 +151,7 @@ fn new_spheres(plan: &Plan, columns: Option<usize>) -> String {
 }
 
 /// The table of sphere centres that move, with a row for each sphere, because moves are rarely alike. New spheres are in another table.
-fn moves(plan: &Plan, columns: Option<usize>) -> String {
+fn table_of_moves(plan: &Plan, columns: Option<usize>) -> String {
     let moves = moves_of_others(plan);
     if moves.is_empty() {
         return String::new();
@@ -160,7 +160,7 @@ fn moves(plan: &Plan, columns: Option<usize>) -> String {
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
         let mut cells = vec![moved.sphere.clone()];
-        cells.extend(moved.from.iter().chain(&moved.to).map(|&metres| coordinate(metres, largest)));
+        cells.extend(moved.from.iter().chain(&moved.to).map(|&metres| coordinate_text(metres, largest)));
         cells.push(moved.by.as_str().to_owned());
         table.add_row(cells);
     }
@@ -173,7 +173,7 @@ fn largest_of(largest: f64, coordinate: f64) -> f64 {
 }
 
 /// A coordinate in metres, with four decimals; with six if the `largest` coordinate is that of a small animal.
-fn coordinate(metres: f64, largest: f64) -> String {
+fn coordinate_text(metres: f64, largest: f64) -> String {
     let (decimals, unit) = if largest < SMALL_FOOT_M { (6, 1e6) } else { (4, 1e4) };
     format!("{:.decimals$}", (metres * unit).round() / unit + 0.0)
 }

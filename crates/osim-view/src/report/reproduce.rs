@@ -155,7 +155,7 @@ pub fn reproduction_text(record: &ReproductionRecord) -> String {
             text.push_str(&format!("{line}\n"));
         }
     }
-    text.push_str(&format!("\n{}", summary(record)));
+    text.push_str(&format!("\n{}", summary_in_words(record)));
     text
 }
 
@@ -226,7 +226,7 @@ fn cells(number: &NumberRecord) -> Vec<String> {
 }
 
 /// How many numbers agree, why others do not agree, and how they were computed.
-fn summary(record: &ReproductionRecord) -> String {
+fn summary_in_words(record: &ReproductionRecord) -> String {
     let (agree, all) = (record.within_last_digit, record.numbers);
     let mut text = filled(
         &format!(

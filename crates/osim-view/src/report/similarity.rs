@@ -11,7 +11,7 @@ const MOST_NAMES_LISTED: usize = 6;
 
 /// Sentences that describe the list, for a text or a page.
 pub fn about(list: &SizeList, extent: Extent) -> Vec<String> {
-    let mut sentences = vec![ratios(list, extent)];
+    let mut sentences = vec![ratios_in_words(list, extent)];
     sentences.push(
         "\"similar\" is the factor of geometric similarity at equal gravity, which is one choice among several: nothing here is changed"
             .to_owned(),
@@ -92,7 +92,7 @@ fn spread_in_words(SizeSpread { median, min, max, .. }: &SizeSpread, extent: Ext
     if min == max { median } else { format!("{median} ({min} to {max})") }
 }
 
-fn ratios(list: &SizeList, extent: Extent) -> String {
+fn ratios_in_words(list: &SizeList, extent: Extent) -> String {
     let three = |value| extent.number(value, three_significant);
     let (Some(mass), Some(length)) = (list.mass_ratio, list.length_ratio) else {
         return "masses are not known: what similarity would give is not known".to_owned();

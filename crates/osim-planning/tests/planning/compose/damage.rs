@@ -79,7 +79,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
             "left forces deleted",
             (!left.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": left}))).flatten(),
         ),
-        ("places rounded", damage_each(text, model, "ContactSphere", PLACE_TAGS, rounded)),
+        ("places rounded", damage_each(text, model, "ContactSphere", PLACE_TAGS, rounded_numbers)),
     ];
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
 }
@@ -157,7 +157,7 @@ fn without_heaviest_mass(text: &str, model: &Model) -> Option<String> {
 }
 
 /// Numbers rounded to a tenth of a millimetre, as scripts write them.
-fn rounded(numbers: &str) -> Option<String> {
+fn rounded_numbers(numbers: &str) -> Option<String> {
     let numbers: Option<Vec<f64>> = numbers.split_whitespace().map(|word| word.parse().ok()).collect();
     Some(numbers?.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(" "))
 }

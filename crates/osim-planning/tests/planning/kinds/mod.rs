@@ -57,7 +57,7 @@ enum WorstFinding {
     Accused,
 }
 
-fn said(before: &Findings, after: Option<&Findings>, codes: &str) -> WorstFinding {
+fn worst_finding_of(before: &Findings, after: Option<&Findings>, codes: &str) -> WorstFinding {
     let Some(after) = after else { return WorstFinding::Accused };
     let about = |code: &FindingCode| codes.split(' ').any(|one| one == code.as_str());
     // A remark that all contacts are published ones disappears.
@@ -91,7 +91,7 @@ fn models(folder: &Path) -> Vec<(Published, Findings)> {
 }
 
 /// The rows of the list: for each damage, the severity that `check` has to give.
-fn rows(list: &str) -> BTreeMap<&str, &str> {
+fn rows_of_list(list: &str) -> BTreeMap<&str, &str> {
     let cells = |line: &'_ str| -> Option<[usize; 4]> {
         let mut bars = line.match_indices(" | ").map(|(at, _)| at);
         Some([2, bars.next()?, bars.next()?, bars.next()?])
@@ -110,7 +110,7 @@ fn each_kind_of_damage_is_judged() {
     let Some(cases) = folder(name, "OSIM_CASES", "cases") else { return };
     let Some(corpus) = folder(name, "OSIM_CORPUS", "real models") else { return };
     let list = std::fs::read_to_string(cases.join("kinds.md")).unwrap();
-    let expected = rows(&list);
+    let expected = rows_of_list(&list);
     let models = models(&corpus);
     let mut wrong = Vec::new();
     for (damage, codes, make) in DAMAGES {
@@ -123,7 +123,7 @@ fn each_kind_of_damage_is_judged() {
         let damaged = models.iter().filter_map(|(model, before)| Some((model.name, before, make(model)?)));
         for (model, before, text) in damaged.take(MOST_MODELS) {
             let after = findings(&text);
-            let said = said(before, after.as_ref(), codes);
+            let said = worst_finding_of(before, after.as_ref(), codes);
             *counts.entry(said).or_default() += 1;
             if said < enough && !UNSEEN_DAMAGES.contains(&(damage, model)) {
                 let after = after.unwrap_or_default();

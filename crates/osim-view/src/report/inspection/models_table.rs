@@ -101,7 +101,7 @@ impl Column {
             }
             Self::Indentation => worst_in_words(spheres(inspected).filter_map(indentation_at_rest), f64::max),
             Self::Restitution => worst_in_words(spheres(inspected).filter_map(restitution), f64::min),
-            Self::Findings => findings(inspected, counts),
+            Self::Findings => findings_in_words(inspected, counts),
         }
     }
 }
@@ -332,7 +332,7 @@ fn worst_in_words(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f
 }
 
 /// The number of findings of the worst severity; or a note that the model has no contacts.
-fn findings(inspected: &Inspection, counts: Counts) -> String {
+fn findings_in_words(inspected: &Inspection, counts: Counts) -> String {
     // What is found in a model without contacts is that it has none.
     if inspected.forces.is_empty() && counts.error + counts.warning == 0 {
         return NO_CONTACTS.to_owned();

@@ -180,7 +180,7 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout
         text.push('\n');
         text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, layout));
     }
-    text.push_str(&standing(inspected, layout));
+    text.push_str(&own_heights_table(inspected, layout));
     if text.contains(OUTSIDE) {
         let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
         text.push_str(&format!("  ({OUTSIDE} {more})\n"));
@@ -189,7 +189,7 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout
 }
 
 /// The table of spheres at their own heights, if these heights differ.
-fn standing(inspected: &Inspection, layout: Layout) -> String {
+fn own_heights_table(inspected: &Inspection, layout: Layout) -> String {
     let extent = layout.extent;
     let rows = equally_deep(&inspected.figures, extent);
     if rows.is_empty() {
@@ -304,7 +304,7 @@ const PARAMETER_COLUMNS: [Property; 9] = [
 const LAST_COLUMNS: [&str; 2] = ["outside_limits", "findings"];
 
 /// Names of the columns of the CSV of spheres. `docs/reference/json.md` explains them.
-fn header() -> Vec<String> {
+fn csv_header() -> Vec<String> {
     let place = PLACE_COLUMNS.iter().map(|(name, _)| (*name).to_owned());
     let parameters = PARAMETER_COLUMNS.iter().map(|&property| Quantity::property(property).column());
     let figures = Figure::ALL.iter().map(|figure| figure.info().column());
@@ -323,7 +323,7 @@ fn cells(place: &SpherePlace<'_>) -> Vec<String> {
 }
 
 /// The codes of the findings about a model, each once. Every row of the model has them.
-fn codes(inspected: &Inspection) -> String {
+fn codes_of_findings(inspected: &Inspection) -> String {
     let mut seen = HashSet::new();
     let codes = inspected.findings.iter().map(|finding| finding.code().as_str());
     codes.filter(|code| seen.insert(*code)).collect::<Vec<_>>().join(" ")
@@ -334,7 +334,7 @@ fn codes(inspected: &Inspection) -> String {
 /// # Errors
 /// None in practice: the rows are written into memory.
 pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Error> {
-    let header = header.then(self::header);
+    let header = header.then(csv_header);
     let spheres =
         inspected.figures.limbs.iter().flat_map(|limb| limb.spheres.iter().map(move |sphere| (limb, sphere)));
     // The first force of each name that presses a sphere of each name.
@@ -344,7 +344,7 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
             pressing.entry((&force.name, sphere)).or_insert(at);
         }
     }
-    let findings = codes(inspected);
+    let findings = codes_of_findings(inspected);
     let rows = spheres.map(|(limb, sphere)| {
         let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
         let first = sphere.forces.iter().filter_map(presses).min();

@@ -15,20 +15,20 @@ use crate::report::similarity;
 /// The inspection as text: masses, limbs, spheres, forces, and figures. The texts of the inspection are already in the words of the front
 /// end.
 pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
-    let mut text = head(inspected, layout);
+    let mut text = head_of_model(inspected, layout);
     if !inspected.spheres.is_empty() {
         text.push('\n');
-        text.push_str(&spheres(&inspected.spheres, layout));
+        text.push_str(&table_of_spheres(&inspected.spheres, layout));
     }
     if !inspected.forces.is_empty() {
         text.push('\n');
-        text.push_str(&forces(inspected, layout));
+        text.push_str(&table_of_forces(inspected, layout));
     }
     if !inspected.forces.is_empty() {
         let figures = spheres::sphere_sheet(inspected, dialect, layout);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
         text.push_str(&painted(&figures, layout.colour));
-        text.push_str(&standing(inspected, layout));
+        text.push_str(&sentences_on_standing(inspected, layout));
     }
     if inspected.body_factors.is_some() {
         text.push('\n');
@@ -42,7 +42,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> St
     text
 }
 
-fn head(inspected: &Inspection, layout: Layout) -> String {
+fn head_of_model(inspected: &Inspection, layout: Layout) -> String {
     let number = |value| layout.extent.number(value, readable);
     let title =
         format!("{}: {} (document version {})", inspected.model, inspected.name, inspected.document_version);
@@ -89,7 +89,7 @@ fn head(inspected: &Inspection, layout: Layout) -> String {
 }
 
 /// One row for each sphere; x, y, z are the place of its lowest point.
-fn spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
+fn table_of_spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
     let extent = layout.extent;
     let mut table = table(&["sphere", "body", "limb", "radius", "lowest x", "y", "z"]);
     let decimals = decimals(spheres);
@@ -116,7 +116,7 @@ fn spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
 }
 
 /// A row for each group of forces with the same parameters, and a legend with the names of these forces.
-fn forces(inspected: &Inspection, layout: Layout) -> String {
+fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
     let extent = layout.extent;
     let groups = groups(inspected, extent);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
@@ -137,7 +137,7 @@ fn forces(inspected: &Inspection, layout: Layout) -> String {
 }
 
 /// Sentences about the heights of bodies over their floors, and about the coordinate that puts each body on its feet.
-fn standing(inspected: &Inspection, layout: Layout) -> String {
+fn sentences_on_standing(inspected: &Inspection, layout: Layout) -> String {
     let several = inspected.standing.len() > 1;
     let mut text = String::new();
     for body in &inspected.standing {

@@ -251,7 +251,7 @@ struct BodyLoad {
 }
 
 /// The bodies that contacts press on, with their contact forces. A foot with a single body is called by its side.
-fn loads(result: &MotionResult) -> Vec<BodyLoad> {
+fn loads_on_bodies(result: &MotionResult) -> Vec<BodyLoad> {
     let mut loads: Vec<BodyLoad> = Vec::new();
     for foot in &result.summary.feet {
         for body in &foot.foot.bodies {
@@ -274,7 +274,7 @@ fn loads(result: &MotionResult) -> Vec<BodyLoad> {
 
 /// The ground reactions as a `.sto` file: force, point and free moment for each body, in ground.
 pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
-    let loads = loads(result);
+    let loads = loads_on_bodies(result);
     let mut text = format!(
         "{}\nversion=1\nnRows={}\nnColumns={}\ninDegrees=no\nendheader\ntime",
         name.lines().next().unwrap_or_default(),
@@ -301,7 +301,7 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
             let states = result.states.frame(frame);
             let own = || load.pairs.iter().filter_map(|&pair| states.get(pair));
             let wrench = Wrench::from_states(own());
-            let point = point_of(result, own().next(), &wrench).or(*last).unwrap_or_default();
+            let point = point_of_force(result, own().next(), &wrench).or(*last).unwrap_or_default();
             *last = Some(point);
             let moment = wrench.moment_n_m - point.cross(wrench.force_n);
             for value in [wrench.force_n, point, moment].into_iter().flat_map(<[f64; 3]>::from) {
@@ -315,7 +315,7 @@ pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
 }
 
 /// The point at which the force on a body acts; `None` if the force is too small.
-fn point_of(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<DVec3> {
+fn point_of_force(result: &MotionResult, first: Option<&ContactState>, wrench: &Wrench) -> Option<DVec3> {
     let state = first?;
     let down = (state.centre_m - state.point_m).dot(state.normal);
     let on_plane = state.centre_m - down * state.normal;
@@ -329,7 +329,7 @@ pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
     let mut text = String::from(
         "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"contacts\">\n\t\t<objects>\n",
     );
-    for load in loads(result) {
+    for load in loads_on_bodies(result) {
         let (label, body) = (escaped(&load.label), escaped(&load.body));
         text.push_str(&format!("\t\t\t<ExternalForce name=\"contacts_{body}\">\n"));
         for (tag, value) in [
