@@ -34,7 +34,7 @@ pub(crate) struct Reach {
     most: f64,
 }
 
-/// The length to which a reach is compared. The comment of the module describes both.
+/// The length to which the reach of a sphere is compared: the distance to the next joint, or the length of the foot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum ReachMeasure {
     TowardsJoint,

@@ -171,7 +171,7 @@ struct PresetEntry {
     hunt_crossley_smoothing: Option<f64>,
 }
 
-/// All presets: the built-in ones, then those of `file`.
+/// All presets: the built-in presets, then the presets in `file`.
 ///
 /// # Errors
 /// A file that cannot be read, an unknown or missing key (with line and column), a value outside its domain, or a name

@@ -164,7 +164,7 @@ const BODY_WEIGHTS: [f64; 2] = [1.0, 2.0];
 /// A limb that carries the body, with its chosen spheres and the numbers from which their figures are computed.
 struct LoadedLimb<'s> {
     model: &'s Model,
-    /// The chosen spheres of the limb: figures are computed for these.
+    /// The chosen spheres of the limb, for which figures are computed.
     chosen: &'s [&'s SphereContacts],
     /// Contacts of all spheres of the limb, chosen or not; `None` if one of them cannot be read.
     all: Option<Vec<&'s SphereContacts>>,

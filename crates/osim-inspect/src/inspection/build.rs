@@ -151,7 +151,7 @@ type SetContacts = HashMap<(ForceId, SetId), SetContact>;
 
 pub(super) struct SetContact {
     pub composite_modulus_n_m2: f64,
-    /// `None` if mass, limbs or gravity are not known.
+    /// The dimensionless contact of the parameter set; `None` if mass, limbs or gravity are not known.
     pub dimensionless: Option<DimensionlessContact>,
 }
 

@@ -17,7 +17,7 @@ use crate::reach::{BodyBones, Reach};
 use crate::rules::spheres::about_spheres;
 use crate::sides::BothSides;
 
-/// The knowledge about the places of a model's spheres.
+/// The evidence about the places of a model's spheres.
 pub(crate) enum SpherePlaces<'i> {
     /// The places, compared with the model before scaling.
     Compared(&'i SpherePlacements),

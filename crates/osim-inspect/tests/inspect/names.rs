@@ -6,7 +6,7 @@ use osim_model::{FindingCode, Model};
 
 use crate::random::{Random, seeds};
 
-/// The text of a model: a foot called `foot` with a sphere of 0.0325 m and a floor. `behind` is added after its sets.
+/// The text of a model with a foot called `foot`, a sphere of 0.0325 m and a floor. `behind` is added after its sets.
 fn foot_model(version: u32, foot: &str, sphere: &str, geometry: &str, behind: &str) -> String {
     let (ground, frame) = match version {
         30000 => ("<body_name>ground</body_name>".to_owned(), format!("<body_name>{foot}</body_name>")),

@@ -43,8 +43,8 @@ const LARGEST_LENGTH_M: f64 = 1e9;
 /// The text that MuSkeMo writes for the body of a contact that has no body.
 const NO_BODY: &str = "not_assigned";
 
-/// The contacts of a table with the columns `name`, `body`, `x`, `y`, `z` (in the body's frame) and perhaps `radius`, all in metres;
-/// or of a table that MuSkeMo exported.
+/// The contacts of a table with the columns `name`, `body`, `x`, `y`, `z` (in the body's frame) and optionally `radius`, all in metres; or
+/// of a table that MuSkeMo exported.
 ///
 /// ```
 /// use osim_planning::contact_table::{ContactTable, TablePlace};

@@ -170,7 +170,7 @@ impl Table {
     }
 }
 
-/// Output options of a row: those in its cells, else those of the call.
+/// Output options of a row: the options in its cells, else the options of the call.
 fn output(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFault> {
     let named = cells.output.is_some() || cells.output_dir.is_some();
     if cells.output.as_deref() == Some(Path::new("-")) {

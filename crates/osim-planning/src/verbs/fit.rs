@@ -135,7 +135,7 @@ impl FitPlanner {
         Ok((recording, states, feet))
     }
 
-    /// The contacts along one recording. `first` is the first recording.
+    /// The contacts of a model along one recording. `first` is the first recording of the fit.
     fn trial_states(
         &self,
         trial: &TrialInput,

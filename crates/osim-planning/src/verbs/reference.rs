@@ -1,4 +1,4 @@
-//! The reference of a transfer: a preset, or a model with its skeleton.
+//! The reference of a transfer, from which contacts are taken: a preset, or a model with its skeleton.
 
 use std::collections::BTreeSet;
 use std::path::Path;

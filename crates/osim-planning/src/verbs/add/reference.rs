@@ -48,7 +48,7 @@ pub(super) struct DesignedNumbers {
 }
 
 impl Numbers {
-    /// The ratio of radii in `model` to those in the reference, by (8).
+    /// The ratio of radii in `model` to radii in the reference, by (8).
     ///
     /// # Errors
     /// There is no reference, or a mass is not known.
