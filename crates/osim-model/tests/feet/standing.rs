@@ -255,8 +255,9 @@ fn a_platform_under_a_foot_does_not_count_as_standing() {
         let standing = parts.only_standing();
         assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
         // A foot that is joined to the platform, too.
-        parts.joints = joint_xml("ground", "plate", &[Slider { coordinate: "plate_ty", axis: "0 1 0", more }])
-            + &joint_xml("plate", "foot", &[UP]);
+        parts.joints =
+            joint_xml("ground", "plate", &[Slider { coordinate: "plate_ty", axis: "0 1 0", more }])
+                + &joint_xml("plate", "foot", &[UP]);
         let standing = parts.only_standing();
         assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
     }
