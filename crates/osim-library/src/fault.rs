@@ -15,21 +15,21 @@ pub struct LibraryFault {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cause {
-    /// The call: it asks for something that is refused.
+    /// The user's call asks for something that is refused.
     Call,
-    /// The system, for example a full disk or a folder that may not be written.
+    /// The operating system refused, for example because the disk is full or the folder may not be written.
     System,
     /// Another run is using a file; that run will end.
     Busy,
 }
 
 impl LibraryFault {
-    /// A fault of the call. Names of options in the message are data, which a front end spells.
+    /// A fault of the user's call. The message has names of options as data, which a front end spells.
     pub fn new(message: impl Into<Phrase>) -> Self {
         Self { message: message.into(), cause: Cause::Call }
     }
 
-    /// A fault of the system: what could not be done, and why.
+    /// A fault of the operating system: the action `what` failed for the reason `why`.
     pub(crate) fn system(what: impl Display, why: impl Display) -> Self {
         Self { cause: Cause::System, ..Self::new(format!("{what}: {why}")) }
     }
@@ -39,7 +39,7 @@ impl LibraryFault {
         Self { message, cause: Cause::Busy }
     }
 
-    /// A resumed run finds an output that was edited after it was written, and does not replace it.
+    /// The fault that a resumed run would replace an output which somebody edited after it was written.
     pub(crate) fn output_edited(output: &Path) -> Self {
         Self::new(phrase![
             format!(
@@ -50,7 +50,8 @@ impl LibraryFault {
         ])
     }
 
-    /// A resumed run in place finds a model that an earlier run changed with other options: a factor would be applied twice.
+    /// The fault that a resumed run would change a model in place which an earlier run changed with other options. A factor would then
+    /// be applied twice.
     pub(crate) fn model_changed_before() -> Self {
         Self::new(phrase![
             "an earlier run changed this model by other options, and this change would come on top of that: bring back \
@@ -83,7 +84,7 @@ impl LibraryFault {
     }
 }
 
-/// An error of another library as a fault.
+/// Turns an error of another library into a fault.
 pub(crate) fn fault_of_error(error: impl Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }
@@ -96,7 +97,7 @@ impl Display for LibraryFault {
 
 impl std::error::Error for LibraryFault {}
 
-/// Adds what could not be done to an error that says why.
+/// Adds the name of the failed action to an error.
 pub(crate) trait Context<T> {
     fn context<D: Display>(self, what: impl FnOnce() -> D) -> Result<T, LibraryFault>;
 }

@@ -2,7 +2,7 @@
 //!
 //! # What it will not do
 //!
-//! It knows no terminal: messages are data, which a front end ([`run::RunFrontEnd`]) spells and shows.
+//! This crate writes nothing to a terminal: messages are data, which a front end ([`run::RunFrontEnd`]) spells and shows.
 
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 

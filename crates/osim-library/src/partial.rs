@@ -1,6 +1,6 @@
-//! `FILE.partial`: one line for each finished output of a run, as long as `FILE` itself is not complete.
+//! `FILE.partial` has one line for each finished output of a run. It exists until `FILE` itself is complete.
 //!
-//! A line is written before its output gets its name, so that every finished output has its line, even if the program is killed.
+//! A line is written before its output file gets its final name. So every finished output has a line, even if the program is killed.
 
 use std::ffi::OsString;
 use std::fs::File;
@@ -12,7 +12,7 @@ use osim_model::messages::{Input, Phrase, phrase};
 use crate::fault::{Context, LibraryFault};
 use crate::file_access;
 
-/// A file of whole lines that is open for one run at a time.
+/// A file of whole lines that only one run at a time may write.
 #[derive(Debug)]
 pub(crate) struct PartialFile {
     path: PathBuf,
@@ -21,7 +21,7 @@ pub(crate) struct PartialFile {
 }
 
 impl PartialFile {
-    /// The end of its name, after the name of the complete file.
+    /// The ending of a partial file's name, after the name of the complete file.
     pub(crate) const ENDING: &'static str = ".partial";
 
     pub(crate) fn path_for(whole: &Path) -> PathBuf {
@@ -54,11 +54,11 @@ impl PartialFile {
         }
     }
 
-    /// Opens the partial file of `whole` for this run alone. If the run resumes, whole lines are kept. `way_out` is the advice if another
-    /// run has it open.
+    /// Opens the partial file of `whole` for this run alone. If the run resumes, whole lines are kept. `way_out` is the advice in the
+    /// fault if another run has the file open.
     ///
     /// # Errors
-    /// It cannot be written, or another run has it.
+    /// The partial file cannot be written, or another run has it open.
     pub(crate) fn open(whole: &Path, resume: bool, way_out: &Phrase) -> Result<Self, LibraryFault> {
         let path = Self::path_for(whole);
         let cannot = || format!("cannot write {}", path.display());

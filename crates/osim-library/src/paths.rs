@@ -1,4 +1,4 @@
-//! Absolute and relative paths, also of files and folders that do not exist yet; and makes folders.
+//! Makes absolute and relative paths, also of files and folders that do not exist yet; and makes folders.
 
 use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf};
@@ -44,7 +44,7 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Makes the folder of `path`, with those above it.
+/// Makes the folder of `path` and the folders above it.
 pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
     if folder_of(path).is_dir() {
         return Ok(());
@@ -56,7 +56,7 @@ pub fn make_folder_of(path: &Path) -> Result<(), LibraryFault> {
     }
 }
 
-/// [`resolved`] for very many paths: it resolves every folder once.
+/// Makes many paths absolute as [`resolved`] does, but looks at each folder only once.
 #[derive(Debug, Default)]
 pub(crate) struct Resolver {
     folders: HashMap<PathBuf, PathBuf>,

@@ -1,8 +1,8 @@
-//! The page of `--report` as a file ([`ReportPage`]), and the entries of models that a run changed ([`entry_of_change`]).
+//! Writes the page of `--report` to a file ([`ReportPage`]), with an entry for each changed model ([`entry_of_change`]).
 //!
 //! # What it will not do
 //!
-//! It knows no terminal and no Python: faults are a [`LibraryFault`], which its caller spells.
+//! The module writes nothing to a terminal and knows nothing of Python: its faults are [`LibraryFault`], which the caller spells.
 
 use std::fs::File;
 use std::io::{BufWriter, Read, Seek, SeekFrom, Write};
@@ -21,29 +21,29 @@ use crate::file_access::read_head;
 use crate::run::{ChangedModel, Record, Run};
 use crate::{Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, reason, resolved};
 
-/// A page of this program names its generator in its first bytes, so many at most.
+/// A report page names this program as its generator within this number of first bytes.
 const HEAD_BYTES: usize = 1024;
 
-/// Which existing files a page may replace.
+/// Which existing files a new report page may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MayReplace {
     Never,
-    /// Only pages of this program: a resumed run writes its page again.
+    /// Only report pages of this program, because a resumed run writes its page again.
     ReportPages,
     Files,
 }
 
-/// A page that is being written. It gets its name when it is complete.
+/// A report page that is being written. The file gets its final name when the page is complete.
 pub struct ReportPage {
     prepared: PendingFile,
     page: Page<'static, NamelessFile>,
 }
 
 impl ReportPage {
-    /// Begins the page that becomes the file `path`.
+    /// Begins the report page that becomes the file `path`.
     ///
     /// # Errors
-    /// A name that is not a page's, a file that is there already, or a folder that cannot be written.
+    /// The name has another ending than `.html`, the file exists already, or the folder cannot be written.
     pub fn begin(path: &Path, replace: MayReplace, about: About, words: Words) -> Result<Self, LibraryFault> {
         check_name(path)?;
         let replaces = match replace {
@@ -71,8 +71,8 @@ impl ReportPage {
         Ok(Self { prepared, page: Page::new(about, kept, words) })
     }
 
-    /// Begins the page about a run, the call `call`; what could not even be listed is on it already. `None` if no page is asked
-    /// for.
+    /// Begins the report page about a run with the models that could not be listed. The page shows `call`. `None` if the options
+    /// name no page.
     pub fn begin_for_run(
         run: &Run<'_>,
         options: &RunOptions,
@@ -104,7 +104,7 @@ impl ReportPage {
     /// Writes the page and gives it its name.
     ///
     /// # Errors
-    /// The page cannot be written. An old page stays then.
+    /// The page cannot be written. An existing page stays as it is.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Self { mut prepared, page } = self;
         page.finish(&mut prepared)
@@ -129,7 +129,7 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
     }
 }
 
-/// How many bytes are copied at once.
+/// Number of bytes that are copied at once.
 const CHUNK_BYTES: usize = 1 << 16;
 
 /// Text that is kept in a file without a name until the text before it on the page is complete.
@@ -167,10 +167,10 @@ impl DeferredText for NamelessFile {
     }
 }
 
-/// The front end whose words messages use; all threads can use it.
+/// The front end that spells options and calls in messages. All threads can use it.
 pub type Words = &'static (dyn FrontEnd + Sync);
 
-/// The entry of a model that was changed, with both of its states.
+/// The entry of a changed model on the report page, with `states` before and after the change.
 pub fn entry_of_change(
     changed: &ChangedModel<'_>,
     states: &BeforeAfter,
@@ -200,7 +200,7 @@ pub fn entry_of_change(
     if changed.earlier { entry.marked_as_earlier() } else { entry }
 }
 
-/// The entry of a model of which only the line in the summary is known.
+/// The entry on the report page of a model of which only its line in the summary is known.
 pub fn entry_of_record(record: &Record, earlier: bool) -> Entry {
     if !earlier {
         let error = record.error_code.as_ref().zip(record.error.as_ref());

@@ -1,4 +1,4 @@
-//! Many models that are inspected or checked in one call: the result, the text and the page entry of each.
+//! Inspects or checks many models in one call: makes the result, the text and the entry on the report page for each.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -20,41 +20,41 @@ use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
 use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
 
-/// Models and how they are looked at.
+/// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {
-    /// `check`, or another verb: then the models are inspected.
+    /// With `check` the models are checked; with any other verb they are inspected.
     pub verb: Verb,
     pub sources: &'s Sources,
-    /// Files in memory, which go before those on the disk.
+    /// Files in memory, used instead of files of the same names on the disk.
     pub memory: &'s BTreeMap<PathBuf, Vec<u8>>,
     pub inspector: &'s Inspector,
     pub report: &'s ReportOptions,
-    /// Whether each model is shown by itself, however many there are.
+    /// Whether each model has a text of its own, even if there are many models.
     pub shows_each: bool,
     /// The call of a check, which the command for many models repeats.
     pub check: Option<&'s CheckRequest>,
-    /// How texts are laid out; in full each model is shown by itself, too.
+    /// The layout of texts. In a full layout each model has a text of its own, too.
     pub layout: Layout,
-    /// The front end whose words messages use.
+    /// The front end that spells options and calls in messages.
     pub words: Words,
 }
 
-/// Result of a survey for one model, spelled.
+/// Result of inspecting or checking one model, with messages spelled for the caller.
 pub enum SurveyedModel {
     /// The model's inspection, and the numbers of its findings if they are shown.
     Inspected(Box<Inspection>, Option<Counts>),
-    /// Its findings; with `fix` those of the result, and what was written.
+    /// The model's findings. With `fix`, the findings about the corrected model and a sentence about the written file.
     Checked(Box<CheckResult>, Option<String>),
-    /// A model of a folder without contacts.
+    /// The model has no contacts, and was found in a folder.
     WithoutContacts,
     Failed(Box<Failure>),
 }
 
 impl Survey<'_> {
-    /// Begins the page if one is asked for, with entries of models that could not be listed. `call` is shown on the page.
+    /// Begins the report page if the options name one, with entries of models that could not be listed. The page shows `call`.
     ///
     /// # Errors
-    /// The name is not that of a page, the file exists already, or it is read in this call.
+    /// The name has another ending than `.html`, the file exists already, or this call reads it.
     pub fn begin_page(&self, call: String) -> Result<Option<ReportPage>, LibraryFault> {
         let Some(path) = &self.report.report else { return Ok(None) };
         let mut conflicts = PathConflicts::default();
@@ -74,11 +74,11 @@ impl Survey<'_> {
         Ok(Some(page))
     }
 
-    /// Looks at all models, on as many threads as `jobs` says, until the call `is_stopped`. `each` gets them with
-    /// their names, in the order in which they were named; they are on the `page` already.
+    /// Inspects or checks all models on `jobs` threads, until `is_stopped` returns true. Puts each model on the `page`, then calls `each`
+    /// with its name and result, in the order in which the user named the models.
     ///
-    /// An error of `each` ends the work. Where there is a page, what cannot be shown is no reason to leave it without its models: then
-    /// the first error is returned in the end.
+    /// Without a page, an error of `each` ends the work. With a page, the work goes on, so that the page gets all models, and the first
+    /// error is returned in the end.
     ///
     /// # Errors
     /// Threads cannot be started, or an error of `each` without a page.
@@ -233,7 +233,7 @@ impl Survey<'_> {
         osim_view::html::entry_of_inspected_model(shown, detail, self.words)
     }
 
-    /// The section about the model's contacts along the recording, if one is named.
+    /// The section of the page about the model's contacts along the recorded motion, if the options name one.
     fn recording(&self, opened: &OpenModel) -> Option<Section> {
         let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
         Some(osim_view::html::recording(&result, &remarks, self.words))
@@ -248,26 +248,26 @@ impl Survey<'_> {
     }
 }
 
-/// The text of a survey: one text for each model, or one table of all.
+/// The text about all models of a survey: one text for each model, or one table of all models.
 pub struct SurveyText {
     words: Words,
     layout: Layout,
     is_first: bool,
-    /// Whether a table says how all models are shown in full.
+    /// Whether the text under a table names the option that shows all models in full.
     names_full: bool,
-    /// The table of inspections, if there is one.
+    /// The table of inspected models; `None` if each model has a text of its own.
     models: Option<ModelsTable>,
-    /// The table of findings, if there is one.
+    /// The table of findings about all models; `None` if each model has a text of its own.
     library: Option<LibraryTable>,
 }
 
 impl SurveyText {
-    /// The survey for a front end in which several models cannot be asked for in full: the text does not name the option.
+    /// The text for a front end that cannot show several models in full: no option for that is named.
     pub fn without_full(self) -> Self {
         Self { names_full: false, ..self }
     }
 
-    /// Adds the model that was named `name`. Returns what is shown of it now: nothing where there is a table.
+    /// Adds the model that the user named `name`. Returns the text about it, which is empty if all models are in one table.
     pub fn add(&mut self, name: &str, surveyed: &SurveyedModel) -> String {
         match (surveyed, &mut self.models, &mut self.library) {
             (SurveyedModel::Inspected(inspected, counts), Some(table), _) => {
@@ -294,7 +294,7 @@ impl SurveyText {
         String::new()
     }
 
-    /// The table, where there is one.
+    /// The table of all models; an empty text if each model has a text of its own.
     pub fn end(self) -> String {
         let Layout { columns, colour, .. } = self.layout;
         let models = self.models.map(|table| table.text(columns, self.words, colour, self.names_full));

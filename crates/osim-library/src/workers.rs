@@ -1,4 +1,4 @@
-//! Works on many items on several threads, and hands over the results in the order of the items.
+//! Works on many items, such as models, on several threads, and hands over the results in the order of the items.
 
 use std::collections::VecDeque;
 use std::num::NonZeroUsize;
@@ -11,13 +11,13 @@ use rayon::ThreadPoolBuilder;
 
 use crate::fault::{Context, LibraryFault};
 
-/// Most results that wait for an earlier one, so that a slow model does not fill the memory with results of later ones.
+/// Most finished results that wait for an earlier result, so that one slow model does not fill the memory with results of later models.
 const MOST_WAITING_RESULTS: usize = 512;
 
-/// Most threads, unless four per processor are more: more of them would only wait for each other.
+/// Most threads, or four per processor if that is more. More threads would only wait for each other.
 const MOST_THREADS: usize = 64;
 
-/// The number of threads to use: the `asked` one, else one per processor; at most one per item.
+/// The number of threads to use: the number `asked` for, else one per processor; at most one per item.
 pub(crate) fn thread_count(asked: Option<Jobs>, items: usize) -> usize {
     // Counting the processors takes time: Linux reads three files.
     if items <= 1 {
@@ -33,7 +33,7 @@ pub(crate) fn thread_count(asked: Option<Jobs>, items: usize) -> usize {
 /// A panic of `work` continues on the calling thread, so that nobody waits for a result that never comes.
 ///
 /// # Errors
-/// The first error of `each`: no further item is begun. Or the threads cannot be started.
+/// The first error of `each`, after which no further item is begun; or threads that cannot be started.
 pub fn work_in_order<T: Sync, R: Send, E: From<LibraryFault>>(
     items: &[T],
     thread_count: usize,

@@ -1,8 +1,8 @@
 //! Opens and reads files safely: everything that this project reads from a disk is opened here.
 //!
-//! A name may be that of a pipe into which nobody writes, of a device that never ends, or of a file larger than the memory. So a
-//! file is opened without waiting, the kind of the opened file is checked, and no more is read than a limit that `docs/libraries.md`
-//! names. Pipes and devices are read only if the user named them: [`FileKinds::Streams`].
+//! A name may lead to a pipe into which nobody writes, to a device that never ends, or to a file larger than the memory. So a file
+//! is opened without waiting, the kind of the opened file is checked, and at most as many bytes are read as the limit in
+//! `docs/libraries.md`. Pipes and devices are read only if the user named them: [`FileKinds::Streams`].
 //!
 //! `clippy.toml` forbids the other ways to open a file. SHA-256 digests say which bytes a file had.
 #![cfg_attr(not(test), expect(clippy::disallowed_methods, reason = "this module opens all files"))]
@@ -26,10 +26,10 @@ use unix as system;
 #[cfg(windows)]
 use windows as system;
 
-/// The largest file or pipe that is read, bytes: far above any model, summary or table.
+/// Most bytes that are read from a file or pipe: far more than any model, summary or table has.
 const MOST_BYTES_OF_FILE: u64 = 2 << 30;
 
-/// The most that is read of a device, bytes: nobody types more in a terminal, and `/dev/zero` does not end.
+/// Most bytes that are read from a device: nobody types more in a terminal, and `/dev/zero` does not end.
 const MOST_BYTES_OF_DEVICE: u64 = 16 << 20;
 
 /// Which kinds of files may be read under a name.
@@ -46,11 +46,11 @@ pub(crate) enum ReadRefusal {
     /// The operating system reports an error.
     System(std::io::Error),
     Kind(&'static str),
-    /// The file is larger than this, in bytes.
+    /// The file has more bytes than this limit.
     Large(u64),
     /// The file does not fit into the memory.
     Memory,
-    /// Another program wrote the file meanwhile.
+    /// Another program wrote the file while it was read.
     Changed,
 }
 
@@ -101,7 +101,7 @@ fn size_in_words(bytes: u64) -> String {
     }
 }
 
-/// The message of the system, with advice if there are too many open files.
+/// The message of the operating system about `error`, with advice if too many files are open.
 pub fn reason(error: &std::io::Error) -> String {
     if system::is_out_of_files(error) {
         return "too many open files: allow more (`ulimit -n 256`), or work on fewer models at once"
@@ -113,7 +113,7 @@ pub fn reason(error: &std::io::Error) -> String {
 /// Reads a whole file, with its metadata when it was opened.
 ///
 /// # Errors
-/// It is not there, cannot be read, is not one of `kinds`, is too large, or changes while it is being read.
+/// The file does not exist, cannot be read, is of a kind that `kinds` excludes, is too large, or changes while it is read.
 pub(crate) fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Metadata), ReadRefusal> {
     let (file, metadata) = open(path, kinds)?;
     if metadata.is_file() {
@@ -126,10 +126,10 @@ pub(crate) fn read_ordinary(path: &Path) -> Result<Vec<u8>, ReadRefusal> {
     read(path, FileKinds::Ordinary).map(|(bytes, _)| bytes)
 }
 
-/// The first bytes of an ordinary file, at most `most` of them.
+/// Reads the first bytes of an ordinary file, at most `most`.
 ///
 /// # Errors
-/// It is not there, cannot be read, or is not an ordinary file.
+/// The file does not exist, cannot be read, or is not an ordinary file.
 pub(crate) fn read_head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
     let (file, _) = open(path, FileKinds::Ordinary).map_err(into_io_error)?;
     let mut head = Vec::with_capacity(most);
@@ -146,14 +146,14 @@ pub(crate) fn open_to_read(path: &Path) -> std::io::Result<(File, u64)> {
 /// Reads standard input.
 ///
 /// # Errors
-/// It cannot be read, or gives more than is read of it.
+/// Standard input cannot be read, or has more bytes than the limit.
 pub(crate) fn standard_input() -> Result<Vec<u8>, ReadRefusal> {
     let most = if system::standard_input_is_device() { MOST_BYTES_OF_DEVICE } else { MOST_BYTES_OF_FILE };
     read_to_limit(std::io::stdin().lock(), most)
 }
 
-/// Opens an ordinary file, or a new one, so that this process alone may write and shorten it; others may read it. `None` if another
-/// process has opened it so.
+/// Opens or creates an ordinary file that only this process may write and shorten; other processes may read it. `None` if another
+/// process has opened the file in this way.
 pub(crate) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     let file = system::open_exclusively(path)?;
     if let Some(file) = &file {
@@ -162,7 +162,7 @@ pub(crate) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     Ok(file)
 }
 
-/// Whether another process has a file open by [`open_exclusively`].
+/// Whether another process has opened a file by [`open_exclusively`].
 pub(crate) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
     match system::is_open_exclusively(path) {
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(false),
@@ -170,7 +170,7 @@ pub(crate) fn is_open_exclusively(path: &Path) -> std::io::Result<bool> {
     }
 }
 
-/// Opens an ordinary file to lock it: for writing, which locks of network file systems need, else for reading.
+/// Opens an ordinary file to lock it: for writing if that is allowed, because locks of network file systems need it, else for reading.
 pub(crate) fn open_to_lock(path: &Path) -> std::io::Result<File> {
     let mut options = File::options();
     options.write(true);
@@ -184,15 +184,15 @@ pub(crate) fn open_to_lock(path: &Path) -> std::io::Result<File> {
     Ok(file)
 }
 
-/// Opens a folder to synchronise it; Windows cannot do that.
+/// Opens a folder to write its list of files to the disk, which Windows cannot do.
 pub(crate) fn open_folder(path: &Path) -> std::io::Result<File> {
     system::without_waiting(File::options().read(true)).open(path)
 }
 
-/// Creates a file.
+/// Creates a file that does not exist yet.
 ///
 /// # Errors
-/// Something has that name, or the folder cannot be written.
+/// A file or folder has this name already, or the folder cannot be written.
 pub(crate) fn create_new(path: &Path, options: &mut OpenOptions) -> std::io::Result<File> {
     options.read(true).write(true).create_new(true).open(path)
 }

@@ -1,4 +1,4 @@
-//! How Unix opens files, and the kinds of files that it has.
+//! Opening of files on Unix, and the kinds of files there.
 #![cfg_attr(
     not(test),
     expect(clippy::disallowed_methods, reason = "a part of `file_access`, which opens all files")
@@ -10,13 +10,12 @@ use std::path::Path;
 
 use rustix::fs::OFlags;
 
-/// Options with which a pipe without a writer, or a terminal line without a carrier, is opened at once, and no terminal becomes the
-/// terminal of this process.
+/// Options with which `open` never waits, not even for a writer of a pipe. No terminal becomes the terminal of this process.
 pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
 }
 
-/// Opens a file with a lock, if the file system has locks. Bytes are appended, so that lines stay whole if it has none.
+/// Opens a file with a lock. Bytes are appended, so that lines stay whole also on a file system without locks.
 pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     let mut options = File::options();
     let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
@@ -51,7 +50,7 @@ pub(super) fn is_device_name(_path: &Path) -> bool {
     false
 }
 
-/// The kind of a file that cannot be opened at all: a socket.
+/// The name of the only kind of file that cannot be opened: a socket.
 pub(super) fn name_of_unopenable_kind(path: &Path) -> Option<&'static str> {
     type_of_path(path).is_some_and(|kind| kind.is_socket()).then_some("a socket")
 }

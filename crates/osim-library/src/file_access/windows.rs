@@ -1,4 +1,4 @@
-//! How Windows opens files, and the kinds of files that it has. Only devices would wait, and their names are known.
+//! Opening of files on Windows, and the kinds of files there. Only devices would make `open` wait, and their names are known.
 #![cfg_attr(
     not(test),
     expect(clippy::disallowed_methods, reason = "a part of `file_access`, which opens all files")
@@ -13,8 +13,8 @@ pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
 
 const ERROR_SHARING_VIOLATION: i32 = 32;
 
-/// Opens a file so that nobody else can open it for writing. A lock would also refuse reading to others, and to another handle of
-/// this process. A file that is opened for appending only could neither be shortened nor locked.
+/// Opens a file so that nobody else can open it for writing. A lock is no alternative: it would also forbid other processes, and
+/// other handles of this process, to read. A file that is opened only for appending could be neither shortened nor locked.
 pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;
@@ -87,7 +87,7 @@ pub(super) fn standard_input_is_device() -> bool {
 mod tests {
     use super::*;
 
-    /// Names that Windows gives to devices in every folder, whatever their ending.
+    /// In every folder Windows takes these names for devices, with any ending.
     #[test]
     fn names_of_devices_are_known() {
         for name in [

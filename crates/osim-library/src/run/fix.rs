@@ -1,4 +1,4 @@
-//! `check` with `fix`: the steps that a check proposes for a model are done, and the result is checked and written.
+//! `check` with `fix`: makes the changes that a check proposes for a model, checks the result and writes it.
 
 use std::sync::Arc;
 
@@ -19,7 +19,7 @@ use crate::source::Origin;
 use crate::write::OutputFolders;
 use crate::{Disk, Source};
 
-/// A model that is to be corrected, as it was checked.
+/// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {
     pub(crate) source: &'m Source,
     /// The model's files; the bytes of the model itself are not needed.
@@ -30,11 +30,11 @@ pub(crate) struct ModelToFix<'m> {
 }
 
 impl ModelToFix<'_> {
-    /// Does the steps of the check and writes the result. Returns the check of the result, and what was written; the same check if no
-    /// step is proposed.
+    /// Makes the changes that the check proposes, and writes the result. Returns the check of the result, and a sentence about the
+    /// written file. If nothing is proposed, returns the check of the unchanged model.
     ///
     /// # Errors
-    /// A step is refused or needs an answer, or the result cannot be written. Nothing is written then.
+    /// A proposed change is refused or needs an answer, or the result cannot be written. Nothing is written in these cases.
     pub(crate) fn fix(
         self,
         inspector: &Inspector,
@@ -88,7 +88,7 @@ impl ModelToFix<'_> {
     }
 }
 
-/// The change that a step asks for.
+/// The change that one proposal of a check asks for.
 fn prepared(step: &Request, opened: &OpenModel) -> Result<PreparedChange, Failure> {
     prepare(step.clone(), &Disk).map_err(|error| match error {
         RequestError::Failure(failure) => failure,

@@ -1,4 +1,4 @@
-//! One run of a changing verb over any number of models: compare all files, then load, plan, write and report each.
+//! One run of a verb that changes models: compare the paths of all models, then load, plan, write and report each model.
 //!
 //! A [`Task`] is one model with its `JobSettings`; tasks are independent of each other, so threads share them. What a task
 //! did is an [`Outcome`], reported in the order in which the models were named.
@@ -36,7 +36,7 @@ pub use rows::{CheckedRows, RowReader};
 pub use task::{Destination, PathConflicts, PathOwner, Task};
 pub use writing::{GeometryResult, ResultBytes, Written};
 
-/// A run of which no two tasks use the same path.
+/// A run over models whose paths were compared: no two tasks write the same file.
 pub struct Run<'r> {
     request: RunRequest,
     context: RunContext<'r>,
@@ -45,7 +45,8 @@ pub struct Run<'r> {
 }
 
 impl<'r> Run<'r> {
-    /// Compares all paths of a run before anything is written, and keeps only the tasks of its shard, if it has one.
+    /// Compares all paths of a run before anything is written. If several computers share the run, keeps only the tasks of this one's
+    /// shard.
     ///
     /// # Errors
     /// A file would be written that is also read, or that is written for another model.
@@ -86,7 +87,7 @@ impl<'r> Run<'r> {
         !self.context.previous.is_empty()
     }
 
-    /// Begins the summary, if one is asked for, and lists the folders that are written into.
+    /// Begins the summary, if the options name one, and lists the folders that the run writes into.
     ///
     /// # Errors
     /// The summary cannot be written, or exists already.
@@ -111,8 +112,8 @@ impl<'r> Run<'r> {
 
     /// Does all tasks on several threads; `report` gets each outcome in the order of the tasks, on this thread.
     ///
-    /// Every task is reported and has its line in the summary, also those that were not begun, so that a run that was stopped can be
-    /// resumed. A caller stops a run by [`RunFrontEnd::is_interrupted`].
+    /// Every task is reported and has a line in the summary, also tasks that were not begun: so a stopped run can be resumed. A caller
+    /// stops a run by [`RunFrontEnd::is_interrupted`].
     ///
     /// # Errors
     /// Threads cannot be started.
@@ -153,13 +154,13 @@ impl<'r> Run<'r> {
         ModelJob { context: &self.context, front_end, task }.run()
     }
 
-    /// Completes the summary, if one is asked for.
+    /// Completes the summary, if the options name one.
     pub fn finish(self) -> Result<(), LibraryFault> {
         let RunContext { summary, previous, .. } = self.context;
         summary.map_or(Ok(()), |summary| summary.finish(previous, &self.request.tasks))
     }
 
-    /// Sentences about files that a killed run in place left and that were kept as backups.
+    /// Sentences about files that a killed run in place left, and that this run kept as backups.
     pub fn kept_files(&self) -> &[String] {
         &self.kept_files
     }

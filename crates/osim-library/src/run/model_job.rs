@@ -26,7 +26,7 @@ pub(super) struct RunContext<'r> {
     pub(super) previous: PreviousRun,
 }
 
-/// The outcome for one model; `S` is what a front end shows of it.
+/// The outcome for one model. `S` is the type of the front end's text about the model.
 #[derive(Debug)]
 pub struct Outcome<S> {
     /// The model's line in a summary.
@@ -61,14 +61,14 @@ pub struct Counts {
     pub written: usize,
     /// The number of models in which nothing had to change.
     pub unchanged: usize,
-    /// The number of models that were only planned, in a dry run.
+    /// The number of models whose change was only planned, in a dry run.
     pub dry: usize,
-    /// Models of folders without contacts.
+    /// The number of models without contacts that were found in folders.
     pub no_contacts: usize,
     pub failed: usize,
-    /// The run was stopped before their turn.
+    /// The number of models that were not begun, because the run was stopped.
     pub not_begun: usize,
-    /// Done by an earlier run.
+    /// The number of models that an earlier run has changed.
     pub earlier: usize,
 }
 
@@ -101,7 +101,7 @@ pub(super) struct ModelJob<'j, F> {
 }
 
 impl<F: RunFrontEnd> ModelJob<'_, F> {
-    /// Does the model. A failure is part of the outcome.
+    /// Loads, plans and writes the model. A failure is part of the outcome.
     pub(super) fn run(&self) -> Outcome<F::Shown> {
         let mut record = Record::not_begun(self.task);
         match self.try_to_run(&mut record) {
@@ -173,8 +173,8 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         Ok(Outcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
     }
 
-    /// Plans and shows a model that an earlier run has done, if details are wanted; `None` if it was changed in place, because the old
-    /// model is gone.
+    /// Plans and shows the change of a model that an earlier run has changed, if the front end wants details. `None` if the model was
+    /// changed in place, because the old model is gone.
     fn show_earlier(
         &self,
         loaded: Loaded,
@@ -225,8 +225,8 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// Digest of everything that decides the output except the model itself: settings, and files that belong to the model. `inputs` has
-    /// the digests of all its files, the model first.
+    /// Digest of the settings and of the files that belong to the model, but not of the model itself. `inputs` has the digests of all
+    /// these files, the model first.
     fn settings_digest(&self, inputs: &[String]) -> String {
         let own = self.task.settings.digest();
         match inputs.get(1..) {
@@ -239,7 +239,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         }
     }
 
-    /// The failure with the row of the manifest, in the words of the front end.
+    /// The failure with the model's row in the manifest, spelled as the front end spells options.
     fn with_row_and_words(&self, mut failure: Failure) -> Failure {
         if let Some(row) = self.task.row {
             failure.message.push(format!(" (row {row})"));
@@ -296,7 +296,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
     }
 }
 
-/// The files of the changed model, with its geometry set if that changes, too.
+/// The files of the changed model, with the changed geometry set if the change concerns it.
 pub(super) fn changed_files(task: &Task, files: &ModelFiles, results: &ResultBytes<'_>) -> ModelFiles {
     let mut changed = files.with_bytes(results.model.to_vec());
     if let Some(path) = task.output() {

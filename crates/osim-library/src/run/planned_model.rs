@@ -33,7 +33,7 @@ pub struct PlannedModel {
 }
 
 impl PlannedModel {
-    /// Plans `change` for the model at `path`, which was `loaded`; `files` has the files beside it. `dialect` spells the plan.
+    /// Plans `change` for the `loaded` model at `path`; `files` has the files beside the model. `dialect` spells messages of the plan.
     ///
     /// # Errors
     /// Those of [`PreparedChange::plan`].
@@ -72,7 +72,7 @@ impl PlannedModel {
         all.map_err(|fault| self.opened.failure(fault))
     }
 
-    /// Calls `show` with the model and both of its states, as a dry run does; `with_feet` says whether feet are included.
+    /// Calls `show` with the model before and after the change, as a dry run does; `with_feet` says whether feet are included.
     ///
     /// # Errors
     /// The new model cannot be read, which is a defect of this program.
@@ -103,12 +103,12 @@ impl PlannedModel {
         }))
     }
 
-    /// Writes the planned change to `output`; nothing is written if nothing changes and no output is named. Also returns remarks about
-    /// files beside the output.
+    /// Writes the changed model to `output`. Writes nothing if nothing changes and the user named no output. Also returns remarks
+    /// about files beside the output.
     ///
     /// # Errors
     /// The output is standard output or one of the inputs; a file exists that may not be replaced; the change is in place, and the model
-    /// changed since it was planned; or the disk refuses. Nothing is written then.
+    /// changed since it was planned; or the disk refuses. Nothing is written in these cases.
     pub fn write(&self, output: &OutputOptions) -> Result<(Written, Vec<String>), LibraryFault> {
         let task = self.task_for(output);
         if task.destination == Destination::Stdout {
@@ -140,12 +140,12 @@ impl PlannedModel {
         Ok((files.commit(&results)?, remarks))
     }
 
-    /// Whether the bytes of the model were given, and not read from a file.
+    /// Whether the caller gave the bytes of the model, so that no file was read.
     fn is_from_memory(&self) -> bool {
         self.origin.stamp_of(FileId::MAIN).is_none()
     }
 
-    /// Refuses a change in place of a model that changed after it was planned.
+    /// Refuses a change in place of a model whose file changed after the change was planned.
     fn check_unchanged(&self) -> Result<(), LibraryFault> {
         if self.is_from_memory() && !self.source.path.exists() {
             return Err(LibraryFault::new(phrase![

@@ -283,7 +283,7 @@ impl Record {
         }
     }
 
-    /// The record with its names and messages as cells of CSV, see [`cell`].
+    /// The record with names and messages as cells of a CSV table, see [`cell`].
     pub(super) fn with_texts_as_cells(&self) -> Self {
         // A message has no control characters.
         let error = self.error.as_deref().map(|text| with_text_mark(text).into_owned());
@@ -300,7 +300,7 @@ impl Record {
         Self { model: change(&self.model), output: self.output.as_deref().map(&change), ..self.clone() }
     }
 
-    /// The outcome of this record with the names and the row of `current`.
+    /// The outcome in this earlier record, with the names and the row of the record `current`.
     pub(super) fn with_names_of(self, current: &Self) -> Self {
         Self {
             row: current.row,
@@ -320,7 +320,7 @@ impl Record {
         Self { status, error_code: None, error: None, line: None, column: None, ..self }
     }
 
-    /// The digests of this earlier record with the outcome of the record `current`.
+    /// The digests in this earlier record, with the outcome of the record `current`.
     pub(super) fn with_outcome_of(self, current: &Self) -> Self {
         Self {
             status: current.status,
@@ -343,19 +343,19 @@ impl Record {
     }
 }
 
-/// Factors that differ by less than this (relative) are equal but for rounding.
+/// Factors whose relative difference is smaller than this differ only by rounding.
 const ROUNDING_ERROR: f64 = 1e-12;
 
 /// Old value, new value and factor of a property in all contacts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct PropertyChange {
-    /// The old value, if all that change had the same value.
+    /// The old value, if it was the same in all contacts that change.
     pub(super) from: Option<f64>,
-    /// The new value, if all that change get the same value.
+    /// The new value, if it is the same in all contacts that change.
     pub(super) to: Option<f64>,
-    /// New over old, if it is the same everywhere.
+    /// The factor from the old to the new value, if it is the same in all contacts.
     pub(super) factor: Option<f64>,
-    /// Whether places got different factors.
+    /// Whether the factor differs between contacts.
     is_unequal: bool,
 }
 

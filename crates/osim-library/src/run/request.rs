@@ -1,4 +1,4 @@
-//! The request of a run, and the trait of front ends that start one.
+//! The request of a run, and the trait of front ends that start a run.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -23,13 +23,13 @@ pub struct RunRequest {
     pub tasks: Vec<Task>,
     /// Models that could not be listed.
     pub failures: Vec<Failure>,
-    /// Remarks that are reported before the first task.
+    /// Remarks for the user, reported before the first task.
     pub remarks: Vec<String>,
     /// Files that were read to find the tasks, such as a manifest.
     pub extra_files: Vec<PathBuf>,
     /// Whether an existing summary or report is replaced.
     pub force: bool,
-    /// Whether the bytes of the models were given: then their names need not be names of files.
+    /// Whether the caller gave the bytes of the models. Then their names need not be names of files.
     pub(super) from_memory: bool,
 }
 
@@ -49,7 +49,7 @@ impl RunRequest {
     /// A request with a task for each file of `change` and each model in its folders.
     ///
     /// # Errors
-    /// An option makes sense for one model only, and there are several.
+    /// An option makes sense for one model only, and there are several models.
     pub fn for_change(mut change: PreparedChange, run: &RunOptions) -> Result<Self, LibraryFault> {
         let sources = Sources::find(&change.models, change.output.output_dir.as_deref());
         change.is_for_several = sources.models.len() > 1;
@@ -167,13 +167,13 @@ fn check_options(
     Ok(())
 }
 
-/// Details of each model that a front end needs, besides its plan.
+/// Details of each model that a front end needs besides the plan of its change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelDetail {
     ResultOnly,
-    /// Inspections and checks of both states.
+    /// Inspections and checks of the model before and after the change.
     BeforeAfter {
-        /// Whether the feet of both states are included.
+        /// Whether the feet before and after the change are included.
         feet: bool,
     },
 }
@@ -196,11 +196,11 @@ pub trait RunFrontEnd: Sync {
     fn task_done(&self, failed: bool);
 }
 
-/// A model that was changed, and what is known about the change.
+/// A changed model, with its plan, its new bytes and its line in the summary.
 pub struct ChangedModel<'c> {
     pub task: &'c Task,
     pub opened: &'c OpenModel,
-    /// SHA-256 of each of its files, in order; empty if neither a summary nor details are wanted.
+    /// SHA-256 of each file of the model, in order; empty if neither a summary nor details are wanted.
     pub inputs: &'c [String],
     pub plan: &'c Plan,
     pub results: &'c ResultBytes<'c>,
@@ -209,6 +209,6 @@ pub struct ChangedModel<'c> {
     pub record: &'c Record,
     /// The model before and after the change, if the front end wants them.
     pub before_after: Option<BeforeAfter>,
-    /// Whether an earlier run did it; then nothing was written now.
+    /// Whether an earlier run changed the model, so that this run wrote nothing.
     pub earlier: bool,
 }

@@ -1,6 +1,7 @@
-//! What a run that resumes compares: the lines of the earlier summary with the models, settings and outputs of now.
+//! Compares the lines of an earlier summary with the present models, settings and outputs, for a run that resumes an earlier one.
 //!
-//! A line belongs to the file that it names, however the name is spelled: from another folder, absolutely, or through a link.
+//! A line of the summary belongs to the file that it names, even if this run spells the name of the file in another way: from
+//! another folder, absolutely, or through a link.
 
 use std::cell::LazyCell;
 use std::collections::HashSet;
@@ -20,10 +21,10 @@ use crate::run::record::{Record, Status};
 use crate::run::summary_lines::{PreviousLines, SummaryFormat};
 use crate::run::task::Task;
 
-/// The lines of earlier runs. Only the place of each line is kept, so that a million of them take little memory.
+/// The lines that earlier runs wrote into a summary. Only the place of each line is kept, so that a million lines need little memory.
 #[derive(Default)]
 pub(super) struct PreviousRun {
-    /// The summary, then the partial one, which is newer.
+    /// The summary, then the partial summary, which is newer.
     files: Vec<PreviousLines>,
     /// The places of all lines, sorted by file; the latest line of a file is last. A file has several lines if a run was killed while it
     /// replaced the output of an earlier run.
@@ -32,7 +33,7 @@ pub(super) struct PreviousRun {
     paths: Mutex<Resolver>,
 }
 
-/// Where a line of a summary is.
+/// The place of one line in the files of a summary.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct LinePlace {
     /// Hash of the file that the line is about. Several files may have the same hash; the line itself has the name.
@@ -43,24 +44,24 @@ struct LinePlace {
 
 /// What an earlier run did with a model, compared with what this run would do.
 pub(super) enum PreviousOutcome {
-    /// The earlier run has no line about it, or did not finish it.
+    /// The earlier run has no line about the model, or did not finish the model.
     Unknown,
-    /// Model, settings and outputs are as the line says: nothing has to be done.
+    /// The model, the settings and the outputs have the digests in this record: nothing has to be done.
     UpToDate(Box<Record>),
-    /// The output is what an earlier run wrote, and this run would write something else.
+    /// The output still has the bytes that an earlier run wrote, and this run would write other bytes.
     Outdated,
     /// An earlier run changed the model in place, and this run would change it again.
     ModelChanged,
-    /// An output of the summary exists, but is not what the earlier run wrote.
+    /// This output exists with other bytes than the earlier run wrote, so somebody edited it.
     OutputEdited(PathBuf),
 }
 
 impl PreviousRun {
-    /// Reads the summary and the partial one that a run resumes; `user_columns` are the user's own columns in this run, `None` if they
-    /// are not known.
+    /// Reads the summary and the partial summary that a run resumes; `user_columns` are the user's own columns in this run, `None` if
+    /// they are not known.
     ///
     /// # Errors
-    /// It is not a summary of this tool.
+    /// The file is not a summary of this program.
     pub(super) fn read(options: &RunOptions, user_columns: Option<&[String]>) -> Result<Self, LibraryFault> {
         let mut done = Self::default();
         let Some(path) = options.summary.as_ref().filter(|_| options.resume) else { return Ok(done) };
@@ -99,13 +100,13 @@ impl PreviousRun {
         self.places.is_empty()
     }
 
-    /// The file that a line is about: its output, or the model if nothing is written. (Rows of a manifest may move or get another model,
-    /// but no two rows write one output.)
+    /// The file that a line of the summary is about: its output, or the model if nothing is written. (Rows of a manifest may move or get
+    /// another model, but no two rows write one output.)
     fn file_of(&self, record: &Record) -> PathBuf {
         self.resolved_name(record, record.output.as_deref().unwrap_or(&record.model))
     }
 
-    /// The absolute path of a file that is named in a line.
+    /// The absolute path of a file that a line of the summary names.
     fn resolved_name(&self, record: &Record, name: &str) -> PathBuf {
         let path = match &record.folder {
             Some(folder) => self.folder.join(folder).join(name),
@@ -114,7 +115,7 @@ impl PreviousRun {
         self.paths.lock().map_or_else(|_| resolved(&path), |mut paths| paths.resolved(&path))
     }
 
-    /// The earlier records of the file that `now` is about, the latest last.
+    /// The earlier records about the same file as the record `now`, the latest last.
     fn records_of(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
         let file = self.file_of(now);
         let hash = hash_of_path(&file);
@@ -131,15 +132,15 @@ impl PreviousRun {
         Ok(records)
     }
 
-    /// Copies digests of an earlier output into the `record` of a model that was not done, so that a later run that resumes still
-    /// recognises the output.
+    /// Copies the digests of an earlier output into the `record` of a model that this run did not write, so that a later resumed run
+    /// still recognises the output.
     pub(super) fn keep_earlier_output(&self, record: &mut Record) {
         if let Some(wrote) = self.latest_with_output(record) {
             *record = wrote.with_outcome_of(record);
         }
     }
 
-    /// Copies all digests of an earlier run into the `record` of a model whose change is only shown.
+    /// Copies all digests of an earlier run into the `record` of a model whose change this run only shows.
     pub(super) fn keep_digests(&self, record: &mut Record) {
         if let Some(wrote) = self.latest_with_output(record) {
             record.sha256_input = wrote.sha256_input;
@@ -180,7 +181,7 @@ impl PreviousRun {
         Ok(())
     }
 
-    /// Compares the earlier records of `task` with this run: the digest `input` of the model, the settings in `now`, and the outputs.
+    /// Compares the earlier records about `task` with the present digest `input` of the model, the settings in `now`, and the outputs.
     pub(super) fn compare(
         &self,
         task: &Task,
@@ -253,14 +254,14 @@ impl ExistingOutputs {
         Self { model, geometry: task.geometry_output.as_deref().and_then(digest) }
     }
 
-    /// Whether all outputs exist and are those of `record`.
+    /// Whether all outputs exist and have the digests in `record`.
     fn match_record(&self, record: &Record) -> bool {
         let geometry =
             record.sha256_geometry_output.is_none() || self.geometry == record.sha256_geometry_output;
         self.model.is_some() && self.model == record.sha256_output && geometry
     }
 
-    /// An existing output that is not what an earlier run wrote; `None` if replacing the outputs loses nobody's work.
+    /// The first existing output with other bytes than an earlier run wrote; `None` if replacing the outputs loses nobody's work.
     fn first_edited<'t>(&self, task: &'t Task, records: &[Record]) -> Option<&'t Path> {
         let was_written = |digest: fn(&Record) -> &Option<String>, existing: &Option<String>| {
             existing.is_none() || records.iter().any(|record| digest(record) == existing)

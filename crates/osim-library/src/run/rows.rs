@@ -1,6 +1,6 @@
-//! The rows of a table as the tasks of one run.
+//! Makes a task of a run from each row of a table.
 //!
-//! All rows are read before the first file is written, and everything that is wrong is reported at once.
+//! All rows are read before the first file is written, and all wrong rows are reported at once.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -20,9 +20,9 @@ use crate::source::{OrdinaryFiles, Source};
 
 /// The rows of a table after all of them were checked.
 pub enum CheckedRows {
-    /// All rows can be done: the run that does them.
+    /// All rows are right. The run has a task for each row.
     Run(RunRequest),
-    /// Some rows are wrong, so none is done.
+    /// Some rows are wrong, so no model is changed. There is a failure for each wrong row.
     Invalid(Vec<Failure>),
 }
 
@@ -47,12 +47,12 @@ impl<'r> RowReader<'r> {
         Ok(Self { request })
     }
 
-    /// Reads all rows of `table` (CSV), which messages call `name`; its paths begin in `folder`. Models are not opened yet.
+    /// Reads all rows of `table` (CSV). Messages call the table `name`; relative paths in it begin in `folder`. No model is opened yet.
     ///
     /// No result may replace the file that is the `manifest` of the request: `None` for a table in memory.
     ///
     /// # Errors
-    /// It is not a table with a column `model`, or it has no rows.
+    /// The bytes are not a table with a column `model`, or the table has no rows.
     pub fn read(&self, table: &[u8], name: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
         let Self { request } = *self;
         // Paths are shown without `./` before them.
@@ -79,7 +79,7 @@ impl<'r> RowReader<'r> {
     }
 }
 
-/// Settings by their text: rows that differ only in model and output share them.
+/// The settings of rows by their text. Rows that differ only in model and output share one value.
 type SharedSettings = HashMap<String, Arc<JobSettings>>;
 
 struct TableRows<'r> {
@@ -156,11 +156,11 @@ impl WritableFolder {
         Self { folder: folder.to_owned(), real: resolved(folder) }
     }
 
-    /// Checks the files that a task writes; `row` are the output options of its row, `call_output` those of the call. A new result beside
-    /// its model is always allowed; a result that replaces a file is allowed where the call allows it.
+    /// Checks the files that a task writes. The output options of its table row are `row`, those of the call are `call_output`. A new
+    /// result beside its model is always allowed; a result that replaces a file is allowed where the call allows it.
     ///
     /// # Errors
-    /// The first file that is outside the folder, with its column.
+    /// The first file that is outside the folder, with the column that names it.
     pub(super) fn check(
         &self,
         task: &Task,

@@ -1,4 +1,5 @@
-//! Writes a summary: one line per model, in order; and while the run lasts, `FILE.partial` in the order of the work.
+//! Writes a summary: one line for each model, in the order of the models. During the run, `FILE.partial` has the lines of finished
+//! models.
 
 use std::path::Path;
 use std::sync::Mutex;
@@ -18,9 +19,9 @@ use crate::write::{PendingFile, WriteMode};
 #[derive(Debug)]
 pub(super) struct SummaryWriter {
     format: SummaryFormat,
-    /// The folder in which relative names in its lines begin, seen from the folder of the summary.
+    /// The folder in which relative names in the lines begin, as a path from the folder of the summary.
     folder: Option<String>,
-    /// Lines in the order of the work.
+    /// Lines in the order in which models are finished.
     partial: Mutex<PartialFile>,
     /// Lines in the order of the models.
     summary: Mutex<OrderedLines>,
@@ -31,7 +32,7 @@ struct OrderedLines {
     file: PendingFile,
     /// Names of the user's own columns; `None` before the first line.
     user_columns: Option<Vec<String>>,
-    /// Why a line could not be written; no line is added after that.
+    /// The reason why a line could not be written. No line is added after a fault.
     fault: Option<LibraryFault>,
 }
 
@@ -78,14 +79,14 @@ impl SummaryWriter {
         }))
     }
 
-    /// Writes the line of an output that is complete and about to get its name.
+    /// Writes the line of an output file that is complete and about to get its final name.
     pub(super) fn about_to_finish(&self, record: &Record) -> Result<(), LibraryFault> {
         let mut partial = self.partial.lock().map_err(|_| LibraryFault::new("a thread ended early"))?;
         let line = self.format.record_line(&self.with_folder(record), partial.is_empty())?;
         partial.add_lines(&line)
     }
 
-    /// Adds the line of the next model in order. A fault is returned by [`finish`](Self::finish): models do not wait for it.
+    /// Adds the line of the next model in order. A fault does not stop the run: [`finish`](Self::finish) returns it.
     pub(super) fn add(&self, record: &Record) {
         let Ok(mut summary) = self.summary.lock() else { return };
         if summary.fault.is_none() {
@@ -93,7 +94,7 @@ impl SummaryWriter {
         }
     }
 
-    /// The record with the folder in which its names begin.
+    /// The record with the folder in which its relative names begin.
     fn with_folder(&self, record: &Record) -> Record {
         Record { folder: self.folder.clone(), ..record.clone() }
     }
@@ -113,10 +114,10 @@ impl SummaryWriter {
         summary.add(self.format, &kept)
     }
 
-    /// Gives the summary its name, and removes the partial one.
+    /// Gives the summary its name, and removes the partial summary.
     ///
     /// # Errors
-    /// The summary could not be written. The partial one stays.
+    /// The summary could not be written. The partial summary stays.
     pub(super) fn finish(self, previous: PreviousRun, tasks: &[Task]) -> Result<(), LibraryFault> {
         let kept = previous.for_each_other_model(tasks, |record| self.add_earlier(record));
         // Windows cannot replace a file that is open.

@@ -1,4 +1,4 @@
-//! The lines of a summary in CSV or NDJSON: writes them, and reads those of an earlier run one at a time.
+//! Writes the lines of a summary in CSV or NDJSON, and reads the lines of an earlier summary one at a time.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
@@ -32,7 +32,7 @@ impl SummaryFormat {
         }
     }
 
-    /// A record as a line with its end; the `first` line of a table has the header before it.
+    /// A record as one line of a summary. In CSV the header precedes the `first` line.
     pub(super) fn record_line(self, record: &Record, first: bool) -> Result<Vec<u8>, LibraryFault> {
         if self == Self::Ndjson {
             let mut line = serde_json::to_vec(&JsonRecord::from(record.clone())).map_err(fault_of_error)?;
@@ -48,7 +48,7 @@ impl SummaryFormat {
 /// The header of a table with `user_columns` after the columns of every summary.
 ///
 /// # Errors
-/// None in practice: it is written into memory.
+/// None in practice, because the line is written into memory.
 fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
     let line = SummaryFormat::Csv.record_line(&Record::default(), true)?;
     let mut columns = csv::Reader::from_reader(line.as_slice()).headers().map_err(fault_of_error)?.clone();
@@ -88,7 +88,7 @@ pub(super) struct PreviousLines {
 
 impl PreviousLines {
     /// # Errors
-    /// It cannot be read, or its last line is cut off, unless `may_end_in_a_line`.
+    /// The file cannot be read, or its last line is incomplete although `may_end_in_a_line` is false.
     pub(super) fn open(
         path: &Path,
         format: SummaryFormat,
@@ -194,8 +194,8 @@ fn for_each_row(
     Ok(header)
 }
 
-/// Refuses a table whose first line is not, byte for byte, one that this version writes, or that has user columns which the new
-/// summary would lose.
+/// Refuses a table whose first line is not, byte for byte, a header of this version, or that has user columns which the new summary
+/// would lose.
 fn check_header(
     header: &csv::StringRecord,
     first: &[u8],

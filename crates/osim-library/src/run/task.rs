@@ -1,4 +1,4 @@
-//! One model of a run with its settings and outputs; and conflicts between the paths of a run.
+//! One model of a run with its settings and outputs; and a search for paths that several models of a run use.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -23,7 +23,7 @@ pub struct Task {
     pub destination: Destination,
     /// The file for the changed geometry set of a standalone force set.
     pub geometry_output: Option<PathBuf>,
-    /// Whether the user named the output: then it is written even if nothing changes.
+    /// Whether the user named the output file. Then it is written even if nothing changes.
     pub(super) output_is_named: bool,
     pub(super) settings: Arc<JobSettings>,
     /// Row of the model in the manifest, from 1.
@@ -50,7 +50,7 @@ impl Task {
         Self { row: Some(row), ..self }
     }
 
-    /// The task with columns of the user's own, which a summary copies.
+    /// The task with the user's own columns of a manifest, which a summary copies.
     pub(super) fn with_user_columns(self, user_columns: Vec<(String, String)>) -> Self {
         Self { user_columns, ..self }
     }
@@ -60,13 +60,13 @@ impl Task {
         self.destination.path(&self.source)
     }
 
-    /// The task as the owner of a path, for messages.
+    /// The model of this task, as messages name it if its output is also another model's output.
     pub(super) fn owner(&self) -> PathOwner<'_> {
         PathOwner::Model(&self.source.path, self.row)
     }
 }
 
-/// The change and how it is written: all models of a call share it, or equal rows of a manifest.
+/// The change of a model, and the options for writing the result. All models of a call share them, and so do equal rows of a manifest.
 pub(super) struct JobSettings {
     pub(super) change: Arc<PreparedChange>,
     pub(super) in_place: bool,
@@ -81,7 +81,7 @@ impl JobSettings {
         Self { change, in_place, no_backup, force, digest: OnceLock::new() }
     }
 
-    /// Digest of everything that decides an output except the model itself. A resumed run compares it.
+    /// Digest of all settings that the output depends on besides the model itself. A resumed run compares the digest with its own.
     pub(super) fn digest(&self) -> &str {
         self.digest.get_or_init(|| {
             let mut text = format!("{}\n", self.change.settings());
@@ -134,12 +134,12 @@ impl Destination {
     }
 }
 
-/// The owner of an output, for messages.
+/// The model or other thing that a file is written for, as messages name it.
 #[derive(Debug, Clone, Copy)]
 pub enum PathOwner<'p> {
     /// A model, with its row of the manifest.
     Model(&'p Path, Option<usize>),
-    /// Something other than a model owns the path, in words.
+    /// The file is written for something else than a model, with this name.
     Other(&'static str),
 }
 
@@ -191,8 +191,8 @@ impl<'p> PathConflicts<'p> {
     /// Adds a file that is written for `owner`.
     ///
     /// # Errors
-    /// Another model has that output, or the file is an input. Names that differ only in the letters' case are equal, because they are on
-    /// Windows and macOS.
+    /// The file is also another model's output, or an input. Names that differ only in the letters' case count as equal, because
+    /// Windows and macOS take them for one name.
     pub fn add_output(&mut self, path: &Path, owner: impl Into<PathOwner<'p>>) -> Result<(), LibraryFault> {
         let real = self.digest_without_case(path);
         let owner = owner.into();
@@ -215,7 +215,7 @@ impl<'p> PathConflicts<'p> {
     /// Adds a file that is changed in place for `owner`.
     ///
     /// # Errors
-    /// It is changed or read for another model, too.
+    /// The file is changed or read for another model, too.
     pub(crate) fn add_changed_in_place(
         &mut self,
         path: &Path,

@@ -1,4 +1,4 @@
-//! The new bytes of a planned change, and writing them.
+//! Writes the new bytes of models and geometry sets that a planned change makes.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use crate::run::task::{Destination, Task};
 use crate::source::{Origin, Stamp};
 use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
 
-/// The new bytes of a planned change.
+/// The new bytes of the files that a planned change affects.
 #[derive(Debug)]
 pub struct ResultBytes<'m> {
     pub model: Patch<'m>,
@@ -55,7 +55,7 @@ pub enum Written {
     Nothing(&'static str),
     /// The model was written to standard output.
     Stdout,
-    /// The model, then its geometry set; and the backups of both.
+    /// The paths of the model and of its geometry set, if that was written, too; and their backups.
     Files {
         paths: Vec<PathBuf>,
         kept: Vec<PathBuf>,
@@ -85,14 +85,14 @@ impl Written {
     }
 }
 
-/// The outputs of a model, complete under temporary names.
+/// The output files of a model, complete but still under temporary names.
 pub(super) struct PreparedFiles<'w> {
     task: &'w Task,
     opened: &'w OpenModel,
     origin: &'w Origin,
     backups: Vec<PendingFile>,
     successors: Vec<(FileId, PendingFile)>,
-    /// The backup of each successor's old file, in the same order.
+    /// The backup of the old file of each of the `successors`, in the same order.
     backup_paths: Vec<Option<PathBuf>>,
     paths: Vec<PathBuf>,
     backups_of_user: Vec<PathBuf>,
@@ -130,7 +130,7 @@ impl<'w> PreparedFiles<'w> {
         Ok(files)
     }
 
-    /// Prepares the successor of `path`, which is made from one of the model's files.
+    /// Prepares the new file at `path`, which is made from one of the model's files.
     fn prepare_file(
         &mut self,
         path: &Path,
@@ -179,7 +179,7 @@ impl<'w> PreparedFiles<'w> {
         Ok(())
     }
 
-    /// Gives all files their names.
+    /// Gives all prepared files their final names.
     ///
     /// # Errors
     /// Another program changed the model in the meantime, or a folder cannot be changed.
@@ -219,7 +219,7 @@ impl<'w> PreparedFiles<'w> {
     }
 }
 
-/// Exchanges all successors with their old files, or none: if one exchange fails, the earlier ones are undone.
+/// Exchanges all new files with the old files of the same names. If one exchange fails, the earlier exchanges are undone.
 fn exchange_all<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<(), LibraryFault> {
     let mut done: Vec<ExchangedModel<'b>> = Vec::new();
     for successor in successors {

@@ -1,4 +1,4 @@
-//! Files on a disk and standard input; and models with all the files that belong to them.
+//! Reads files from a disk or standard input; reads models with all the files that belong to them.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, HashMap};
@@ -17,8 +17,8 @@ use crate::paths::folder_of;
 use crate::source::find_models::Source;
 use crate::source::workbook::workbook_as_csv;
 
-/// The disk: paths are those of the file system, and `-` is standard input. For names that the user gave: pipes and devices
-/// are read too. A file that is named in a file that was read has to be an ordinary file.
+/// Reads files that the user named from the disk, also pipes and devices; the path `-` is standard input. A file whose name stands
+/// in another file has to be an ordinary file.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
 
@@ -40,7 +40,7 @@ impl Files for Disk {
     }
 }
 
-/// The date at Greenwich: that of `epoch`, in seconds since 1970, which repeatable builds set, else that of `now`.
+/// The date in UTC: of `epoch` (seconds since 1970), which repeatable builds set, or else of `now`.
 fn date_of(epoch: Option<&str>, now: SystemTime) -> Option<String> {
     let set = epoch.and_then(|seconds| seconds.parse().ok()).map(Duration::from_secs);
     let moment = set.map_or(Some(now), |since| SystemTime::UNIX_EPOCH.checked_add(since))?;
@@ -50,7 +50,7 @@ fn date_of(epoch: Option<&str>, now: SystemTime) -> Option<String> {
     text.split_once('T').map(|(date, _)| date.to_owned())
 }
 
-/// The disk, for names in a file such as a table: only ordinary files are read.
+/// Reads only ordinary files from the disk. It is used for names in a file such as a table.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct OrdinaryFiles;
 
@@ -64,7 +64,7 @@ impl Files for OrdinaryFiles {
     }
 }
 
-/// The disk, with a stamp of each file that was read.
+/// Reads files from the disk, and keeps a [`Stamp`] of each file that was read.
 #[derive(Debug)]
 struct StampedDisk {
     kinds: FileKinds,
@@ -103,7 +103,7 @@ impl Files for StampedDisk {
     }
 }
 
-/// A file's metadata when it was read, to notice later changes by other programs.
+/// Metadata of a file at the time when it was read, to notice later changes by other programs.
 #[derive(Debug, Clone)]
 pub struct Stamp {
     metadata: Metadata,
@@ -124,7 +124,7 @@ impl Stamp {
     /// Refuses a file whose length or time changed since it was read.
     ///
     /// # Errors
-    /// It was changed or removed since.
+    /// The file was changed or removed since it was read.
     pub(crate) fn refuse_if_changed(&self, path: &Path) -> Result<(), LibraryFault> {
         let gone = || format!("{} is no longer there, so nothing was written", path.display());
         let now = std::fs::metadata(path).context(gone)?;
@@ -141,7 +141,7 @@ impl Stamp {
 /// Reads a whole file, or standard input, which has no stamp.
 ///
 /// # Errors
-/// It does not exist, cannot be read, or changes while it is being read.
+/// The file does not exist, cannot be read, or changes while it is read.
 fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
     if path.as_os_str() == "-" && kinds == FileKinds::Streams {
         let read = file_access::standard_input();
@@ -153,7 +153,7 @@ fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileE
     Ok((workbook_as_csv(bytes)?, Some(Stamp::of(metadata))))
 }
 
-/// Bytes of a model and of the files that belong to it, with their origin.
+/// Bytes of a model and of the files that belong to it, and the paths that they come from.
 #[derive(Debug)]
 pub struct Loaded {
     pub files: ModelFiles,
@@ -166,17 +166,17 @@ pub struct Origin {
     /// Stamps of files on the disk; standard input and models in memory have none.
     stamps: HashMap<PathBuf, Stamp>,
     companions: HashMap<FileId, PathBuf>,
-    /// Files that the model includes, under the names that it has for them.
+    /// Names of the files that the model includes, as the model spells them.
     included: Vec<String>,
 }
 
 impl Loaded {
-    /// Reads `source`, the files it includes and those given beside it.
+    /// Reads the model `source`, the files that it includes and the files `set_files` that the user gave beside it.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
         Self::read_with_memory(source, set_files, &BTreeMap::new())
     }
 
-    /// Reads `source` and the files that belong to it. Files in `memory` go before those of the same name on the disk.
+    /// Reads the model `source` and the files that belong to it. A file in `memory` replaces a file of the same name on the disk.
     pub fn read_with_memory(
         source: &Source,
         set_files: &SetFiles,
@@ -191,7 +191,7 @@ impl Loaded {
         Ok(Self::of(&source.path, files, stamped.into_stamps()))
     }
 
-    /// A model with given bytes and the name `path`; `files` has the files beside it.
+    /// A model with the given `bytes` and the name `path`; `files` has the files beside the model.
     pub fn in_memory(
         path: &Path,
         bytes: Vec<u8>,
@@ -215,7 +215,7 @@ impl Loaded {
     }
 }
 
-/// Files in memory, else those on the disk.
+/// Reads a file from memory, or from the disk if memory has no file of this name.
 pub(crate) struct MemoryFirst<'m> {
     pub(crate) memory: &'m BTreeMap<PathBuf, Vec<u8>>,
     pub(crate) disk: &'m dyn Files,
@@ -242,7 +242,7 @@ impl Origin {
         self.stamps.get(path)
     }
 
-    /// The one of the model's files that is at `path`.
+    /// The file of the model whose path is `path`.
     pub(crate) fn file_at(&self, path: &Path) -> Option<FileId> {
         self.companions.iter().find(|(_, companion)| *companion == path).map(|(&file, _)| file)
     }
@@ -250,7 +250,7 @@ impl Origin {
     /// Refuses an output in a folder where OpenSim would not find the files that the model includes.
     ///
     /// # Errors
-    /// The first file that is missing.
+    /// The first included file that OpenSim would not find.
     pub(crate) fn refuse_output_without_includes(&self, output: &Path) -> Result<(), LibraryFault> {
         for file in &self.included {
             if !folder_of(output).join(file).is_file() {

@@ -1,4 +1,4 @@
-//! Which models a call is about: files, folders and standard input; and names with blanks that came without quotes.
+//! Finds the models that a call names: files, folders and standard input. Recognises file names with blanks without quotes.
 
 use std::collections::HashSet;
 use std::ffi::OsString;
@@ -14,7 +14,7 @@ use crate::file_access;
 use crate::file_access::{NameDigest, digest_of_name};
 use crate::paths::{Resolver, resolved};
 
-/// The name of a folder of variants ends in this by default. Such folders are not searched for models.
+/// Default ending of the name of a folder with the variants of a sweep. Folders with this ending are not searched for models.
 pub(crate) const SWEEP_FOLDER_ENDING: &str = ".sweep";
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -23,7 +23,7 @@ pub struct Source {
     pub path: PathBuf,
     /// The folder that the user named, if the model was found in it.
     pub folder: Option<Arc<Path>>,
-    /// Whether the user named the model itself: then it may be a pipe. Models of folders and tables have to be ordinary files.
+    /// Whether the user named the model itself. Then the model may be a pipe; models in folders and tables have to be ordinary files.
     pub named: bool,
 }
 
@@ -38,7 +38,7 @@ impl Source {
         Self { named: false, ..Self::file(path) }
     }
 
-    /// Whether the failure is that a model of a folder has no contacts: such models are skipped.
+    /// Whether the model was found in a folder and failed only because it has no contacts. Such models are skipped.
     pub(crate) fn is_skipped(&self, failure: &Failure) -> bool {
         failure.code == "no-contacts" && self.folder.is_some()
     }
@@ -68,7 +68,7 @@ pub struct Sources {
 }
 
 impl Sources {
-    /// Finds the models that `named` files and folders have; `skip` is the output folder, which is not searched.
+    /// Finds the models among the files and in the folders that are `named`. The output folder `skip` is not searched.
     pub fn find(named: &[PathBuf], skip: Option<&Path>) -> Self {
         let mut sources = Self::default();
         let mut seen = SeenModels::default();
@@ -107,7 +107,7 @@ impl Sources {
         for entry in walk.filter_entry(enters) {
             match entry {
                 Err(error) if is_dead_link_beside_models(&error) => {}
-                Err(error) => self.failures.push(unreadable(folder, &error)),
+                Err(error) => self.failures.push(failure_of_listing(folder, &error)),
                 Ok(entry) if !is_model_entry(&entry) => {}
                 // Reading a pipe might never end.
                 Ok(entry) if !entry.file_type().is_file() => {
@@ -178,7 +178,7 @@ fn is_sweep(folder: &Path) -> bool {
     folder.file_name().unwrap_or_default().as_encoded_bytes().ends_with(SWEEP_FOLDER_ENDING.as_bytes())
 }
 
-fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
+fn failure_of_listing(folder: &Path, error: &walkdir::Error) -> Failure {
     let path = error.path().unwrap_or(folder);
     let reason = match (error.loop_ancestor(), error.io_error()) {
         (Some(ancestor), _) => format!(
@@ -195,7 +195,7 @@ fn unreadable(folder: &Path, error: &walkdir::Error) -> Failure {
     Failure::outside(path, "unreadable", reason)
 }
 
-/// Models that were found already: a model that is named twice, or linked, counts once.
+/// Models that were found already. A model that is named twice, or has several links, counts once.
 #[derive(Debug, Default)]
 struct SeenModels {
     resolver: Resolver,
@@ -209,29 +209,30 @@ impl SeenModels {
     }
 }
 
-/// Most words that may be one name.
-const MOST_WORDS: usize = 12;
+/// Most arguments of the command line that are tried as parts of one file name.
+const MOST_NAME_PARTS: usize = 12;
 
-/// A name with blanks that came as several words, because it had no quotes.
+/// A file name with blanks that the user typed without quotes, so that it came as several arguments.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SplitName {
     pub words: Range<usize>,
-    /// The name that the words make with blanks between them.
+    /// The arguments, joined by blanks.
     pub name: PathBuf,
     pub exists: bool,
 }
 
 impl SplitName {
-    /// The first words that are a file together and not alone, or look like one: then the last of them has the ending of a model.
+    /// Finds the first arguments that are the name of an existing file when they are joined by blanks, or else the first whose joined
+    /// name ends like a model's. The first argument alone may not be a file.
     pub fn find(words: &[PathBuf]) -> Option<Self> {
         (0..words.len()).find_map(|start| Self::beginning_at(words, start))
     }
 
-    /// The name that begins with the word `start`, if there is one.
+    /// The split file name that begins with the argument of index `start`, if there is one.
     pub(super) fn beginning_at(words: &[PathBuf], start: usize) -> Option<Self> {
         let rest = words.get(start..)?;
         let parts =
-            rest.iter().skip(1).take_while(|word| word.as_os_str() != "-").take(MOST_WORDS).count() + 1;
+            rest.iter().skip(1).take_while(|word| word.as_os_str() != "-").take(MOST_NAME_PARTS).count() + 1;
         let mut name =
             rest.first().filter(|word| !word.exists() && !has_name_of_model(word))?.as_os_str().to_owned();
         let mut likely = None;
@@ -253,7 +254,7 @@ impl SplitName {
         likely
     }
 
-    /// A message about the words, and the name in quotes to write.
+    /// A message about the `first` argument that is no file, with the whole name in quotes as the user should write it.
     pub fn message(&self, first: &Path) -> String {
         format!("'{}' is {}", first.display(), self.reason())
     }

@@ -1,4 +1,4 @@
-//! Which models a call is about, and reading them from the disk.
+//! Finds the models that a call names, and reads them from the disk.
 
 mod disk;
 mod find_models;

@@ -7,13 +7,13 @@ use calamine::{CellErrorType, Data, Reader, Xlsx};
 use osim_model::files::FileError;
 use osim_model::messages::shortest;
 
-/// Files of .xlsx begin with this, as every ZIP archive does.
+/// The first bytes of an .xlsx file, as of every ZIP archive.
 const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 
-/// Excel has so many rows and columns.
+/// Most rows of a sheet in Excel.
 const MOST_ROWS: u32 = 1_048_576;
 const MOST_COLUMNS: u32 = 16_384;
-/// Most cells in the rectangle around all texts.
+/// Most cells in the smallest rectangle around all filled cells of a sheet.
 const MOST_CELLS: usize = 10_000_000;
 
 /// The first sheet of a workbook as CSV; other bytes are returned unchanged.
@@ -29,7 +29,7 @@ pub(super) fn workbook_as_csv(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
     csv_of_rows(&rows_of_first_sheet(&mut book)?)
 }
 
-/// The texts of each row by their columns. Cells are read one by one, because a broken file may claim any size.
+/// The texts of each row by the numbers of their columns. Cells are read one by one, because a broken file may claim any size.
 type Rows = BTreeMap<u32, BTreeMap<u32, String>>;
 
 fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError> {
@@ -52,7 +52,7 @@ fn rows_of_first_sheet(book: &mut Xlsx<Cursor<&[u8]>>) -> Result<Rows, FileError
     Ok(rows)
 }
 
-/// Empty rows stay, so that lines have the numbers of rows.
+/// The rows as CSV. Empty rows stay, so that each line has the number of its row.
 fn csv_of_rows(rows: &Rows) -> Result<Vec<u8>, FileError> {
     let failed = |error: &dyn std::fmt::Display| FileError::new(error.to_string());
     let columns = || rows.values().flat_map(BTreeMap::keys).copied();
@@ -85,7 +85,7 @@ fn csv_of_rows(rows: &Rows) -> Result<Vec<u8>, FileError> {
 /// The value of a cell as text.
 ///
 /// # Errors
-/// What is wrong with the cell, as the end of a sentence that begins with its name.
+/// The fault of the cell, as the end of a sentence that begins with the name of the cell.
 fn text_of_cell(cell: &Data) -> Result<String, String> {
     match cell {
         Data::Empty => Ok(String::new()),
@@ -117,7 +117,7 @@ fn name_of_error(error: &CellErrorType) -> &'static str {
     }
 }
 
-/// The fault of a cell, with its name in spreadsheets such as `B3`.
+/// The fault of a cell, with the cell's name as in spreadsheets, such as `B3`.
 fn fault_of_cell(row: u32, column: u32, why: &str) -> FileError {
     FileError::new(format!("cell {}{} {why}", column_letters(column), row + 1))
 }

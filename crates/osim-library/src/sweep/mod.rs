@@ -1,4 +1,4 @@
-//! A sweep on the disk: a folder of variants, and a table of them.
+//! Writes a sweep to the disk: a folder of variants of one model, and a table of the variants.
 
 mod tables;
 
@@ -32,7 +32,7 @@ pub trait SweepFrontEnd: Sync {
     fn variant_done(&self, failed: bool);
 }
 
-/// A sweep that was checked, before anything is written.
+/// A sweep whose request was checked; nothing is written yet.
 pub struct SweepRun<'s> {
     request: &'s SweepRequest,
     plan: SweepPlan<'s>,
@@ -42,7 +42,7 @@ pub struct SweepRun<'s> {
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SweepEnd {
-    /// The table of the variants of this run, if it has some.
+    /// The table of the variants of this run, if the run made any.
     pub manifest: Option<PathBuf>,
     pub made: usize,
     /// Variants that an earlier sweep has made.
@@ -59,7 +59,7 @@ pub struct SweepEnd {
 }
 
 enum VariantOutcome {
-    /// A row of the table: the variant is written.
+    /// The variant is written, and `row` is its line in the table.
     Row {
         row: Vec<u8>,
         number: usize,
@@ -75,7 +75,7 @@ impl<'s> SweepRun<'s> {
     /// Reads the model and checks the request.
     ///
     /// # Errors
-    /// Wrong usage, or a model that cannot be read.
+    /// The request is wrong, or the model cannot be read.
     pub fn new(request: &'s SweepRequest) -> Result<Self, RequestError> {
         let Some(model) = &request.model else { return Err(RequestFault::Missing { field: "model" }.into()) };
         request.check_axes()?;
@@ -102,7 +102,7 @@ impl<'s> SweepRun<'s> {
         self.plan.indices().len()
     }
 
-    /// The number of all points of the grid or steps of the ladder.
+    /// The number of variants in the whole sweep: points of the grid or steps of the ladder.
     pub fn points(&self) -> usize {
         self.plan.count()
     }
@@ -133,16 +133,16 @@ impl<'s> SweepRun<'s> {
     /// Plans the variants at the ends of the axes, so that values outside their domain are refused before anything is written.
     ///
     /// # Errors
-    /// What is wrong, with the point.
+    /// A value outside its domain; the error names the variant.
     pub fn check_ends(&self) -> Result<(), RequestError> {
         self.plan.check_ends()
     }
 
-    /// Makes the variants of this run. `report` is called for each in order, on this thread, with a failure if it could not be made.
-    /// [`SweepFrontEnd::is_interrupted`] ends the sweep early.
+    /// Makes the variants of this run. Calls `report` for each variant in order, on this thread, with a failure if the variant could not
+    /// be made. [`SweepFrontEnd::is_interrupted`] ends the sweep early.
     ///
     /// # Errors
-    /// A file exists already, or the table cannot be written.
+    /// A file of a variant exists already, or the table cannot be written.
     pub fn run<F: SweepFrontEnd>(
         &self,
         front_end: &F,
@@ -305,8 +305,8 @@ impl<'s> SweepRun<'s> {
         prepared.commit().map_err(|fault| fault.within("not written"))
     }
 
-    /// How a variant may be written; `None` if it exists with the same bytes. `is_ours` says whether an earlier sweep wrote a file of its
-    /// name with this digest.
+    /// How a variant may be written; `None` if its file exists with the same bytes. `is_ours` says whether an earlier sweep wrote a file
+    /// of this name with a given digest.
     fn mode_for_variant(
         &self,
         path: &Path,
@@ -351,7 +351,7 @@ pub struct SameContacts {
     pub first: Option<(usize, usize)>,
 }
 
-/// Models in the folder of a sweep that have names like its variants and are not among them.
+/// Models in the folder of a sweep whose names look like those of variants, but that the sweep does not make.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OtherModels {
     pub count: usize,

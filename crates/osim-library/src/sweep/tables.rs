@@ -1,4 +1,4 @@
-//! The tables of a sweep: one of all variants, or one for each run that makes a part; and the files that they name.
+//! The tables of a sweep: one table of all variants, or one for each run that makes a part of them; and the files in the tables.
 
 use std::collections::{BTreeSet, HashSet};
 use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
@@ -18,9 +18,9 @@ pub(super) struct SweepTables<'p> {
     folder: &'p Path,
     plan: &'p SweepPlan<'p>,
     whole: PathBuf,
-    /// The table of this run, if it makes a part.
+    /// The table of this run, if the run makes only a part of the variants.
     part: Option<PathBuf>,
-    /// Tables of parts, listed when they are first needed.
+    /// Tables of runs that make a part of the variants, listed when they are first needed.
     parts: OnceLock<BTreeSet<PathBuf>>,
 }
 
@@ -46,12 +46,12 @@ impl<'p> SweepTables<'p> {
         whole.into_iter().chain(parts.filter(|part| *part != self.table_of_run()))
     }
 
-    /// Tables of parts that the table of all variants replaces; none if this run makes a part.
+    /// Tables of parts of the sweep that the table of all variants replaces; none if this run makes only a part.
     pub(super) fn replaced_tables(&self) -> impl Iterator<Item = &Path> {
         self.tables_of_others().filter(|_| !self.is_part())
     }
 
-    /// Tables of parts that exist, complete or partial.
+    /// Existing tables of runs that made a part of the variants, complete or partial.
     fn parts(&self) -> &BTreeSet<PathBuf> {
         self.parts.get_or_init(|| {
             let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
@@ -66,7 +66,7 @@ impl<'p> SweepTables<'p> {
     /// Refuses to make all variants while another run makes a part, or a part while another run makes all.
     ///
     /// # Errors
-    /// Another run is writing such a table.
+    /// Another run is writing a table that excludes this run.
     pub(super) fn refuse_if_in_use(&self) -> Result<(), LibraryFault> {
         let way_out = phrase!["wait until that has ended"];
         if self.is_part() {
@@ -75,7 +75,7 @@ impl<'p> SweepTables<'p> {
         self.replaced_tables().try_for_each(|part| PartialFile::refuse_if_in_use(part, &way_out))
     }
 
-    /// Removes the tables of parts after the table of all variants was written, except those that another program saved.
+    /// Removes the tables of parts after the table of all variants was written, except tables that another program saved.
     fn remove_parts(&self) -> Result<(), LibraryFault> {
         for part in self.replaced_tables().filter(|part| is_sweep_table(part)) {
             let partial = PartialFile::path_for(part);
@@ -104,7 +104,7 @@ pub(super) struct WrittenFiles<'t> {
 }
 
 impl<'t> WrittenFiles<'t> {
-    /// Begins the partial table of this run. If the sweep resumes, reads which files earlier runs wrote.
+    /// Begins the partial table of this run. If the sweep resumes, reads from the tables which files earlier runs wrote.
     ///
     /// # Errors
     /// An existing file is not the table of a sweep, or another run is writing it.
@@ -135,12 +135,13 @@ impl<'t> WrittenFiles<'t> {
     /// Whether a sweep wrote `file` with this digest.
     ///
     /// # Errors
-    /// A table of another run is not that of a sweep.
+    /// A table of another run is not the table of a sweep.
     pub(super) fn was_written(&self, file: &str, sha256: &str) -> Result<bool, LibraryFault> {
         Ok(self.files_of_run.contains(file, sha256) || self.files_of_others()?.contains(file, sha256))
     }
 
-    /// Files in the tables of other runs. They are read only if an existing file differs: a thousand jobs would read a million tables.
+    /// Files in the tables of other runs. The tables are read only if an existing file differs: otherwise a thousand jobs would read
+    /// a million tables.
     fn files_of_others(&self) -> Result<&FileDigests, LibraryFault> {
         self.files_of_others
             .get_or_init(|| read_tables_of_others(self.tables))
@@ -148,7 +149,7 @@ impl<'t> WrittenFiles<'t> {
             .map_err(LibraryFault::clone)
     }
 
-    /// Adds the line of a file that is about to be written with this digest, or has it already.
+    /// Adds the line of a file that is about to be written with the digest `sha256`, or has this digest already.
     ///
     /// # Errors
     /// The line cannot be written.
@@ -161,7 +162,7 @@ impl<'t> WrittenFiles<'t> {
         add_lines(&mut partial, &line)
     }
 
-    /// Ends the sweep. If all variants are made, the partial table and tables of parts are removed.
+    /// Ends the sweep. If `all` variants are made, removes the partial table and the tables of parts.
     pub(super) fn finish(self, all: bool) -> Result<(), LibraryFault> {
         let partial = self.partial.into_inner().map_err(|_| fault_of_panic())?;
         if all {
@@ -192,7 +193,7 @@ fn fault_of_panic() -> LibraryFault {
 
 // Names and digests of files, as tables of sweeps have them.
 
-/// Columns of every table; a partial table has no others.
+/// Columns that every table of a sweep has; a partial table has only these.
 const FILE_COLUMNS: [&str; 2] = ["file", "sha256"];
 
 /// Names and digests of files that sweeps wrote.
@@ -200,10 +201,10 @@ const FILE_COLUMNS: [&str; 2] = ["file", "sha256"];
 struct FileDigests(HashSet<NameDigest>);
 
 impl FileDigests {
-    /// Adds the files of `table` and its partial table; `only_in_table` is called for those that the partial table does not have.
+    /// Adds the files of `table` and of its partial table. Calls `only_in_table` for each file that the partial table does not have.
     ///
     /// # Errors
-    /// One of them is not the table of a sweep.
+    /// The file `table` or its partial table is not the table of a sweep.
     pub(super) fn add(
         &mut self,
         table: &Path,
@@ -235,7 +236,7 @@ fn digest_of_file(file: &str, sha256: &str) -> NameDigest {
     digest_of_name(format!("{sha256}/{file}").as_ref())
 }
 
-/// Calls `each` with file and digest of every line of a table, if it exists.
+/// Calls `each` with the file and the digest of every line of a table, if the table exists.
 fn for_each_line(
     path: &Path,
     may_end_in_a_line: bool,

@@ -1,5 +1,5 @@
-//! Access lists (POSIX ACLs) of files that are replaced: a folder may give every new file a list, and the successor of a file that has
-//! none should not get one.
+//! Keeps the access lists (POSIX ACLs) of files that are replaced. A folder may give every new file an access list; the new version
+//! of a file without an access list should not get one.
 
 use std::path::Path;
 
@@ -8,13 +8,13 @@ use rustix::fs::{XattrFlags, fremovexattr, fsetxattr, getxattr};
 use rustix::io::Errno;
 use tempfile::NamedTempFile;
 
-/// The attribute by which Linux gives and takes the list of a file.
+/// The extended attribute in which Linux stores the access list of a file.
 const ATTRIBUTE_NAME: &str = "system.posix_acl_access";
-/// The largest list: 64 KiB is the most that Linux takes as one attribute.
+/// Most bytes of an access list: Linux takes at most 64 KiB as one attribute.
 const MOST_ATTRIBUTE_BYTES: usize = 1 << 16;
 
-/// Gives `file` the access list of `existing`, or takes away that of its folder where `existing` has none. Where the file system has no
-/// such lists there is nothing to do.
+/// Gives the new `file` the access list of `existing`. If `existing` has none, removes the list that `file` got from its folder.
+/// Does nothing on a file system without access lists.
 pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
     let mut list: Vec<u8> = Vec::with_capacity(MOST_ATTRIBUTE_BYTES);
     // A file that could not be read would not be replaced.
@@ -34,7 +34,7 @@ mod tests {
     use super::*;
     use crate::write::{PendingFile, WriteMode};
 
-    /// A list as Linux has it: version 2, then tag, rights and id of each entry. Owner, user 12345, group, mask, others.
+    /// An access list as Linux stores it: version 2, then tag, rights and id of each entry. Owner, user 12345, group, mask, others.
     fn access_list_bytes(rights_of_user: u16) -> Vec<u8> {
         let nobody = u32::MAX;
         let entries = [

@@ -1,9 +1,10 @@
 //! Exchanges the names of two files in one step, so that a name is never without a file, and the replaced file can still be read.
 //!
-//! A successor and a model exchange under the name `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model.
-//! After the exchange, the file of this name is the old model, which may be another program's work. So it is not a temporary file: if
-//! the process is killed, the file stays until a later run reads it. `DIGEST` is that of the successor: a file with this digest was
-//! made by this program and is removed. A file that is equal to a backup is removed, too; any other becomes a further backup.
+//! The new version of a model is written under the name `NAME.replaced-HOST-PROCESS-XXXXXX-DIGEST`, beside the model. Then both files
+//! exchange their names, and the file of this name is the old model, which may be another program's work. So it is not a temporary
+//! file: if the process is killed, the file stays until a later run reads it. `DIGEST` is the digest of the new version: a file with
+//! this digest was made by this program and is removed. A file that is equal to a backup is removed, too; any other file becomes a
+//! further backup.
 
 use std::ffi::{OsStr, OsString};
 use std::fs::Metadata;
@@ -45,7 +46,7 @@ pub(super) fn exchange(one: &Path, other: &Path) -> Exchange {
     }
 }
 
-/// `ReplaceFileW` does not exchange: it renames twice, and between the two there is no file under the name.
+/// Windows cannot exchange files: `ReplaceFileW` renames twice, and between the two renames no file has the name.
 #[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
 pub(super) fn exchange(_one: &Path, _other: &Path) -> Exchange {
     Exchange::NotPossible
@@ -56,7 +57,7 @@ const INFIX_OF_REPLACED: &str = ".replaced-";
 /// The longest name that most file systems allow, in bytes.
 const LONGEST_NAME: usize = 255;
 
-/// Renames a complete successor of `target` for the exchange. From now on it is not removed automatically.
+/// Renames the complete new version of `target` for the exchange. Afterwards this file is not removed automatically.
 pub(super) fn rename_for_exchange(
     successor: NamedTempFile,
     target: &Path,
@@ -98,20 +99,19 @@ fn short_digest(parts: &[&[u8]]) -> String {
     sha256_of_parts(parts.iter().copied()).chars().take(16).collect()
 }
 
-/// Splits a name of an exchange into the name of the model, host and process, and the digest of the successor.
+/// Splits a name with `.replaced-` into the name of the model, the host and process, and the digest of the new version.
 fn parts_of_name(name: &OsStr) -> Option<(&str, &str, &str)> {
     let (model, rest) = name.to_str()?.rsplit_once(INFIX_OF_REPLACED)?;
     let (owner, digest) = rest.rsplit_once('-')?;
     Some((model, owner, digest))
 }
 
-/// Whether `name` is that of a file left by a process of this computer that is gone.
+/// Whether a process of this computer that no longer runs left the file `name` after an exchange.
 pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
     parts_of_name(name).is_some_and(|(_, owner, _)| temporary::has_dead_owner(owner, &folder.join(name)))
 }
 
-/// Removes or keeps a file that a killed process left after an exchange; returns the further backup that it becomes, if it is
-/// kept.
+/// Removes a file that a killed process left after an exchange, or keeps it as a further backup and returns the path of this backup.
 pub(crate) fn settle_leftover(leftover: &Path) -> Option<PathBuf> {
     let (model, _, successor_digest) = parts_of_name(leftover.file_name()?)?;
     let bytes = file_access::read_ordinary(leftover).ok()?;
@@ -131,8 +131,8 @@ pub(crate) fn settle_leftover(leftover: &Path) -> Option<PathBuf> {
     keep_as_backup(leftover, &model)
 }
 
-/// Moves a file over the backup that has the same bytes, so that bytes which another program still writes into it are kept. A file
-/// with hard links is removed instead: who changes it under another name would change the backup.
+/// Moves a file over the backup that has the same bytes, so that the backup keeps bytes which another program still writes into the
+/// file. A file with hard links is removed instead, because a change under its other names would change the backup.
 pub(super) fn become_backup(file: &Path, backup: &Path) {
     let linked = std::fs::metadata(file).is_ok_and(|metadata| link_count(&metadata) > 1);
     if linked || std::fs::rename(file, backup).is_err() {
@@ -140,7 +140,7 @@ pub(super) fn become_backup(file: &Path, backup: &Path) {
     }
 }
 
-/// Renames a file of another program to a further backup of `target`; `None` if that is not possible.
+/// Renames a file of another program to a further backup of `target`; `None` if the renaming fails.
 pub(super) fn keep_as_backup(mut file: TempPath, target: &Path) -> Option<PathBuf> {
     for name in backup_names(target) {
         match file.persist_noclobber(&name) {

@@ -1,14 +1,14 @@
 //! Changes a model in place so that a file which another program saves at the same time is never lost.
 //!
-//! Between a look at the model and a rename over it another program may save. So the successor and the model exchange their
-//! names in one step, and then what came out is compared with what was read. If it is something else, it is put back: the
-//! save of the other program stays, and the run reports the model as changed. What comes out when it is put back should be
-//! the successor; if the other program saved once more, that newer save goes back in the same way. What is then left over
-//! and is not ours becomes a further backup. Whenever the process is killed, that save has the name of the model, of a backup, or of
-//! [`replaced`].
+//! Another program may save the model after this program read it and before this program replaces it. So the new version (the
+//! successor) and the model exchange their names in one step, and then the bytes of the displaced file are compared with the bytes
+//! that were read. If they differ, the displaced file is put back: the save of the other program stays, and the run reports the model
+//! as changed. This second exchange should displace the successor. If the other program saved once more, its newer save is put back
+//! in the same way. A displaced file that is neither the old model nor the successor becomes a further backup in the end. Whenever
+//! the process is killed, the save of the other program has the name of the model, of a backup, or of [`replaced`].
 //!
-//! Where files cannot be exchanged (Windows, some network and FAT disks) the model is read once more right before the rename, and
-//! to undo that, what was read is written again.
+//! Where files cannot be exchanged (Windows, some network and FAT disks) the model is read once more right before it is replaced. To
+//! undo the change, the bytes that were read are written again.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -25,7 +25,7 @@ use crate::write::exchange::{
 };
 use crate::write::replace::{PendingFile, WriteMode, sync_folder_of};
 
-/// How often a file that another program saves in between is put back, before it is kept as a backup instead.
+/// How often a file that another program saves during an exchange is put back, before it is kept as a backup instead.
 const MOST_PUT_BACKS: usize = 8;
 
 /// The new file of a model, with the bytes that show whether the model changed since it was read.
@@ -49,13 +49,13 @@ pub(crate) struct ExchangedModel<'b> {
     backup: Option<PathBuf>,
 }
 
-/// The outcome of undoing a change.
+/// Result of undoing a change in place.
 pub(crate) enum UndoOutcome {
-    /// The old model is in its place.
+    /// The old model has its name again.
     Restored,
-    /// The old model is back; a file that another program saved in between is this backup.
+    /// The old model has its name again. A file that another program saved meanwhile is this backup.
     Kept(PathBuf),
-    /// The old model is not back, and why.
+    /// The old model could not be restored, for this reason.
     NotRestored(String),
 }
 
@@ -70,10 +70,10 @@ impl UndoOutcome {
 }
 
 impl<'b> Successor<'b> {
-    /// Replaces the model, if it still has the bytes that were read.
+    /// Replaces the model by the new file, if the model still has the bytes that were read.
     ///
     /// # Errors
-    /// The model changed or is gone, so that nothing was written; or the folder cannot be changed.
+    /// The model was changed or removed by another program, so that nothing was written; or the folder cannot be changed.
     pub(crate) fn take_place(self) -> Result<ExchangedModel<'b>, LibraryFault> {
         let Self { prepared, read_bytes, written_bytes, backup } = self;
         let (mut successor, target, shown) = prepared.into_parts();
@@ -124,7 +124,7 @@ impl ExchangedModel<'_> {
         Err(fault_of_changed_model(&shown, &self.put_back(), &backup))
     }
 
-    /// Removes the displaced file, or makes it the backup, so that bytes which another program still writes into it are kept, too.
+    /// Removes the displaced old file, or makes it the backup, which so keeps bytes that another program still writes into the old file.
     pub(crate) fn finish(self) {
         let Some(mut displaced) = self.displaced else { return };
         match self.backup {
@@ -133,7 +133,8 @@ impl ExchangedModel<'_> {
         }
     }
 
-    /// Puts the displaced file back. A file of another program that comes out is put back in the same way, or kept as a backup.
+    /// Puts the displaced file back. If this displaces a file of another program, that file is put back in the same way, or kept as a
+    /// backup.
     pub(crate) fn put_back(self) -> UndoOutcome {
         let Some(mut displaced) = self.displaced else { return self.write_old_bytes() };
         let (mut went_in, mut is_back): (Option<Vec<u8>>, bool) = (None, false);
@@ -165,7 +166,7 @@ impl ExchangedModel<'_> {
         ))
     }
 
-    /// Writes the old bytes again, where files cannot be exchanged.
+    /// Writes the old bytes of the model again, on a system that cannot exchange files.
     fn write_old_bytes(self) -> UndoOutcome {
         let Self { target, shown, read_bytes, written_bytes, backup, .. } = self;
         let (shown, read) = (shown.display(), backup_in_words(&backup));
@@ -280,7 +281,7 @@ mod tests {
         assert_eq!(read(folder.path(), "model.osim.bak"), BYTES_READ);
     }
 
-    /// The newest save stays under the name, the one before it as a further backup.
+    /// The newest save of the other program keeps the model's name; the save before it becomes a further backup.
     #[test]
     fn a_file_saved_after_the_exchange_stays() {
         let folder = tempfile::tempdir().unwrap();
@@ -298,7 +299,7 @@ mod tests {
         assert_eq!(read(folder.path(), "model.osim.bak2"), b"saved first");
     }
 
-    /// Leaves the displaced file as a killed process would.
+    /// Leaves the displaced file on the disk, as a killed process does, and returns its path.
     fn kept_path(in_place: ExchangedModel<'_>) -> PathBuf {
         let path = in_place.displaced.as_ref().unwrap().path().to_owned();
         let name = path.file_name().unwrap().to_str().unwrap();

@@ -1,4 +1,4 @@
-//! Writing without ever leaving a file half written or losing one.
+//! Writes files so that no file is ever left half written, and none is lost.
 
 #[cfg(target_os = "linux")]
 mod access_list;
@@ -19,11 +19,11 @@ pub(crate) use in_place::{ExchangedModel, Successor, hard_link_finding};
 pub(crate) use replace::backup;
 pub use replace::{PendingFile, WriteMode};
 
-/// The files in the folders of outputs, as they were when the run began.
+/// Files in the output folders that the run has to know, as they were when the run began.
 #[derive(Debug, Default)]
 pub struct OutputFolders {
     compiled_names: HashMap<PathBuf, Vec<String>>,
-    /// Files that were displaced by a run in place that was killed.
+    /// Old files that a killed run in place displaced.
     displaced: Vec<PathBuf>,
 }
 
@@ -48,7 +48,7 @@ impl OutputFolders {
         }
     }
 
-    /// Names in `folder` that may be compiled models; empty if it does not exist yet or cannot be read.
+    /// Names in `folder` that may be compiled models; empty if the folder does not exist yet or cannot be read.
     fn list_compiled_models(&mut self, folder: &Path, tidy: bool) -> Vec<String> {
         let mut compiled_names = Vec::new();
         for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -66,8 +66,8 @@ impl OutputFolders {
         compiled_names
     }
 
-    /// Removes displaced files of killed runs, or keeps those that may be another program's work as further backups. Returns a sentence
-    /// for each that is kept.
+    /// Removes displaced files of killed runs, but keeps files that may be another program's work as further backups. Returns a sentence
+    /// for each kept file.
     pub(crate) fn keep_displaced_files(&mut self) -> Vec<String> {
         let keep = |leftover: PathBuf| Some((exchange::settle_leftover(&leftover)?, leftover));
         let shown = |path: &Path| path.strip_prefix(".").unwrap_or(path).display().to_string();

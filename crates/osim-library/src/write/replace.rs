@@ -1,4 +1,4 @@
-//! Replaces a file safely: the new one is complete under a temporary name in the target's folder before it gets the target's name.
+//! Replaces a file safely: the new file is completed under a temporary name in the target's folder, then gets the target's name.
 
 use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};
@@ -45,8 +45,8 @@ impl Write for PendingFile {
 }
 
 impl PendingFile {
-    /// Writes `bytes` under a temporary name beside `target`. The permissions are those of the file that is replaced, else those of
-    /// `like`.
+    /// Writes `bytes` under a temporary name beside `target`. The new file has the permissions of the replaced file, or of `like` if
+    /// no file is replaced.
     ///
     /// # Errors
     /// The target exists and may not be replaced, or the folder cannot be written.
@@ -59,7 +59,7 @@ impl PendingFile {
         Self::with_parts(target, std::iter::once(bytes), like, mode)
     }
 
-    /// A replacement as by [`new`](Self::new), with bytes in several parts.
+    /// Writes a new file as [`new`](Self::new) does, with the bytes in several parts.
     pub(crate) fn with_parts<'p>(
         target: &Path,
         parts: impl Iterator<Item = &'p [u8]>,
@@ -72,7 +72,7 @@ impl PendingFile {
         Ok(prepared)
     }
 
-    /// An empty successor of `target`, for `add_bytes`.
+    /// Begins an empty new file that will get the name `target`; `add_bytes` fills it.
     pub fn begin(target: &Path, like: Option<&Metadata>, mode: WriteMode) -> Result<Self, LibraryFault> {
         let (target, shown) = (real_target(target)?, target.to_owned());
         let existing = std::fs::metadata(&target).ok();
@@ -111,10 +111,10 @@ impl PendingFile {
         Ok(Self { temporary, shown, target, replaces: existing.is_some() })
     }
 
-    /// Writes more bytes of the successor.
+    /// Adds bytes to the new file.
     ///
     /// # Errors
-    /// The disk is full, or the folder is no longer there.
+    /// The disk is full, or the folder was removed.
     pub(crate) fn add_bytes(&mut self, bytes: &[u8]) -> Result<(), LibraryFault> {
         let written = self.temporary.write_all(bytes);
         written.context(|| self.cannot_write())
@@ -139,10 +139,10 @@ impl PendingFile {
         self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
 
-    /// Gives the file its name, in one step.
+    /// Gives the new file the name of its target, in one step.
     ///
     /// # Errors
-    /// Another program made a file of that name in the meantime, or the folder cannot be changed.
+    /// Another program made a file of this name in the meantime, or the folder cannot be changed.
     pub fn commit(self) -> Result<(), LibraryFault> {
         let durable = self.replaces;
         let (target, shown) = (self.target, self.shown.display());
@@ -206,7 +206,7 @@ fn fault_of_other_owner(shown: &Path) -> LibraryFault {
     ])
 }
 
-/// Gives a new file the owner and group of the replaced one. Returns whether that was possible.
+/// Gives a new file the owner and group of the replaced file. Returns whether the system allowed it.
 #[cfg(unix)]
 fn keep_owner(file: &NamedTempFile, like: &Metadata) -> std::io::Result<bool> {
     use std::os::unix::fs::{MetadataExt, fchown};
@@ -227,8 +227,8 @@ fn keep_owner(_file: &NamedTempFile, _like: &Metadata) -> std::io::Result<bool> 
     Ok(true)
 }
 
-/// Gives a new file the permissions of the replaced or copied one, regardless of the process's mask. Set-user-ID and set-group-ID of a
-/// replaced file are kept if the user or group is still the same.
+/// Gives a new file the permissions of the replaced or copied file, regardless of the process's mask. Set-user-ID and set-group-ID of
+/// a replaced file are kept if the user or group is still the same.
 #[cfg(unix)]
 fn keep_permissions(file: &NamedTempFile, like: Option<&Metadata>, replaces: bool) -> std::io::Result<()> {
     use std::os::unix::fs::{MetadataExt, PermissionsExt};
@@ -251,8 +251,8 @@ fn keep_permissions(_file: &NamedTempFile, _like: Option<&Metadata>, _replaces: 
     Ok(())
 }
 
-/// Prepares a backup of `path`: `NAME.bak`, or `NAME.bak2` and so on if there are older backups. If a run that was stopped left a
-/// backup with the same bytes, that one is used.
+/// Prepares a backup of `path`: `NAME.bak`, or `NAME.bak2` and so on if there are older backups. If a stopped run left a backup with
+/// the same bytes, this backup is used.
 pub(crate) fn backup(path: &Path, bytes: &[u8]) -> Result<(Option<PendingFile>, PathBuf), LibraryFault> {
     let path = resolved(path);
     let metadata = std::fs::metadata(&path).ok();
@@ -277,7 +277,7 @@ pub(super) fn backup_names(path: &Path) -> impl Iterator<Item = PathBuf> {
     })
 }
 
-/// Brings the entry of a renamed file in its folder to the disk.
+/// Makes the new name of a renamed file safe on the disk.
 pub(super) fn sync_folder_of(path: &Path) {
     // Windows cannot open folders, and needs no synchronisation after a rename. A failure is harmless.
     if let Ok(folder) = file_access::open_folder(folder_of(path)) {

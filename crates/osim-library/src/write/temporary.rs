@@ -1,11 +1,11 @@
-//! Temporary names of files that are being written, and how leftovers of killed processes are recognised.
+//! Temporary names of files that are being written. They show whether a killed process left a file.
 //!
-//! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer knows whose file it is. If that
-//! process is gone, nobody will ever finish the file, and it is removed. No other program's work ever has such a name: files that
-//! are exchanged have names of [`replaced`](super::replaced) before.
+//! `.osim-contact-scale-HOST-PROCESS-XXXXXX.tmp`: a later run on the same computer knows which process wrote the file. If this
+//! process no longer runs, nobody will finish the file, and it is removed. No other program's work ever has a temporary name: files
+//! that are exchanged get names of [`replaced`](super::replaced) before.
 //!
-//! On Windows a file shows by itself whether its writer is there: from the moment it is made until it has its final
-//! name, nobody else can open it for writing.
+//! On Windows nobody else can open a file for writing from the moment it is made until it has its final name. So a file that can be
+//! opened has no writer any more.
 
 use std::ffi::OsStr;
 use std::fs::{File, Metadata, OpenOptions};
@@ -33,7 +33,7 @@ pub(crate) fn new_file(folder: &Path, like: Option<&Metadata>) -> std::io::Resul
     Ok(temporary)
 }
 
-/// Whether `name` is that of a file left by a process of this computer that is gone.
+/// Whether a process of this computer that no longer runs left the temporary file `name`.
 pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
     host_and_process(name).is_some_and(|owner| has_dead_owner(owner, &folder.join(name)))
 }
@@ -43,7 +43,7 @@ pub(super) fn host_and_process(name: &OsStr) -> Option<&str> {
     name.to_str()?.strip_prefix(TEMPORARY_PREFIX)?.strip_suffix(TEMPORARY_SUFFIX)
 }
 
-/// Whether `path` is that of a process of this computer that is gone.
+/// Whether the `owner` of the file at `path` (host and process) is a process of this computer that no longer runs.
 pub(super) fn has_dead_owner(owner: &str, path: &Path) -> bool {
     let Some(process) = process_of_owner(owner) else { return false };
     process != std::process::id() && !is_alive(process) && is_open_nowhere(path)
@@ -64,8 +64,7 @@ fn is_alive(process: u32) -> bool {
     process.is_some_and(|process| process::test_kill_process(process) != Err(Errno::SRCH))
 }
 
-/// Whether the process is alive. Windows need not be asked: a process that is alive has the file open, which
-/// [`is_open_nowhere`] finds.
+/// Always false on Windows, where [`is_open_nowhere`] finds whether a running process has the file open.
 #[cfg(windows)]
 fn is_alive(_process: u32) -> bool {
     false
@@ -114,7 +113,7 @@ fn open_options(like: Option<&Metadata>) -> OpenOptions {
     options
 }
 
-/// Others may read, rename and remove the file while it is open, but not write it.
+/// With these options other processes may read, rename and remove the open file, but not write it.
 #[cfg(windows)]
 fn open_options(_like: Option<&Metadata>) -> OpenOptions {
     use std::os::windows::fs::OpenOptionsExt;
@@ -142,7 +141,7 @@ mod tests {
         assert_eq!(process_of_owner(&format!("{}-x-abcdef", host_in_names())), None);
     }
 
-    /// Before it is locked, too: another run may look at any moment.
+    /// This holds before the file is locked, too, because another run may look at any moment.
     #[cfg(windows)]
     #[test]
     fn no_other_process_can_write_a_file_until_it_has_its_final_name() {
