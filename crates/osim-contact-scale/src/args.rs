@@ -1,4 +1,4 @@
-//! The command line: verbs, each with the options of the register; the help of the program, and usage errors in one line.
+//! Parses the command line: verbs, each with the options of the register. Also the program's help, and usage errors in one line.
 
 use std::path::{Path, PathBuf};
 
@@ -53,7 +53,8 @@ pub(crate) enum OwnVerb {
 }
 
 impl OwnVerb {
-    /// The words of the call that means the same, where the verb is one that clap answers as an option.
+    /// The arguments of an equal call with `--help` or `--version`, which clap answers itself; `None` for verbs other than `help` and
+    /// `version`.
     pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
         match self {
             Self::Help(args) => Some(match args.verb.as_deref() {
@@ -73,9 +74,9 @@ pub(crate) fn verb_names() -> impl Iterator<Item = &'static str> {
 
 // The parser: most calls need one verb, and no texts of help.
 
-/// The parser of the one verb that the first word names, or of a call without a verb. It knows neither --help nor -h.
+/// The parser for the verb that the `first` argument names, or for a call without a verb. It knows neither `--help` nor `-h`.
 pub(crate) fn bare_command(first: Option<&str>) -> Command {
-    let command = root().disable_help_flag(true);
+    let command = command_without_verbs().disable_help_flag(true);
     match first.and_then(Verb::named) {
         Some(verb) => {
             command.subcommand(with_options(Command::new(verb.name()).disable_help_flag(true), verb))
@@ -85,18 +86,18 @@ pub(crate) fn bare_command(first: Option<&str>) -> Command {
     }
 }
 
-/// The parser with its help in lines of so many columns, endless ones for `None`, and with the options of one verb.
+/// The parser with the options of one verb. Lines of the help have at most `columns` letters; `None` breaks no lines.
 pub(crate) fn command(columns: Option<usize>, verb: Option<&str>) -> Command {
-    in_groups(listing(|listed| Some(listed.name()) == verb), columns)
+    with_grouped_help(command_listing_verbs(|listed| Some(listed.name()) == verb), columns)
 }
 
-/// The parser with the options of all verbs. None is hidden.
+/// The parser with the options of all verbs, none of them hidden.
 pub(crate) fn whole_command() -> Command {
-    listing(|_| true)
+    command_listing_verbs(|_| true)
 }
 
 /// The parser with all verbs, and the options of those for which `has_options` is true.
-fn listing(has_options: impl Fn(Verb) -> bool) -> Command {
+fn command_listing_verbs(has_options: impl Fn(Verb) -> bool) -> Command {
     let verbs = Verb::ALL.iter().map(|&verb| {
         let VerbEntry { about, details, .. } = verb_entry(verb);
         let command = Command::new(verb.name()).about(about);
@@ -106,7 +107,7 @@ fn listing(has_options: impl Fn(Verb) -> bool) -> Command {
         };
         if has_options(verb) { with_options(command, verb) } else { command }
     });
-    let command = root().subcommands(verbs);
+    let command = command_without_verbs().subcommands(verbs);
     with_options(OwnVerb::augment_subcommands(command), Verb::Rescale)
         .about(ABOUT)
         .long_about(format!("{ABOUT}.\n\n{DETAILS}"))
@@ -114,7 +115,7 @@ fn listing(has_options: impl Fn(Verb) -> bool) -> Command {
         .after_long_help(exit_statuses())
 }
 
-fn root() -> Command {
+fn command_without_verbs() -> Command {
     Command::new(PROGRAM_NAME)
         .version(env!("CARGO_PKG_VERSION"))
         .override_usage(USAGE)
@@ -130,10 +131,10 @@ fn exit_statuses() -> String {
     format!("Exit status:\n{lines}\n{}", equations!())
 }
 
-/// The call that was typed.
+/// The call that the user typed.
 ///
 /// # Errors
-/// The outer error is clap's; the inner one is about options that do not go together.
+/// The outer error comes from clap; the inner error is about options that do not go together.
 pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFault>, clap::Error> {
     let is_file = Path::exists;
     Ok(match matches.subcommand() {
@@ -145,7 +146,7 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     })
 }
 
-/// The request, if a `set` names models: they share one list of words with what is set.
+/// Refuses a `set` without models. On the command line, models and values to set share one list of arguments.
 fn with_models(request: Request) -> Result<Request, RequestFault> {
     match request {
         Request::Set(set) if set.models.is_empty() => Err(RequestFault::general(
@@ -187,7 +188,7 @@ pub(crate) struct CompletionsArgs {
 #[derive(Debug, Args)]
 pub(crate) struct HelpArgs {
     /// The verb [default: the help of the program]
-    #[arg(value_parser = names(), hide_possible_values = true)]
+    #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
     pub verb: Option<String>,
 }
 
@@ -198,7 +199,7 @@ On macOS and Linux (NAME is osim-contact-scale):
   to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer")]
 pub(crate) struct ManArgs {
     /// The verb [default: the page of the command]
-    #[arg(value_parser = names(), hide_possible_values = true)]
+    #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
     pub verb: Option<String>,
     /// Write all pages into this folder
     #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]
@@ -253,7 +254,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
 
 // The verbs in groups, as the help of the program lists them; clap has one list for all.
 
-/// Examples of the most frequent calls, each with what it does.
+/// Examples of the most frequent calls, each with a description.
 const EXAMPLES: [(&str, &str); 3] = [
     ("check MODEL.osim", "say what is wrong, and how to correct it"),
     ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),
@@ -269,15 +270,15 @@ fn verbs_of(group: VerbGroup) -> impl Iterator<Item = &'static str> {
     group.verbs().map(Verb::name).chain(own.iter().copied())
 }
 
-/// The options of a call without a verb that its short help shows: rescale has them all.
+/// Options in the short help of a call without a verb. The help of `rescale` has all options.
 const OPTIONS_OF_SHORT_HELP: [&str; 8] =
     ["models", "target_mass", "contacts_mass", "output", "in_place", "dry_run", "report", "help"];
 
-/// The longest line of the help, as clap makes it.
+/// Most letters in a line of the help, as in the help that clap lays out.
 const LONGEST_LINE: usize = 100;
 
 /// The parser with a help that shows examples first, and the verbs in groups.
-fn in_groups(command: Command, columns: Option<usize>) -> Command {
+fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
     let width = columns.map_or(LONGEST_LINE, |columns| columns.min(LONGEST_LINE));
     let header = *Styles::styled().get_header();
     let name = command.get_name();
@@ -311,7 +312,7 @@ fn in_groups(command: Command, columns: Option<usize>) -> Command {
 }
 
 /// The names of all verbs, as values of an argument.
-fn names() -> PossibleValuesParser {
+fn verb_names_as_values() -> PossibleValuesParser {
     PossibleValuesParser::new(VerbGroup::ALL.into_iter().flat_map(verbs_of))
 }
 

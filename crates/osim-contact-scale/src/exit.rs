@@ -1,4 +1,4 @@
-//! How the program ends: its exit status, what went wrong with a model, and Ctrl-C.
+//! The end of the program: its exit status, the report of a failure, and Ctrl-C.
 
 use std::ffi::c_int;
 use std::fmt;
@@ -15,7 +15,7 @@ use signal_hook::{consts, flag};
 
 use crate::terminal::Terminal;
 
-/// An error that ends the run with a status of its own; any other is wrong usage.
+/// An error that ends the run with the exit status `exit`. All other errors end it with the status of wrong usage.
 #[derive(Debug)]
 pub(crate) struct ExitError {
     pub text: String,
@@ -30,7 +30,7 @@ impl fmt::Display for ExitError {
 
 impl std::error::Error for ExitError {}
 
-/// The status of a run that ended with `error`. Standard output that cannot be written is not the call's fault.
+/// The exit status of a run that ended with `error`. If standard output cannot be written, the status is not that of wrong usage.
 pub(crate) fn exit_of(error: &anyhow::Error) -> Exit {
     let is_of_system = error.downcast_ref::<std::io::Error>().is_some();
     let otherwise = if is_of_system { Exit::Failed } else { Exit::Usage };
@@ -45,7 +45,7 @@ pub(crate) fn text_of(error: &anyhow::Error) -> String {
     }
 }
 
-/// The status of a run that a fault with this cause ends.
+/// The exit status of a run that ended with a fault of this cause.
 pub(crate) fn exit_of_cause(cause: Cause) -> Exit {
     match cause {
         Cause::Call => Exit::Usage,
@@ -60,14 +60,14 @@ pub(crate) fn exit_of_cause(cause: Cause) -> Exit {
 
 static STOP_REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// Ctrl-C, and what else asks a program to end: a batch system that stops a job, a terminal that closes.
+/// Signals that ask the program to end: Ctrl-C, a batch system that stops a job, a terminal that closes.
 #[cfg(unix)]
 const STOP_SIGNALS: [c_int; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHUP];
-/// Ctrl-C and Ctrl-Break. Windows itself ends a program whose window closes, whatever it listens to.
+/// Signals that ask the program to end: Ctrl-C and Ctrl-Break. If its window closes, Windows itself ends the program.
 #[cfg(windows)]
 const STOP_SIGNALS: [c_int; 2] = [consts::SIGINT, consts::SIGBREAK];
 
-/// Makes Ctrl-C a request to stop after the models in hand.
+/// Makes Ctrl-C a request to stop after the models that are being changed.
 pub(crate) fn listen() {
     static LISTENING: Once = Once::new();
     LISTENING.call_once(|| {
@@ -82,7 +82,7 @@ pub(crate) fn listen() {
     });
 }
 
-/// Makes the growth of a file beyond the limit an error of that file, and no end of the program.
+/// If a file would grow beyond the system's limit of file size, writing it fails, but the program does not end.
 #[cfg(unix)]
 pub(crate) fn outlive_size_limit() {
     static SIZE_LIMIT_MET: AtomicBool = AtomicBool::new(false);
@@ -100,7 +100,7 @@ pub(crate) fn came() -> bool {
 
 // What went wrong with one model, as one line and a snippet of the file.
 
-/// Reports it on standard error: one sentence, then the place in the file where that helps.
+/// Reports a failure on standard error: one sentence, then the faulty line of the file if there is one.
 pub(crate) fn report(failure: &Failure, words: Words, terminal: &mut Terminal) {
     let place = match (failure.line, failure.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
@@ -124,7 +124,7 @@ fn snippet(excerpt: &Excerpt) -> String {
 
 #[cfg(all(test, windows))]
 mod tests {
-    /// Elsewhere whole runs are stopped in `tests/library/interrupted.rs`.
+    /// Stops of whole runs are tested in `tests/library/interrupted.rs`.
     #[test]
     fn ctrl_c_asks_the_run_to_stop() {
         super::listen();

@@ -1,6 +1,6 @@
-//! The command `osim-contact-scale`: words, terminal and exit status around the libraries.
+//! The command `osim-contact-scale`: its arguments, its output on the terminal and its exit status.
 //!
-//! [`osim_view::report::ExitStatus`] has what the exit status says.
+//! [`osim_view::report::ExitStatus`] has the meanings of the exit status.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod args;
@@ -23,7 +23,7 @@ use crate::session::{Session, WORDS};
 use crate::suggestions::{meant, suggested_axis, suggested_figure};
 use crate::terminal::Terminal;
 
-/// Does what the words of the command line say.
+/// Runs the command with the arguments of the command line.
 pub fn main() -> ExitCode {
     exit::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
@@ -44,7 +44,8 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
-/// The call that the words of the command line ask for, if they go together. What clap prints is an error to it.
+/// The call that the arguments of the command line make. The inner error is about options that do not go together; the outer error
+/// is clap's, which also returns its help and version as errors.
 fn parsed(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
     let first = std::env::args_os().nth(1);
     let first = first.as_deref().and_then(|word| word.to_str());
@@ -64,13 +65,14 @@ fn parsed(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Er
     Ok(call)
 }
 
-/// Whether the words ask for help, or there are none. Where these words are values of options, nothing but time is lost.
+/// Whether the arguments may ask for help, or there are none. If `help` is only the value of an option, the answer is wrong, which
+/// costs time but changes no output.
 fn asks_for_help() -> bool {
     let mut words = std::env::args_os().skip(1).peekable();
     words.peek().is_none() || words.any(|word| word == "-h" || word == "--help")
 }
 
-/// A suggestion for this call, if its words beside the options caused an unknown argument.
+/// A suggestion for a call whose arguments beside the options caused an unknown argument.
 fn suggestion_for_call() -> Option<String> {
     let words: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     let is_option = |word: &PathBuf| word.as_os_str().as_encoded_bytes().starts_with(b"-");
@@ -85,7 +87,7 @@ fn suggestion_for_call() -> Option<String> {
     meant(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
 }
 
-/// Help and version go to standard output; anything else is one line.
+/// Prints help and version on standard output; prints all other errors of clap as one line on standard error.
 fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
     match error.kind() {
         ErrorKind::DisplayHelp

@@ -1,4 +1,4 @@
-//! A call of the program: what all verbs share; what verbs without a change print and write in the end.
+//! One call of the program: data that all verbs share, and functions for the end of verbs that change no model.
 
 use std::path::Path;
 
@@ -28,12 +28,12 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    /// How results are laid out on this terminal.
+    /// The layout of results for this terminal.
     pub(crate) fn layout(&self, full: bool) -> Layout {
         Layout { columns: self.terminal.columns(), colour: Colour::Ansi, extent: Extent::new(full) }
     }
 
-    /// Reports a failure; scripts that read JSON get it there, too.
+    /// Reports a failure on standard error; with `json`, also as a record on standard output.
     pub(crate) fn fail(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
@@ -42,7 +42,7 @@ impl Session {
         Ok(Exit::Failed)
     }
 
-    /// A request that cannot be begun: wrong usage, or a file that it needs.
+    /// Reports a request that cannot be begun, because of wrong usage or of a file that it needs.
     ///
     /// # Errors
     /// Wrong usage.
@@ -53,12 +53,12 @@ impl Session {
         }
     }
 
-    /// The error of a request that was wrong.
+    /// Makes the error for a wrong request.
     pub(crate) fn usage(&self, fault: &RequestFault) -> anyhow::Error {
         anyhow::anyhow!(fault.spelled(self.words))
     }
 
-    /// The error for files that were refused.
+    /// Makes the error for refused files.
     pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
         ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
     }
@@ -70,14 +70,14 @@ impl Session {
 /// Spells options in messages as a user types them.
 pub(crate) static WORDS: Words = &CommandLine;
 
-/// The language of those who read messages about a request.
+/// The language of the caller whose request the messages are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Language {
     Json,
     Matlab,
 }
 
-/// The words of a request for those who wrote it: fields, or the arguments of the function that made them.
+/// Spells options as the caller wrote them: as fields of the request, or as arguments of the function that made the request.
 pub(crate) fn of_request(language: Language) -> Words {
     match language {
         Language::Json => &JsonRequest,
@@ -87,7 +87,7 @@ pub(crate) fn of_request(language: Language) -> Words {
 
 // What verbs without a change print and write in the end.
 
-/// Ends the page, if there is one; what cannot be written is reported.
+/// Completes the report page, if there is one; reports a page that cannot be written.
 pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit {
     match page.map_or(Ok(()), ReportPage::finish) {
         Ok(()) => Exit::Done,
@@ -101,7 +101,7 @@ pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit 
 
 // The call as it was typed, for reports.
 
-/// The command line, each word quoted where a shell asks for it.
+/// The command line of this call, each argument quoted where a shell needs it.
 pub(super) fn asked() -> String {
     let words = std::env::args_os().skip(1).map(|word| shell_quoted(&word.to_string_lossy()));
     std::iter::once("osim-contact-scale".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
@@ -109,7 +109,8 @@ pub(super) fn asked() -> String {
 
 // Choices of forces or bodies that fit nothing, for verbs whose results do not say it.
 
-/// A remark on each of them for the models at `paths`. What cannot be read is named by the verb itself.
+/// Prints a remark for each choice of forces or bodies that fits nothing in the models at `paths`. Unreadable models are skipped,
+/// because the verb itself reports them.
 ///
 /// # Errors
 /// Standard error is closed.

@@ -1,4 +1,4 @@
-//! Suggestions for words that are neither verbs nor files.
+//! Suggestions for arguments that are neither verbs nor files.
 
 use std::path::{Path, PathBuf};
 
@@ -9,8 +9,8 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::verb_names;
 
-/// The call to suggest instead of `words`, the words of a call beside its options; `None` if nothing fits. With `may_be_mass`, a bare
-/// number can only be the target mass.
+/// The message that suggests another call instead of `words` (the arguments beside the options); `None` if no call fits. With
+/// `may_be_mass`, a bare number can only be the target mass.
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
@@ -32,19 +32,19 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
     Some(format!("'{}' is neither a verb nor a file: did you mean '{}'?", first.display(), verb?))
 }
 
-/// The message about a figure that cannot be drawn, whatever else is missing in the call.
+/// The message that `plot fig1` cannot be drawn, even if other arguments are missing, too.
 pub(crate) fn suggested_figure(words: &[String], terms: Words) -> Option<String> {
     let [verb, kind, ..] = words else { return None };
     let is_fig1 = verb == Verb::Plot.name() && kind == PlotKind::Fig1.as_str();
     is_fig1.then(|| no_fig1().spelled(terms))
 }
 
-/// The number of a word such as `20`, `20kg` or `20000g`.
+/// The kilograms in an argument such as `20`, `20kg` or `20000g`.
 fn kilograms(word: &Path) -> Option<String> {
     Kilograms::with_unit(word.to_str()?).map(|kg| kg.to_string())
 }
 
-/// The message about an axis of a sweep that was typed beside `--grid`: as an assignment, or as another option.
+/// The message about an axis of a sweep that was not typed as a value of `--grid`, but as an assignment or as another option.
 pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
     let (verb, rest) = words.split_first()?;
     if verb != Verb::Sweep.name() {
@@ -72,14 +72,14 @@ pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
     Some(text.spelled(terms))
 }
 
-/// A verb that is spelled almost like `word`. What a model alone means comes first where two are as near.
+/// A verb that is spelled almost like `word`. If two verbs are equally near, the verb that a call without a verb means comes first.
 fn similar_verb(word: &Path) -> Option<String> {
     let rescale = Verb::Rescale.name();
     let others = verb_names().filter(|name| *name != rescale);
     nearest(word.to_str()?, std::iter::once(rescale).chain(others)).map(str::to_owned)
 }
 
-/// The one of `names` that was probably meant by `word`: a part of it, or spelled almost like it.
+/// The name among `names` that the user probably meant by `word`: a part of `word`, or spelled almost like it.
 fn nearest<'n>(word: &str, names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let flat = |text: &str| text.to_lowercase().replace(['-', '_'], "");
     let word = flat(word);

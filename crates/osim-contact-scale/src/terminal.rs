@@ -1,7 +1,8 @@
-//! Standard output and standard error; a reader that has gone away (`… | head`) is no failure.
+//! Writes to standard output and standard error. A reader that ends early (`… | head`) is no failure.
 //!
-//! Text for people is broken where the terminal ends, at blanks. Files and pipes get lines as they are, for lines are what programs
-//! look for. `COLUMNS` says nothing of them: readline puts it into the process of an interactive Python or Octave, which hands it on.
+//! Text for people is broken at blanks into lines that fit the terminal. Files and pipes get unbroken lines, because programs search
+//! in lines. The variable `COLUMNS` does not count for files and pipes: readline sets it in an interactive Python or Octave, which
+//! hand it on to this program.
 
 use std::borrow::Cow;
 use std::fmt::Write;
@@ -17,7 +18,7 @@ use terminal_size::Width;
 #[derive(Debug)]
 pub(crate) struct Terminal {
     gone: bool,
-    /// Columns of standard output and of standard error; `None` if lines have no end.
+    /// Columns of standard output; `None` if its lines are not broken.
     out: Option<usize>,
     err: Option<usize>,
 }
@@ -33,7 +34,7 @@ impl Terminal {
         }
     }
 
-    /// Breaks no line from now on, because a program reads what people would read.
+    /// Breaks no lines from now on, because a program reads the text for people.
     pub(crate) fn never_break(&mut self) {
         (self.out, self.err) = (None, None);
     }
@@ -44,18 +45,18 @@ impl Terminal {
         self.write_bytes(text.as_bytes())
     }
 
-    /// Results for programs, on standard output: each record is one line.
+    /// Prints results for programs on standard output: each record is one line.
     pub(crate) fn print_records(&mut self, text: &str) -> io::Result<()> {
         self.write_bytes(terminal_safe(text).as_bytes())
     }
 
-    /// Results in the format that was asked for.
+    /// Prints a result on standard output, with unbroken lines if `is_for_programs`.
     pub(crate) fn print_as(&mut self, text: &str, is_for_programs: bool) -> io::Result<()> {
         if is_for_programs { self.print_records(text) } else { self.print(text) }
     }
 
-    /// Lines of files: programs that apply a diff need them as they are, and a terminal does not. Control characters are in no file
-    /// that XML allows, and what comes out of a pipe may reach a terminal all the same.
+    /// Prints a diff. Programs that apply it need its lines unchanged. Control characters are written by their numbers: XML allows none
+    /// in a model, and the output of a pipe may reach a terminal.
     pub(crate) fn print_diff(&mut self, text: &str) -> io::Result<()> {
         if io::stdout().is_terminal() {
             return self.print_records(text);
@@ -63,7 +64,7 @@ impl Terminal {
         self.write_bytes(without_controls(text).as_bytes())
     }
 
-    /// Results with colours, which reach terminals only.
+    /// Prints results with colours; files and pipes get them without colours.
     pub(crate) fn print_painted(&mut self, text: &str) -> io::Result<()> {
         if self.gone {
             return Ok(());
@@ -79,7 +80,7 @@ impl Terminal {
         }
     }
 
-    /// A model or another file, on standard output, as it is.
+    /// Writes the unchanged bytes of a model or another file to standard output.
     pub(crate) fn write_bytes(&mut self, bytes: &[u8]) -> io::Result<()> {
         if self.gone {
             return Ok(());
@@ -99,17 +100,17 @@ impl Terminal {
         supports_unicode::on(supports_unicode::Stream::Stdout)
     }
 
-    /// Columns of standard output; `None` if lines have no end, as in files and pipes.
+    /// Columns of standard output; `None` if lines are not broken, as in files and pipes.
     pub(crate) fn columns(&self) -> Option<usize> {
         self.out
     }
 
-    /// Text beside the results, on standard error.
+    /// Prints text that is no result on standard error.
     pub(crate) fn print_beside(&mut self, text: &str) -> io::Result<()> {
         self.aside(&fitted(text, self.err))
     }
 
-    /// Text beside the results whose lines stay as they are, on standard error.
+    /// Prints text that is no result on standard error, with unbroken lines.
     pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
@@ -117,39 +118,39 @@ impl Terminal {
         }
     }
 
-    /// A failure, on standard error; where even that is closed nobody can read it.
+    /// Prints a failure on standard error. If standard error is closed, does nothing.
     pub(crate) fn error(&mut self, text: &str) {
         let _ = io::stderr().lock().write_all(fitted(&terminal_safe(text), self.err).as_bytes());
     }
 
-    /// A failure in one sentence, on standard error.
+    /// Prints a failure in one sentence on standard error.
     pub(crate) fn error_line(&mut self, text: &str) {
         self.error(&format!("error: {}\n", one_line(text.to_owned())));
     }
 
-    /// Lines of a file with marks below them, on standard error: broken, the marks would be in the wrong place.
+    /// Prints lines of a file with marks below them on standard error. The lines are not broken, so that the marks stay in place.
     pub(crate) fn excerpt(&mut self, text: &str) {
         let _ = io::stderr().lock().write_all(terminal_safe(text).as_bytes());
     }
 
-    /// A remark in one line, on standard error.
+    /// Prints a remark in one line on standard error.
     pub(crate) fn remark(&mut self, text: &str) -> io::Result<()> {
         self.print_beside(&format!("remark: {}\n", one_line(text.to_owned())))
     }
 }
 
-/// Columns of a stream. A terminal that does not say how wide it is, or says 0, is taken for an old one.
+/// Columns of a stream. A terminal of unknown width, or of width 0, gets the width of an old terminal.
 fn columns(is_terminal: bool, width: Option<Width>) -> Option<usize> {
     let known = width.map(|width| usize::from(width.0)).filter(|&columns| columns > 0);
     is_terminal.then(|| known.unwrap_or(WIDTH))
 }
 
-/// Text in lines of at most so many columns.
+/// The text, broken into lines of at most this number of columns.
 fn fitted(text: &str, columns: Option<usize>) -> Cow<'_, str> {
     columns.map_or(Cow::Borrowed(text), |columns| broken(text, columns).into())
 }
 
-/// Text whose control characters are written by their numbers; line ends and tabs stay.
+/// The text with control characters written by their numbers; line ends and tabs stay.
 fn without_controls(text: &str) -> Cow<'_, str> {
     let steers = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t' | '\r');
     if !text.contains(steers) {
@@ -162,7 +163,7 @@ fn without_controls(text: &str) -> Cow<'_, str> {
     out.into()
 }
 
-/// Text that cannot steer a terminal but for the colours of its letters.
+/// The text without control characters except those for colours, so that it cannot steer a terminal.
 fn harmless_but_colours(text: &str) -> String {
     let mut parts = text.split("\u{1b}[");
     let mut out = terminal_safe(parts.next().unwrap_or_default()).into_owned();
@@ -177,7 +178,7 @@ fn harmless_but_colours(text: &str) -> String {
 
 // How far a run is: on a terminal only, and only with several models.
 
-/// Models done, their rate, the time that remains, and failures.
+/// A progress bar: finished models, their rate, the remaining time, and failures.
 pub(crate) struct Progress {
     bar: ProgressBar,
     failures: AtomicUsize,
@@ -211,7 +212,7 @@ impl Progress {
         self.bar.inc(1);
     }
 
-    /// Lets `write` write to the terminal between two pictures of the bar.
+    /// Hides the progress bar while `write` writes to the terminal.
     pub(crate) fn suspended<T>(&self, write: impl FnOnce() -> T) -> T {
         if self.bar.is_hidden() { write() } else { self.bar.suspend(write) }
     }
@@ -223,7 +224,7 @@ impl Progress {
 
 // A window that closes too soon: Windows takes it away, with all it shows, when a program that Explorer started ends.
 
-/// Waits for Enter where a model was dropped on the program, so that there is time to read.
+/// If a model was dropped on the program's icon, waits for Enter, so that the user has time to read.
 #[cfg(windows)]
 pub(crate) fn keep_open(terminal: &mut Terminal) {
     use std::io::{IsTerminal, stdin, stdout};
@@ -241,7 +242,7 @@ pub(crate) fn keep_open(terminal: &mut Terminal) {
 #[cfg(not(windows))]
 pub(crate) fn keep_open(_terminal: &mut Terminal) {}
 
-/// File name of the program that started `process`.
+/// File name of the program that started the process with the number `process`.
 #[cfg(windows)]
 fn parent_of(process: u32) -> Option<String> {
     use winsafe::{HPROCESSLIST, co::TH32CS};

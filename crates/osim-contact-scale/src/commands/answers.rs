@@ -28,10 +28,10 @@ use crate::exit::Exit;
 use crate::session::Session;
 use crate::terminal::Terminal;
 
-/// Calculates and prints.
+/// Calculates a design and prints its values.
 ///
 /// # Errors
-/// Too little is known, or it contradicts itself.
+/// The request has too few values, or values that contradict each other.
 pub(crate) fn design(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
     let sheet = design_sheet(request).map_err(|fault| session.usage(&fault))?;
     let json = request.run.is_json();
@@ -42,13 +42,13 @@ pub(crate) fn design(request: &DesignRequest, session: &mut Session) -> Result<E
 
 // `drop-test`: what contacts do when their body falls on them.
 
-/// Lets it fall.
+/// Lets a body fall on its contacts and prints the movement.
 ///
 /// # Errors
-/// Wrong usage: numbers that are missing or contradict a model.
+/// Wrong usage: numbers are missing or contradict a model.
 pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.subject.iter().chain(&request.compare).find(|path| path.is_dir()) {
-        bail!("{}", of_folder(&folder.display().to_string(), session));
+        bail!("{}", refusal_of_folder(&folder.display().to_string(), session));
     }
     let drop = match run_drop_test(request, &Disk) {
         Ok(drop) => drop,
@@ -69,8 +69,8 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
     Ok(Exit::Done)
 }
 
-/// A folder has many models, and each falls for itself.
-fn of_folder(folder: &str, session: &Session) -> String {
+/// The message that a folder cannot fall: each of its models needs a call of its own.
+fn refusal_of_folder(folder: &str, session: &Session) -> String {
     format!(
         "'{folder}' is a folder, and one body falls at a time: name a model in it. `{} {}` has \
          indentation, stiffness and restitution of all its models",
@@ -81,7 +81,7 @@ fn of_folder(folder: &str, session: &Session) -> String {
 
 // `fit`: contact parameters from a measured indentation and force; a fit to recordings is a change of a model.
 
-/// Fits and reports.
+/// Fits parameters to measurements and prints them.
 ///
 /// # Errors
 /// Wrong usage.
@@ -107,10 +107,10 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
 
 // `reproduce`: what the paper prints and draws, computed again.
 
-/// Compares, draws and writes.
+/// Compares the paper's numbers with the equations, and writes the table and figures if the request names a folder.
 ///
 /// # Errors
-/// A file that is there already, or a folder that cannot be written.
+/// A file exists already, or the folder cannot be written.
 pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
     let record = match ReproductionRecord::new(session.words) {
@@ -119,7 +119,7 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     };
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
-        let files = match files(folder, &record)? {
+        let files = match output_files(folder, &record)? {
             Ok(files) => files,
             Err(failure) => return session.fail(&failure, json),
         };
@@ -139,8 +139,11 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     Ok(Exit::Done)
 }
 
-/// Files of a reproduction for the folder: the table and both figures.
-fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
+/// Paths and texts of the files that a reproduction writes into `folder`: the table and both figures.
+fn output_files(
+    folder: &Path,
+    record: &ReproductionRecord,
+) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
     let mut files = vec![(folder.join("table1.csv"), reproduction_csv(record)?)];
     for (name, kind) in [("fig4.svg", PlotKind::Fig4), ("fig-c5.svg", PlotKind::FigC5)] {
         let request = PlotRequest { kind: Some(kind), ..PlotRequest::default() };
@@ -153,7 +156,7 @@ fn files(folder: &Path, record: &ReproductionRecord) -> Result<Result<Vec<(PathB
     Ok(Ok(files))
 }
 
-/// Writes all of them. If one of them exists and may not be replaced, writes none.
+/// Writes all files. If a file exists and may not be replaced, writes none.
 fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<()> {
     if let Some((there, _)) = files.iter().find(|(path, _)| !force && path.exists()) {
         let [folder, force] = [Input::OutputDir, Input::Force].map(|input| session.words.input(input, None));
@@ -174,10 +177,10 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
 
 // `explain`: equations, quantities, and the codes of findings and errors.
 
-/// Explains what is named; alone, lists everything.
+/// Explains an equation, a quantity or a code; without a topic, lists all topics.
 ///
 /// # Errors
-/// Something that is neither an equation nor a code.
+/// The topic is neither an equation nor a code.
 pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
     let words = session.words;
     let letters = if Terminal::shows_unicode() { Letters::Unicode } else { Letters::Ascii };
@@ -188,10 +191,10 @@ pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result
 
 // `presets`: published contacts, and the user's own.
 
-/// Lists presets, or shows one.
+/// Lists all presets, or shows one preset.
 ///
 /// # Errors
-/// A file of presets that cannot be read, or an unknown name.
+/// The file of presets cannot be read, or the name is unknown.
 pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
     let presets = find_presets(request, &Disk).map_err(|fault| session.usage(&fault))?;
     for (index, preset) in presets.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Verbs that change models: one run, what is shown of each model, and what is reported in the end.
+//! Runs the verbs that change models, shows each model's result, and reports the run in the end.
 
 use std::path::Path;
 
@@ -26,7 +26,7 @@ use crate::session::{Session, asked, end_page};
 use crate::suggestions::meant;
 use crate::terminal::Progress;
 
-/// A change of all models that it names.
+/// Makes a prepared change in all models that it names.
 ///
 /// # Errors
 /// Wrong usage.
@@ -35,7 +35,7 @@ pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut
     run(request, options, session)
 }
 
-/// A verb that changes models.
+/// Runs a verb that changes models.
 ///
 /// # Errors
 /// Wrong usage.
@@ -49,7 +49,7 @@ pub(crate) fn change_models(request: Request, session: &mut Session) -> Result<E
 
 // `rescale`, and a model alone.
 
-/// Rescales; `may_inspect` where no verb was typed, so that a model alone is inspected.
+/// Rescales models. With `may_inspect` (no verb was typed), a model without options is only inspected.
 ///
 /// # Errors
 /// Wrong usage.
@@ -91,10 +91,10 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
 
 // One run of a changing verb: what is reported of it, and in which order.
 
-/// More models than this are reported in a line each, unless a table is asked for.
-const FEW: usize = 10;
+/// Most models whose changes are shown in tables by default; each of more models gets only one line.
+const MOST_MODELS_IN_TABLES: usize = 10;
 
-/// Does all of `request`.
+/// Changes all models of `request`.
 ///
 /// # Errors
 /// Wrong usage: found before anything is written.
@@ -102,7 +102,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
     let tasks = run.request().tasks.len();
     let several = tasks + run.request().failures.len() > 1;
-    let few = if tasks > FEW { RunFormat::Lines } else { RunFormat::Table };
+    let few = if tasks > MOST_MODELS_IN_TABLES { RunFormat::Lines } else { RunFormat::Table };
     let format = options.format.unwrap_or(few);
     let mut exit = Exit::Done;
     for failure in &run.request().failures {
@@ -136,7 +136,8 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     Ok(exit.and(exit_of(&counts, untold)))
 }
 
-/// Does all tasks and reports each in its turn; also whether something could not be shown, and the worst that was found in results.
+/// Does all tasks and reports each model in order. Also returns whether a result could not be printed, and the severity of the worst
+/// finding in the results.
 fn do_tasks(
     run: &Run<'_>,
     options: &RunOptions,
@@ -148,7 +149,7 @@ fn do_tasks(
     if tasks > 1 {
         exit::listen();
     }
-    let shower = Shower {
+    let printer = ResultPrinter {
         words: session.words,
         options,
         format,
@@ -166,17 +167,17 @@ fn do_tasks(
             page.add(entry.unwrap_or_else(|| entry_of_record(&record, earlier)));
         }
         // Results that cannot be shown are no reason to leave the other models undone.
-        let reported = shower.progress.suspended(|| match &failure {
-            Some(failure) => say_failure(failure, format, session),
-            None => say(&outputs, session),
+        let reported = printer.progress.suspended(|| match &failure {
+            Some(failure) => print_failure(failure, format, session),
+            None => print_outputs(&outputs, session),
         });
         if let Err(error) = reported {
             session.terminal.error_line(&format!("cannot write to standard output: {error:#}"));
             untold = true;
         }
     };
-    let counts = run.do_tasks(&shower, report);
-    shower.progress.end();
+    let counts = run.do_tasks(&printer, report);
+    printer.progress.end();
     match counts {
         Ok(counts) => Ok((counts, untold, worst)),
         Err(fault) => Err(session.refused(&fault)),
@@ -196,7 +197,7 @@ fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> 
     Exit::Failed
 }
 
-fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
+fn print_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
     if format == RunFormat::Json {
         session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
     }
@@ -204,7 +205,7 @@ fn say_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> R
     Ok(())
 }
 
-fn say(all: &[Output], session: &mut Session) -> Result<()> {
+fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {
     for output in all {
         match output {
             Output::Result(text) => session.terminal.print(text)?,
@@ -254,45 +255,45 @@ fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
 
 // What is shown of a model that was changed, made on the thread that changed it.
 
-/// What is shown of one model.
+/// The output about one model.
 #[derive(Default)]
 pub(crate) struct Shown {
     pub outputs: Vec<Output>,
-    /// The model on the page; `None` without a page.
+    /// The model's entry on the report page; `None` without a page.
     pub entry: Option<Entry>,
     /// The severity of the worst finding about the result.
     pub worst: Option<Severity>,
 }
 
-/// One thing to report.
+/// A text or model to print, with the stream and the form for it.
 pub(crate) enum Output {
-    /// On standard output.
+    /// A text for people, on standard output.
     Result(String),
-    /// On standard output, for programs.
+    /// A record for programs, on standard output.
     Record(String),
-    /// On standard output, where programs take it as it is.
+    /// A diff for programs, on standard output with unbroken lines.
     Diff(String),
-    /// On standard output, byte for byte.
+    /// A model, byte for byte on standard output.
     Model(Vec<u8>),
-    /// On standard error, beside the results.
+    /// A remark for people, on standard error.
     Beside(String),
-    /// On standard error, where programs take it as it is.
+    /// A remark with unbroken lines for programs, on standard error.
     Aside(String),
 }
 
-/// Shows what a run does.
-pub(crate) struct Shower<'s> {
+/// Makes the output about each model of a run.
+pub(crate) struct ResultPrinter<'s> {
     pub words: Words,
     pub options: &'s RunOptions,
     pub format: RunFormat,
-    /// Columns of the terminal; `None` if lines have no end.
+    /// Columns of the terminal; `None` if lines are not broken.
     pub columns: Option<usize>,
-    /// How much of each model a page shows.
+    /// How many details of each model the report page shows.
     pub detail: DetailLevel,
     pub progress: Progress,
 }
 
-impl RunFrontEnd for Shower<'_> {
+impl RunFrontEnd for ResultPrinter<'_> {
     type Shown = Shown;
 
     fn dialect(&self) -> &dyn Speller {
@@ -324,7 +325,7 @@ impl RunFrontEnd for Shower<'_> {
     }
 }
 
-impl Shower<'_> {
+impl ResultPrinter<'_> {
     fn outputs(&self, changed: &ChangedModel<'_>) -> Vec<Output> {
         let mut outputs = Vec::new();
         let to_stdout = matches!(changed.written, Written::Stdout);
@@ -348,7 +349,7 @@ impl Shower<'_> {
         outputs
     }
 
-    /// What changed, as the run reports it; nothing where only errors are.
+    /// The text about the changes of a model; `None` if the run reports only errors.
     fn text(&self, changed: &ChangedModel<'_>) -> Option<String> {
         let ChangedModel { plan, task, opened, written, .. } = changed;
         if self.format == RunFormat::Json {
@@ -382,13 +383,13 @@ fn diff(changed: &ChangedModel<'_>) -> String {
 
 // `batch`: a verb per row of a table.
 
-/// Rows that are wrong are reported one by one up to this number, then counted.
-const REPORTED: usize = 20;
+/// Most wrong rows that are reported one by one; further wrong rows are only counted.
+const MOST_REPORTED_ROWS: usize = 20;
 
-/// Does all rows of the table.
+/// Changes a model for each row of the table.
 ///
 /// # Errors
-/// It cannot be read, or is not a table with a column `model`.
+/// The file cannot be read, or is not a table with a column `model`.
 pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
@@ -406,11 +407,11 @@ fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> 
     for failure in wrong.iter().filter(|_| json) {
         session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
     }
-    for failure in wrong.iter().take(REPORTED) {
+    for failure in wrong.iter().take(MOST_REPORTED_ROWS) {
         let message = failure.message.spelled(session.words);
         session.terminal.error_line(&format!("{}: {message}", failure.model));
     }
-    let more = wrong.len().saturating_sub(REPORTED);
+    let more = wrong.len().saturating_sub(MOST_REPORTED_ROWS);
     let more = if more > 0 { format!(", {more} of them not shown") } else { String::new() };
     let rows = if wrong.len() == 1 { "1 row is".to_owned() } else { format!("{} rows are", wrong.len()) };
     session.terminal.error_line(&format!("{shown}: {rows} wrong{more}: nothing was written"));

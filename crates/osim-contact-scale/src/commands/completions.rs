@@ -1,4 +1,4 @@
-//! `completions`: scripts for shells; `man`: the manual pages.
+//! `completions` prints scripts for shells; `man` prints or writes the manual pages.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -26,7 +26,7 @@ pub(crate) fn run(args: &CompletionsArgs, session: &mut Session) -> Result<Exit>
     clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);
     match args.shell {
         Shell::Bash => script = with_one_name(&String::from_utf8(script)?, &name).into_bytes(),
-        Shell::Fish => script = completed(&String::from_utf8(script)?, &command).into_bytes(),
+        Shell::Fish => script = with_missing_completions(&String::from_utf8(script)?, &command).into_bytes(),
         _ => {}
     }
     session.terminal.write_bytes(&script)?;
@@ -42,8 +42,8 @@ fn with_one_name(script: &str, name: &str) -> String {
 // What clap_complete 4.6 leaves out for fish: options after a model where no verb is typed, and values of arguments without a name,
 // such as the kind of a figure.
 
-/// The script with both. Verbs and files are completed without.
-fn completed(script: &str, command: &Command) -> String {
+/// The fish script with completions that clap_complete leaves out: options after a model, and values of arguments without a name.
+fn with_missing_completions(script: &str, command: &Command) -> String {
     let functions = format!("__fish_{}", command.get_name().replace('-', "_"));
     let (needs_verb, without_verb) =
         (format!("{functions}_needs_command"), format!("{functions}_without_verb"));
@@ -79,7 +79,7 @@ fn completed(script: &str, command: &Command) -> String {
     completed
 }
 
-/// Whether any argument without a name is not one of a few words.
+/// Whether the verb has an argument without a name that may be a file, not only one of a few words.
 fn takes_files(verb: &Command) -> bool {
     verb.get_positionals().any(|argument| values(argument).is_empty())
 }
@@ -88,7 +88,7 @@ fn values(argument: &Arg) -> Vec<PossibleValue> {
     argument.get_value_parser().possible_values().into_iter().flatten().collect()
 }
 
-/// A value and what it is, as fish reads them between double quotation marks.
+/// A value and its description, as fish reads them between double quotation marks.
 fn entry(value: &PossibleValue) -> String {
     let help = value.get_help().map(ToString::to_string).unwrap_or_default();
     let help = help.replace('\\', "\\\\").replace('\'', "\\'").replace(['"', '$', '\n'], " ");
@@ -99,7 +99,7 @@ fn entry(value: &PossibleValue) -> String {
 
 const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
-/// Prints one page, or writes all of them.
+/// Prints one manual page, or writes all of them.
 ///
 /// # Errors
 /// An unknown verb.
@@ -126,7 +126,7 @@ pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
     Ok(Exit::Done)
 }
 
-/// Manual pages: one for each verb, then that of the command.
+/// All manual pages: one for each verb, then the page of the command.
 fn pages() -> Vec<Man> {
     // A page has room for what the short help leaves out; clap_mangen would leave it out too.
     let in_full = |command: Command| command.mut_args(|argument| argument.hide_short_help(false));
@@ -148,7 +148,7 @@ fn rendered(page: &Man) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
-/// Writes all pages, or none.
+/// Writes all manual pages. If a file exists and may not be replaced, writes none.
 fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
     let refused = |fault: osim_library::LibraryFault| anyhow!(fault.spelled(words));
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;

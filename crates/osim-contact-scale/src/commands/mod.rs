@@ -1,4 +1,4 @@
-//! What each verb does when it is called: read, plan, write, report. [`call`] finds the verb.
+//! Carries out each verb: read, plan, write, report. [`call`] finds the verb.
 
 mod answers;
 mod change;
@@ -19,7 +19,7 @@ use crate::args::{Call, OwnVerb, RequestArgs};
 use crate::exit::Exit;
 use crate::session::{self, Language, Session};
 
-/// Runs the verb.
+/// Runs the verb of the call.
 ///
 /// # Errors
 /// Wrong usage, found before anything was written.
@@ -89,11 +89,11 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
 /// The name of standard input.
 const STDIN: &str = "-";
 
-/// Reads a request from a file or standard input. From now on the session names options as the caller does: as fields of
-/// requests, or as arguments of the function that made the request.
+/// Reads a request from a file or standard input. From now on messages name options as the caller does: as fields of requests, or as
+/// arguments of the function that made the request.
 ///
 /// # Errors
-/// The file cannot be read, or holds no request that makes sense.
+/// The file cannot be read, or has no valid request.
 fn read_request(args: &RequestArgs, session: &mut Session) -> Result<Request> {
     session.words = session::of_request(args.words);
     session.terminal.never_break();

@@ -1,4 +1,4 @@
-//! `motion`: contacts along a recorded motion.
+//! `motion`: contact forces along a recorded motion.
 
 use std::path::{Path, PathBuf};
 
@@ -16,10 +16,10 @@ use osim_view::report::results::{
 use crate::exit::Exit;
 use crate::session::Session;
 
-/// Follows the contacts.
+/// Computes the contact forces along a recorded motion, prints them and writes the files that the request names.
 ///
 /// # Errors
-/// Wrong usage, or a file that is there already.
+/// Wrong usage, or a file that exists already.
 pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.subject.iter().find(|path| path.is_dir()) {
         bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
@@ -55,7 +55,7 @@ impl<'o> MotionOutput<'o> {
     /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors
-    /// Another ending than that of a table, or a file that is read.
+    /// The name does not have the ending of a table, or is the name of a file that is read.
     fn of(request: &'o MotionRequest, session: &Session) -> Result<Option<Self>> {
         let Some(table) = request.output.as_deref() else { return Ok(None) };
         let is_table = |path: &Path| {
@@ -81,7 +81,7 @@ impl<'o> MotionOutput<'o> {
         Ok(Some(Self { table, loads }))
     }
 
-    /// Writes both files.
+    /// Writes the table of ground reactions and the file of external loads.
     ///
     /// # Errors
     /// As [`PendingFile::new`].

@@ -1,4 +1,4 @@
-//! `plot`: what contacts do, as SVG, PDF or PNG, and as numbers.
+//! `plot`: draws figures of contacts as SVG, PDF or PNG, and writes their numbers as a table.
 
 use std::path::Path;
 
@@ -26,7 +26,7 @@ enum Picture {
 /// Draws and writes one figure.
 ///
 /// # Errors
-/// Wrong usage: an ending that is not a picture's, a body too many or too few, a file that is there already.
+/// Wrong usage: the file name has no ending of a picture, a body is missing or superfluous, or a file exists already.
 pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> {
     if let Some(folder) = request.models.iter().find(|path| path.is_dir()) {
         bail!(
@@ -96,7 +96,7 @@ fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session)
     }
 }
 
-/// A file of a format, or standard output; and a table of the numbers.
+/// The outputs of a plot: a picture in a file or on standard output, and perhaps a table of the numbers.
 struct PlotOutput<'o> {
     /// `None` is standard output.
     path: Option<&'o Path>,
@@ -108,7 +108,7 @@ impl<'o> PlotOutput<'o> {
     /// The outputs that the request names, checked before anything is computed.
     ///
     /// # Errors
-    /// An ending that is not a picture's or a table's, or a file that is read.
+    /// A name does not have the ending of a picture or table, or is the name of a file that is read.
     fn of(request: &'o PlotRequest, session: &Session) -> Result<Self> {
         let Some(path) = request.output.as_deref() else { bail!("no output given") };
         let data = request.data.as_deref();
@@ -150,7 +150,7 @@ impl<'o> PlotOutput<'o> {
         Ok(Self { path: Some(path), picture, data })
     }
 
-    /// Writes the figure and its numbers and says what is on it.
+    /// Writes the figure and its numbers, and prints a description of the figure.
     ///
     /// # Errors
     /// As [`PendingFile::new`].

@@ -1,4 +1,4 @@
-//! `inspect` and `check`: what contacts models have, what they do under their weight, and what is wrong with them.
+//! `inspect` and `check`: the contacts of models, their indentation under the body's weight, and their faults.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -16,7 +16,7 @@ use osim_view::report::{check, inspection};
 use crate::exit::{self, Exit};
 use crate::session::{Session, asked, end_page};
 
-/// Inspects all models; `hint` where the reader should see what to do next.
+/// Inspects all models; with `hint`, also prints the calls to make next.
 ///
 /// # Errors
 /// Wrong usage.
@@ -73,19 +73,19 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
     Ok(if is_denied { shown.exit.and(Exit::Failed) } else { shown.exit })
 }
 
-/// What models that were shown had.
+/// Counts and findings over all models that were shown.
 struct Shown {
     exit: Exit,
-    /// Whether one of them could be read.
+    /// Whether at least one model could be read.
     is_any: bool,
     has_contacts: bool,
-    /// How many were skipped.
+    /// Number of models that were skipped because they have no contacts.
     without_contacts: usize,
-    /// The worst that was found in them.
+    /// The severity of the worst finding in all models.
     worst: Option<Severity>,
 }
 
-/// Shows all models, and writes the page.
+/// Shows all models, and writes the report page.
 ///
 /// # Errors
 /// Wrong usage, or standard output cannot be written.
@@ -137,10 +137,10 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
     Ok(shown)
 }
 
-/// In place of the model in a call.
+/// Stands for the name of the model in calls that are shown.
 const MODEL: &str = "MODEL";
 
-/// What to do next, once, after all models: without contacts in any of them, how they get some.
+/// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.
 fn next_steps(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
     let words = session.words;
     let name = match models {

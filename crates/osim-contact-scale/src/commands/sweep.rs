@@ -1,4 +1,4 @@
-//! `sweep`: variants of one model, and a table of what is in which file.
+//! `sweep`: makes variants of one model, and a table of the variants and their files.
 //!
 //! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
@@ -18,7 +18,7 @@ use crate::exit::{self, Exit};
 use crate::session::Session;
 use crate::terminal::Progress;
 
-/// Shows how far a sweep is.
+/// Shows the progress of a sweep.
 struct SweepProgress(Progress);
 
 impl SweepFrontEnd for SweepProgress {
@@ -31,7 +31,7 @@ impl SweepFrontEnd for SweepProgress {
     }
 }
 
-/// Makes all variants.
+/// Makes all variants of the request.
 ///
 /// # Errors
 /// Wrong usage, found before anything is written.
@@ -83,7 +83,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     })
 }
 
-/// Remarks on what the table does not show, a line for each.
+/// Remarks about variants and files that the table does not show, one line each.
 fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     let mut remarks = String::new();
     if let Some((point, earlier)) = end.same.first {
@@ -107,7 +107,7 @@ fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     remarks
 }
 
-/// The record of a sweep before a model is made.
+/// The record of a sweep before the first variant is made.
 fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
     record.of_points(sweep.points(), sweep.point_file())
@@ -131,7 +131,7 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
     untold.map_or(Ok(end), Err)
 }
 
-/// How many models of each size will be made: shown before anything is made.
+/// Shows the number of variants and their size before the first variant is made.
 fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.quiet {
         return Ok(());
