@@ -1,4 +1,4 @@
-//! How the module is linked: Python, which loads it, has the names that are missing in it. So no Python is needed to compile it.
+//! Links the module without a Python: the missing symbols are those of the Python that loads the module later.
 
 fn main() {
     pyo3_build_config::add_extension_module_link_args();

@@ -1,4 +1,4 @@
-//! Verbs that compute and change nothing.
+//! Functions for Python that compute results and change no model.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -23,7 +23,7 @@ use crate::files::RequestFiles;
 use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
-/// A record in JSON's form, and its text.
+/// A record as a dictionary in the form of its JSON, and its text for people.
 type Answer<'py> = (Bound<'py, PyAny>, String);
 
 /// Reads a request of the verb `$verb` from a dictionary.

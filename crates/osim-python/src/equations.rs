@@ -1,4 +1,4 @@
-//! The equations for arrays: Python broadcasts, and hands over the bytes of its numbers.
+//! The equations for arrays. Python broadcasts the arrays and hands over the bytes of their numbers.
 
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
@@ -12,14 +12,14 @@ use crate::scaling::{
     rule_by_name,
 };
 
-/// The placeholder for the place of an element in a message; only Python knows the shapes of its arrays.
+/// The placeholder in a message for the indices of an array's element: only Python knows the shapes of its arrays.
 const PLACE_OF_ELEMENT: &str = "{}";
 
-/// A refusal: the argument, the element of the flattened array, and the message with `{}` for its place.
+/// A refusal: the argument, the element of the flattened array, and the message with `{}` for the indices of the element.
 type Refusal = (Option<&'static str>, Option<usize>, String);
 
-/// A function: its name, what it takes (`numbers`, `list`, `spheres`), its arguments with their defaults, whether it takes a rule, and
-/// its docstring.
+/// A function: its name, its kind of arguments (`numbers`, `list`, `spheres`), the arguments with their defaults, whether it takes a
+/// rule, and its docstring.
 type DescribedFunction = (&'static str, &'static str, Vec<(&'static str, Option<f64>)>, bool, String);
 
 /// Every function of `osim_contact_scale.scaling`, in the order of the paper.
@@ -43,7 +43,7 @@ pub(crate) fn mixing_rules() -> Vec<&'static str> {
     RULES.iter().map(|(name, _)| *name).collect()
 }
 
-/// The result of an equation, or why it gives none.
+/// The result of an equation, or the refusal.
 type ValueOrRefusal<T> = (Option<T>, Option<Refusal>);
 
 /// The values of an equation for rows of arguments, as bytes of float64.
@@ -96,10 +96,10 @@ pub(crate) fn equation_of_list(
     })
 }
 
-/// Dimensionless stiffness, factor of the modulus, factor of the dissipation.
+/// For each step of a continuation: the dimensionless stiffness, the factor of the modulus and the factor of the dissipation.
 type Columns = (Vec<f64>, Vec<f64>, Vec<f64>);
 
-/// Steps that are worked out at most. Each of them is an optimisation: nobody runs more.
+/// Most steps of a continuation from soft to stiff contacts. Each step is an optimisation of a movement, and nobody runs more.
 const MOST_STEPS: u32 = 10_000;
 
 /// The steps from soft contacts to stiff ones.
@@ -128,7 +128,7 @@ pub(crate) fn steps(
     })
 }
 
-/// The rule that OpenSim has, where none is named.
+/// The name of OpenSim's rule for the modulus of two surfaces, which is used if the call names no rule.
 const OPENSIM: &str = RULES[0].0;
 
 fn unknown_mixing_rule(name: Option<&str>) -> Problem {

@@ -38,10 +38,11 @@ pub(crate) struct Figure {
     dpi: f32,
 }
 
-/// Whether an axis is logarithmic, and its limits where it has some.
+/// Whether an axis is logarithmic, and its limits if it has fixed limits.
 type AxisLook = (bool, Option<(f64, f64)>);
 
-/// The horizontal axis, the vertical one, whether that grows downwards, and how many points each curve has: curves may have one name.
+/// A panel of a figure: its horizontal axis, its vertical axis, whether vertical values grow downwards, and the number of points of
+/// each curve (several curves may have one name).
 type PanelLook = (AxisLook, AxisLook, bool, Vec<usize>);
 
 /// Draws the figure of a request.
@@ -58,7 +59,7 @@ pub(crate) fn plot(
             return Err(Problem::defect("a request for another verb".to_owned()));
         };
         request.check_models()?;
-        let (drawing, bodies, remarks) = drawn(&request, &files)?;
+        let (drawing, bodies, remarks) = drawing_of_request(&request, &files)?;
         let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies)?;
         let csv = figures::data_csv(&drawing).map_err(|error| Problem::defect(error.to_string()))?;
         let csv = String::from_utf8(csv).map_err(|error| Problem::defect(error.to_string()))?;
@@ -67,13 +68,13 @@ pub(crate) fn plot(
             remarks,
             title: drawing.title().to_owned(),
             csv,
-            panels: looks(&drawing),
+            panels: panel_looks(&drawing),
             dpi: f32::from(request.looks.dpi.get()),
         })
     })
 }
 
-fn drawn(
+fn drawing_of_request(
     request: &PlotRequest,
     files: &RequestFiles,
 ) -> Result<(Drawing, Vec<ContactBody>, String), Problem> {
@@ -93,7 +94,7 @@ fn drawn(
     Ok((drawing, bodies, remarks))
 }
 
-fn looks(drawing: &Drawing) -> Vec<PanelLook> {
+fn panel_looks(drawing: &Drawing) -> Vec<PanelLook> {
     let axis = |axis: &Axis| (axis.logarithmic, axis.limits);
     match drawing {
         Drawing::Panels(figure) => {

@@ -1,4 +1,5 @@
-//! Files of a request: models in memory, then the disk. What was read is stored, so that a result can be made again without the disk.
+//! Reads the files of a request from memory or else from the disk. Keeps all bytes that were read, so that a result can be made
+//! again without the disk.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -8,10 +9,10 @@ use osim_library::Disk;
 use osim_model::files::{FileError, Files};
 use pyo3::pybacked::PyBackedBytes;
 
-/// Bytes of files by their names.
+/// Bytes of files by the files' names.
 pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
-/// Memory first, then the disk if that is allowed.
+/// Reads files from memory first, then from the disk if `with_disk`.
 #[derive(Debug)]
 pub(crate) struct RequestFiles {
     memory: Memory,
@@ -24,7 +25,7 @@ impl RequestFiles {
         Self { memory, with_disk, read: RefCell::default() }
     }
 
-    /// Files that Python gave, by name; what is not among them is on the disk, if `with_disk`.
+    /// The files that Python gave, by name. Other files are read from the disk if `with_disk`.
     pub(crate) fn from_python(memory: &BTreeMap<PathBuf, PyBackedBytes>, with_disk: bool) -> Self {
         Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
     }

@@ -1,4 +1,4 @@
-//! From Python into Rust and back: without the GIL, and without ending the interpreter.
+//! Calls from Python into Rust: without the GIL, and without ending the interpreter on a panic.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -14,10 +14,10 @@ use serde_json::{Map, Value};
 
 use crate::problem::Problem;
 
-/// Does `work` while other threads of Python run. A panic, which would be a defect, is an exception like any other.
+/// Does `work` while other threads of Python run. A panic (a defect of this program) becomes an exception of Python.
 ///
 /// # Errors
-/// What went wrong, or Ctrl-C.
+/// The problem of `work`, or Ctrl-C.
 pub(crate) fn guarded<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Problem> + Send,
@@ -33,10 +33,10 @@ pub(crate) fn guarded<T: Send>(
     result.map_err(|problem| problem.into_error(py))
 }
 
-/// The fields of a request.
+/// The fields of a request as JSON, from a dictionary of Python.
 ///
 /// # Errors
-/// A value that no request can hold, such as a number that is too large.
+/// A value that JSON cannot hold, such as a number that is too large.
 pub(crate) fn request_fields(fields: &Bound<'_, PyDict>) -> PyResult<Map<String, Value>> {
     let mut all = Map::new();
     for (name, value) in fields {
@@ -48,7 +48,7 @@ pub(crate) fn request_fields(fields: &Bound<'_, PyDict>) -> PyResult<Map<String,
     Ok(all)
 }
 
-/// Why no request can hold `value` as the field `name`.
+/// The exception that no request can hold `value` as the field `name`.
 fn value_fault(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
     let py = value.py();
     if !error.is_instance_of::<PyException>(py) {
@@ -63,7 +63,7 @@ fn value_fault(name: &str, value: &Bound<'_, PyAny>, error: PyErr) -> PyErr {
     Problem::from(RequestFault::BadValue { field: name.to_owned(), value, reason }).into_error(py)
 }
 
-/// A record as a dictionary: every number is the float that the JSON has.
+/// A record as a dictionary of Python, with the same numbers as in its JSON.
 ///
 /// # Errors
 /// None in practice: records are made of texts, numbers and lists.
@@ -81,16 +81,16 @@ pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
 
 // How far a long call is, and Ctrl-C.
 
-/// Listens to Ctrl-C between two models, and calls back.
+/// Reports the progress of a run to a callback of Python, and stops the run on Ctrl-C.
 pub(crate) struct ProgressCallback {
     callback: Option<Py<PyAny>>,
     stopped: AtomicBool,
-    /// Why no further model should be begun: an exception of the callback, or Ctrl-C.
+    /// The exception after which no further model should be begun: of the callback, or Ctrl-C.
     raised: Mutex<Option<PyErr>>,
 }
 
 impl ProgressCallback {
-    /// `callback` is called with 1 for each model that is done, and whether it failed.
+    /// For each finished model, `callback` is called with 1 and whether the model failed.
     pub(crate) fn new(callback: Option<Py<PyAny>>) -> Self {
         Self { callback, stopped: AtomicBool::new(false), raised: Mutex::default() }
     }
@@ -100,8 +100,8 @@ impl ProgressCallback {
         self.stopped.load(Ordering::Relaxed)
     }
 
-    /// Reports that one more model is done. To be called on the thread that Python called. An exception waits for [`check_stopped`](Self::check_stopped), so that
-    /// what other threads have done meanwhile is still written down.
+    /// Reports that one more model is finished. Only the thread that Python called may call this function. An exception waits for
+    /// [`check_stopped`](Self::check_stopped), so that results of other threads are still written into the summary.
     pub(crate) fn model_done(&self, failed: bool) {
         if self.is_stopped() {
             return;
@@ -116,7 +116,7 @@ impl ProgressCallback {
         }
     }
 
-    /// Fails if something ended the work early. To be called when all that was done is written down.
+    /// Fails if an exception ended the work early. The function has to be called after all results are in the summary.
     ///
     /// # Errors
     /// Ctrl-C, or the exception of the callback.

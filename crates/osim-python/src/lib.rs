@@ -1,11 +1,11 @@
-//! What is Rust of the Python package `osim_contact_scale`: its module `_native`.
+//! The Rust part of the Python package `osim_contact_scale`: the package's module `_native`.
 //!
-//! It binds and computes nothing itself. Requests come in as dictionaries, results go out as dictionaries in which every number
-//! is the float that the command writes. While Rust works, other threads of Python run.
+//! The module only calls the other crates and computes nothing itself. Requests come in as dictionaries. Results go out as
+//! dictionaries with the same numbers as the command's JSON. While Rust works, other threads of Python run.
 //!
 //! # What it will not do
 //!
-//! It knows no pandas, no notebook and no opensim: those are Python's, in `python/osim_contact_scale/`.
+//! The module does not use pandas, notebooks or opensim: the Python code in `python/osim_contact_scale/` does.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 #![allow(clippy::needless_pass_by_value, reason = "arguments from Python come by value")]
 

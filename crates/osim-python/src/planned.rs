@@ -1,4 +1,4 @@
-//! A model with the change that is planned for it.
+//! A model with a planned change, as an object of Python.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -25,10 +25,10 @@ use crate::files::{Memory, RequestFiles};
 use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
-/// How messages of this package spell names: as Python does.
+/// Spells options and calls in messages as Python does.
 pub(crate) static WORDS: Words = &PythonWords;
 
-/// The JSON of a check of a model's state, and for each finding the request that corrects it.
+/// The JSON of a check of a model, and for each finding the request that corrects the model.
 type CheckAndRequests<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
 
 /// A model with the change that is planned for it: everything that is known of it, and its writing.
@@ -64,7 +64,7 @@ pub(crate) fn plan(
     })
 }
 
-/// The output options, checked as a part of a request that has no other fields.
+/// The output options in `fields`, checked as a request without other fields.
 fn checked_output(mut fields: Map<String, Value>) -> Result<OutputOptions, Problem> {
     fields.insert("models".to_owned(), "model.osim".into());
     match Request::read(Verb::Remove, fields)? {
@@ -74,7 +74,7 @@ fn checked_output(mut fields: Map<String, Value>) -> Result<OutputOptions, Probl
 }
 
 impl Planned {
-    /// A model that is changed itself may not take the same factor twice, which its plan did not know.
+    /// Refuses a change in place that would apply the same factor twice. The plan could not know that the change is in place.
     fn check_in_place(&self, output: &OutputOptions) -> Result<(), Problem> {
         if !output.in_place || output.force {
             return Ok(());
@@ -87,7 +87,7 @@ impl Planned {
     }
 }
 
-/// A model from memory, or from the disk as it is there now.
+/// Reads the model at `path` from memory, or else from the disk.
 fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Loaded, Problem> {
     Ok(match files.in_memory(path) {
         Some(bytes) => Loaded::in_memory(path, bytes.clone(), &change.set_files, files)?,
@@ -220,7 +220,7 @@ impl Planned {
     }
 }
 
-/// The requests that put each finding right, one after the other, as a JSON list; `None` where nothing does.
+/// For each finding of a check: the requests that correct the model, in order, as a JSON list; `None` if no request corrects it.
 pub(crate) fn remedies(found: &CheckResult) -> Vec<Option<String>> {
     let steps_to = |finding| {
         let steps: Vec<String> = found.steps_to(finding).iter().map(Request::to_json).collect();

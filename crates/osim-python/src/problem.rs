@@ -1,4 +1,4 @@
-//! Failures and faults as exceptions of Python.
+//! Turns failures and faults into exceptions of Python.
 
 use std::ffi::OsString;
 
@@ -15,7 +15,7 @@ use serde_json::Value;
 /// The module with the classes of exceptions.
 const MODULE: &str = "osim_contact_scale._errors";
 
-/// A failure or fault before it is an exception.
+/// A failure or fault that is about to become an exception of Python.
 #[derive(Debug)]
 pub(crate) struct Problem {
     class: &'static str,
@@ -27,14 +27,14 @@ pub(crate) struct Problem {
     column: Option<usize>,
     /// The faulty line of the file.
     excerpt: Option<String>,
-    /// Keywords that the message names, in its order.
+    /// Keyword arguments that the message names, in the order of the message.
     keywords: Vec<String>,
     /// An exception that Python raised during the call, which is raised again.
     raised: Option<PyErr>,
 }
 
 impl Problem {
-    /// A problem that is about no model.
+    /// A problem that concerns no single model.
     pub(crate) fn general(class: &'static str, code: &'static str, message: impl Into<Phrase>) -> Self {
         let message = message.into();
         Self {
@@ -56,7 +56,7 @@ impl Problem {
         Self { message: text, ..Self::general("ContactScaleError", "internal", "") }
     }
 
-    /// Rows of a table that are wrong: nothing was written.
+    /// A problem for wrong rows of a table, after which nothing was written.
     pub(crate) fn wrong_rows(wrong: &[Failure]) -> Self {
         const MAX_SHOWN_ROWS: usize = 20;
         let line =
@@ -100,7 +100,7 @@ impl Problem {
     }
 }
 
-/// A message in Python's words. Where it begins with a keyword and its value, there is no blank between them.
+/// A message as Python spells options. If it begins with a keyword and its value, no blank is between them.
 fn spelled(message: &Phrase) -> String {
     let text = message.spelled(&PythonWords);
     let Some(Part::Input(input, None)) = message.parts().first() else { return text };
@@ -111,7 +111,7 @@ fn spelled(message: &Phrase) -> String {
     }
 }
 
-/// The inputs in a message, as Python names them.
+/// The inputs that a message names, as keyword arguments of Python.
 fn keywords(message: &Phrase) -> Vec<String> {
     let mut all: Vec<String> =
         message.inputs().into_iter().filter_map(|input| keyword_for_field(input.name())).collect();
@@ -176,10 +176,10 @@ impl From<RequestError> for Problem {
 
 // What is wrong with a call, in Python's words. A request has the values and types of JSON; a call has keywords and Python's own.
 
-/// Letters of a value that are shown, at most.
+/// Most letters of a wrong value that a message shows.
 const MAX_SHOWN_LETTERS: usize = 80;
 
-/// Words of serde and of the standard library, each with the words that replace them for Python.
+/// Texts of serde and of the standard library, each with the text that replaces it in messages for Python.
 const REASONS_IN_PYTHON: [(&str, &str); 6] = [
     ("expected a boolean", "expected True or False"),
     ("expected a sequence", "expected a text, or a list of texts"),
@@ -189,14 +189,14 @@ const REASONS_IN_PYTHON: [(&str, &str); 6] = [
     ("cannot parse integer from empty string", "expected a whole number, 1 or more"),
 ];
 
-/// A fault of a call, and the keyword that it is about, where it is one.
+/// A fault of a call, and the keyword argument that is wrong, if the fault concerns one.
 pub(crate) struct CallFault {
     pub(crate) message: Phrase,
     pub(crate) keyword: Option<String>,
 }
 
 impl CallFault {
-    /// The fault of a request in Python's words; `None` if its own words are good for Python, too.
+    /// The fault of a request with a message for Python; `None` if the message of the request suits Python, too.
     pub(crate) fn from_request(fault: &RequestFault) -> Option<Self> {
         match fault {
             RequestFault::BadValue { field, value, reason } if field == "set" => {
@@ -231,7 +231,7 @@ impl CallFault {
         Self { message: format!("{beginning}: {reason}").into(), keyword }
     }
 
-    /// The fault of one of the properties that are set: each is a keyword of its own.
+    /// The fault of a property in the JSON object `all` of values to set. In Python each property is a keyword argument of its own.
     fn of_property(all: &str, reason: &str) -> Self {
         let assigned = reason.split_once('=').filter(|(name, _)| all.contains(&format!("{name}=")));
         let Some((name, rest)) = assigned else {
@@ -247,47 +247,47 @@ impl CallFault {
     }
 }
 
-/// The keyword for a field; none for what has no keyword, such as the model.
+/// The keyword argument for a field of a request; `None` for a field without a keyword, such as the model.
 pub(crate) fn keyword_for_field(field: &str) -> Option<String> {
     let input = Input::ALL.iter().find(|input| input.name() == field)?;
     PythonWords.input(*input, None).split('=').next().map(str::to_owned)
 }
 
-/// The expectation in words of Python, where the words are those of JSON.
+/// The expectation `reason` with words of Python in place of words of JSON.
 fn reason_in_python(reason: &str) -> String {
     let expected = reason.find(", expected").filter(|_| reason.starts_with("invalid type: "));
     let reason = expected.and_then(|place| reason.get(place + 2..)).unwrap_or(reason);
     REASONS_IN_PYTHON.iter().fold(reason.to_owned(), |reason, (from, to)| reason.replace(from, to))
 }
 
-/// A value as Python writes it. `given` is a text as it is, and all else in JSON.
+/// A value as Python writes it. The value `given` is plain text, or JSON for anything else than text.
 fn python_literal(given: &str) -> String {
     match serde_json::from_str(given) {
         Ok(value @ (Value::Bool(_) | Value::Number(_) | Value::Array(_) | Value::Object(_)))
             if given.len() <= MAX_SHOWN_LETTERS =>
         {
-            literal(&value)
+            literal_of_json(&value)
         }
         _ => text(given),
     }
 }
 
-fn literal(value: &Value) -> String {
+fn literal_of_json(value: &Value) -> String {
     match value {
         Value::Null => "None".to_owned(),
         Value::Bool(true) => "True".to_owned(),
         Value::Bool(false) => "False".to_owned(),
         Value::Number(number) => number.to_string(),
         Value::String(string) => text(string),
-        Value::Array(items) => format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => format!("[{}]", items.iter().map(literal_of_json).collect::<Vec<_>>().join(", ")),
         Value::Object(entries) => {
-            let entries = entries.iter().map(|(name, value)| format!("{}: {}", text(name), literal(value)));
+            let entries = entries.iter().map(|(name, value)| format!("{}: {}", text(name), literal_of_json(value)));
             format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
         }
     }
 }
 
-/// A text in quotation marks; of a long one, its beginning and how long it is.
+/// A text in quotation marks; for a long text, its beginning and its length.
 fn text(whole: &str) -> String {
     match whole.char_indices().nth(MAX_SHOWN_LETTERS) {
         None => python_quoted(whole),

@@ -1,4 +1,4 @@
-//! Many models in one run: a change of all of them, or the rows of a table.
+//! Changes many models in one run: all models of a request, or the models in the rows of a table.
 
 use std::path::{Path, PathBuf};
 
@@ -26,13 +26,13 @@ use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
 use crate::planned::WORDS;
 use crate::problem::Problem;
 
-/// Entries of a run's models on a page, where one is asked for.
-struct Reporter<'r> {
+/// Makes the entry of each model on the report page, if the request names a page.
+struct PageEntryMaker<'r> {
     watch: &'r ProgressCallback,
     detail: Option<DetailLevel>,
 }
 
-impl RunFrontEnd for Reporter<'_> {
+impl RunFrontEnd for PageEntryMaker<'_> {
     type Shown = Option<Entry>;
 
     fn dialect(&self) -> &dyn Speller {
@@ -58,7 +58,7 @@ impl RunFrontEnd for Reporter<'_> {
     }
 }
 
-/// The lines of a run's summary, and remarks about it.
+/// The lines of a run's summary, and remarks about the run.
 type Lines<'py> = (Vec<Bound<'py, PyAny>>, Vec<String>);
 
 /// Changes all models of a request: a line of a summary for each.
@@ -124,7 +124,7 @@ pub(crate) fn rescale_many<'py>(
     lines(py, records, remarks)
 }
 
-/// How messages call a table without a file.
+/// The name of a table without a file in messages.
 const NAME_OF_TABLE: &str = "table";
 
 fn with_table_name(mut fields: Map<String, Value>) -> Map<String, Value> {
@@ -148,7 +148,7 @@ pub(crate) fn run(
     remarks.extend(run.kept_files().iter().cloned());
     let mut records: Vec<JsonRecord> =
         run.failures().iter().map(|failure| Record::of_failure(failure).into()).collect();
-    let reporter = Reporter { watch, detail: options.report.as_ref().map(|_| detail) };
+    let reporter = PageEntryMaker { watch, detail: options.report.as_ref().map(|_| detail) };
     let report = |_: &Task, outcome: Outcome<Option<Entry>>| {
         let failed = outcome.failure.is_some();
         if let Some(page) = &mut page {
@@ -186,7 +186,7 @@ impl SweepFrontEnd for ProgressCallback {
     }
 }
 
-/// Results of a sweep: its record, the table, and a record for each variant that could not be made.
+/// Results of a sweep: its record, the path of its table, and a record for each variant that could not be made.
 type SweepResult<'py> = (Bound<'py, PyAny>, Option<PathBuf>, Vec<Bound<'py, PyAny>>);
 
 /// Makes all variants of a sweep.
@@ -225,7 +225,7 @@ pub(crate) fn sweep<'py>(
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
 }
 
-/// The record of a sweep before its models are counted.
+/// The record of a sweep before its variants are counted.
 fn sweep_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
     record.of_points(sweep.points(), sweep.point_file())

@@ -1,4 +1,4 @@
-//! `inspect` and `check`: many models, on all processors.
+//! `inspect` and `check` of many models, on all processors.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
 use crate::planned::{WORDS, remedies};
 use crate::problem::Problem;
 
-/// A record and the requests of its findings; or, if there is no record, the exception.
+/// The result for one model: its record and, for each finding, the requests that correct the model; or else the exception.
 type Row<'py> = (Option<Bound<'py, PyAny>>, Vec<Option<String>>, Option<Bound<'py, PyAny>>);
 
 /// Inspects or checks the models of a request. Returns a row for each, remarks that come before them, and the text that the command
@@ -77,7 +77,7 @@ pub(crate) fn survey<'py>(
     Ok((rows, remarks, text))
 }
 
-/// The models that are named, in that order.
+/// The models among the paths `models`, in the same order.
 fn sources(models: &[PathBuf], files: &RequestFiles) -> Sources {
     let mut sources = Sources::default();
     for path in models {
@@ -93,8 +93,8 @@ fn sources(models: &[PathBuf], files: &RequestFiles) -> Sources {
     sources
 }
 
-/// All models, those first that could not even be listed; remarks, and the text. Lines of the text have no end, as in a file: a cell of
-/// a notebook can be scrolled.
+/// Inspects or checks all models. Returns the results (first those of models that could not be listed), remarks, and the text. Lines
+/// of the text are not broken, because the cell of a notebook can be scrolled.
 fn survey_models(
     survey: &Survey<'_>,
     jobs: Option<Jobs>,

@@ -1,6 +1,6 @@
-//! The equations as Python calls them: every one is there, and gives what 50-digit arithmetic gives.
+//! Tests the equations as Python calls them: Python has every equation, and its values agree with 50-digit arithmetic.
 //!
-//! The library itself is for Python and cannot be linked to a test, so its module is part of this one.
+//! The library is made for Python and cannot be linked to a test, so its module is included here.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -15,16 +15,16 @@ mod scaling;
 
 use scaling::{Function, MEAN_SQUARE_RADIUS, RULES, SPHERE_LIST_FUNCTIONS, continuation_steps, rule_by_name};
 
-/// Inputs and values in 50-digit arithmetic, by the function of `contact-scaling`; its tests say which tolerance it keeps.
+/// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
 const REFERENCE: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
-/// The largest of those tolerances: here it is only asked whether each number arrives at its place.
+/// Largest relative difference from the reference. It is the largest tolerance in the tests of `contact-scaling`.
 const TOLERANCE: f64 = 2e-14;
-const PAGE: &str = include_str!("../../../docs/reference/equations.md");
+const PAGE_OF_EQUATIONS: &str = include_str!("../../../docs/reference/equations.md");
 
-/// Functions of the page that Python does not call, and why.
-const EXCEPTIONS: [(&str, &str); 0] = [];
+/// Functions on the page of equations that Python does not have, each with the reason.
+const FUNCTIONS_NOT_IN_PYTHON: [(&str, &str); 0] = [];
 
-const SMOOTH: &[&str] = &[
+const COLUMNS_OF_SMOOTHED_LAWS: &[&str] = &[
     "composite_modulus",
     "radius",
     "dissipation",
@@ -34,10 +34,10 @@ const SMOOTH: &[&str] = &[
     "indentation",
     "speed",
 ];
-const RATIOS: &[&str] = &["mass_ratio", "sphere_count_ratio", "radius_ratio", "gravity_ratio"];
+const COLUMNS_OF_RATIOS: &[&str] = &["mass_ratio", "sphere_count_ratio", "radius_ratio", "gravity_ratio"];
 
-/// Columns of the reference for a function, where they are not the arguments in their order: Hertz's law has η third, smoothed laws and
-/// ratios list all that there is.
+/// Columns of the reference for a function. They are not always its arguments in order: Hertz's law has η third, and smoothed laws
+/// and ratios have all their columns.
 fn columns(function: &Function) -> Vec<&'static str> {
     let (owner, name) = function.computes.split_once("::").unwrap();
     match (owner, name) {
@@ -49,8 +49,8 @@ fn columns(function: &Function) -> Vec<&'static str> {
             };
             vec!["composite_modulus", "radius", "shape_factor", last]
         }
-        ("SmoothSphere", _) => SMOOTH.to_vec(),
-        ("Ratios", _) => RATIOS.to_vec(),
+        ("SmoothSphere", _) => COLUMNS_OF_SMOOTHED_LAWS.to_vec(),
+        ("Ratios", _) => COLUMNS_OF_RATIOS.to_vec(),
         ("design", "composite_modulus") => vec!["radius", "relative_indentation", "load", "sphere_count"],
         _ => {
             let required = function.parameters.iter().filter(|parameter| parameter.default.is_none());
@@ -59,7 +59,7 @@ fn columns(function: &Function) -> Vec<&'static str> {
     }
 }
 
-/// Rows of the reference for a function of `contact-scaling`: inputs and value.
+/// Rows of the reference for a function of `contact-scaling`: the inputs and the value.
 fn rows_of_reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
     let rows = REFERENCE.lines().filter_map(|line| {
         let [name, inputs, value] = line.split(',').collect::<Vec<_>>()[..] else { return None };
@@ -69,7 +69,7 @@ fn rows_of_reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
     rows.collect()
 }
 
-/// Arguments for a call of `function`: `inputs` are those of a row of the reference, in its order; the others have their defaults.
+/// Arguments for a call of `function`: the `inputs` of a row of the reference, and defaults for all other arguments.
 fn arguments_from_row(function: &Function, inputs: &[f64]) -> Vec<f64> {
     let names = columns(function);
     assert_eq!(names.len(), inputs.len(), "{}", function.name);
@@ -87,8 +87,8 @@ fn assert_close(value: f64, expected: f64, what: &str) {
 }
 
 #[test]
-fn every_function_of_the_page_can_be_called() {
-    let rows = PAGE.lines().filter(|line| line.starts_with('|'));
+fn python_has_every_function_on_the_page_of_equations() {
+    let rows = PAGE_OF_EQUATIONS.lines().filter(|line| line.starts_with('|'));
     let names = rows.flat_map(|row| row.split('|').nth(3).unwrap().split('`').skip(1).step_by(2));
     let page: BTreeSet<&str> = names.filter(|name| name.contains("::")).collect();
     assert!(page.len() > 60, "the tables of docs/reference/equations.md were not understood");
@@ -97,13 +97,13 @@ fn every_function_of_the_page_can_be_called() {
         .map(|function| function.computes)
         .chain(of_spheres)
         .chain([MEAN_SQUARE_RADIUS.computes])
-        .chain(EXCEPTIONS.map(|(name, _)| name))
+        .chain(FUNCTIONS_NOT_IN_PYTHON.map(|(name, _)| name))
         .collect();
     assert_eq!(here, page);
 }
 
 #[test]
-fn every_function_agrees_with_high_precision() {
+fn every_function_agrees_with_50_digit_arithmetic() {
     for function in scaling::all() {
         let rows = rows_of_reference(function.computes);
         assert!(!rows.is_empty(), "{} has no reference value", function.name);
@@ -115,7 +115,7 @@ fn every_function_agrees_with_high_precision() {
 }
 
 #[test]
-fn arrays_have_the_values_of_their_elements() {
+fn an_array_gives_the_value_of_each_element() {
     for function in scaling::all() {
         let rows = rows_of_reference(function.computes);
         let rows: Vec<Vec<f64>> =
@@ -135,7 +135,7 @@ fn function_called(name: &str) -> &'static Function {
 }
 
 #[test]
-fn a_number_counts_for_all_elements() {
+fn a_number_beside_an_array_is_used_for_all_its_elements() {
     // (14): α ∝ 1/√(ρ γ). With γ = 4: 1/√4 and 1/√16; on their own 1 and 1/2.
     let dissipation = function_called("dissipation");
     let values = |lists: &[&[f64]]| dissipation.values(MixingRule::Sherman, lists);
@@ -161,7 +161,7 @@ fn a_number_counts_for_all_elements() {
 }
 
 #[test]
-fn a_fault_of_several_arguments_together_says_where_it_is() {
+fn a_fault_of_several_arguments_names_the_element() {
     // 1 − 2 · 0.6 is below 0.
     let failure = function_called("approximate_restitution")
         .values(MixingRule::Sherman, &[&[2.0], &[0.1, 0.6]])
@@ -181,7 +181,7 @@ fn a_fault_of_several_arguments_together_says_where_it_is() {
     );
 }
 
-/// An argument that is refused is the one that the message names, for every argument of every function.
+/// The message names the refused argument, for every argument of every function.
 #[test]
 fn the_argument_that_is_refused_is_named() {
     for function in scaling::all() {
@@ -207,7 +207,7 @@ fn the_argument_that_is_refused_is_named() {
 }
 
 #[test]
-fn the_rule_of_two_surfaces_is_a_word() {
+fn the_mixing_rule_is_named_by_a_word() {
     assert_eq!(
         RULES.map(|(name, _)| rule_by_name(name)),
         [Some(MixingRule::Sherman), Some(MixingRule::Johnson)]
@@ -231,9 +231,9 @@ fn the_rule_of_two_surfaces_is_a_word() {
     assert_eq!(with_rule, 2);
 }
 
-/// Names are Python's, each once; defaults are last, as Python wants them.
+/// Names are valid in Python and differ from each other; arguments with defaults are last.
 #[test]
-fn functions_can_be_declared_in_python() {
+fn names_and_defaults_of_functions_are_valid_in_python() {
     let lists = SPHERE_LIST_FUNCTIONS.iter().map(|function| function.name).chain([MEAN_SQUARE_RADIUS.name]);
     let mut seen = BTreeSet::from(["continuation_steps"]);
     for name in scaling::all().map(|function| function.name).chain(lists) {
@@ -250,9 +250,9 @@ fn functions_can_be_declared_in_python() {
     }
 }
 
-/// An argument and a result have the unit that the register gives the formula, and every text says where it is from.
+/// Arguments and results have the units in the register, and every docstring names its source.
 #[test]
-fn texts_come_from_the_register() {
+fn docstrings_come_from_the_register() {
     for function in scaling::all() {
         let (symbol, unit) =
             (function.returns.symbol(), function.forms().next().map_or("", |(_, form)| form.unit));
@@ -302,7 +302,7 @@ fn texts_come_from_the_register() {
 }
 
 #[test]
-fn bodies_rest_where_high_precision_says() {
+fn equilibrium_on_spheres_agrees_with_50_digit_arithmetic() {
     let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
     for (name, raised) in [("indentation", false), ("indentation_of_lowest", true)] {
         for (prefix, function) in [("hertz_", hertz), ("", smooth)] {
@@ -325,7 +325,7 @@ fn bodies_rest_where_high_precision_says() {
 }
 
 #[test]
-fn a_sphere_that_is_refused_is_named() {
+fn the_error_names_the_refused_sphere() {
     let [hertz, smooth] = &SPHERE_LIST_FUNCTIONS;
     let message = |columns: &[&[f64]], heights: Option<&[f64]>, load: f64| {
         hertz.value(columns, heights, load).unwrap_err().to_string()
@@ -376,7 +376,7 @@ fn a_list_of_radii_has_one_mean_square() {
 }
 
 #[test]
-fn steps_lead_to_the_contact_that_is_wanted() {
+fn continuation_steps_end_at_the_wanted_contact() {
     let ladder = continuation_steps(1.2, 9.375, 8.0, 3).unwrap();
     // Equally far apart in the logarithm: √(1.2 · 9.375); (1.2 / 9.375)^(3/2) = 0.128^1.5; √8.
     assert_eq!(ladder.dimensionless_stiffness.len(), 3);
@@ -389,7 +389,7 @@ fn steps_lead_to_the_contact_that_is_wanted() {
 }
 
 #[test]
-fn every_equation_of_the_paper_that_computes_has_a_function() {
+fn every_computable_equation_of_the_paper_has_a_function() {
     let computes: BTreeSet<&str> = scaling::all().map(|function| function.computes).collect();
     let numbered = equations::all().filter(|equation| equations::reference(equation.label).starts_with('('));
     for equation in numbered {

@@ -1,24 +1,24 @@
-//! Why an equation has no value: which argument, which of its elements, and what was expected.
+//! The error of an equation without a value: the refused argument, the element of the argument, and the expected values.
 
 use std::fmt;
 
 use contact_scaling::DomainError;
 
-/// The quantity of a failure about a list that is too long or too short.
+/// The name of the quantity in an error about a list that is too long or too short.
 const NUMBER_OF_ELEMENTS: &str = "the number of elements";
 
-/// Why an equation has no value.
+/// The reason why an equation has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EquationError {
-    /// The argument that was refused; `None` where it is about several together.
+    /// The refused argument; `None` if several arguments together were refused.
     pub parameter: Option<&'static str>,
-    /// Name of the quantity that was refused.
+    /// Name of the refused quantity.
     pub quantity: &'static str,
-    /// The value that it had, in SI units.
+    /// The refused value, in SI units.
     pub value: f64,
-    /// The values that are allowed, in words.
+    /// Description of the allowed values.
     pub expected: &'static str,
-    /// Which element of a list or of a flattened array it is, from 0; `None` where the argument is one number.
+    /// Index from 0 of the refused element in a list or flattened array; `None` if the argument is one number.
     pub index: Option<usize>,
 }
 
@@ -32,13 +32,13 @@ impl EquationError {
         Err(Self { parameter: Some(name), quantity: name, value, expected: "a finite number", index: None })
     }
 
-    /// A result that is too large for a float, although every argument is allowed.
+    /// The error that the result is too large for a float, although every argument is allowed.
     pub(super) fn result(value: f64) -> Self {
         let expected = "a finite number: an argument is far too large or too small";
         Self { parameter: None, quantity: "the result", value, expected, index: None }
     }
 
-    /// An equation that got `found` arguments, and takes another number of them.
+    /// The error that an equation got `found` arguments, and takes another number of arguments.
     pub(super) fn arguments(found: usize) -> Self {
         let expected = "a number for each argument of the equation";
         Self {
@@ -50,20 +50,20 @@ impl EquationError {
         }
     }
 
-    /// A body without spheres rests on nothing.
+    /// The error that a body has no spheres to rest on.
     pub(super) fn no_sphere() -> Self {
         let quantity = "the number of spheres";
         Self { parameter: None, quantity, value: 0.0, expected: "1 or more", index: None }
     }
 
-    /// Heights of spheres that are not measured from the lowest of them.
+    /// The error that heights of spheres are not measured from the lowest sphere.
     pub(super) fn lowest(parameter: &'static str, value: f64) -> Self {
         let quantity = "height of the lowest sphere";
         let expected = "0 for the lowest sphere: heights are above that one";
         Self { parameter: Some(parameter), quantity, value, expected, index: None }
     }
 
-    /// A list that has neither one element nor as many as the others.
+    /// The error that a list has neither one element nor as many elements as the other lists.
     pub(super) fn length(parameter: &'static str, found: usize) -> Self {
         Self {
             parameter: Some(parameter),
@@ -74,7 +74,7 @@ impl EquationError {
         }
     }
 
-    /// Names the argument it is about: the one that has this value, and whose name says the same or ends alike.
+    /// Finds the refused argument: its value is the refused value, and its name is the refused quantity or ends with the same word.
     pub(super) fn with_argument<'a>(
         self,
         arguments: impl Iterator<Item = (&'static str, f64)> + Clone + 'a,
@@ -94,7 +94,7 @@ impl EquationError {
         Self { index: Some(index), ..self }
     }
 
-    /// The message in one sentence; `place` says which element it is, such as `[2, 0]`, or is empty.
+    /// The message in one sentence; `place` has the indices of the refused element, such as `[2, 0]`, or is empty.
     pub(crate) fn message(&self, place: &str) -> String {
         let Self { parameter, quantity, value, expected, .. } = *self;
         match parameter {
@@ -126,7 +126,7 @@ impl fmt::Display for EquationError {
     }
 }
 
-/// A number of things, as errors have it.
+/// A number of things as a float, because the values in errors are floats.
 fn count(things: usize) -> f64 {
     u32::try_from(things).map_or(f64::INFINITY, f64::from)
 }

@@ -1,4 +1,4 @@
-//! Equations as functions of plain numbers, and over arrays of them; and how they are declared.
+//! Equations as functions of numbers and of arrays of numbers, and the macro that declares such functions.
 
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
@@ -11,7 +11,7 @@ use crate::scaling::text::{Argument, docstring};
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Function {
     pub name: &'static str,
-    /// The function of `contact-scaling`, by which the register has its equation: `Hertz::force`.
+    /// The function of `contact-scaling` that computes the equation, as the register names it: `Hertz::force`.
     pub computes: &'static str,
     /// Arguments of the function in order; arguments with a default are last.
     pub parameters: &'static [Parameter],
@@ -21,7 +21,7 @@ pub(crate) struct Function {
     pub call: RustFunction,
 }
 
-/// The Rust function that computes a Python one.
+/// The Rust function that computes the values of a Python function.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum RustFunction {
     Numbers(fn(&[f64]) -> Result<f64, EquationError>),
@@ -30,7 +30,7 @@ pub(crate) enum RustFunction {
 }
 
 impl Function {
-    /// The value for these arguments, one for each parameter; `rule` matters where the function takes one.
+    /// The value of the equation for one argument for each parameter. `rule` counts only for functions that take a rule.
     ///
     /// # Errors
     /// An argument lies outside of the equation's domain, or is not finite; or the result is not finite.
@@ -51,7 +51,7 @@ impl Function {
     /// The values for rows of arguments: `columns` has a list for each parameter, either of one element or as long as the others.
     ///
     /// # Errors
-    /// As [`Function::value`], with the row where it is; lists that differ in length.
+    /// As [`Function::value`], with the row of the refused argument; or lists that differ in length.
     pub(crate) fn values(&self, rule: MixingRule, columns: &[&[f64]]) -> Result<Vec<f64>, EquationError> {
         let names = self.parameters.iter().map(|parameter| parameter.name);
         Columns::new(names, columns)?.each(|arguments| self.value(rule, arguments))
@@ -62,7 +62,7 @@ impl Function {
         matches!(self.call, RustFunction::WithRule(_))
     }
 
-    /// Every form of every equation that it computes: (8), (9) and (10) are one function.
+    /// Every form of every equation that the function computes. One function may compute several: (8), (9) and (10).
     pub(crate) fn forms(&self) -> impl Iterator<Item = (&'static Equation, &'static Form)> {
         forms(self.computes)
     }
@@ -94,7 +94,7 @@ impl<'c> Columns<'c> {
     /// Lists for the parameters of these names, in the same order.
     ///
     /// # Errors
-    /// Lists that differ in length, or too many or too few of them.
+    /// Lists that differ in length, or too many or too few lists.
     pub(super) fn new(
         names: impl Iterator<Item = &'static str>,
         lists: &'c [&'c [f64]],
@@ -114,7 +114,7 @@ impl<'c> Columns<'c> {
     /// The results of `call` for each row.
     ///
     /// # Errors
-    /// The first of `call`, with the element that it is about.
+    /// The first error of `call`, with the refused element.
     pub(super) fn each<T>(
         &self,
         call: impl Fn(&[f64]) -> Result<T, EquationError>,
@@ -130,7 +130,7 @@ impl<'c> Columns<'c> {
         (0..self.rows).map(&mut one).collect()
     }
 
-    /// Whether a failure is about an element of a list, not about a number that is the same in all rows.
+    /// Whether the refused value is an element of a list, and not a number that is the same in all rows.
     fn is_listed(&self, failure: &EquationError) -> bool {
         let mut named = self.names.iter().zip(self.lists);
         named.any(|(&name, list)| list.len() > 1 && failure.parameter.is_none_or(|about| about == name))

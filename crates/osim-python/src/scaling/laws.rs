@@ -1,4 +1,4 @@
-//! The force laws, restitution, stiffness, moduli of surfaces, and the factors from one animal to another.
+//! Python functions for the force laws, restitution, stiffness, moduli of surfaces, and factors from one animal to another.
 
 use contact_scaling::equations::symbols::{
     ALPHA, BD, BV, C_EXACT, C_R, CF, E, E_1, F_C, F_D, F_E, F_N, F_N_EQ, IMPACT, K, K_HAT, PATCH_DIAMETER,
@@ -197,14 +197,14 @@ pub(super) const RATIOS: &[Function] = &[
         size_ratios(radius_ratio, gravity_ratio)?.viscous_friction()),
 ];
 
-/// Ratios in which only size and gravity matter.
+/// Factors from one animal to another that differ only in size and gravity.
 fn size_ratios(radius: f64, gravity: f64) -> Result<Ratios, DomainError> {
     Ratios::new(RatioValues { radius, gravity, ..Ratios::identity().values() })
 }
 
 // The steps from compliant contacts to those that are wanted (section 4.3 of the paper).
 
-/// A column for each figure of the steps.
+/// Steps from soft to stiff contacts: a list for each quantity, with an element for each step.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct SmoothSteps {
     /// k̂ at the load of the last step, without unit (B.3).

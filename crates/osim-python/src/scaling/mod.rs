@@ -1,10 +1,10 @@
 //! The equations as functions of plain numbers, for `osim_contact_scale.scaling`.
 //!
-//! A name without "for" is what the name says; a property of OpenSim alone, such as `dissipation`, is the factor by which it
-//! grows from one animal to another; `dissipation_for_restitution` is its value for what is wanted. Moduli are E\* of both
-//! surfaces unless the name says plane strain: OpenSim's `stiffness` is a plane strain modulus.
+//! Names of functions: `dissipation_for_restitution` gives the dissipation for a wanted restitution. A property of OpenSim alone,
+//! such as `dissipation`, gives the factor of this property from one animal to another. Any other name is the computed quantity.
+//! Moduli are E\* of both surfaces unless the name says plane strain: OpenSim's `stiffness` is a plane strain modulus.
 //!
-//! What an equation says, its number, its units and what its symbols mean come from the register of `contact-scaling`.
+//! The description of an equation, its number, its units and the meanings of its symbols come from the register of `contact-scaling`.
 
 mod equation_error;
 mod function;

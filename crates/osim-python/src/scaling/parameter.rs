@@ -1,4 +1,4 @@
-//! An argument of an equation, what an equation gives, and the rule by which two surfaces make one modulus.
+//! Arguments and results of equations, and the rules for the common modulus of two surfaces.
 
 use contact_scaling::equations::symbols::Symbol;
 use contact_scaling::modulus::MixingRule;
@@ -10,11 +10,11 @@ pub(crate) struct Parameter {
     pub name: &'static str,
     /// Symbol of the argument in the formula, with its meaning and unit.
     pub symbol: Symbol,
-    /// Value of the argument where it is left out.
+    /// Value of the argument if the call leaves it out.
     pub default: Option<f64>,
 }
 
-/// The kind of value that an equation gives.
+/// The kind of result that an equation has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Returns {
     /// A value of the quantity that the symbol means.
@@ -31,7 +31,7 @@ impl Returns {
     }
 }
 
-/// The rules by which two surfaces make one modulus, by their names in Python; the first is OpenSim's, and the default.
+/// The rules for the common modulus of two surfaces, by their names in Python. The first is OpenSim's rule, and the default.
 pub(crate) const RULES: [(&str, MixingRule); 2] =
     [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
 

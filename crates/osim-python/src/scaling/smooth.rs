@@ -62,7 +62,7 @@ pub(super) const SMOOTH: &[Function] = &[
             .rest_stiffness(indentation)),
 ];
 
-/// Parameters of a smoothed law beside those of the Hertz law, as OpenSim spells them.
+/// Parameters of a smoothed force law that the Hertz law does not have, as OpenSim names them.
 #[derive(Clone, Copy)]
 struct Smooth {
     /// Dissipation α, in s/m.

@@ -1,4 +1,4 @@
-//! Functions of lists: of spheres that a body rests on, and of plain numbers.
+//! Python functions of lists: lists of spheres that a body rests on, and lists of numbers.
 
 use contact_scaling::equations::symbols::{R_I, R_SQUARE, X};
 use contact_scaling::equilibrium::{self, RaisedSpheres};
@@ -11,15 +11,15 @@ use crate::scaling::function::{Columns, forms};
 use crate::scaling::parameter::{Parameter, Returns, parameter};
 use crate::scaling::text::{Argument, docstring};
 
-/// An equation over spheres, whose bottoms are level or each at its own height.
+/// An equation for a body on several spheres, whose bottoms are at one height or each at its own height.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SphereListFunction {
     pub name: &'static str,
-    /// The function of `contact-scaling` for spheres whose bottoms are level.
+    /// The function of `contact-scaling` for spheres whose bottoms are at one height.
     pub level: &'static str,
     /// The function of `contact-scaling` for spheres at their own heights.
     pub raised: &'static str,
-    /// Arguments for each sphere, beside its height.
+    /// Arguments for each sphere, besides the height of the sphere.
     pub spheres: &'static [Parameter],
     /// The kind of value that the function returns.
     pub returns: Returns,
@@ -28,11 +28,11 @@ pub(crate) struct SphereListFunction {
     rest_raised: fn(&[RaisedSpheres], f64) -> Result<f64, DomainError>,
 }
 
-/// Height of a sphere's bottom: left out where all are level.
+/// Height of a sphere's bottom above the lowest bottom; left out if all bottoms are at one height.
 pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
-/// The functions of Hertz's law and of the smoothed one.
+/// The functions for Hertz's law and for the smoothed law.
 pub(crate) const SPHERE_LIST_FUNCTIONS: [SphereListFunction; 2] = [
     SphereListFunction {
         name: "hertz_rest_indentation",
@@ -86,11 +86,11 @@ pub(crate) const SPHERE_LIST_FUNCTIONS: [SphereListFunction; 2] = [
 ];
 
 impl SphereListFunction {
-    /// How deep the lowest sphere is (m) where a body rests. `columns` has a list for each parameter of a sphere, of one element
-    /// where all spheres have the same; `heights` (m) are those of their bottoms above the lowest.
+    /// Indentation of the lowest sphere (m) when the body is in equilibrium. `columns` has a list for each parameter of a sphere, with
+    /// one element if the parameter is the same for all spheres; `heights` (m) are the heights of the bottoms above the lowest bottom.
     ///
     /// # Errors
-    /// A value outside of the domain, with its sphere; lists that differ in length; no sphere.
+    /// A value is outside of its domain, with the index of the sphere; lists differ in length; or there is no sphere.
     pub(crate) fn value(
         &self,
         columns: &[&[f64]],
@@ -137,11 +137,11 @@ impl SphereListFunction {
 
 // Functions of one list of numbers.
 
-/// An equation that takes one list of numbers, and gives one number for all of them.
+/// An equation that computes one number from a list of numbers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NumberListFunction {
     pub name: &'static str,
-    /// Name of the function in `contact-scaling` that computes it.
+    /// Name of the function in `contact-scaling` that computes the equation.
     pub computes: &'static str,
     /// The argument that takes a list of values.
     pub parameter: Parameter,
@@ -149,7 +149,7 @@ pub(crate) struct NumberListFunction {
     pub returns: Returns,
 }
 
-/// (3) summed over spheres of one modulus: the R² in the place of all their radii.
+/// The mean R² of spheres with one modulus, which replaces their radii in equation (3).
 pub(crate) const MEAN_SQUARE_RADIUS: NumberListFunction = NumberListFunction {
     name: "mean_square_radius",
     computes: "mixed_radii::mean_square",
@@ -158,7 +158,7 @@ pub(crate) const MEAN_SQUARE_RADIUS: NumberListFunction = NumberListFunction {
 };
 
 impl NumberListFunction {
-    /// The value for a list.
+    /// The value of the equation for a list of numbers.
     ///
     /// # Errors
     /// The list is empty, or an element is not a finite number above 0.

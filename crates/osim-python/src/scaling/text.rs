@@ -1,4 +1,4 @@
-//! The text of an equation in Python, as NumPy lays its texts out: made from the register, nothing is written twice.
+//! Makes the docstring of an equation from the register, in the layout of NumPy's docstrings.
 
 use contact_scaling::equations::symbols::{P, Symbol};
 use contact_scaling::equations::{Equation, Form, reference};
@@ -8,7 +8,7 @@ use super::parameter::{Parameter, RULES, Returns};
 /// The type of an argument that is an array or one number, in docstrings.
 const ARRAY_TYPE: &str = "float or array_like";
 
-/// An argument of a docstring, with what can be given for it.
+/// An argument in a docstring, with the types of its values.
 pub(super) struct Argument {
     name: &'static str,
     kind: String,
@@ -16,7 +16,7 @@ pub(super) struct Argument {
 }
 
 impl Argument {
-    /// A number, or an array of numbers.
+    /// Describes an argument that is a number or an array of numbers.
     pub(super) fn of_array(parameter: Parameter) -> Self {
         Self::new(parameter, ARRAY_TYPE)
     }
@@ -26,7 +26,7 @@ impl Argument {
         Self::new(parameter, "sequence of float")
     }
 
-    /// A list of numbers that may be left out.
+    /// Describes an argument that is a list of numbers and may be left out.
     pub(super) fn of_optional_list(parameter: Parameter) -> Self {
         Self::new(parameter, "sequence of float, optional")
     }
@@ -36,7 +36,7 @@ impl Argument {
         Self::new(parameter, "float")
     }
 
-    /// The rule by which two surfaces make one modulus.
+    /// Describes the argument for the rule for the common modulus of two surfaces.
     pub(super) fn rule() -> Self {
         let names = RULES.map(|(name, _)| format!("\"{name}\""));
         let [first, ..] = &names;
@@ -49,7 +49,7 @@ impl Argument {
     }
 }
 
-/// The docstring of an equation: its formulas with their numbers, its arguments, its value, and its source.
+/// The docstring of an equation: its formulas with their numbers, its arguments, its result, and its source.
 pub(super) fn docstring(
     forms: impl Iterator<Item = (&'static Equation, &'static Form)>,
     arguments: impl Iterator<Item = Argument>,
@@ -79,7 +79,7 @@ pub(super) fn docstring(
     text
 }
 
-/// Symbols of the formulas that are neither arguments nor what is computed.
+/// Symbols in the formulas that are neither arguments nor the computed quantity.
 fn other_symbols(
     forms: &[(&'static Equation, &'static Form)],
     arguments: &[Argument],
@@ -89,7 +89,7 @@ fn other_symbols(
     known.push(returns.symbol());
     let mut text = String::new();
     for (equation, form) in forms {
-        for symbol in equation.symbols.iter().filter(|symbol| stands_in(symbol.symbol, form.formula)) {
+        for symbol in equation.symbols.iter().filter(|symbol| is_symbol_in(symbol.symbol, form.formula)) {
             if !known.contains(symbol) {
                 known.push(*symbol);
                 text.push_str(&format!("    {}\n", meaning(symbol, symbol.unit)));
@@ -110,7 +110,7 @@ fn computed_quantity(forms: &[(&'static Equation, &'static Form)], returns: Retu
     }
 }
 
-/// What the equation says, in one line.
+/// The statement of the equation in one line.
 fn summary(forms: &[(&'static Equation, &'static Form)]) -> String {
     let Some((equation, form)) = forms.first() else { return String::new() };
     let title = equation.title;
@@ -127,8 +127,8 @@ fn meaning(symbol: &Symbol, unit: &str) -> String {
     format!("{}: {}; {unit}", symbol.symbol, symbol.meaning)
 }
 
-/// Whether a symbol is in a formula, on its own and not as the beginning of another one: x is not in x̂, nor E* in E*_i.
-fn stands_in(symbol: &str, formula: &str) -> bool {
+/// Whether a formula has a symbol, and not only as the beginning of another symbol: x is not in x̂, nor E* in E*_i.
+fn is_symbol_in(symbol: &str, formula: &str) -> bool {
     formula.match_indices(symbol).any(|(start, _)| {
         let before = formula.get(..start).and_then(|before| before.chars().next_back());
         let after = formula.get(start + symbol.len()..).and_then(|after| after.chars().next());
