@@ -279,9 +279,12 @@ fn literal_of_json(value: &Value) -> String {
         Value::Bool(false) => "False".to_owned(),
         Value::Number(number) => number.to_string(),
         Value::String(string) => text(string),
-        Value::Array(items) => format!("[{}]", items.iter().map(literal_of_json).collect::<Vec<_>>().join(", ")),
+        Value::Array(items) => {
+            format!("[{}]", items.iter().map(literal_of_json).collect::<Vec<_>>().join(", "))
+        }
         Value::Object(entries) => {
-            let entries = entries.iter().map(|(name, value)| format!("{}: {}", text(name), literal_of_json(value)));
+            let entries =
+                entries.iter().map(|(name, value)| format!("{}: {}", text(name), literal_of_json(value)));
             format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
         }
     }

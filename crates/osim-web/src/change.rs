@@ -1,4 +1,4 @@
-//! A change of one model: its plan, what the page shows of it, and its report.
+//! A change of one model: its plan, its content on the web page, and its report.
 
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
@@ -23,7 +23,7 @@ use crate::given_files::GivenFiles;
 use crate::look::{FindingShown, OpenedModel, VerdictShown, sha256};
 use crate::problem::Problem;
 
-/// The sections that follow from the plan and from what is drawn of both states: those that follow a slider.
+/// Sections of the page that are made again while the user moves a slider: they need only the plan and the drawings of the model.
 const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
 /// Name of the section that shows the new model in space.
 const SCENE: &str = "scene";
@@ -34,10 +34,10 @@ pub(crate) struct PlannedChange {
     change: PreparedChange,
     opened: Rc<OpenedModel>,
     plan: Plan,
-    /// The model as it will be; `None` where nothing changes.
+    /// The changed model; `None` if nothing changes.
     changed: Option<Model>,
     words: &'static dyn FrontEnd,
-    /// The files that change, the model first.
+    /// The changed files, the model first.
     pub(crate) results: Vec<NewFile>,
 }
 
@@ -75,10 +75,10 @@ struct ResultShown<'p> {
 }
 
 impl PlannedChange {
-    /// Plans `change` for its model, which was opened. Messages are spelled in `words`.
+    /// Plans `change` for the `opened` model. The front end `words` spells messages.
     ///
     /// # Errors
-    /// What cannot be done with this model, or what only the user can know.
+    /// The change is impossible for this model, or needs an answer that only the user can give.
     pub(crate) fn new(
         change: PreparedChange,
         opened: Rc<OpenedModel>,
@@ -104,12 +104,12 @@ impl PlannedChange {
         &self.opened.path
     }
 
-    /// Nothing had to change: its files are what they were.
+    /// Whether the change leaves all files of the model as they are.
     pub(crate) fn is_unchanged(&self) -> bool {
         self.plan.is_empty()
     }
 
-    /// The files of the model as they will be.
+    /// The files of the model after the change.
     fn files_after(&self) -> ModelFiles {
         let mut after = self.opened.files.clone();
         for made in &self.results {
@@ -149,7 +149,7 @@ impl PlannedChange {
         }
     }
 
-    /// The changes, with those plots of both states that are asked for.
+    /// The section about the changes, and those plots of the model before and after that are in `wanted`.
     fn quick_sections(&self, wanted: Option<&[String]>) -> Sections {
         let drawn =
             wanted.is_some_and(|wanted| wanted.iter().any(|one| ["plots", "state"].contains(&one.as_str())));
@@ -157,7 +157,7 @@ impl PlannedChange {
         Sections::of_plan(&self.plan, &bodies, self.change.reference.as_ref(), wanted, self.words)
     }
 
-    /// The change for the page; `wanted` are the sections to make, `None` for all.
+    /// The content of the page about the change; `wanted` are the sections to make, `None` for all.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
@@ -201,7 +201,7 @@ impl PlannedChange {
         })
     }
 
-    /// The lines of the file that change, as a diff.
+    /// The changed lines of the model's files, as a diff.
     pub(crate) fn diff(&self) -> String {
         let opened = &self.opened.model;
         let each = self.results.iter().map(|made| {
@@ -212,7 +212,7 @@ impl PlannedChange {
         each.collect()
     }
 
-    /// The files that were read and that are made.
+    /// The files that were read, and the files that the change makes.
     fn files(&self) -> ListedFiles {
         let names: Vec<String> = self.results.iter().map(|made| made.name.display().to_string()).collect();
         let outputs = names
@@ -227,7 +227,7 @@ impl PlannedChange {
         ListedFiles { inputs: self.opened.digests(), result, outputs }
     }
 
-    /// The change as an entry of a report: its content is that of the report by the command which writes the files.
+    /// The change as an entry of a report, with the same content as in the report of the command that writes the files.
     ///
     /// # Errors
     /// The new model cannot be read, which would be a defect.
@@ -263,7 +263,7 @@ pub(crate) fn report_name(path: &Path) -> String {
 }
 
 impl Report {
-    /// The report about one model; `command` is the call that would write it.
+    /// The report about one model; `command` is the call of the command that writes the same report.
     pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
         let about = About::new(verb, Some(model.display().to_string()), columns, command);

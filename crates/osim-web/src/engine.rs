@@ -1,4 +1,4 @@
-//! Files in memory, and what is asked about them.
+//! Answers questions of the web page about models in memory.
 
 use std::path::Path;
 use std::rc::Rc;
@@ -19,10 +19,10 @@ use crate::knowledge::{self, EngineQuestion, Fields, SpelledCalls};
 use crate::look::{self, OpenedModel};
 use crate::problem::Problem;
 
-/// Models that stay open: a page looks at one and compares it with another.
+/// Most models that stay open, because the page looks at one model and compares it with others.
 const MAX_OPEN_MODELS: usize = 4;
 
-/// Files in memory, and what is asked about them.
+/// Keeps files in memory, and answers questions about the models in them.
 ///
 /// ```
 /// use osim_web::Engine;
@@ -52,34 +52,34 @@ impl Engine {
         Self::default()
     }
 
-    /// The date, as `2026-11-25`, for the notes of models that are changed from now on.
+    /// Sets the date, such as `2026-11-25`, for the notes in models that are changed afterwards.
     pub fn set_today(&mut self, date: &str) {
         self.files.set_today(date);
     }
 
-    /// Adds a file, or replaces the one of that name.
+    /// Adds a file, or replaces the file of the same name.
     pub fn put(&mut self, name: &str, bytes: Vec<u8>) {
         self.files.put(name, bytes);
         self.opened.clear();
     }
 
-    /// Takes a file away.
+    /// Removes a file.
     pub fn remove(&mut self, name: &str) {
         self.files.remove(name);
         self.opened.clear();
     }
 
-    /// The bytes of a file, if it is there.
+    /// The bytes of a file, if a file has this name.
     pub fn bytes(&self, name: &str) -> Option<Vec<u8>> {
         self.files.read(Path::new(name)).ok()
     }
 
-    /// The bytes of a file that the last change makes: 0 is the model.
+    /// The bytes of a file that the last change makes. The model has the `index` 0.
     pub fn result(&self, index: usize) -> Option<Vec<u8>> {
         Some(self.last.as_ref()?.results.get(index)?.bytes.clone())
     }
 
-    /// Answers a [`EngineQuestion`], both in JSON: `{"ok": ...}`, or `{"error": ...}` with what is wrong and a way out.
+    /// Answers an [`EngineQuestion`] in JSON. The answer is `{"ok": ...}`, or `{"error": ...}` with the fault and a way out.
     pub fn call(&mut self, question: &str) -> String {
         let answer = match serde_json::from_str(question) {
             Ok(question) => self.answer(question),
@@ -137,7 +137,7 @@ impl Engine {
         }
     }
 
-    /// A model, opened once as long as no file changes.
+    /// The model at `path`. It is read again only after a file changed.
     fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<OpenedModel>, Failure> {
         if let Some(at) = self.opened.iter().position(|opened| opened.is(path, set_files)) {
             let opened = self.opened.remove(at);
@@ -163,7 +163,7 @@ impl Engine {
         self.last.as_ref().ok_or_else(|| Problem::question("there is no change yet"))
     }
 
-    /// Makes files of what the last change makes.
+    /// Adds the results of the last change to the files in memory.
     fn keep(&mut self) -> Result<String, Problem> {
         let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
         let mut names = Vec::new();
@@ -178,7 +178,7 @@ impl Engine {
         ok_answer(json!({ "model": names.first(), "names": names }))
     }
 
-    /// The report that the command would write.
+    /// The same report that the command writes for these `fields` of a request.
     fn report(&mut self, mut fields: Fields) -> Result<Report, Problem> {
         let request = Request::from_map(fields.clone())?;
         let verb = request.verb();

@@ -1,40 +1,40 @@
-//! The files that were given to the page.
+//! The files that people gave to the web page.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use osim_model::files::{FileError, Files, InMemory};
 
-/// The files that people gave to the page, by their names.
+/// The files that people gave to the web page, by their names.
 ///
 /// People drop files without their folders. A file that a model names in a folder (`../parts/bodies.xml`) is then found by its name
 /// without that folder, if exactly one file has this name.
 #[derive(Debug, Default)]
 pub(crate) struct GivenFiles {
     files: InMemory,
-    /// Names of the files that the page gave.
+    /// Names of the files that people gave to the page.
     names: BTreeSet<PathBuf>,
 }
 
 impl GivenFiles {
-    /// Adds a file, or replaces the one of that name.
+    /// Adds a file, or replaces the file of the same name.
     pub(crate) fn put(&mut self, name: &str, bytes: Vec<u8>) {
         self.names.insert(name.into());
         self.files.add(name, bytes);
     }
 
-    /// Sets the date that notes in models get.
+    /// Sets the date for notes in changed models.
     pub(crate) fn set_today(&mut self, date: &str) {
         self.files.set_today(date);
     }
 
-    /// Removes a file from those that the page gave.
+    /// Removes a file that people gave to the page.
     pub(crate) fn remove(&mut self, name: &str) {
         self.names.remove(Path::new(name));
         self.files.remove(Path::new(name));
     }
 
-    /// The only file whose name, without its folder, is that of `path`.
+    /// The file whose name without a folder is the name in `path`; `None` if several files have this name.
     fn only_file_named_like(&self, path: &Path) -> Option<&Path> {
         let wanted = path.file_name()?;
         let mut alike = self.names.iter().filter(|name| name.file_name() == Some(wanted));
@@ -88,14 +88,14 @@ mod tests {
     }
 
     #[test]
-    fn the_file_in_its_folder_comes_first_and_nothing_is_guessed() {
+    fn a_file_with_its_folder_comes_first_and_ambiguous_names_find_none() {
         let files = files_named(&["a/bodies.xml", "b/bodies.xml", "a/human.osim"]);
         assert_finds(&files, "a/bodies.xml", Some("a/bodies.xml"));
         assert_finds(&files, "c/bodies.xml", None);
     }
 
     #[test]
-    fn a_file_that_was_taken_away_is_gone() {
+    fn a_removed_file_is_not_found() {
         let mut files = files_named(&["human.osim"]);
         files.remove("human.osim");
         assert_finds(&files, "human.osim", None);

@@ -1,4 +1,4 @@
-//! What the page may ask, and what is known apart from models: calculations, explanations, presets.
+//! The questions of the web page, and answers that need no model: calculations, explanations, presets.
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
@@ -35,7 +35,7 @@ pub(crate) struct PresetShown {
     text: String,
 }
 
-/// The presets that there are, or those of a file.
+/// The presets of this program, or the presets in a file of the user.
 pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<PresetShown>, Problem> {
     fields.insert("verb".to_owned(), "presets".into());
     let Request::Presets(request) = Request::from_map(fields)? else { return Ok(Vec::new()) };

@@ -1,11 +1,11 @@
-//! What is Rust of the page in `web/`: files in memory, questions in JSON, answers in JSON.
+//! The Rust part of the web page in `web/`: files in memory, questions in JSON, answers in JSON.
 //!
-//! It binds and computes nothing itself. The page puts the bytes of files into an [`Engine`] and asks it [`EngineQuestion`]s; what
-//! comes back is JSON with HTML of the report's renderer in it, and the bytes of changed files.
+//! The crate only calls the other crates and computes nothing itself. The page puts the bytes of files into an [`Engine`] and asks
+//! [`EngineQuestion`]s. The answers are JSON, which contains HTML as in reports; the bytes of changed files can be fetched, too.
 //!
 //! # What it will not do
 //!
-//! It knows no browser: no element, no event, no address. Those are the page's, in `web/src/`.
+//! The crate does not use the browser: elements, events and addresses belong to the code in `web/src/`.
 #![cfg_attr(not(test), deny(clippy::disallowed_methods))]
 
 mod change;

@@ -1,4 +1,4 @@
-//! A model that was opened.
+//! Opens, inspects and checks one model for the web page.
 
 use std::path::{Path, PathBuf};
 
@@ -22,13 +22,13 @@ use crate::given_files::GivenFiles;
 use crate::knowledge::Fields;
 use crate::problem::Problem;
 
-/// A model that was opened, with the files of a standalone set.
+/// An opened model, with the files of a standalone force set or geometry set.
 #[derive(Debug)]
 pub(crate) struct OpenedModel {
     pub(crate) path: PathBuf,
     pub(crate) set_files: SetFiles,
     pub(crate) model: OpenModel,
-    /// Files of the model, but for its own bytes.
+    /// The files that belong to the model, without the bytes of the model itself.
     pub(crate) files: ModelFiles,
 }
 
@@ -36,7 +36,7 @@ impl OpenedModel {
     /// Opens the model at `path`.
     ///
     /// # Errors
-    /// It cannot be read.
+    /// The model cannot be read.
     pub(crate) fn read(path: &Path, set_files: &SetFiles, given_files: &GivenFiles) -> Result<Self, Failure> {
         let failed =
             |error: osim_model::files::FileError| Failure::outside(path, "unreadable", error.to_string());
@@ -46,12 +46,12 @@ impl OpenedModel {
         Ok(Self { path: path.to_owned(), set_files: set_files.clone(), model: all.open()?, files })
     }
 
-    /// Whether it is the model at `path` with these files.
+    /// Whether this model was opened from `path` with the files `set_files`.
     pub(crate) fn is(&self, path: &Path, set_files: &SetFiles) -> bool {
         self.path == path && self.set_files == *set_files
     }
 
-    /// Names of the files that it was read from, the model first.
+    /// Names of the files that the model was read from, the model's own file first.
     pub(crate) fn names(&self) -> Vec<String> {
         self.model.files().map(|(name, _)| name.to_owned()).collect()
     }
@@ -64,7 +64,7 @@ impl OpenedModel {
     }
 }
 
-/// The SHA-256 of some bytes, in hexadecimal digits.
+/// The SHA-256 of `bytes`, in hexadecimal digits.
 pub(crate) fn sha256(bytes: &[u8]) -> String {
     Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }
@@ -106,7 +106,8 @@ struct RemedyShown {
 }
 
 impl FindingShown {
-    /// `finding`, which was spelled. Its remedy is shown where it is the `first` step: later ones are for the result of that.
+    /// A finding as the page shows it. Its remedy is shown only if it is the `first` change to make, because later changes are made in
+    /// the result of the first.
     fn of(finding: &FindingWithRemedy, first: Option<&Request>) -> Self {
         let request = finding.remedy.as_ref().filter(|remedy| first == Some(remedy));
         let remedy = request
@@ -122,7 +123,7 @@ impl FindingShown {
     }
 }
 
-/// How a model is looked at: if `from` names the one that it was scaled from, compared with that.
+/// The inspector for a model. If `from` names the model that it was scaled from, the inspector compares both.
 pub(crate) fn inspector(
     model: &str,
     mut fields: Fields,
@@ -137,7 +138,7 @@ pub(crate) fn inspector(
     }
 }
 
-/// The inspection and the findings of the model, with messages in `words`.
+/// The inspection and the check of the model. The front end `words` spells messages.
 fn inspect_and_check(
     inspector: &Inspector,
     opened: &OpenedModel,
@@ -151,14 +152,14 @@ fn inspect_and_check(
     Ok((inspection, found))
 }
 
-/// The feet of the model with its bones, where a page can show them.
+/// The feet of the model with its bones; `None` if the page cannot show them.
 fn feet(inspector: &Inspector, opened: &OpenedModel, given_files: &GivenFiles) -> Option<ModelFeet> {
     let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
     feet.add_bones(&opened.model.model, &opened.path, None, given_files);
     Some(feet)
 }
 
-/// Looks at a model; `wanted` are the sections to make, `None` for all.
+/// Inspects and checks a model; `wanted` are the sections to make, `None` for all.
 pub(crate) fn look(
     inspector: &Inspector,
     opened: &OpenedModel,
@@ -194,7 +195,7 @@ pub(crate) fn look(
     })
 }
 
-/// The model's motion along a recording.
+/// The motion of a model along a recording, frame by frame.
 pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Result<PlayedRecording, Problem> {
     match request {
         Request::Motion(request) => {
@@ -204,7 +205,7 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
     }
 }
 
-/// How the model falls on its contacts, if they and its weight are known.
+/// Falls of the model on its contacts; empty if its contacts or its weight are unknown.
 fn falls(inspector: &Inspector, opened: &OpenedModel) -> Vec<BodyFall> {
     let failed = |fault| opened.model.failure(fault);
     let body = ContactBody::from_inspected_model(

@@ -1,4 +1,4 @@
-//! What went wrong, as the page shows it.
+//! Errors as the web page shows them.
 
 use std::ops::Range;
 
@@ -54,7 +54,7 @@ impl MarkedLine {
 }
 
 impl Problem {
-    /// A question that the page should not have asked.
+    /// The error for a wrong question, which is a defect of the page.
     pub(crate) fn question(message: impl Into<Phrase>) -> Self {
         Self::with_code("usage", &message.into())
     }
