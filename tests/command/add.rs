@@ -1,4 +1,4 @@
-//! `add`: what it refuses of references, what stays beside new contacts, and what their note says.
+//! `add`: references that it refuses, old contacts that stay beside new contacts, and the note about new contacts.
 
 use serde_json::Value;
 
@@ -6,7 +6,7 @@ use crate::support::{TestDir, corpus_folder};
 
 const HUMAN: &str = "feet/human_40000.osim";
 const TABLE: &str = "contact_tables/own.csv";
-/// Two feet and a ball, each of them on the floor.
+/// XML of a contact force between a ball and the floor.
 const BALL: &str = "\
     <SmoothSphereHalfSpaceForce name=\"ball_ground\">\
     <socket_sphere>/contactgeometryset/ball</socket_sphere>\
@@ -17,7 +17,7 @@ fn bare_human() -> TestDir {
     TestDir::with(&[(HUMAN, "bare.osim"), (TABLE, "own.csv")])
 }
 
-/// The human with contacts at the places of the table, for 62 kg.
+/// The human after `add` of contacts at the places of the table, made for 62 kg.
 fn human_with_contacts() -> TestDir {
     let dir = bare_human();
     dir.run("add bare.osim --from falisse2022 --contacts own.csv -o with.osim").succeeded();
@@ -232,7 +232,7 @@ fn a_class_newer_than_the_document_is_named() {
     assert!(!text("new.osim", "").contains("OpenSim 4.1"));
 }
 
-/// The presets were written from published models, so both give the same contacts.
+/// The presets were written from published models, so a preset and its model give the same contacts.
 #[test]
 fn presets_with_places_equal_the_published_models() {
     let test = "presets_with_places_equal_the_published_models";

@@ -94,7 +94,7 @@ fn feet_without_usable_meshes_or_options_are_refused() {
     other.run(&format!("{call} --geometry-dir bones -o out.osim")).succeeded();
 }
 
-/// Also in the cell of a manifest, in which semicolons separate the values of other lists.
+/// This holds also in the cell of a manifest, where semicolons separate the values of other lists.
 #[test]
 fn lists_of_bodies_may_have_spaces_paths_or_semicolons() {
     let dir = human_with_meshes();

@@ -1,4 +1,4 @@
-//! What `add` asks about before it does it: feet that do not lie flat, places and lengths that are probably in another unit.
+//! Questions that `add` asks before it writes: about feet that do not lie flat, and about numbers that are probably in another unit.
 
 use crate::support::TestDir;
 
@@ -30,7 +30,7 @@ fn write_posed_model(dir: &TestDir, name: &str, values: &[(&str, f64)]) {
     dir.write(name, text);
 }
 
-/// The call asks in one line, with exit status 1, and writes nothing.
+/// Asserts that the call asks in one line with all of `words`, ends with exit status 1, and writes nothing.
 #[track_caller]
 fn assert_asks(dir: &TestDir, call: &str, words: &[&str]) {
     let run = dir.run(call).failed().wrote_nothing().says(words);
@@ -68,7 +68,7 @@ fn add_asks_about_a_foot_that_is_not_flat() {
     dir.run(&format!("add nearly.osim {UNDER_BONES} --count 6 --pad 0.02 --dry-run")).succeeded();
 }
 
-/// The left foot is flat and the right one is not, so it would get other spheres.
+/// The left foot is flat and the right foot is tilted, so both feet would get different spheres.
 #[test]
 fn add_asks_if_only_one_foot_is_tilted() {
     let dir = human_with_meshes();
@@ -178,7 +178,7 @@ fn add_asks_about_places_in_another_unit() {
     }
 }
 
-/// The foot is a quarter of a metre long.
+/// The foot is 0.25 m long.
 #[test]
 fn add_asks_about_a_sole_far_below_the_bones() {
     let dir = human_with_meshes();

@@ -1,5 +1,5 @@
-//! `add` with places from a table, in MuSkeMo's format too; the class of the forces, friction and mirror images. Spheres
-//! under bones are in `add_feet`.
+//! `add` with places from a table (also in MuSkeMo's format), the class of the forces, friction and mirror images. Spheres under
+//! bones are tested in `add_feet`.
 
 use std::collections::BTreeMap;
 
@@ -45,7 +45,7 @@ pub(crate) fn spheres_by_name(inspection: &Value) -> BTreeMap<String, ([f64; 3],
     inspection["spheres"].as_array().unwrap().iter().map(place_and_radius).collect()
 }
 
-/// A parameter of the force called `name`; NaN where its class does not have it.
+/// A parameter of the force called `name`; NaN if the class of the force does not have the parameter.
 fn parameter_of_force(inspection: &Value, name: &str, property: &str) -> f64 {
     let mut forces = inspection["forces"].as_array().unwrap().iter();
     let force = forces.find(|force| force["name"] == name).unwrap_or_else(|| panic!("{name}: {inspection}"));
@@ -57,9 +57,9 @@ fn assert_close(value: f64, expected: f64) {
     assert!((value / expected - 1.0).abs() <= PRODUCT_TOLERANCE, "{value}, not {expected}");
 }
 
-/// The spheres are where the table's generator put them.
+/// Asserts that the spheres have the places that the table's generator wrote.
 #[track_caller]
-fn assert_placed(inspection: &Value, tolerance: f64) {
+fn assert_spheres_at_table_places(inspection: &Value, tolerance: f64) {
     let spheres = spheres_by_name(inspection);
     let names: Vec<&str> = spheres.keys().map(String::as_str).collect();
     assert_eq!(names, PLACES.map(|(name, _)| name));
@@ -70,7 +70,7 @@ fn assert_placed(inspection: &Value, tolerance: f64) {
     }
 }
 
-/// The call prints one line of error, ends with the status for wrong usage or failure, and writes nothing.
+/// Asserts that the call prints one line of error, ends with the exit status for wrong usage or failure, and writes nothing.
 #[track_caller]
 pub(crate) fn assert_refused(dir: &TestDir, call: &str, usage: bool, words: &[&str]) {
     let run = dir.run(call).wrote_nothing().says(words);
@@ -85,7 +85,7 @@ fn places_and_radii_of_a_table_are_used_unchanged() {
         .succeeded()
         .wrote(&["out.osim"]);
     let inspection = inspect_model(&dir, "out.osim");
-    assert_placed(&inspection, 0.0);
+    assert_spheres_at_table_places(&inspection, 0.0);
     assert_eq!(spheres_by_name(&inspection)["ball_l"].1, 0.025);
     // (10) from 62 kg on 6 spheres of 0.032 m with 1e6 N/m2, to 62 kg on 2 spheres a limb; (14), (C.2), (C.5).
     for (name, radius) in [("force_heel_r", 0.03), ("force_ball_l", 0.025)] {
@@ -123,7 +123,7 @@ fn a_muskemo_export_is_read_in_both_modes() {
     }
     // Bodies with frames of their own: the local columns, which agree with where ground has them.
     dir.run("add human.osim --contacts muskemo_local.csv --from falisse2022 -o local.osim").succeeded();
-    assert_placed(&inspect_model(&dir, "local.osim"), 0.0);
+    assert_spheres_at_table_places(&inspect_model(&dir, "local.osim"), 0.0);
     // Radii follow the mass of the body, here 8 times that of the reference, and a remark gives them.
     dir.run("add human.osim --contacts muskemo_local.csv --from falisse2022 --mass 496 --dry-run")
         .succeeded()
@@ -149,7 +149,7 @@ fn a_muskemo_export_is_read_in_both_modes() {
     dir.run(&format!("{alone} --default-pose -o posed.osim"))
         .succeeded()
         .says(&["at the default pose: heel_r, ball_r, heel_l, ball_l"]);
-    assert_placed(&inspect_model(&dir, "posed.osim"), TABLE_TOLERANCE);
+    assert_spheres_at_table_places(&inspect_model(&dir, "posed.osim"), TABLE_TOLERANCE);
 
     let differ = "add human.osim --contacts bad/places_differ.csv --from falisse2022";
     assert_refused(

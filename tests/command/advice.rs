@@ -4,11 +4,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::support::{TestDir, root};
 
-const FOLDERS: [&str; 6] = ["bad", "check", "drawn_feet", "follows_size", "format", "scale_tool"];
+const FOLDERS_OF_FIXTURES: [&str; 6] = ["bad", "check", "drawn_feet", "follows_size", "format", "scale_tool"];
 const GENERIC: &str = "scale_tool/generic_smooth.osim";
 
 /// Verbs that take many models, each with the options that it needs.
-const CHANGING: [(&str, &str); 13] = [
+const CHANGING_VERBS_WITH_OPTIONS: [(&str, &str); 13] = [
     ("rescale", "--target-mass 80"),
     ("rescale", "--target-mass 80 --follow-bodies"),
     ("transfer", "--from falisse2022"),
@@ -23,11 +23,13 @@ const CHANGING: [(&str, &str); 13] = [
     ("note", "--contacts-mass 62"),
     ("note", "--stance-limbs 2"),
 ];
-const OTHERS: [&str; 8] = ["check", "inspect", "sweep", "batch", "drop-test", "motion", "fit", "explain"];
+const VERBS_WITHOUT_CHANGES: [&str; 8] =
+    ["check", "inspect", "sweep", "batch", "drop-test", "motion", "fit", "explain"];
 
-/// The options of each verb, by its help.
+/// The options of each verb, read from the help of the verb.
 fn options_by_verb(dir: &TestDir) -> BTreeMap<String, BTreeSet<String>> {
-    let verbs: BTreeSet<&str> = CHANGING.iter().map(|(verb, _)| *verb).chain(OTHERS).collect();
+    let verbs: BTreeSet<&str> =
+        CHANGING_VERBS_WITH_OPTIONS.iter().map(|(verb, _)| *verb).chain(VERBS_WITHOUT_CHANGES).collect();
     let words = |help: String| {
         help.split(|c: char| c != '-' && !c.is_ascii_lowercase()).map(str::to_owned).collect::<Vec<_>>()
     };
@@ -38,7 +40,7 @@ fn options_by_verb(dir: &TestDir) -> BTreeMap<String, BTreeSet<String>> {
     verbs.into_iter().map(|verb| (verb.to_owned(), own_options(verb))).collect()
 }
 
-/// Options in `text` that neither `verb` has nor the verb that the sentence names, each with its line.
+/// Options in `text` that belong neither to `verb` nor to the verb that the sentence names, each with its line.
 fn foreign_options(
     text: &str,
     verb: &str,
@@ -78,11 +80,12 @@ fn no_change_advises_an_option_that_its_verb_lacks() {
     let dir = TestDir::new();
     let options = options_by_verb(&dir);
     let fixtures = root().join("fixtures");
-    let folders: Vec<String> = FOLDERS.iter().map(|name| fixtures.join(name).display().to_string()).collect();
+    let folders: Vec<String> =
+        FOLDERS_OF_FIXTURES.iter().map(|name| fixtures.join(name).display().to_string()).collect();
     let sets = fixtures.join("format/standalone_ContactGeometrySet.xml").display().to_string();
     let forces = fixtures.join("format/standalone_ForceSet.xml").display().to_string();
     let generic = fixtures.join(GENERIC).display().to_string();
-    for (verb, options_given) in CHANGING {
+    for (verb, options_given) in CHANGING_VERBS_WITH_OPTIONS {
         let options_given = options_given.replace("GENERIC", &generic);
         let mut words = vec![verb];
         words.extend(folders.iter().map(String::as_str).chain([sets.as_str(), forces.as_str()]));
@@ -122,7 +125,7 @@ fn check_advises_no_option_that_it_lacks() {
     }
 }
 
-/// Only a model can be changed in place: a report needs another name.
+/// Advice to change the model in place would not help here: the report needs another name.
 #[test]
 fn a_report_named_like_a_model_is_not_advised_to_change_in_place() {
     let dir = TestDir::with_human();

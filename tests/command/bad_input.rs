@@ -1,8 +1,8 @@
-//! Wrong input: one line on standard error that says what and where, the right exit status, and nothing written.
+//! Wrong input causes one line on standard error with the fault and its place, the right exit status, and no files.
 
 use crate::support::{CommandRun, TestDir};
 
-/// The run writes nothing and prints one line of error (an excerpt may follow).
+/// Asserts that the run writes nothing and prints one line of error (an excerpt of the file may follow).
 #[track_caller]
 fn assert_refused(run: CommandRun, name: &str) -> CommandRun {
     let run = run.wrote_nothing();
@@ -12,7 +12,7 @@ fn assert_refused(run: CommandRun, name: &str) -> CommandRun {
     run.matches_snapshot(&format!("bad_{name}"))
 }
 
-/// A model from `fixtures/bad` or `fixtures/format` that cannot be rescaled.
+/// Asserts that `rescale` refuses a model from `fixtures/bad` or `fixtures/format`.
 #[track_caller]
 fn assert_model_refused(fixture: &str) {
     let (_, name) = fixture.split_once('/').unwrap();
@@ -20,7 +20,7 @@ fn assert_model_refused(fixture: &str) {
     assert_refused(dir.run("model.osim --target-mass 1190"), name).failed();
 }
 
-/// A call that is wrong whatever the model.
+/// Asserts that a call with these arguments is refused for every model.
 #[track_caller]
 fn assert_call_refused(arguments: &str, name: &str) {
     let dir = TestDir::with(&[("format/v40000.osim", "model.osim"), ("format/v30000.osim", "other.osim")]);

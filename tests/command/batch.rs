@@ -1,4 +1,4 @@
-//! `batch`: a manifest with a row per model.
+//! `batch`: changes models by a table (manifest) with a row for each model.
 
 use serde_json::Value;
 
@@ -7,10 +7,10 @@ use crate::support::TestDir;
 const MANIFEST: &str = include_str!("../../fixtures/libraries/table1.csv");
 /// The path of the manifest in the project.
 const TABLE_1: &str = "fixtures/libraries/table1.csv";
-/// Numbers that the paper prints, row by row as in the manifest.
+/// Numbers that the paper prints in Table 1, in the order of the rows of the manifest.
 const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
-/// The animals of Table 1, every one with the contacts of the 62 kg human.
+/// A folder with the animals of Table 1, which all have the contacts of the 62 kg human.
 fn unscaled_animals() -> TestDir {
     let names: Vec<&str> = MANIFEST.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
     let dir = TestDir::new();
@@ -25,7 +25,7 @@ fn unscaled_animals() -> TestDir {
     dir
 }
 
-/// Every value of `property` in a model, which are all alike.
+/// The value of `property` that all forces or spheres of a model have in common.
 fn common_value(dir: &TestDir, model: &str, property: &str) -> f64 {
     let inspection: Value =
         serde_json::from_str(&dir.run(&format!("inspect {model} --format json")).succeeded().out()).unwrap();
@@ -36,7 +36,7 @@ fn common_value(dir: &TestDir, model: &str, property: &str) -> f64 {
     values[0]
 }
 
-/// The documented command, run from the top of the project with its own files.
+/// Runs the command from the documentation at the top of the project, with the project's own files.
 #[test]
 fn the_documented_command_works_from_the_project_folder() {
     let output = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"))
@@ -177,7 +177,7 @@ fn each_row_may_have_another_verb() {
     }
 }
 
-/// `--feet` takes commas; between the items of other lists a table has semicolons, and `feet` may have those, too.
+/// `--feet` takes a list with commas. Other lists in a table have semicolons, and the list of feet may have semicolons, too.
 #[test]
 fn feet_in_a_cell_may_have_commas_or_semicolons() {
     let dir = TestDir::with(&[("feet/human_40000.osim", "human.osim")]);
@@ -350,7 +350,7 @@ fn a_link_that_leads_outside_the_folder_is_refused() {
     dir.run("batch t/rows.csv").usage_error().wrote_nothing().says(&["is outside the folder"]);
 }
 
-/// A spreadsheet writes such a cell if a formula has no value: it is neither a number nor a name, and it is not empty.
+/// A spreadsheet writes an error such as `#REF!` into the cell of a broken formula: neither a number, nor a name, nor empty.
 #[test]
 fn a_broken_formula_of_the_spreadsheet_is_reported() {
     let dir = TestDir::with(&[("check/known_contacts.osim", "human.osim")]);

@@ -1,4 +1,5 @@
-//! Which bytes change, and to what: expected numbers come from the paper's formulas, computed outside this project.
+//! Tests which bytes of a model change, and their new values. Expected numbers come from the paper's formulas, computed outside this
+//! project.
 
 use similar::{ChangeTag, TextDiff};
 
@@ -25,7 +26,7 @@ pub(crate) fn line_changes(old: &[u8], new: &[u8]) -> (Vec<String>, Vec<String>)
     (removed, added)
 }
 
-/// The line without the note of this program.
+/// The line without the note that this program writes into a model.
 fn line_without_note(line: &str) -> String {
     let Some((before, rest)) = line.split_once("[contacts made for ") else { return line.to_owned() };
     let (_, after) = rest.split_once(")]").unwrap();
@@ -39,13 +40,13 @@ pub(crate) fn number_between_tags(line: &str) -> f64 {
     text.parse().unwrap_or_else(|_| panic!("no number in {line}"))
 }
 
-/// Lines of one element.
+/// The lines that begin with the XML element `tag`.
 pub(crate) fn lines_of_element<'l>(lines: &'l [String], tag: &str) -> Vec<&'l str> {
     let open = format!("<{tag}>");
     lines.iter().map(String::as_str).filter(|line| line.starts_with(&open)).collect()
 }
 
-/// How far a number may be from one that was computed with 60 digits and rounded once.
+/// Largest relative difference from a number that was computed with 60 digits and rounded once.
 pub(crate) const LAST_BITS: f64 = 1e-15 * 4.0;
 
 #[track_caller]

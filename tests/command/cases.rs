@@ -1,4 +1,5 @@
-//! Cases of wrong judgement that users met, in the folder that OSIM_CASES names: each with its input, and what is expected in its README.
+//! Models that an earlier version judged wrongly, as users found. Each is a folder in the folder that OSIM_CASES names, and its README
+//! has the expected judgement.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -8,7 +9,7 @@ use serde_json::Value;
 use crate::support::{TestDir, fixture, report_skip};
 
 /// A folder with copies of the files of a case; `None` after reporting that the test is skipped.
-fn case(name: &str) -> Option<TestDir> {
+fn dir_of_case(name: &str) -> Option<TestDir> {
     let folder = std::env::var_os("OSIM_CASES").map(PathBuf::from).filter(|folder| folder.is_dir());
     let Some(folder) = folder else {
         report_skip(name, "OSIM_CASES is not set to the folder of cases");
@@ -21,33 +22,36 @@ fn case(name: &str) -> Option<TestDir> {
     Some(dir)
 }
 
-fn check(dir: &TestDir, arguments: &str) -> Value {
+fn check_json(dir: &TestDir, arguments: &str) -> Value {
     let run = dir.run(&format!("check {arguments} --format json"));
     serde_json::from_str(&run.out()).unwrap_or_else(|error| panic!("{error}: {}{}", run.out(), run.err()))
 }
 
 /// The codes of the findings with this severity.
-fn codes<'r>(report: &'r Value, severity: &str) -> BTreeSet<&'r str> {
+fn codes_of_severity<'r>(report: &'r Value, severity: &str) -> BTreeSet<&'r str> {
     let findings = report["findings"].as_array().unwrap().iter();
     let of_severity = findings.filter(|finding| finding["severity"] == severity);
     of_severity.map(|finding| finding["code"].as_str().unwrap()).collect()
 }
 
 #[track_caller]
-fn assert_no_accusation(report: &Value) {
-    assert_eq!([codes(report, "error"), codes(report, "warning")], [BTreeSet::new(), BTreeSet::new()]);
+fn assert_no_error_or_warning(report: &Value) {
+    assert_eq!(
+        [codes_of_severity(report, "error"), codes_of_severity(report, "warning")],
+        [BTreeSet::new(), BTreeSet::new()]
+    );
 }
 
-fn sign<'r>(report: &'r Value, on: &str) -> &'r Value {
+fn verdict_sign<'r>(report: &'r Value, on: &str) -> &'r Value {
     &report["verdicts"].as_array().unwrap().iter().find(|verdict| verdict["on"] == on).unwrap()["sign"]
 }
 
-fn finding<'r>(report: &'r Value, code: &str) -> &'r Value {
+fn finding_with_code<'r>(report: &'r Value, code: &str) -> &'r Value {
     report["findings"].as_array().unwrap().iter().find(|finding| finding["code"] == code).unwrap()
 }
 
 #[test]
-fn a_row_that_warns_counts() {
+fn a_verdict_that_warns_counts_as_a_warning() {
     let files = [
         ("motion/walker.osim", "walker.osim"),
         ("motion/walk.mot", "walk.mot"),
@@ -55,66 +59,69 @@ fn a_row_that_warns_counts() {
     ];
     let dir = TestDir::with(&files);
     let call = "walker.osim --motion walk.mot --plates plates.sto";
-    let report = check(&dir, call);
-    assert_eq!((sign(&report, "motion"), &report["counts"]["warning"]), (&"warning".into(), &1.into()));
+    let report = check_json(&dir, call);
+    assert_eq!(
+        (verdict_sign(&report, "motion"), &report["counts"]["warning"]),
+        (&"warning".into(), &1.into())
+    );
     let row =
         report["verdicts"].as_array().unwrap().iter().find(|verdict| verdict["on"] == "motion").unwrap();
-    assert_eq!(row["codes"][0], finding(&report, "unlike-recording")["code"]);
+    assert_eq!(row["codes"][0], finding_with_code(&report, "unlike-recording")["code"]);
     dir.run(&format!("check {call} --deny warning")).failed();
 }
 
 #[test]
-fn no_row_is_good_while_spheres_are_left_behind() {
-    let Some(dir) = case("left-behind-no-command") else { return };
-    let report = check(&dir, "scaled.osim --from generic.osim");
-    assert_eq!(sign(&report, "sizes"), "error");
-    assert_eq!(sign(&report, "solver"), "warning");
-    assert_ne!(sign(&report, "standing"), "good");
-    assert_eq!(finding(&report, "spheres-left-behind")["spheres"].as_array().unwrap().len(), 6);
+fn no_verdict_is_good_while_spheres_are_left_behind() {
+    let Some(dir) = dir_of_case("left-behind-no-command") else { return };
+    let report = check_json(&dir, "scaled.osim --from generic.osim");
+    assert_eq!(verdict_sign(&report, "sizes"), "error");
+    assert_eq!(verdict_sign(&report, "solver"), "warning");
+    assert_ne!(verdict_sign(&report, "standing"), "good");
+    assert_eq!(finding_with_code(&report, "spheres-left-behind")["spheres"].as_array().unwrap().len(), 6);
     // The original has warnings of its own, which are no reason to print no command.
     let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
     dir.run(command).succeeded();
-    let right = check(&dir, "scaled.fixed-1.osim --from generic.osim");
-    assert_eq!(codes(&right, "error"), BTreeSet::new());
+    let right = check_json(&dir, "scaled.fixed-1.osim --from generic.osim");
+    assert_eq!(codes_of_severity(&right, "error"), BTreeSet::new());
 }
 
 #[test]
-fn rounded_places_are_the_same_places() {
-    let Some(dir) = case("places-rounded") else { return };
+fn places_that_differ_only_by_rounding_count_as_equal() {
+    let Some(dir) = dir_of_case("places-rounded") else { return };
     for model in ["scaled", "scaled_exact"] {
-        let report = check(&dir, &format!("{model}.osim --from generic.osim"));
-        assert!(codes(&report, "error").contains("spheres-left-behind"), "{model}");
+        let report = check_json(&dir, &format!("{model}.osim --from generic.osim"));
+        assert!(codes_of_severity(&report, "error").contains("spheres-left-behind"), "{model}");
         let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
         dir.run(&format!("{command} -o {model}_right.osim")).succeeded();
-        let report = check(&dir, &format!("{model}_right.osim --from generic.osim"));
-        assert_no_accusation(&report);
+        let report = check_json(&dir, &format!("{model}_right.osim --from generic.osim"));
+        assert_no_error_or_warning(&report);
     }
 }
 
 #[test]
 fn spheres_on_hands_are_not_on_feet() {
-    let Some(dir) = case("hands") else { return };
-    let report = check(&dir, "model.osim");
-    let found = finding(&report, "spheres-misplaced");
+    let Some(dir) = dir_of_case("hands") else { return };
+    let report = check_json(&dir, "model.osim");
+    let found = finding_with_code(&report, "spheres-misplaced");
     assert_eq!(found["severity"], "warning");
     assert!(found["message"].as_str().unwrap().contains("hand_l, hand_r"), "{found}");
 }
 
 #[test]
-fn joints_show_the_size_of_bones_without_meshes() {
-    let Some(dir) = case("scaled_without_meshes") else { return };
-    assert!(codes(&check(&dir, "model.osim"), "warning").contains("spheres-misplaced"));
+fn the_size_of_bones_without_meshes_follows_from_joints() {
+    let Some(dir) = dir_of_case("scaled_without_meshes") else { return };
+    assert!(codes_of_severity(&check_json(&dir, "model.osim"), "warning").contains("spheres-misplaced"));
 }
 
 #[test]
-fn the_distance_that_is_said_is_the_one_that_is_moved() {
+fn the_reported_distance_is_the_distance_that_spheres_move() {
     let files = [
         ("scale_tool/generic_smooth.osim", "generic.osim"),
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),
     ];
     let dir = TestDir::with(&files);
-    let report = check(&dir, "scaled.osim --from generic.osim");
-    let message = finding(&report, "spheres-left-behind")["message"].as_str().unwrap().to_owned();
+    let report = check_json(&dir, "scaled.osim --from generic.osim");
+    let message = finding_with_code(&report, "spheres-left-behind")["message"].as_str().unwrap().to_owned();
     let command = report["commands"][0].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap();
     dir.run(&format!("{command} -o right.osim")).succeeded();
     let place = |model: &str| -> Vec<f64> {
@@ -134,84 +141,87 @@ fn the_distance_that_is_said_is_the_one_that_is_moved() {
 }
 
 #[test]
-fn a_body_that_is_too_dense_is_remarked() {
-    let Some(dir) = case("mass-against-length") else { return };
-    let report = check(&dir, "scaled.osim --from generic.osim");
-    let message = finding(&report, "mass-against-length")["message"].as_str().unwrap();
+fn a_body_of_too_high_density_causes_a_remark() {
+    let Some(dir) = dir_of_case("mass-against-length") else { return };
+    let report = check_json(&dir, "scaled.osim --from generic.osim");
+    let message = finding_with_code(&report, "mass-against-length")["message"].as_str().unwrap();
     assert!(message.contains("0.35") && message.contains("0.0429") && message.contains("8.16"), "{message}");
-    assert!(codes(&report, "remark").contains("mass-against-length"));
+    assert!(codes_of_severity(&report, "remark").contains("mass-against-length"));
     dir.run("transfer scaled.osim --from generic.osim --follow-bodies -o right.osim").succeeded();
-    assert!(codes(&check(&dir, "right.osim --from generic.osim"), "remark").contains("mass-against-length"));
+    assert!(
+        codes_of_severity(&check_json(&dir, "right.osim --from generic.osim"), "remark")
+            .contains("mass-against-length")
+    );
 }
 
 #[test]
 fn a_torso_without_mass_is_named_and_no_command_hides_it() {
-    let Some(dir) = case("mass_zero_torso") else { return };
-    let report = check(&dir, "model.osim");
-    assert!(finding(&report, "massless-body")["place"].as_str().unwrap().ends_with("/torso"));
+    let Some(dir) = dir_of_case("mass_zero_torso") else { return };
+    let report = check_json(&dir, "model.osim");
+    assert!(finding_with_code(&report, "massless-body")["place"].as_str().unwrap().ends_with("/torso"));
     assert_eq!(report["commands"], Value::Array(Vec::new()));
 }
 
 #[test]
-fn a_plate_that_carries_the_floor_is_no_part_of_the_body() {
-    let Some(dir) = case("plate_counts_as_body") else { return };
-    let report = check(&dir, "model.osim");
-    assert_no_accusation(&report);
+fn a_plate_below_the_floor_does_not_count_as_part_of_the_body() {
+    let Some(dir) = dir_of_case("plate_counts_as_body") else { return };
+    let report = check_json(&dir, "model.osim");
+    assert_no_error_or_warning(&report);
     assert_eq!(report["commands"], Value::Array(Vec::new()));
 }
 
 #[test]
-fn a_radius_in_feet_is_odd() {
-    let Some(dir) = case("radius_in_feet") else { return };
-    assert_eq!(codes(&check(&dir, "model.osim"), "warning"), BTreeSet::from(["odd-radius"]));
+fn a_radius_in_feet_causes_a_warning() {
+    let Some(dir) = dir_of_case("radius_in_feet") else { return };
+    assert_eq!(codes_of_severity(&check_json(&dir, "model.osim"), "warning"), BTreeSet::from(["odd-radius"]));
 }
 
 #[test]
-fn what_was_published_so_is_a_remark_if_another_number_changes() {
-    let Some(dir) = case("dhondt_friction_changed") else { return };
-    assert_no_accusation(&check(&dir, "model.osim"));
+fn published_values_cause_no_warning_if_another_number_changed() {
+    let Some(dir) = dir_of_case("dhondt_friction_changed") else { return };
+    assert_no_error_or_warning(&check_json(&dir, "model.osim"));
 }
 
 #[test]
-fn a_pose_alone_is_no_error() {
-    let Some(dir) = case("tilted_pose_sunk_in") else { return };
-    assert_no_accusation(&check(&dir, "model.osim"));
+fn a_tilted_default_pose_alone_is_no_error() {
+    let Some(dir) = dir_of_case("tilted_pose_sunk_in") else { return };
+    assert_no_error_or_warning(&check_json(&dir, "model.osim"));
 }
 
 #[test]
-fn spheres_that_no_force_presses_are_said() {
-    let Some(dir) = case("left_forces_deleted") else { return };
-    let found = check(&dir, "model.osim");
-    let found = finding(&found, "one-side-only");
+fn spheres_without_a_force_are_reported() {
+    let Some(dir) = dir_of_case("left_forces_deleted") else { return };
+    let found = check_json(&dir, "model.osim");
+    let found = finding_with_code(&found, "one-side-only");
     assert_eq!((&found["severity"], found["spheres"].as_array().unwrap().len()), (&"warning".into(), 6));
 }
 
 #[test]
-fn spheres_that_part_are_refused_and_levelled_ones_are_not() {
-    let Some(dir) = case("unlike-radii-level") else { return };
+fn spheres_that_leave_the_floor_are_refused_without_level() {
+    let Some(dir) = dir_of_case("unlike-radii-level") else { return };
     let run = dir.run("model.osim --target-mass 8 -o out.osim").failed().wrote_nothing();
     assert!(run.err().contains("sunk-in"), "{}", run.err());
     dir.run("model.osim --target-mass 8 --level -o out.osim").succeeded();
 }
 
 #[test]
-fn contacts_of_an_adult_under_a_child_are_said() {
-    let Some(dir) = case("child_with_adult_contacts_is_not_good") else { return };
-    let report = check(&dir, "model.osim");
-    assert_eq!(sign(&report, "mass"), "warning");
-    assert!(codes(&report, "warning").contains("contacts-of-another-mass"));
+fn contacts_of_an_adult_under_a_child_are_reported() {
+    let Some(dir) = dir_of_case("child_with_adult_contacts_is_not_good") else { return };
+    let report = check_json(&dir, "model.osim");
+    assert_eq!(verdict_sign(&report, "mass"), "warning");
+    assert!(codes_of_severity(&report, "warning").contains("contacts-of-another-mass"));
     dir.run("model.osim --target-mass 30 -o out.osim").failed().wrote_nothing();
 }
 
 #[test]
-fn a_sensor_makes_no_other_body() {
-    let Some(dir) = case("mass_01_percent") else { return };
-    assert_no_accusation(&check(&dir, "model.osim"));
+fn a_light_sensor_on_a_body_causes_no_warning() {
+    let Some(dir) = dir_of_case("mass_01_percent") else { return };
+    assert_no_error_or_warning(&check_json(&dir, "model.osim"));
 }
 
 #[test]
 fn a_reference_whose_spheres_do_not_fit_its_bones_is_refused() {
-    let Some(dir) = case("reference_of_another_mass_is_asked") else { return };
+    let Some(dir) = dir_of_case("reference_of_another_mass_is_asked") else { return };
     for mass in ["", "--reference-mass 62"] {
         let call = format!("transfer m52.osim --from m75.osim {mass} --follow-bodies -o out.osim");
         dir.run(&call).failed().wrote_nothing();
@@ -235,7 +245,7 @@ fn scaled_models_in_a_folder_are_asked_about() {
 
 #[test]
 fn a_model_with_one_leg_gets_the_contacts_of_one_side() {
-    let Some(dir) = case("one-leg-add") else { return };
+    let Some(dir) = dir_of_case("one-leg-add") else { return };
     let run = dir.run("add model.osim --from falisse2022 -o out.osim").failed().wrote_nothing();
     assert!(run.err().contains("--reference-select"), "{}", run.err());
     dir.run("add model.osim --from falisse2022 --reference-select *_r -o out.osim").succeeded();
@@ -243,15 +253,15 @@ fn a_model_with_one_leg_gets_the_contacts_of_one_side() {
 
 #[test]
 fn a_model_without_contacts_is_not_asked_about_a_mass() {
-    let Some(dir) = case("questions-out-of-order") else { return };
+    let Some(dir) = dir_of_case("questions-out-of-order") else { return };
     let run = dir.run("model.osim --target-mass 62000 -o out.osim").failed().wrote_nothing();
     assert!(run.err().contains("no contacts"), "{}", run.err());
 }
 
 #[test]
-fn a_place_that_the_run_corrects_is_not_warned_about() {
-    let Some(dir) = case("stale-warning-after-transfer") else { return };
+fn a_place_that_the_run_corrects_causes_no_warning() {
+    let Some(dir) = dir_of_case("stale-warning-after-transfer") else { return };
     let run = dir.run("transfer scaled.osim --from generic.osim --follow-bodies -o out.osim").succeeded();
     assert!(!(run.out() + &run.err()).contains("odd-place"));
-    assert!(!codes(&check(&dir, "out.osim"), "warning").contains("odd-place"));
+    assert!(!codes_of_severity(&check_json(&dir, "out.osim"), "warning").contains("odd-place"));
 }

@@ -1,4 +1,4 @@
-//! `check`: every code has a case that triggers it, and every proposed command works.
+//! `check`: a test case triggers each code of a finding, and every command that `check` proposes works.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -20,7 +20,7 @@ pub(crate) struct Report {
     similarity: Option<Value>,
 }
 
-/// The report of one model, whatever the exit status.
+/// The report of `check` about one model, with any exit status.
 #[track_caller]
 pub(crate) fn check_report(dir: &TestDir, arguments: &str) -> Report {
     let run = dir.run(&format!("check {arguments} --format json")).wrote_nothing();
@@ -37,7 +37,7 @@ fn codes_of(report: &Report) -> BTreeSet<&str> {
     report.findings.iter().map(|finding| finding.code.as_str()).collect()
 }
 
-/// A case for one code: fixtures, a command that runs before, and the arguments of `check`.
+/// A case that triggers one code: fixtures, a command that runs before `check`, and the arguments of `check`.
 struct Case {
     code: &'static str,
     fixtures: &'static [(&'static str, &'static str)],
@@ -53,8 +53,8 @@ macro_rules! triggers {
     ($($code:literal: $fixture:literal),+ $(,)?) => { &[$(case($code, &[($fixture, "model.osim")])),+] };
 }
 
-/// Codes that one unchanged fixture shows.
-const PLAIN: &[Case] = triggers! {
+/// Cases that consist of one unchanged fixture.
+const CASES_OF_ONE_FILE: &[Case] = triggers! {
     "bare-model": "bad/no_contacts.osim",
     "beyond-hertz": "check/beyond_hertz.osim",
     "beyond-hertz-at-two": "check/beyond_hertz_at_two.osim",
@@ -121,8 +121,8 @@ const PLAIN: &[Case] = triggers! {
     "out-of-domain": "bad/dissipation_negative.osim",
 };
 
-/// Codes that need more than one file.
-const COMPOSED: &[Case] = &[
+/// Cases that need more than one file.
+const CASES_OF_SEVERAL_FILES: &[Case] = &[
     Case {
         code: "spheres-left-behind",
         fixtures: &[
@@ -207,7 +207,7 @@ const COMPOSED: &[Case] = &[
 ];
 
 fn cases() -> impl Iterator<Item = &'static Case> {
-    PLAIN.iter().chain(COMPOSED)
+    CASES_OF_ONE_FILE.iter().chain(CASES_OF_SEVERAL_FILES)
 }
 
 fn dir_of_case(case: &Case) -> TestDir {
@@ -218,7 +218,7 @@ fn dir_of_case(case: &Case) -> TestDir {
     dir
 }
 
-/// The topics about findings in `explain`: each with its code, and whether `check` looks for it.
+/// The topics about findings in `explain`: each with its code, and whether `check` searches for the finding.
 fn finding_topics() -> Vec<Value> {
     let out = TestDir::new().run("explain --format json").succeeded().out();
     let topics = out.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
@@ -382,7 +382,7 @@ fn drop_test_and_plot_report_contacts_for_another_mass() {
 }
 
 #[test]
-fn check_says_why_figures_are_absent() {
+fn check_gives_the_reason_for_absent_figures() {
     for (fixture, option, why) in [
         ("format/player_and_ball.osim", "--select contact_* --spheres 2", "--select GLOB"),
         ("format/no_sides.osim", "--spheres 2", "left or right cannot be determined"),

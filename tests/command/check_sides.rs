@@ -1,9 +1,9 @@
-//! `check --from`: which side of a model is wrong.
+//! `check --from`: finds which side of a model, left or right, is wrong.
 
 use crate::check::{Report, check_report};
 use crate::support::TestDir;
 
-/// All left contacts are ten times stiffer: only the model that it was made from shows which side is wrong.
+/// All left contacts are ten times stiffer than the right ones. Only the original model shows which side is wrong.
 #[test]
 fn the_reference_shows_which_side_is_wrong() {
     let dir = TestDir::with(&[("scale_tool/generic_smooth.osim", "published.osim")]);
@@ -29,9 +29,9 @@ fn the_reference_shows_which_side_is_wrong() {
     dir.run(advised.strip_prefix("osim-contact-scale ").unwrap()).succeeded();
 }
 
-/// A value that `set` refuses is not proposed.
+/// `check` does not propose a value that `set` refuses.
 #[test]
-fn nan_is_never_proposed_for_the_other_side() {
+fn nan_of_one_side_is_never_proposed_for_the_other_side() {
     let dir = TestDir::with(&[("table1/human_62kg_smooth_sphere.osim", "model.osim")]);
     let (text, tag) = (dir.text("model.osim"), "<transition_velocity>");
     // The first force is on the right side, which the proposal would copy to the left.

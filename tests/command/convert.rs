@@ -1,4 +1,4 @@
-//! `convert` and `remove`: their messages about changes, and about contacts that stay.
+//! `convert` and `remove`: messages about changes, and about contacts that stay.
 
 use crate::support::TestDir;
 
@@ -11,7 +11,7 @@ fn write_human_with_contacts(dir: &TestDir) {
     dir.run("add bare.osim --contacts own.csv --from falisse2022 -o with.osim").succeeded();
 }
 
-/// A model with a force that holds a half-space alone beside the others.
+/// A model that has one more force, with a half-space but without a sphere.
 fn model_with_force_without_sphere() -> TestDir {
     let dir = TestDir::with(&[HUNT]);
     let text = dir.text("hunt.osim");

@@ -1,4 +1,4 @@
-//! Published models, in the folder that OSIM_CORPUS names.
+//! Tests with published models, which are in the folder that OSIM_CORPUS names.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! `explain` knows every equation and every error code that a table, JSON or a failure names.
+//! `explain` has a topic for every equation and every error code that a table, JSON or a failure names.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -78,12 +78,11 @@ fn collect_from_source(text: &str, found: &mut BTreeSet<String>) {
     }
 }
 
-/// The crates that say which equation gave a number. Those below and beside them quote numbers of
-/// equations where nothing is printed: in the texts of rules, which `explain` reads, and in plots. So does the help in the register of
-/// options.
+/// The crates that print the equation from which a number came. Other crates name equations only in the texts of rules, which
+/// `explain` reads, and in plots.
 const CRATES_WITH_EQUATIONS: [&str; 2] = ["osim-patch", "osim-requests"];
 
-/// The crates that can refuse something.
+/// The crates that make errors with codes.
 const CRATES_WITH_ERRORS: [&str; 7] = [
     "osim-model",
     "osim-patch",
@@ -140,7 +139,7 @@ fn every_equation_that_is_printed_can_be_explained() {
     }
 }
 
-/// Text in quotes after each of `marks`.
+/// The texts in quotes that follow one of `marks`.
 fn literals_after(text: &str, marks: &[&str]) -> BTreeSet<String> {
     let literal = |part: &str| part.split('"').next().unwrap().to_owned();
     marks.iter().flat_map(|mark| text.split(mark).skip(1).map(literal)).collect()

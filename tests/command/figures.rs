@@ -1,4 +1,4 @@
-//! Figures of `inspect` against the paper, published models and numbers of other makers.
+//! Compares numbers that `inspect` prints with the paper, with published models and with numbers of other authors.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ fn inspect_published(folder: &Path, model: &str) -> Value {
     inspect_model(&dir, "")
 }
 
-/// The figures of one sphere.
+/// The computed numbers of one sphere.
 #[track_caller]
 fn sphere_figures<'v>(inspection: &'v Value, name: &str) -> &'v Value {
     let limbs = inspection["figures"]["limbs"].as_array().unwrap();
@@ -37,7 +37,7 @@ fn assert_near(value: &Value, expected: f64, within: f64, what: &str) {
     assert!((value - expected).abs() <= within, "{what}: {value}, expected {expected}");
 }
 
-/// Whether the figure is within its limit.
+/// Whether the number called `figure` is within its limit.
 #[track_caller]
 fn is_within_limit(sphere: &Value, figure: &str) -> bool {
     let limits = sphere["limits"].as_array().unwrap();

@@ -1,4 +1,4 @@
-//! Where results are written, and which files and permissions stay.
+//! Tests where results are written, and which files and permissions stay as they are.
 
 use std::process::Stdio;
 
@@ -57,7 +57,7 @@ fn a_symlink_stays_a_symlink() {
     );
 }
 
-/// In a folder whose new files get another group.
+/// The model is in a folder whose new files get another group.
 #[cfg(unix)]
 #[test]
 fn a_changed_model_keeps_owner_and_group() {
@@ -282,7 +282,7 @@ fn no_run_leaves_a_temporary_file() {
     );
 }
 
-/// The set of forces of a model beside that model: its contacts count once.
+/// A folder has a model and the force set of the same model. The contacts count once.
 #[test]
 fn contacts_of_a_set_and_its_model_count_once() {
     let dir = TestDir::with(&[("format/v40000.osim", "model.osim")]);

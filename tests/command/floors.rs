@@ -7,7 +7,7 @@ use serde_json::Value;
 use crate::support::{HUMAN, TestDir, corpus_folder, fixture, root};
 
 /// The codes of findings about floors and gravity.
-const CODES: [&str; 8] = [
+const CODES_ABOUT_FLOORS: [&str; 8] = [
     "angle-in-degrees",
     "gravity-too-large",
     "gravity-not-down",
@@ -17,8 +17,8 @@ const CODES: [&str; 8] = [
     "floor-slopes",
     "no-gravity",
 ];
-const LEVEL: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
-const FRAME: &str = "<socket_frame>/ground</socket_frame>";
+const LEVEL_ORIENTATION: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
+const GROUND_FRAME: &str = "<socket_frame>/ground</socket_frame>";
 const GRAVITY: &str = "<gravity>0 -9.8100000000000005 0</gravity>";
 
 fn with_edits(text: &str, edits: &[(&str, &str)]) -> String {
@@ -28,14 +28,17 @@ fn with_edits(text: &str, edits: &[(&str, &str)]) -> String {
     })
 }
 
-/// The findings about floors and gravity in a model.
+/// The findings about floors and gravity in a model with this text.
 fn floor_findings(text: &str) -> Vec<Value> {
     let dir = TestDir::new();
     dir.write("model.osim", text);
     let out = dir.run("check model.osim --format json").wrote_nothing().out();
     let report: Value = serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {out}"));
     let findings = report["findings"].as_array().unwrap().iter();
-    findings.filter(|finding| CODES.contains(&finding["code"].as_str().unwrap())).cloned().collect()
+    findings
+        .filter(|finding| CODES_ABOUT_FLOORS.contains(&finding["code"].as_str().unwrap()))
+        .cloned()
+        .collect()
 }
 
 fn codes_of(findings: &[Value]) -> BTreeSet<&str> {
@@ -46,7 +49,7 @@ fn human_text() -> String {
     String::from_utf8(fixture(HUMAN.0)).unwrap()
 }
 
-/// The model with the line that the finding proposes, at the line number that it names.
+/// The text of the model after the finding's proposed line replaced the line that the finding names.
 fn corrected_text(text: &str, finding: &Value) -> Option<String> {
     let message = finding["message"].as_str().unwrap();
     let (_, written) = message.split_once("write <")?;
@@ -66,27 +69,27 @@ fn corrected_text(text: &str, finding: &Value) -> Option<String> {
 #[test]
 fn each_floor_error_is_named_and_its_proposal_corrects_it() {
     for (old, new, code, says) in [
-        (LEVEL, "<orientation>0 0 0</orientation>", "floor-upright", "90 degrees away from up"),
+        (LEVEL_ORIENTATION, "<orientation>0 0 0</orientation>", "floor-upright", "90 degrees away from up"),
         (
-            LEVEL,
+            LEVEL_ORIENTATION,
             "<orientation>0 1.5707963267948966 0</orientation>",
             "floor-upright",
             "90 degrees away from up",
         ),
         (
-            LEVEL,
+            LEVEL_ORIENTATION,
             "<orientation>0 0 1.5707963267948966</orientation>",
             "floor-upside-down",
             "180 degrees away from up",
         ),
         (
-            LEVEL,
+            LEVEL_ORIENTATION,
             "<orientation>0 0 -90</orientation>",
             "angle-in-degrees",
             "<orientation>0 0 -1.5707963</orientation>",
         ),
-        (FRAME, "<socket_frame>/bodyset/pelvis</socket_frame>", "floor-on-limb", "hangs on pelvis"),
-        (FRAME, "<socket_frame>/bodyset/tibia_l</socket_frame>", "floor-on-limb", "hangs on tibia_l"),
+        (GROUND_FRAME, "<socket_frame>/bodyset/pelvis</socket_frame>", "floor-on-limb", "hangs on pelvis"),
+        (GROUND_FRAME, "<socket_frame>/bodyset/tibia_l</socket_frame>", "floor-on-limb", "hangs on tibia_l"),
         (GRAVITY, "<gravity>0 9.81 0</gravity>", "gravity-not-down", "out of the floor"),
         (GRAVITY, "<gravity>9.81 0 0</gravity>", "gravity-not-down", "along the floor"),
         (GRAVITY, "<gravity>0 -9810 0</gravity>", "gravity-too-large", "<gravity>0 -9.81 0</gravity>"),
@@ -113,7 +116,10 @@ fn each_floor_error_is_named_and_its_proposal_corrects_it() {
 #[test]
 fn a_slope_is_a_remark_and_carries_part_of_the_weight() {
     // 80 degrees from x, 10 from y; cos 10° = 0.984808.
-    let slope = with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]);
+    let slope = with_edits(
+        &human_text(),
+        &[(LEVEL_ORIENTATION, "<orientation>0 0 -1.3962634015954636</orientation>")],
+    );
     let findings = floor_findings(&slope);
     assert_eq!(codes_of(&findings), BTreeSet::from(["floor-slopes"]), "{findings:#?}");
     assert_eq!(findings[0]["severity"], "remark");
@@ -128,7 +134,10 @@ fn a_slope_is_a_remark_and_carries_part_of_the_weight() {
     let share = load(&slope) / load(&human_text());
     assert!((share - 10.0_f64.to_radians().cos()).abs() < 1e-12, "{share}");
     // Half a degree is level.
-    let level = with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.5620696805349398</orientation>")]);
+    let level = with_edits(
+        &human_text(),
+        &[(LEVEL_ORIENTATION, "<orientation>0 0 -1.5620696805349398</orientation>")],
+    );
     assert_eq!((floor_findings(&level).len(), load(&level)), (0, load(&human_text())));
 }
 
@@ -137,7 +146,10 @@ fn a_design_on_a_slope_uses_the_weight_that_presses_on_it() {
     let dir = TestDir::new();
     dir.write(
         "model.osim",
-        with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.1344640137963142</orientation>")]),
+        with_edits(
+            &human_text(),
+            &[(LEVEL_ORIENTATION, "<orientation>0 0 -1.1344640137963142</orientation>")],
+        ),
     );
     dir.run("design model.osim --indentation 0.1 -o designed.osim").succeeded();
     let out = dir.run("inspect designed.osim --format json").succeeded().out();
@@ -151,7 +163,10 @@ fn a_drop_test_on_a_slope_uses_gravity_along_its_normal() {
     let dir = TestDir::new();
     dir.write(
         "slope.osim",
-        with_edits(&human_text(), &[(LEVEL, "<orientation>0 0 -1.3962634015954636</orientation>")]),
+        with_edits(
+            &human_text(),
+            &[(LEVEL_ORIENTATION, "<orientation>0 0 -1.3962634015954636</orientation>")],
+        ),
     );
     dir.write("level.osim", human_text());
     let gravity = |model: &str| {
@@ -162,9 +177,9 @@ fn a_drop_test_on_a_slope_uses_gravity_along_its_normal() {
     assert!((share - 10.0_f64.to_radians().cos()).abs() < 1e-12, "{share}");
 }
 
-const NET: &str = "<ContactHalfSpace name=\"net\"><socket_frame>/ground</socket_frame><location>8 0 0</location>\
+const NET_PLANE: &str = "<ContactHalfSpace name=\"net\"><socket_frame>/ground</socket_frame><location>8 0 0</location>\
                    <orientation>0 0 0</orientation></ContactHalfSpace>";
-const HAND: &str = "<ContactSphere name=\"palm_r\"><socket_frame>/bodyset/hand_r</socket_frame><location>0 0 0</location>\
+const HAND_SPHERE: &str = "<ContactSphere name=\"palm_r\"><socket_frame>/bodyset/hand_r</socket_frame><location>0 0 0</location>\
                     <radius>0.03</radius></ContactSphere>";
 
 fn force_element(name: &str, sphere: &str, plane: &str) -> String {
@@ -196,7 +211,7 @@ fn body_element(name: &str) -> String {
     format!("<Body name=\"{name}\"><mass>1</mass></Body>")
 }
 
-/// A joint of `class` above `child`, which is at `place` on `parent`; its coordinate has this `inside`.
+/// The XML of a joint of `class`, at `place` on `parent`, that carries `child`. Its coordinate contains the XML `inside`.
 fn joint_element(class: &str, (parent, place): (&str, &str), child: &str, inside: &str) -> String {
     format!(
         "<{class} name=\"{child}_joint\"><socket_parent_frame>p</socket_parent_frame><socket_child_frame>/bodyset/{child}\
@@ -210,7 +225,8 @@ fn joint_element(class: &str, (parent, place): (&str, &str), child: &str, inside
 fn walls_and_platforms_cause_no_floor_errors() {
     let free = "<default_value>0</default_value>";
     let platform = |class, inside| {
-        let moved = with_edits(&player_text(), &[(FRAME, "<socket_frame>/bodyset/platform</socket_frame>")]);
+        let moved =
+            with_edits(&player_text(), &[(GROUND_FRAME, "<socket_frame>/bodyset/platform</socket_frame>")]);
         with_objects(
             &moved,
             [
@@ -221,17 +237,17 @@ fn walls_and_platforms_cause_no_floor_errors() {
             ],
         )
     };
-    let net = with_objects(&player_text(), ["", "", &force_element("ball_net", "ball", "net"), NET]);
+    let net = with_objects(&player_text(), ["", "", &force_element("ball_net", "ball", "net"), NET_PLANE]);
     let hand_joint = joint_element("PinJoint", ("/bodyset/pelvis", "0.4 0.3 0.2"), "hand_r", free);
     let hand = [
         &body_element("hand_r"),
         &hand_joint,
         &force_element("palm_wall", "palm_r", "net"),
-        &format!("{NET}{HAND}"),
+        &format!("{NET_PLANE}{HAND_SPHERE}"),
     ];
     // A rock on the platform does not move in ground while both are locked, nor against the platform's plane.
     let locked = format!("{free}<locked>true</locked>");
-    let rock = HAND.replace("palm_r", "rock").replace("hand_r", "rock");
+    let rock = HAND_SPHERE.replace("palm_r", "rock").replace("hand_r", "rock");
     let rocky = with_objects(
         &platform("SliderJoint", &locked),
         [
@@ -286,7 +302,9 @@ fn only_the_expected_fixtures_have_floor_findings() {
             let codes =
                 report["findings"].as_array().into_iter().flatten().map(|one| one["code"].as_str().unwrap());
             findings.extend(
-                codes.filter(|code| CODES.contains(code)).map(|code| format!("{folder}/{name} {code}")),
+                codes
+                    .filter(|code| CODES_ABOUT_FLOORS.contains(code))
+                    .map(|code| format!("{folder}/{name} {code}")),
             );
         }
     }
@@ -327,7 +345,7 @@ fn no_published_model_has_a_floor_error() {
             if code == "floor-slopes" {
                 slopes.insert(finding["message"].as_str().unwrap().to_owned());
             } else {
-                assert!(!CODES.contains(&code), "{}: {finding:#}", path.display());
+                assert!(!CODES_ABOUT_FLOORS.contains(&code), "{}: {finding:#}", path.display());
             }
         }
         let findings = report["findings"].as_array();
@@ -344,7 +362,7 @@ fn no_published_model_has_a_floor_error() {
     assert_eq!(slopes, expected.map(str::to_owned).into());
 }
 
-/// A ball without limbs, as the only body.
+/// The only body of the model is a ball without limbs.
 #[test]
 fn a_ball_without_a_level_floor_is_an_error() {
     let ball = String::from_utf8(fixture("check/within_limits.osim")).unwrap();
@@ -353,9 +371,9 @@ fn a_ball_without_a_level_floor_is_an_error() {
         .replace("heel_r", "ball_surface")
         .replace("0.01 -0.02 0.003", "0 0 0");
     for (old, new, expected) in [
-        (LEVEL, LEVEL, None),
-        (LEVEL, "<orientation>0 0 0</orientation>", Some("floor-upright")),
-        (LEVEL, "<orientation>0 0 1.5707963267948966</orientation>", Some("floor-upside-down")),
+        (LEVEL_ORIENTATION, LEVEL_ORIENTATION, None),
+        (LEVEL_ORIENTATION, "<orientation>0 0 0</orientation>", Some("floor-upright")),
+        (LEVEL_ORIENTATION, "<orientation>0 0 1.5707963267948966</orientation>", Some("floor-upside-down")),
         ("<gravity>0 -9.81 0</gravity>", "<gravity>0 9.81 0</gravity>", Some("gravity-not-down")),
     ] {
         let findings = floor_findings(&with_edits(&ball, &[(old, new)]));

@@ -5,10 +5,10 @@ use std::collections::BTreeSet;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
-/// Elements without an end.
-const VOID: [&str; 3] = ["meta", "br", "wbr"];
-/// Elements that begin a new line.
-const BLOCKS: [&str; 18] = [
+/// Names of elements without an end tag.
+const ELEMENTS_WITHOUT_END: [&str; 3] = ["meta", "br", "wbr"];
+/// Names of elements that begin a new line of text.
+const ELEMENTS_ON_NEW_LINE: [&str; 18] = [
     "h1",
     "h2",
     "h3",
@@ -29,12 +29,12 @@ const BLOCKS: [&str; 18] = [
     "title",
 ];
 
-/// The text of a page and the parts of it that tests count.
+/// The text of an HTML page, and the parts of the page that tests count.
 #[derive(Debug, Default)]
 pub(crate) struct Html {
-    /// Text of the page, a line for each block, with the title of a plot in brackets.
+    /// Text of the page: a line for each block, with titles of plots in brackets.
     pub(crate) text: String,
-    /// Levels of its headings.
+    /// Levels of the page's headings.
     pub(crate) headings: Vec<u8>,
     pub(crate) plots: usize,
     pub(crate) details: usize,
@@ -56,7 +56,7 @@ impl Html {
             match reader.read_event().expect("the page can be read") {
                 Event::Start(tag) => {
                     let name = html.begin_element(&tag, &open);
-                    if !VOID.contains(&name.as_str()) {
+                    if !ELEMENTS_WITHOUT_END.contains(&name.as_str()) {
                         open.push(name);
                     }
                 }
@@ -127,7 +127,7 @@ impl Html {
         } else if name == "details" {
             self.details += 1;
         }
-        if BLOCKS.contains(&name.as_str()) && !open.iter().any(|outer| outer == "svg") {
+        if ELEMENTS_ON_NEW_LINE.contains(&name.as_str()) && !open.iter().any(|outer| outer == "svg") {
             self.text.push('\n');
         }
         name

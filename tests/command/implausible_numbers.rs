@@ -2,7 +2,7 @@
 
 use crate::support::{CommandRun, TestDir};
 
-/// A run that asks: one line on standard error, nothing written, exit status 1.
+/// Asserts that the run asks: it prints one line on standard error, writes nothing, and ends with exit status 1.
 #[track_caller]
 fn assert_asks(run: CommandRun, name: &str) {
     let run = run.failed().wrote_nothing();
@@ -83,7 +83,7 @@ fn a_mass_in_pounds_causes_a_question_or_a_remark() {
     dir.run("human.osim --target-mass 28.1 --dry-run").failed().says(&["say --yes mass-in-pounds"]);
 }
 
-/// A table in which these masses are the targets of copies of the human of 62 kg; gives the rows that are asked about.
+/// Runs a table in which copies of the 62 kg human have these target masses. Returns the rows about which the run asks.
 fn rows_with_questions(dir: &TestDir, masses: &[f64]) -> Vec<(usize, String)> {
     let row = |(at, kg): (usize, &f64)| format!("human.osim,{kg},keep,{at}.osim\n");
     let rows: String = masses.iter().enumerate().map(row).collect();

@@ -1,4 +1,4 @@
-//! `inspect` with several models: a row for each.
+//! `inspect` with several models prints a row for each model.
 
 use serde_json::Value;
 
@@ -13,7 +13,7 @@ fn folder_of_models() -> TestDir {
     ])
 }
 
-/// The row of a model, by what its name ends in.
+/// The row of `table` that contains `name`.
 fn row_of<'t>(table: &'t str, name: &str) -> &'t str {
     table.lines().find(|line| line.contains(name)).unwrap_or_else(|| panic!("no {name} in\n{table}"))
 }
@@ -50,7 +50,7 @@ fn the_row_counts_findings_as_check_does() {
 }
 
 #[test]
-fn full_output_of_a_folder_is_that_of_each_model() {
+fn full_output_of_a_folder_has_the_output_of_each_model() {
     let dir = folder_of_models();
     let full = dir.run("inspect lib/human.osim lib/animals/emu.osim --full").succeeded().out();
     for model in ["lib/human.osim", "lib/animals/emu.osim"] {

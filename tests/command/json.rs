@@ -1,4 +1,4 @@
-//! The JSON contract: read back strictly, so that a field that comes, goes or changes its type is noticed here.
+//! Reads the JSON of each verb strictly, so that a new, missing or changed field fails a test.
 
 use serde_json::Value;
 
@@ -6,7 +6,7 @@ use crate::bytes::assert_close;
 use crate::json_types::{Failure, Inspection, Plan, SphereFigures};
 use crate::support::{CommandRun, HUMAN, TestDir};
 
-/// The objects of a run, one a line and nothing else on standard output.
+/// The JSON objects that a run prints: one object on each line, and no other text on standard output.
 #[track_caller]
 pub(crate) fn json_lines<T: serde::de::DeserializeOwned>(run: &CommandRun) -> Vec<T> {
     let out = run.out();
@@ -28,7 +28,7 @@ const SMOOTH: [&str; 9] = [
     "viscous_friction",
 ];
 
-/// Six level spheres of the 62 kg human rest at x/R 0.3396 (the real OpenSim, Falisse's smoothing).
+/// Under the weight of the 62 kg human, its six level spheres have x/R 0.3396 (from OpenSim with Falisse's smoothing).
 #[test]
 fn inspect_reports_the_standing_pose() {
     let dir = TestDir::with_human();
@@ -152,8 +152,8 @@ fn figures_refer_to_the_spheres_and_forces_of_the_model() {
     }
 }
 
-/// Figures under body weight are there together or not at all, and so are those of the smoothing; each limit is that of
-/// the paper and judged by its value.
+/// Checks the computed numbers of a sphere. The numbers under body weight are all present or all absent, and so are the numbers about
+/// smoothing. Each limit is the limit in the paper, and the verdict follows from the value.
 #[track_caller]
 fn check_figures(sphere: &SphereFigures, weight: bool) {
     let all = |values: &[Option<f64>], known_contacts: bool| {

@@ -1,4 +1,4 @@
-//! The JSON contract as types: read strictly, so that a field that comes, goes or changes its type is noticed.
+//! Types for reading the program's JSON strictly, so that a new, missing or changed field fails a test.
 
 use std::collections::BTreeMap;
 

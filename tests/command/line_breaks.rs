@@ -3,12 +3,12 @@
 use crate::support::{HUMAN, TestDir};
 use crate::terminal::terminal_output;
 
-/// What a run prints on both streams, on terminals of so many columns.
+/// The texts that a run prints on both streams, in terminals of this number of columns.
 fn output_in_terminal(dir: &TestDir, columns: u16, arguments: &str) -> (String, String) {
     terminal_output(dir.command(arguments), columns)
 }
 
-/// What it prints into pipes. Readline puts `COLUMNS` into the process of an interactive Python, which hands it on: it changes nothing.
+/// The texts that a run prints into pipes. `COLUMNS` is set, as by an interactive Python that starts the program, but has no effect.
 fn output_in_pipes(dir: &TestDir, arguments: &str) -> (String, String) {
     let output = dir.command(arguments).env("COLUMNS", "40").output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();

@@ -1,4 +1,4 @@
-//! The command from outside: what it prints, what it writes and what it leaves alone.
+//! Runs the command and tests its output, the files that it writes and the files that it leaves unchanged.
 //!
 //! Layout and wording are snapshots in `tests/snapshots`; bytes and numbers are plain assertions. Each test works in a
 //! temporary folder with copies of fixtures.

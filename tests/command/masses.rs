@@ -1,4 +1,4 @@
-//! Which mass the program uses for the contacts: that of the note, of an option or of the bodies.
+//! Tests which mass the program uses for the contacts: the mass in the note, in an option or of the bodies.
 
 use crate::bytes::{assert_close, line_changes, lines_of_element, number_between_tags};
 use crate::support::{HUMAN, TestDir};
@@ -148,8 +148,8 @@ fn a_transfer_makes_contacts_for_the_mass_of_the_model() {
         .says(&["contacts made for 0.0209 kg (note"]);
 }
 
-/// A scaled model that has the published contacts of its generic one, and models whose spheres do not fit.
-const SCALED: [(&str, &str); 4] = [
+/// A scaled model with the published contacts of its generic model, and models whose spheres do not fit their bones.
+const SCALED_MODELS: [(&str, &str); 4] = [
     ("scale_tool/generic_smooth.osim", "generic.osim"),
     ("scale_tool/scaled_smooth.osim", "scaled.osim"),
     ("check/known_contacts.osim", "known.osim"),
@@ -157,8 +157,8 @@ const SCALED: [(&str, &str); 4] = [
 ];
 
 #[test]
-fn published_contacts_under_a_scaled_body_are_asked_about_whatever_the_target_is() {
-    let dir = TestDir::with(&SCALED);
+fn published_contacts_under_a_scaled_body_cause_a_question_at_any_target_mass() {
+    let dir = TestDir::with(&SCALED_MODELS);
     for kg in ["52", "80"] {
         dir.run(&format!("scaled.osim --target-mass {kg} -o new.osim")).failed().wrote_nothing().says(&[
             "for a body of 62 kg",
@@ -171,7 +171,7 @@ fn published_contacts_under_a_scaled_body_are_asked_about_whatever_the_target_is
 
 #[test]
 fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_mass_is() {
-    let dir = TestDir::with(&SCALED);
+    let dir = TestDir::with(&SCALED_MODELS);
     for more in ["", " --reference-mass 62"] {
         dir.run(&format!("transfer known.osim --from misplaced.osim --follow-bodies{more}"))
             .failed()
@@ -181,8 +181,8 @@ fn a_reference_whose_spheres_do_not_fit_its_own_bones_is_refused_whatever_its_ma
 }
 
 #[test]
-fn a_wrong_original_is_an_error_that_says_what_is_wrong() {
-    let dir = TestDir::with(&SCALED);
+fn a_wrong_original_model_causes_an_error_with_the_reason() {
+    let dir = TestDir::with(&SCALED_MODELS);
     for (call, expected) in [
         ("check generic.osim --from scaled.osim", "the two are swapped"),
         ("check scaled.osim --from known.osim", "spheres-not-compared"),

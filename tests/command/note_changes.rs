@@ -1,8 +1,8 @@
-//! Changes after the note, and masses that contradict it.
+//! Changes of a model after its note was written, and masses that contradict the note.
 
 use crate::support::TestDir;
 
-/// A human whose contacts were made for 62 kg, with a note, and one made for 41 kg.
+/// A folder with two humans that have notes: one with contacts made for 62 kg, one with contacts made for 41 kg.
 fn dir_with_notes() -> TestDir {
     let dir = TestDir::with_human();
     dir.run("note human.osim --contacts-mass 62 -o lib/adult.osim").succeeded();
@@ -45,7 +45,7 @@ fn inspect_names_each_value_changed_after_the_note() {
     assert!(heavier.contains(expected), "{heavier}");
 }
 
-/// A new name changes no number: the mass of the note is still taken.
+/// A new name changes no number, so the program still uses the mass in the note.
 #[test]
 fn a_renamed_sphere_does_not_invalidate_the_note() {
     let dir = dir_with_notes();
@@ -110,7 +110,7 @@ fn one_mass_for_many_models_does_not_override_a_note() {
     run.says(&["the note in the file says 41 kg"]);
 }
 
-/// Published contacts under a body of another mass: a doubt, which the sentence names.
+/// The model has published contacts and a body of another mass. The message says that the contacts may be for another mass.
 #[test]
 fn check_reports_doubt_if_contacts_may_be_for_another_mass() {
     let dir = TestDir::with(&[("check/known_contacts.osim", "known.osim")]);

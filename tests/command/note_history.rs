@@ -1,10 +1,10 @@
-//! The note of a model: which steps made its contacts, from which reference, and when.
+//! The note in a model lists the changes that made its contacts, with their references and dates.
 
 use crate::json::json_lines;
 use crate::json_types::Inspection;
 use crate::support::TestDir;
 
-/// `sha256sum` of the model, its first 16 digits, as another program computes them.
+/// The first 16 digits of the model's SHA-256, computed by the program `sha256sum`.
 fn sha256_prefix(dir: &TestDir, name: &str) -> String {
     let output = std::process::Command::new("sha256sum").arg(dir.path(name)).output().unwrap();
     String::from_utf8(output.stdout).unwrap()[..16].to_owned()

@@ -1,11 +1,11 @@
-//! `--report`: the page is complete, loads nothing from elsewhere, and shows what the run did.
+//! `--report`: the page is complete, loads no other files, and shows the results of the run.
 
 use sha2::{Digest, Sha256};
 
 use crate::html::Html;
 use crate::support::{HUMAN, TestDir, assert_snapshot};
 
-/// A model that fails, one without contacts, and good ones.
+/// A folder with a model that fails, a model without contacts, and models that can be changed.
 fn folder_of_models() -> TestDir {
     TestDir::with(&[
         (HUMAN.0, "lib/a_human.osim"),
@@ -20,7 +20,7 @@ fn read_page(dir: &TestDir, name: &str) -> Html {
     Html::parse_and_check(&dir.text(name))
 }
 
-/// Compares with `tests/snapshots/NAME.snap`, without digests, which change with the version in the note.
+/// Compares a page with `tests/snapshots/NAME.snap`, but for digests, which change with the version in the note.
 #[track_caller]
 fn assert_page_snapshot(name: &str, text: &str) {
     let is_digest = |word: &str| word.len() == 64 && word.chars().all(|c| c.is_ascii_hexdigit());
@@ -30,7 +30,7 @@ fn assert_page_snapshot(name: &str, text: &str) {
 }
 
 #[test]
-fn the_page_of_a_rescaled_model() {
+fn the_page_of_a_rescaled_model_matches_its_snapshot() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 1190 --report page.html")
         .succeeded()
@@ -45,7 +45,7 @@ fn the_page_of_a_rescaled_model() {
     }
 }
 
-/// The page shows the reference beside both states: x/R changes from 0.17 to 0.35, the value of the reference.
+/// The page shows the reference beside the model before and after: x/R changes from 0.17 to 0.35, the value of the reference.
 #[test]
 fn the_page_of_a_transfer_shows_the_reference() {
     let dir =
@@ -79,7 +79,7 @@ fn the_page_of_a_transfer_shows_the_reference() {
 }
 
 #[test]
-fn the_page_of_a_checked_folder() {
+fn the_page_of_a_checked_folder_matches_its_snapshot() {
     let dir = folder_of_models();
     dir.run("check lib --report page.html").failed().wrote(&["page.html"]);
     let page = read_page(&dir, "page.html");
@@ -178,7 +178,7 @@ fn contacts_for_another_gravity_are_judged_at_that_gravity() {
 }
 
 #[test]
-fn rows_of_one_model_are_distinguished() {
+fn several_rows_for_one_model_have_different_headings() {
     let dir = TestDir::with_human();
     dir.write("t.csv", "model,target-mass,output\nhuman.osim,100,a.osim\nhuman.osim,200,b.osim\n");
     dir.run("batch t.csv --report page.html").succeeded();

@@ -2,8 +2,8 @@
 
 use crate::support::TestDir;
 
-/// Table 1 as typed from the paper.
-const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
+/// The numbers of Table 1, typed from the paper.
+const PRINTED_TABLE_1: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
 #[test]
 fn reproduce_prints_the_table_and_what_fig_1_needs() {
@@ -27,7 +27,8 @@ fn every_number_agrees_to_its_last_printed_digit_or_is_marked() {
         rows[row].get(names.iter().position(|one| one == name).unwrap()).unwrap().to_owned()
     };
     // Six numbers of each animal, in the order of the paper.
-    let lines: Vec<Vec<&str>> = PRINTED.lines().skip(2).map(|line| line.split(',').collect()).collect();
+    let lines: Vec<Vec<&str>> =
+        PRINTED_TABLE_1.lines().skip(2).map(|line| line.split(',').collect()).collect();
     assert_eq!(rows.len(), 6 * lines.len());
     for (index, line) in lines.iter().enumerate() {
         for (column, printed) in line.iter().skip(4).enumerate() {

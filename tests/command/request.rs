@@ -1,4 +1,4 @@
-//! The verb `request`: a call as a JSON object.
+//! The verb `request` makes a call that is given as a JSON object.
 
 use serde_json::{Value, json};
 
@@ -9,7 +9,7 @@ fn run_request(dir: &TestDir, request: &Value) -> crate::support::CommandRun {
 }
 
 #[test]
-fn a_request_does_what_the_options_do() {
+fn a_request_makes_the_same_change_as_the_options() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 5 --only stiffness,radius -o called.osim").succeeded();
     dir.write(
@@ -28,7 +28,7 @@ fn a_request_does_what_the_options_do() {
 }
 
 #[test]
-fn a_request_prints_what_the_call_prints() {
+fn a_request_prints_the_same_output_as_the_call() {
     let dir = TestDir::with_human();
     for (call, fields) in [
         (
@@ -142,7 +142,7 @@ fn a_request_continues_after_a_failed_model() {
 }
 
 #[test]
-fn a_field_needs_the_same_other_fields_as_its_option() {
+fn a_field_requires_the_same_other_fields_as_its_option_does() {
     let dir = TestDir::with_human();
     for (words, fields) in [
         (
@@ -195,7 +195,7 @@ fn advice_is_spelled_as_a_request() {
 }
 
 #[test]
-fn only_the_wrong_item_of_a_list_is_named() {
+fn the_message_names_only_the_wrong_item_of_a_list() {
     let dir = TestDir::with_human();
     let request_with = |select: &str| {
         format!(r#"{{"verb": "rescale", "models": ["human.osim"], "target_mass": 100, "select": {select}}}"#)

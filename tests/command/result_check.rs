@@ -3,7 +3,7 @@
 use crate::support::{HUMAN, TestDir};
 
 #[test]
-fn a_change_that_makes_the_model_wrong_needs_a_yes() {
+fn a_change_that_makes_the_model_wrong_needs_the_answer_yes() {
     let dir = TestDir::with_human();
     // On the spheres of a mouse the smoothing of a human holds the body in the air.
     let call = "human.osim --target-mass 0.02 --keep constant_contact_force,hertz_smoothing";
@@ -21,7 +21,7 @@ fn a_change_that_makes_the_model_wrong_needs_a_yes() {
 }
 
 #[test]
-fn given_numbers_that_are_wrong_are_reported_and_written() {
+fn wrong_numbers_of_the_user_are_reported_and_written() {
     let dir = TestDir::with_human();
     // (11): x/R follows E*^(-2/3), 0.3533 becomes 1.64.
     let out = dir.run("set human.osim stiffness=x0.1").succeeded().out();
@@ -44,7 +44,7 @@ fn a_fault_that_the_model_already_had_is_not_repeated() {
 }
 
 #[test]
-fn the_status_follows_from_the_worst_finding_of_the_result_where_it_is_asked_for() {
+fn with_deny_the_exit_status_follows_from_the_worst_finding_in_the_result() {
     let dir = TestDir::with_human();
     let call = "set human.osim constant_contact_force=x100 hertz_smoothing=x0.1";
     dir.run(&format!("{call} -o a.osim")).succeeded().wrote(&["a.osim"]);

@@ -1,4 +1,4 @@
-//! A model that OpenSim scaled: `check` of its spheres, and `rescale` with the ScaleSet alone.
+//! Models that OpenSim scaled: `check` of their spheres, and `rescale` with a ScaleSet but without the generic model.
 
 use serde_json::Value;
 
@@ -14,7 +14,7 @@ fn check_json(dir: &TestDir, call: &str) -> Value {
     serde_json::from_str(&dir.run(&format!("check {call} --format json")).out()).unwrap()
 }
 
-fn codes(report: &Value) -> Vec<&str> {
+fn finding_codes(report: &Value) -> Vec<&str> {
     report["findings"].as_array().unwrap().iter().map(|finding| finding["code"].as_str().unwrap()).collect()
 }
 
@@ -67,9 +67,9 @@ fn check_proposes_no_command_if_places_may_be_wrong() {
             assert!(finding["command"].is_null(), "{model}: {finding}");
         }
     }
-    assert!(codes(&check_json(&dir, "child.osim")).contains(&"spheres-misplaced"));
+    assert!(finding_codes(&check_json(&dir, "child.osim")).contains(&"spheres-misplaced"));
     let other = check_json(&dir, "other.osim");
-    assert!(codes(&other).contains(&"contacts-of-another-mass"), "{other}");
+    assert!(finding_codes(&other).contains(&"contacts-of-another-mass"), "{other}");
 }
 
 #[test]

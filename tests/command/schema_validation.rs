@@ -1,4 +1,4 @@
-//! Every JSON that a test sees is compared with `schemas/`.
+//! Compares every JSON that a test reads with `schemas/`.
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -14,7 +14,7 @@ const CHANGE: &str = "results/change";
 const INSPECTION: &str = "results/inspection";
 const SUMMARY: &str = "results/summary-line";
 
-/// What each verb prints.
+/// The schemas of the JSON that each verb prints.
 const RESULTS: [(&str, &[&str]); 15] = [
     ("rescale", &[CHANGE]),
     ("transfer", &[CHANGE]),
@@ -33,7 +33,7 @@ const RESULTS: [(&str, &[&str]); 15] = [
     ("explain", &["results/explanation"]),
 ];
 
-/// Lines of standard output that are JSON objects, whole ones: a call that was stopped may leave half a line.
+/// Validates the lines of standard output that are complete JSON objects. A stopped call may leave half a line.
 #[track_caller]
 pub(crate) fn validate_stdout(arguments: &str, stdout: &[u8]) {
     let verb = arguments.split_whitespace().find(|word| RESULTS.iter().any(|(verb, _)| verb == word));
@@ -58,7 +58,7 @@ pub(crate) fn validate_stdout(arguments: &str, stdout: &[u8]) {
     }
 }
 
-/// A file that was written: summaries for scripts are lines of JSON.
+/// Validates a written file if it is a summary with lines of JSON.
 #[track_caller]
 pub(crate) fn validate_file(name: &str, bytes: &[u8]) {
     if name.ends_with(".ndjson") {
@@ -90,7 +90,7 @@ fn assert_matches_one_schema(value: &Value, schemas: &[&str]) {
     assert_uniform_lists(value);
 }
 
-/// Objects in an array have the same fields: MATLAB makes one array of structures of them.
+/// Asserts that all objects of an array have the same fields, because MATLAB turns them into one array of structures.
 #[track_caller]
 pub(crate) fn assert_uniform_lists(value: &Value) {
     match value {

@@ -1,10 +1,10 @@
-//! The comparison of JSON with `schemas/`, which all tests of this folder make, fails if the JSON is wrong.
+//! Tests that the comparison of JSON with `schemas/`, which all tests in this folder make, fails if the JSON is wrong.
 
 use serde_json::{Value, json};
 
 use crate::support::{TestDir, schema_validation};
 
-/// A real result with one thing changed.
+/// The JSON that `call` prints, after `change` altered it.
 fn changed_result(call: &str, change: impl FnOnce(&mut Value)) -> Vec<u8> {
     let mut value: Value = serde_json::from_str(&TestDir::with_human().run(call).out()).unwrap();
     change(&mut value);
@@ -38,7 +38,7 @@ fn a_missing_field_is_refused() {
 
 #[test]
 #[should_panic(expected = "/spheres/0/name")]
-fn another_type_is_refused() {
+fn a_value_of_another_type_is_refused() {
     schema_validation::validate_stdout(
         INSPECT,
         &changed_result(INSPECT, |inspection| inspection["spheres"][0]["name"] = json!(1)),
@@ -76,7 +76,7 @@ mod names_that_are_not_utf_8 {
 
     const NAME: &[u8] = b"m\xE4use.osim";
 
-    /// A folder with the human under a name in Latin-1, or nothing where the system refuses such names.
+    /// A folder with a human whose file name is in Latin-1; `None` if the system refuses such names.
     fn dir_with_latin1_name() -> Option<TestDir> {
         let dir = TestDir::with_human();
         let copy = std::fs::copy(dir.path("human.osim"), dir.path("").join(OsStr::from_bytes(NAME)));
@@ -121,7 +121,7 @@ mod names_that_are_not_utf_8 {
     }
 
     #[test]
-    fn have_their_bytes_in_a_summary_for_scripts() {
+    fn paths_that_are_not_unicode_have_their_bytes_in_a_json_summary() {
         let Some(dir) = dir_with_latin1_name() else { return };
         let words = ["--target-mass", "5", "-d", "out", "--summary", "done.ndjson"];
         let status = dir.command("").arg(OsStr::from_bytes(NAME)).args(words).status().unwrap();
@@ -145,7 +145,7 @@ mod names_that_are_not_utf_8 {
     }
 
     #[test]
-    fn can_be_requested_by_their_bytes() {
+    fn a_request_can_name_a_path_by_its_bytes() {
         let Some(dir) = dir_with_latin1_name() else { return };
         let request = json!({"verb": "inspect", "models": [{"bytes": NAME}], "format": "json"}).to_string();
         let inspection = dir.run_with_stdin("request -", request.as_bytes()).succeeded();

@@ -1,4 +1,4 @@
-//! Completions and manual pages, read by the programs they are for.
+//! Tests completions in real shells, and manual pages in groff.
 
 use std::process::{Command, Stdio};
 
@@ -32,7 +32,7 @@ fn run_program(dir: &TestDir, test: &str, program: &str, arguments: &[&str]) -> 
     Some((out, err))
 }
 
-/// A folder with `completions.SHELL` for each shell.
+/// A folder with the script `completions.SHELL` for each shell.
 fn completion_scripts() -> TestDir {
     let dir = TestDir::new();
     for shell in SHELLS {

@@ -1,4 +1,4 @@
-//! The list of other quantities of a model that follow its size, which no verb changes.
+//! The list of quantities of a model that change with its size but that no verb changes.
 
 use serde_json::Value;
 
@@ -24,7 +24,7 @@ fn kind_row<'v>(list: &'v Value, name: &str) -> &'v Value {
     list["kinds"].as_array().unwrap().iter().find(|row| row["kind"] == name).unwrap()
 }
 
-/// The child has 20 of 62 kg. The bounds are from `make_follows_size.py`.
+/// The child has 20 kg and the original adult 62 kg. The bounds are from `make_follows_size.py`.
 #[test]
 fn each_kind_of_quantity_has_a_factor_and_a_verdict() {
     let dir = TestDir::with(FILES);

@@ -1,8 +1,8 @@
-//! Messages that help with a call that is nearly right.
+//! Messages that suggest a correction of a nearly right call.
 
 use crate::support::{CommandRun, HUMAN, TestDir};
 
-/// A call that is wrong, in one line with what to write.
+/// Asserts that a wrong call prints one line with the suggested correction.
 #[track_caller]
 fn assert_suggests(run: CommandRun, name: &str) {
     let run = run.usage_error().wrote_nothing();
@@ -178,7 +178,7 @@ fn a_number_with_a_unit_is_refused_with_the_converted_number() {
 }
 
 #[test]
-fn explain_describes_every_quantity_with_its_trap() {
+fn explain_describes_every_quantity_with_a_common_mistake() {
     let dir = TestDir::new();
     for name in ["stiffness", "radius", "alpha", "hertz_smoothing", "x/R"] {
         dir.run(&format!("explain {name}"))
@@ -243,7 +243,7 @@ fn masses_are_short_for_people_and_exact_for_programs() {
     assert!(json.contains("20.000000000000018"), "{json}");
 }
 
-/// A pattern without a match is probably a mistake: a remark says so, and the run continues.
+/// A pattern that matches no force is probably a mistake. A remark names the pattern, and the run continues.
 #[test]
 fn a_pattern_that_matches_no_force_is_named() {
     let dir = TestDir::with(&[("check/known_contacts.osim", "human.osim")]);
@@ -255,7 +255,7 @@ fn a_pattern_that_matches_no_force_is_named() {
     dir.run(&format!("{call} --select contact_*")).succeeded().says_not(&["no contact force of the model"]);
 }
 
-/// Every verb with such a pattern reports it, for forces and for bodies.
+/// Every verb with patterns reports a pattern without a match, for forces and for bodies.
 #[test]
 fn every_verb_names_a_pattern_without_a_match() {
     let dir = TestDir::with(&[

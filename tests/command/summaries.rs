@@ -1,4 +1,4 @@
-//! `--summary`: old and new values of every changing verb, and columns of the user's own table.
+//! `--summary`: old and new values for every verb that changes models, and the user's own columns of a table.
 
 use std::collections::BTreeMap;
 
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::support::TestDir;
 
-/// Lines of a summary in CSV, each by the names of the columns.
+/// Lines of a summary in CSV. Each line maps names of columns to cells.
 fn summary_lines(text: &str) -> Vec<BTreeMap<String, String>> {
     csv::Reader::from_reader(text.as_bytes()).deserialize().map(|line| line.unwrap()).collect()
 }

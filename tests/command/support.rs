@@ -50,7 +50,7 @@ impl TestDir {
         Self { dir: tempfile::tempdir().unwrap() }
     }
 
-    /// With copies of fixtures, each `(fixture, name here)`.
+    /// A temporary folder with copies of fixtures, each `(fixture, name of the copy)`.
     pub(crate) fn with(fixtures: &[(&str, &str)]) -> Self {
         let dir = Self::new();
         for (from, to) in fixtures {
@@ -205,32 +205,32 @@ impl CommandRun {
         self.exited_with(0)
     }
 
-    /// Exit status 1: a model failed.
+    /// Fails unless the exit status is 1: a model failed.
     #[track_caller]
     pub(crate) fn failed(self) -> Self {
         self.exited_with(1)
     }
 
-    /// Exit status 2: wrong usage.
+    /// Fails unless the exit status is 2: wrong usage.
     #[track_caller]
     pub(crate) fn usage_error(self) -> Self {
         self.exited_with(2)
     }
 
-    /// Exactly these files are new or have other bytes.
+    /// Fails unless exactly these files are new or have other bytes than before.
     #[track_caller]
     pub(crate) fn wrote(self, files: &[&str]) -> Self {
         assert_eq!(self.changed, files, "{}\n{}{}", self.call, self.out(), self.err());
         self
     }
 
-    /// Fails if something was written.
+    /// Fails if the run wrote a file.
     #[track_caller]
     pub(crate) fn wrote_nothing(self) -> Self {
         self.wrote(&[])
     }
 
-    /// All of `words` are printed, on either stream.
+    /// Fails unless the run printed all of `words`, on either stream.
     #[track_caller]
     pub(crate) fn says(self, words: &[&str]) -> Self {
         let text = format!("{}{}", self.out(), self.err());
@@ -240,7 +240,7 @@ impl CommandRun {
         self
     }
 
-    /// Fails if one of `words` is printed, on either stream.
+    /// Fails if the run printed one of `words`, on either stream.
     #[track_caller]
     pub(crate) fn says_not(self, words: &[&str]) -> Self {
         let text = format!("{}{}", self.out(), self.err());
@@ -250,7 +250,7 @@ impl CommandRun {
         self
     }
 
-    /// The run as a reviewer reads it.
+    /// The arguments, exit status, output and written files of the run, as text for a snapshot.
     fn transcript(&self) -> String {
         let mut text = format!("$ {}\n", self.call);
         let status = self.status.map_or("killed".to_owned(), |status| status.to_string());
@@ -291,7 +291,7 @@ pub(crate) fn assert_snapshot(name: &str, text: &str) {
     settings.bind(|| insta::assert_snapshot!(name, text));
 }
 
-/// Names of temporary files end in six random letters.
+/// The text with fixed names in place of temporary names, which end in six random letters.
 fn without_temporary_names(text: &str) -> String {
     const START: &str = "/.osim-contact-scale-";
     let mut parts = text.split(START);

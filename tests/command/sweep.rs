@@ -105,8 +105,8 @@ fn a_grid_may_combine_masses_properties_and_designs() {
     assert!((row["relative_indentation_hertz"].parse::<f64>().unwrap() / 0.16 - 1.0).abs() < 1e-14);
 }
 
-/// Indentations at rest by the law of the class, where (C.9) without speed carries a tenth of 37.8 kg * 9.81 m/s2: by bisection outside
-/// of this project. The last is with OpenSim's own smoothing.
+/// Expected indentations are solutions of (C.9) without speed for a tenth of 37.8 kg * 9.81 m/s2, by bisection outside of this
+/// project. The last expected value has OpenSim's own smoothing.
 #[test]
 fn a_ladder_lists_indentations_by_both_laws() {
     let dir = TestDir::with(&[EMU]);
@@ -138,7 +138,7 @@ fn new_faults_of_a_point_are_in_the_manifest_and_counted() {
     assert_eq!(worse, ["sunk-in", "sunk-in", ""]);
 }
 
-/// Each kind of sphere has the name of its first; a class without smoothing rests where the Hertz law says.
+/// Each kind of sphere is named after its first sphere. A class without smoothing has the indentation of the Hertz law.
 #[test]
 fn spheres_of_several_kinds_have_a_value_each() {
     let dir = TestDir::with(&[("format/mixed_radii.osim", "two.osim")]);
@@ -356,7 +356,7 @@ fn points_and_shares_out_of_range_are_refused() {
         .says(&["--point 4: the steps of the ladder are counted from 1 to 3"]);
 }
 
-/// A factor of x1 and the stiffness itself give the same contact twice: a remark says so.
+/// The factor x1 and the unchanged stiffness give two variants with the same contacts. A remark names them.
 #[test]
 fn points_with_the_same_contacts_are_named() {
     let dir = TestDir::with(&[EMU]);
@@ -369,7 +369,7 @@ fn points_with_the_same_contacts_are_named() {
     assert!(!run.err().contains("same contacts"), "{}", run.err());
 }
 
-/// Models of an earlier sweep stay in the folder, and a loop over its files would use them, too.
+/// Models of an earlier sweep stay in the folder. A remark names them, because a loop over all files would use them, too.
 #[test]
 fn models_of_another_sweep_in_the_folder_are_named() {
     let dir = TestDir::with(&[EMU]);

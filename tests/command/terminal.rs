@@ -11,7 +11,7 @@ use rustix::fs::{Mode, OFlags};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 
-/// What a command prints on its two streams, each in a terminal of this width.
+/// The texts that a command prints on its two streams, each in a terminal of this width.
 pub(crate) fn terminal_output(mut command: Command, columns: u16) -> (String, String) {
     let ((out, printed), (err, errors)) = (terminal(columns), terminal(columns));
     let mut child = command.stdout(out).stderr(err).spawn().unwrap();
@@ -21,7 +21,7 @@ pub(crate) fn terminal_output(mut command: Command, columns: u16) -> (String, St
     (printed.join().unwrap(), errors.join().unwrap())
 }
 
-/// A terminal: the end for a process to write to, and a thread that reads all of it.
+/// Makes a terminal: the end that a process writes to, and a thread that reads all text.
 fn terminal(columns: u16) -> (Stdio, JoinHandle<String>) {
     let screen = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
     grantpt(&screen).unwrap();

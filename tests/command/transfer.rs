@@ -5,13 +5,13 @@ use serde_json::{Value, json};
 use crate::support::TestDir;
 
 /// The 62 kg human with 6 spheres a limb of 0.032 m: E₁* = 1e6 N/m², α = 2 s/m, bv = 50 s/m (OpenSim's default), g = 9.81 m/s².
-const FROM_ITSELF: &str = "transfer human.osim --from human.osim --reference-spheres 6";
-/// A quarter of that gravity, so that γ = 4 and γ^-1/2 = 1/2.
-const QUARTER: &str = "--reference-gravity 2.4525";
+const TRANSFER_FROM_ITSELF: &str = "transfer human.osim --from human.osim --reference-spheres 6";
+/// A reference gravity of 9.81/4 m/s², so that γ = 4 and γ^-1/2 = 1/2.
+const OPTION_FOR_QUARTER_GRAVITY: &str = "--reference-gravity 2.4525";
 /// The relative rounding error of 9.81 divided by 2.4525.
 const TOLERANCE: f64 = 4e-16;
 
-/// What is planned for each force: E₁*, α, bv.
+/// The planned new values of each force, by property: E₁*, α, bv.
 #[track_caller]
 fn planned_values(report: &str) -> Vec<(String, f64)> {
     let report: Value = serde_json::from_str(report).unwrap();
@@ -22,9 +22,9 @@ fn planned_values(report: &str) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// γ = 4: E₁* x γ, α and bv x γ^-1/2; nothing else, because neither mass nor radius nor count is another.
+/// Asserts the changes for γ = 4: E₁* times γ, α and bv times γ^-1/2. Nothing else changes, because mass, radius and count stay.
 #[track_caller]
-fn assert_scaled_by_four(report: &str) {
+fn assert_scaled_to_fourfold_gravity(report: &str) {
     let planned = planned_values(report);
     for (property, expected) in [("stiffness", 4e6), ("dissipation", 1.0), ("hunt_crossley_smoothing", 25.0)]
     {
@@ -47,19 +47,22 @@ fn a_reference_gravity_scales_to_the_gravity_of_the_model() {
     );
     let json = "--dry-run --format json";
     for from in ["human.osim", "falisse2022", "weightless.osim"] {
-        let call = format!("transfer human.osim --from {from} --reference-spheres 6 {QUARTER}");
-        assert_scaled_by_four(&dir.run(&format!("{call} {json}")).succeeded().out());
-        assert_scaled_by_four(&dir.run(&format!("{call} --target-gravity 9.81 {json}")).succeeded().out());
+        let call =
+            format!("transfer human.osim --from {from} --reference-spheres 6 {OPTION_FOR_QUARTER_GRAVITY}");
+        assert_scaled_to_fourfold_gravity(&dir.run(&format!("{call} {json}")).succeeded().out());
+        assert_scaled_to_fourfold_gravity(
+            &dir.run(&format!("{call} --target-gravity 9.81 {json}")).succeeded().out(),
+        );
     }
     // Without it, gravity does not affect the scaling.
-    let report = dir.run(&format!("{FROM_ITSELF} {json}")).succeeded().out();
+    let report = dir.run(&format!("{TRANSFER_FROM_ITSELF} {json}")).succeeded().out();
     assert!(!planned_values(&report).iter().any(|(name, _)| name == "stiffness"), "{report}");
 }
 
 #[test]
 fn the_table_and_the_note_name_the_gravities() {
     let dir = TestDir::with_human();
-    dir.run(&format!("{FROM_ITSELF} {QUARTER} -o earth.osim"))
+    dir.run(&format!("{TRANSFER_FROM_ITSELF} {OPTION_FOR_QUARTER_GRAVITY} -o earth.osim"))
         .succeeded()
         .says(&["gravity 2.4525 -> 9.81 m/s2 (x4)"]);
     assert!(
@@ -79,10 +82,13 @@ fn a_model_without_gravity_needs_a_gravity_option() {
     let dir = TestDir::with_human();
     let text = dir.text("human.osim").replace("<gravity>0 -9.8100000000000005 0<", "<gravity>0 0 0<");
     dir.write("weightless.osim", &text);
-    let call =
-        format!("transfer weightless.osim --from human.osim --reference-spheres 6 --dry-run {QUARTER}");
+    let call = format!(
+        "transfer weightless.osim --from human.osim --reference-spheres 6 --dry-run {OPTION_FOR_QUARTER_GRAVITY}"
+    );
     dir.run(&call).failed().says(&["the model has no gravity: say --target-gravity G"]);
-    assert_scaled_by_four(&dir.run(&format!("{call} --target-gravity 9.81 --format json")).succeeded().out());
+    assert_scaled_to_fourfold_gravity(
+        &dir.run(&format!("{call} --target-gravity 9.81 --format json")).succeeded().out(),
+    );
     // A reference without one is named as such.
     let call = "transfer human.osim --from weightless.osim --target-gravity 9.81 --dry-run";
     dir.run(call).failed().says(&["the reference has no gravity: say --reference-gravity G"]);
@@ -95,18 +101,20 @@ fn rows_and_json_requests_give_the_same_plan() {
         "table.csv",
         "model,from,reference-spheres,reference-gravity,output\nhuman.osim,human.osim,6,2.4525,row.osim\n",
     );
-    assert_scaled_by_four(&dir.run("batch table.csv --dry-run --format json").succeeded().out());
+    assert_scaled_to_fourfold_gravity(&dir.run("batch table.csv --dry-run --format json").succeeded().out());
     let request = json!({
         "verb": "transfer", "models": "human.osim", "from": "human.osim", "reference_spheres": 6,
         "reference_gravity": 2.4525, "dry_run": true, "format": "json",
     });
-    assert_scaled_by_four(&dir.run_with_stdin("request -", request.to_string().as_bytes()).succeeded().out());
+    assert_scaled_to_fourfold_gravity(
+        &dir.run_with_stdin("request -", request.to_string().as_bytes()).succeeded().out(),
+    );
 }
 
 #[test]
 fn contacts_gravity_is_refused_for_transfer() {
     let dir = TestDir::with_human();
-    dir.run(&format!("{FROM_ITSELF} --contacts-gravity 1.62 --target-gravity 9.81"))
+    dir.run(&format!("{TRANSFER_FROM_ITSELF} --contacts-gravity 1.62 --target-gravity 9.81"))
         .usage_error()
         .says(&["--contacts-gravity says nothing here", "--reference-gravity"]);
 }

@@ -1,17 +1,17 @@
-//! Text from outside (names in a model, file names, cells, options) is printed so that it can do no harm.
+//! Text from outside (names in a model, file names, cells, options) is printed in a harmless form.
 
 use osim_model::messages::is_visible;
 
 use crate::support::{CommandRun, HUMAN, TestDir, fixture};
 
 /// A name that clears the screen, changes its colour and the direction of writing, and begins as a formula.
-const NASTY: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}";
+const NASTY_NAME: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}";
 /// A model's name that also begins a new line, and may contain blanks.
 const NASTY_LINE: &str = "=1+1\u{1b}[2J\u{9b}31m\u{202e}&#10;error: fake ";
-/// Lines of this name that no output may contain.
-const FAKE: [&str; 2] = ["\nerror: fake", "\nwarning: fake"];
+/// Beginnings of lines in [`NASTY_LINE`] that no output may contain.
+const FAKE_LINES: [&str; 2] = ["\nerror: fake", "\nwarning: fake"];
 
-/// The human with `name` before the names of its spheres, forces and feet, and `line` before its own name.
+/// The human with `name` put before the names of its spheres, forces and feet, and `line` put before the model's name.
 fn human_with_names(name: &str, line: &str) -> String {
     let mut text = String::from_utf8(fixture(HUMAN.0)).unwrap();
     text = text.replace("human_62kg", &format!("{line}human"));
@@ -30,7 +30,7 @@ fn human_with_names(name: &str, line: &str) -> String {
     text
 }
 
-/// All printed characters are visible, and no name begins a new line.
+/// Asserts that all printed characters are visible, and that no name begins a new line.
 #[track_caller]
 fn assert_terminal_safe(run: &CommandRun, call: &str) {
     for (stream, text) in [("output", run.out()), ("error", run.err())] {
@@ -40,11 +40,11 @@ fn assert_terminal_safe(run: &CommandRun, call: &str) {
             control_characters.is_empty(),
             "{call}: standard {stream} has {control_characters:?}:\n{text}"
         );
-        assert!(FAKE.iter().all(|fake| !text.contains(fake)), "{call}: standard {stream}:\n{text}");
+        assert!(FAKE_LINES.iter().all(|fake| !text.contains(fake)), "{call}: standard {stream}:\n{text}");
     }
 }
 
-/// Cells of CSV do not begin like formulas, except numbers.
+/// Asserts that no cell of a CSV table begins like a formula, except numbers.
 #[track_caller]
 fn assert_no_formula(table: &[u8], call: &str) {
     for record in csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(table).records() {
@@ -89,7 +89,7 @@ const CALLS: [&str; 27] = [
 #[test]
 fn names_in_a_model_cannot_control_a_terminal_or_spreadsheet() {
     let dir = TestDir::with_human();
-    dir.write("nasty.osim", human_with_names(NASTY, NASTY_LINE));
+    dir.write("nasty.osim", human_with_names(NASTY_NAME, NASTY_LINE));
     for call in CALLS {
         let call = call.replace("MODEL", "nasty.osim");
         let run = dir.run(&call);
@@ -114,7 +114,7 @@ fn names_in_a_model_cannot_control_a_terminal_or_spreadsheet() {
     }
 }
 
-/// A diff may be for a program, which needs unchanged line ends, umlauts and blanks; nothing in it may move a cursor.
+/// Programs that read a diff need unchanged line ends, umlauts and blanks. No character of a diff may move the cursor of a terminal.
 #[test]
 fn a_diff_in_a_pipe_cannot_control_a_terminal() {
     let dir = TestDir::with_human();

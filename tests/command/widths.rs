@@ -1,9 +1,9 @@
-//! What people read on terminals of 60, 80 and 120 columns, and `check` with `fix`.
+//! Output on terminals of 60, 80 and 120 columns, and `check` with `fix`.
 
 use crate::support::{HUMAN, TestDir, assert_snapshot};
 use crate::terminal::terminal_output;
 
-/// The outputs that are read most.
+/// Calls whose outputs people read most.
 const OUTPUTS: [(&str, &str); 10] = [
     ("good", "check good.osim"),
     ("scaled", "check scaled.osim --from generic.osim"),

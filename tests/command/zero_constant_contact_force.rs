@@ -1,18 +1,18 @@
-//! A `constant_contact_force` of 0, with which OpenSim computes NaN without slip: always found, never written.
+//! With a `constant_contact_force` of 0, OpenSim computes NaN if a sphere does not slip. The program always finds and never writes it.
 
 use crate::support::{CommandRun, HUMAN, TestDir, fixture};
 
 const CODE: &str = "zero-constant-contact-force";
 const FOOT: &str = "format/zero_dissipation.osim";
 
-/// A fixture of text, with `from` replaced.
+/// The text of a fixture, with `from` replaced by `to`.
 fn fixture_with_replacement(name: &str, from: &str, to: &str) -> String {
     let text = String::from_utf8(fixture(name)).unwrap();
     assert!(text.contains(from), "{name} has no {from}");
     text.replace(from, to)
 }
 
-/// The run is refused with a reason and a way out, and writes nothing.
+/// Asserts that the run is refused with a reason and a way out, and writes nothing.
 #[track_caller]
 fn assert_refused(run: CommandRun) {
     let run = run.wrote_nothing().says(&["constant_contact_force", "NaN", "does not slip", "0.05"]);
