@@ -1,9 +1,8 @@
-//! Every ```` ```console ```` example of README.md and docs/ is run from the top of the repository and compared.
+//! Runs every ```` ```console ```` example of README.md and docs/ from the top of the repository, and compares its output.
 //!
-//! "The top of the repository" is a temporary folder with all of `fixtures/` at its place, so that examples may write; nothing is
-//! put elsewhere to make an example pass. A command with a fixture must be in such a block: one in a block that is not
-//! run may be wrong for years. To take over what the command prints now: `TRYCMD=overwrite cargo test --test documents`, then
-//! read the difference.
+//! "The top of the repository" is a temporary folder with a copy of `fixtures/`, so that examples may write files. A command that
+//! names a fixture must be in a `console` block, because a command that is never run may be wrong for years. To write the present
+//! output into the documents: `TRYCMD=overwrite cargo test --test documents`, then read the difference.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -27,7 +26,7 @@ fn copy_fixtures(from: &Path, to: &Path) {
     }
 }
 
-/// Whether a documented command wrote the file, as `.gitignore` has them.
+/// Whether a documented command wrote the file at `path`: such names are in `.gitignore`.
 fn is_result(path: &Path) -> bool {
     path.to_string_lossy().ends_with(".scaled.osim")
         || path.parent().is_some_and(|folder| {
@@ -37,7 +36,7 @@ fn is_result(path: &Path) -> bool {
         })
 }
 
-/// Commands with a fixture in a block that is not run.
+/// Commands in `document` that name a fixture but are in a block that is not run.
 fn commands_that_are_not_run(document: &Path) -> Vec<String> {
     let text = std::fs::read_to_string(document).unwrap();
     let blocks = text.split("\n```").skip(1).step_by(2).filter(|block| !block.starts_with("console"));
@@ -46,7 +45,7 @@ fn commands_that_are_not_run(document: &Path) -> Vec<String> {
     lines.filter(|line| line.starts_with("osim-contact-scale ") && line.contains("fixtures/")).collect()
 }
 
-/// README.md and the pages of docs/ and its folders that hold examples.
+/// README.md and all pages in docs/ that have examples.
 fn pages_with_examples() -> Vec<PathBuf> {
     let mut documents = vec![root().join("README.md")];
     let mut folders = vec![root().join("docs")];

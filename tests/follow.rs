@@ -1,4 +1,4 @@
-//! Contacts that follow bodies which OpenSim has scaled (`transfer --follow-bodies`, `inspect --from`).
+//! Contacts that follow bodies after OpenSim scaled the bodies (`transfer --follow-bodies`, `inspect --from`).
 //!
 //! Expected numbers are literals computed by a few lines of Python from the rule and from c' = RᵀSR (c − R e) + R' e; the real
 //! OpenSim judges the same models in `tests/oracle/test_follow.py`.
@@ -24,7 +24,7 @@ use serde_json::Value;
 use support::{CommandRun, TestDir};
 
 const TOLERANCE: f64 = 1e-12;
-const CALL: &str = "transfer scaled.osim --from generic.osim --follow-bodies";
+const CALL_OF_TRANSFER: &str = "transfer scaled.osim --from generic.osim --follow-bodies";
 
 /// The generic and the scaled model of the fixtures, with contacts of one class.
 fn generic_and_scaled(kind: &str) -> TestDir {
@@ -35,7 +35,7 @@ fn generic_and_scaled(kind: &str) -> TestDir {
     ])
 }
 
-/// Replaces every `from` in a file of the folder; there must be one.
+/// Replaces every `from` in a file of the folder by `to`. The file must contain `from`.
 #[track_caller]
 fn replace_in_file(dir: &TestDir, name: &str, from: &str, to: &str) {
     let text = dir.text(name);
@@ -43,7 +43,7 @@ fn replace_in_file(dir: &TestDir, name: &str, from: &str, to: &str) {
     dir.write(name, text.replace(from, to));
 }
 
-/// Changes the scale factors of one body's mesh.
+/// Changes the scale factors of the mesh of one body.
 #[track_caller]
 fn set_mesh_factors(dir: &TestDir, name: &str, body: &str, factors: &str) {
     let text = dir.text(name);
@@ -53,7 +53,7 @@ fn set_mesh_factors(dir: &TestDir, name: &str, body: &str, factors: &str) {
     dir.write(name, format!("{}{factors}{}", &text[..start], &text[end..]));
 }
 
-/// Takes the meshes and their factors out of both models.
+/// Removes the meshes and their scale factors from both models.
 fn remove_meshes(dir: &TestDir) {
     for name in ["generic.osim", "scaled.osim"] {
         replace_in_file(dir, name, "<Mesh name=", "<Brick name=");
@@ -61,7 +61,7 @@ fn remove_meshes(dir: &TestDir) {
     }
 }
 
-/// A refusal that says each of `words` and leaves nothing behind.
+/// Asserts that the call is refused with a message that has all of `words`, and writes nothing.
 #[track_caller]
 fn assert_refused(dir: &TestDir, call: &str, words: &[&str]) {
     let run = dir.run(call).failed();
@@ -85,7 +85,7 @@ fn parse_json(run: &CommandRun) -> Value {
     serde_json::from_str(&run.out()).unwrap()
 }
 
-/// What a dry run plans for `property` of the force or sphere whose path ends with `name`.
+/// The new value in the plan of a dry run for `property` of the force or sphere whose path ends with `name`.
 #[track_caller]
 fn planned_value(report: &Value, name: &str, property: &str) -> Value {
     let changes = report["changes"].as_array().unwrap();
@@ -108,9 +108,9 @@ fn assert_close_place(value: &Value, expected: [f64; 3]) {
     }
 }
 
-/// The plan of a dry run with further options.
+/// The plan of a dry run of the transfer with more `options`.
 fn dry_run_plan(dir: &TestDir, options: &str) -> Value {
-    parse_json(&dir.run(&format!("{CALL} --dry-run --format json {options}")).succeeded())
+    parse_json(&dir.run(&format!("{CALL_OF_TRANSFER} --dry-run --format json {options}")).succeeded())
 }
 
 fn finding_codes(report: &Value) -> Vec<&str> {
@@ -123,26 +123,30 @@ fn finding_codes(report: &Value) -> Vec<&str> {
 fn factors_that_are_not_positive_numbers_are_refused() {
     for bad in ["0", "-1", "nan", "inf"] {
         let dir = generic_and_scaled("smooth");
-        let run = dir.run(&format!("{CALL} --body-scale calcn_r=1,{bad},1")).usage_error();
+        let run = dir.run(&format!("{CALL_OF_TRANSFER} --body-scale calcn_r=1,{bad},1")).usage_error();
         assert!(run.changed.is_empty());
         assert_stderr_has(&run, &["--body-scale", "calcn_r"]);
     }
     for bad in ["0", "-0.9", "NaN", "inf", "1e400"] {
         let file = generic_and_scaled("smooth");
         replace_in_file(&file, "applied.xml", " 1.02 0.9 0.95", &format!(" 1.02 {bad} 0.95"));
-        assert_refused(&file, &format!("{CALL} --body-scale-file applied.xml"), &["calcn_r"]);
+        assert_refused(&file, &format!("{CALL_OF_TRANSFER} --body-scale-file applied.xml"), &["calcn_r"]);
         let mesh = generic_and_scaled("smooth");
         set_mesh_factors(&mesh, "scaled.osim", "calcn_r", &format!("1.02 {bad} 0.95"));
-        assert_refused(&mesh, CALL, &["calcn_r"]);
+        assert_refused(&mesh, CALL_OF_TRANSFER, &["calcn_r"]);
         let generic = generic_and_scaled("smooth");
         if bad != "0" {
             set_mesh_factors(&generic, "generic.osim", "calcn_r", &format!("1 {bad} 1"));
-            assert_refused(&generic, CALL, &["calcn_r"]);
+            assert_refused(&generic, CALL_OF_TRANSFER, &["calcn_r"]);
         }
     }
     let dir = generic_and_scaled("smooth");
-    assert_refused(&dir, &format!("{CALL} --body-scale hoof=1,1,1"), &["hoof"]);
-    assert_refused(&dir, &format!("{CALL} --body-scale-file generic.osim"), &["generic.osim", "ScaleSet"]);
+    assert_refused(&dir, &format!("{CALL_OF_TRANSFER} --body-scale hoof=1,1,1"), &["hoof"]);
+    assert_refused(
+        &dir,
+        &format!("{CALL_OF_TRANSFER} --body-scale-file generic.osim"),
+        &["generic.osim", "ScaleSet"],
+    );
 }
 
 #[test]
@@ -150,7 +154,11 @@ fn an_undetermined_factor_must_be_given() {
     let dir = generic_and_scaled("smooth");
     remove_meshes(&dir);
     // No joint follows the toes, so nothing gives their factors.
-    assert_refused(&dir, CALL, &["toes_r", "x, y and z", "--body-scale toes_r=x,y,z", "[body-scale]"]);
+    assert_refused(
+        &dir,
+        CALL_OF_TRANSFER,
+        &["toes_r", "x, y and z", "--body-scale toes_r=x,y,z", "[body-scale]"],
+    );
     let inspection =
         parse_json(&dir.run("inspect scaled.osim --from generic.osim --format json").succeeded());
     let toes =
@@ -165,7 +173,8 @@ fn an_undetermined_factor_must_be_given() {
         "-0.010800000000000001 0.0019<",
         "-0.010800000000000001 0.000000475<",
     );
-    let with_toes = format!("{CALL} --body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95");
+    let with_toes =
+        format!("{CALL_OF_TRANSFER} --body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95");
     assert_refused(&dir, &with_toes, &["calcn_r", "along z"]);
     let options = "--body-scale toes_r=1.02,0.9,0.95 --body-scale toes_l=1.02,0.9,0.95 --body-scale calcn_r=1.02,0.9,0.95";
     assert_close_place(
@@ -214,7 +223,7 @@ fn moved_or_resized_spheres_need_keep_or_replace() {
         replace_in_file(&dir, "scaled.osim", from, to);
         assert_refused(
             &dir,
-            CALL,
+            CALL_OF_TRANSFER,
             &["heel_r", "--moved-spheres keep", "--moved-spheres replace", "[moved-spheres]"],
         );
         let replaced = dry_run_plan(&dir, "--moved-spheres replace");
@@ -238,8 +247,8 @@ fn moved_or_resized_spheres_need_keep_or_replace() {
 #[test]
 fn a_model_after_follow_bodies_is_recognised() {
     let dir = generic_and_scaled("smooth");
-    dir.run(&format!("{CALL} -o done.osim")).succeeded();
-    assert_refused(&dir, &CALL.replace("scaled.osim", "done.osim"), &["[moved-spheres]"]);
+    dir.run(&format!("{CALL_OF_TRANSFER} -o done.osim")).succeeded();
+    assert_refused(&dir, &CALL_OF_TRANSFER.replace("scaled.osim", "done.osim"), &["[moved-spheres]"]);
 }
 
 // Numbers.
@@ -357,7 +366,10 @@ fn the_predsim_rule_scales_stiffness_and_dissipation() {
     let run_without_follow = dir.run("transfer scaled.osim --from generic.osim --rule predsim").failed();
     assert_stderr_has(&run_without_follow, &["--height-ratio"]);
     // The paper's rule has no heights.
-    assert_stderr_has(&dir.run(&format!("{CALL} --height-ratio 0.93")).usage_error(), &["--rule"]);
+    assert_stderr_has(
+        &dir.run(&format!("{CALL_OF_TRANSFER} --height-ratio 0.93")).usage_error(),
+        &["--rule"],
+    );
 }
 
 #[test]
@@ -370,7 +382,11 @@ fn one_force_over_bodies_of_different_factors_gets_one_modulus() {
     assert_close(&planned_value(&report, "contact_foot_r", "stiffness"), 1_657_743.073_435_748_5);
     assert_close(&planned_value(&report, "contact_foot_r", "dissipation"), 1.994_108_977_545_730_6);
     assert_close(&planned_value(&report, "contact_foot_l", "stiffness"), 1_837_655.613_115_876_4);
-    assert_refused(&dir, &format!("{CALL} {options} --strict"), &["contact_foot_r", "15.1 %", "--strict"]);
+    assert_refused(
+        &dir,
+        &format!("{CALL_OF_TRANSFER} {options} --strict"),
+        &["contact_foot_r", "15.1 %", "--strict"],
+    );
     let strict_plan = dry_run_plan(&dir, "--strict");
     assert!(!finding_codes(&strict_plan).contains(&"factor-spread"));
     // If each sphere has a force, each force follows one body.
@@ -411,7 +427,7 @@ fn spheres_of_several_materials_keep_their_ratios() {
     let moduli = text.match_indices("<stiffness>").map(|(at, tag)| at + tag.len()).collect::<Vec<_>>();
     let end = moduli[0] + text[moduli[0]..].find('<').unwrap();
     dir.write("scaled.osim", format!("{}9e6{}", &text[..moduli[0]], &text[end..]));
-    assert_refused(&dir, &format!("{CALL}{options}"), &["stiffness", "materials"]);
+    assert_refused(&dir, &format!("{CALL_OF_TRANSFER}{options}"), &["stiffness", "materials"]);
 }
 
 // Documents of version 3.
@@ -470,9 +486,11 @@ fn version_3_models_have_factors_in_visible_objects_and_joints() {
 #[test]
 fn follow_bodies_output_matches_its_snapshots() {
     let dir = generic_and_scaled("smooth");
-    dir.run(&format!("{CALL} --level --dry-run")).succeeded().matches_snapshot("follow");
-    dir.run(&format!("{CALL} --rule predsim --dry-run")).succeeded().matches_snapshot("follow_predsim");
+    dir.run(&format!("{CALL_OF_TRANSFER} --level --dry-run")).succeeded().matches_snapshot("follow");
+    dir.run(&format!("{CALL_OF_TRANSFER} --rule predsim --dry-run"))
+        .succeeded()
+        .matches_snapshot("follow_predsim");
     dir.run("inspect scaled.osim --from generic.osim").succeeded().matches_snapshot("follow_inspect");
-    let call = format!("{CALL} --level --body-scale-file applied.xml --dry-run --format json");
+    let call = format!("{CALL_OF_TRANSFER} --level --body-scale-file applied.xml --dry-run --format json");
     dir.run(&call).succeeded().matches_snapshot("follow_json");
 }

@@ -1,5 +1,5 @@
-//! Parts of docs/ are made from the registers of the program and from `schemas/`: findings, errors, limits, figures and records of all verbs.
-//! Such a part is between `<!-- begin NAME -->` and `<!-- end NAME -->`. To write them again: `UPDATE_DOCS=1 cargo test --test generated`.
+//! Compares parts of docs/ with texts from the registers of the program and from `schemas/`: findings, errors, limits and records.
+//! A part is between `<!-- begin NAME -->` and `<!-- end NAME -->`. To write all parts again: `UPDATE_DOCS=1 cargo test --test generated`.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
@@ -22,7 +22,7 @@ use osim_view::report::explain::ErrorGroup;
 #[path = "generated/records.rs"]
 mod records;
 
-/// The words of the command line, marked as code.
+/// Spells options and calls as on the command line, marked as code of Markdown.
 struct Markdown;
 
 impl Dialect for Markdown {
@@ -40,7 +40,7 @@ fn phrase_as_markdown(phrase: &Phrase) -> String {
     as_markdown(&phrase.spelled(&Markdown))
 }
 
-/// Text as Markdown: characters outside of code are escaped, and a page of docs/ becomes a link.
+/// The text as Markdown: characters outside of code are escaped, and the path of a page in docs/ becomes a link.
 fn as_markdown(text: &str) -> String {
     let pieces = text.split('`').enumerate().map(|(index, piece)| match index % 2 {
         0 => piece.replace('*', "\\*").replace('<', "\\<").replace('|', "\\|"),
@@ -59,7 +59,7 @@ fn as_markdown(text: &str) -> String {
 /// The start of links to other pages, which `generated_parts_of_the_docs_are_up_to_date` replaces by a relative path.
 const DOCS: &str = "docs:";
 
-/// A table in Markdown, without blanks beside the bars, which would count as words.
+/// A table in Markdown. No blanks are beside its bars, because bars between blanks would count as words of the page.
 fn markdown_table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
     let mut text = format!("|{}|\n|{}\n", header.join("|"), "---|".repeat(header.len()));
     for row in rows {
@@ -68,7 +68,7 @@ fn markdown_table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> S
     text
 }
 
-/// The text up to its first full stop, semicolon, colon, remark in brackets or subordinate clause; `explain` has all of it.
+/// The text up to its first full stop, semicolon, colon, remark in brackets or subordinate clause. `explain` prints the whole text.
 fn first_clause(text: &str) -> String {
     let is_number = |at: usize| text[at..].starts_with(|c: char| !c.is_ascii_lowercase());
     let bracket = text.match_indices(" (").map(|(at, _)| at).find(|at| !is_number(at + 2));
@@ -77,13 +77,13 @@ fn first_clause(text: &str) -> String {
     text[..ends.chain(bracket).min().unwrap_or(text.len())].trim_end_matches('.').to_owned()
 }
 
-/// The first sentence; two if the first one begins with "Nothing".
+/// The first sentence of the text; the first two sentences if the first begins with "Nothing".
 fn first_sentence(text: &str) -> String {
     let end = text.find(". ").filter(|_| !text.starts_with("Nothing"));
     text[..end.unwrap_or(text.len())].to_owned()
 }
 
-/// docs/reference/findings.md: the codes of a severity, in the order in which they are looked for.
+/// The part of docs/reference/findings.md with the codes of a severity, in the order in which `check` searches for them.
 fn findings_table(severity: Severity) -> String {
     let rows = rules::all().iter().filter(|rule| rule.severity == severity).map(|rule| {
         let check = match rule.repair {
@@ -97,7 +97,7 @@ fn findings_table(severity: Severity) -> String {
     markdown_table(&["code", "what it is", "what to do", "`check`"], rows)
 }
 
-/// docs/check.md: on how many published models each rule fires; `None` without them.
+/// The part of docs/check.md with the number of published models that each rule finds; `None` without published models.
 fn published_models_table() -> Option<String> {
     let Some(folder) = std::env::var_os("OSIM_CORPUS").map(PathBuf::from) else {
         // Straight to the terminal: what a passing test prints is kept.
@@ -130,7 +130,7 @@ fn published_models_table() -> Option<String> {
     ))
 }
 
-/// The largest number of models that a row names.
+/// Most models that a row of the table names.
 const MOST_NAMED: usize = 3;
 
 /// The findings of a published model; `None` if it has no contacts.
@@ -152,7 +152,7 @@ fn limits_table() -> String {
     markdown_table(&["figure", "limit", "source"], rows)
 }
 
-/// docs/reference/json.md: the figures of a sphere.
+/// The part of docs/reference/json.md about the computed numbers of a sphere.
 fn figures_table() -> String {
     let rows = Figure::ALL.iter().map(|figure| {
         let info = figure.info();
@@ -164,7 +164,7 @@ fn figures_table() -> String {
     markdown_table(&["field", "column in CSV, which says what it is", "equation", "limit"], rows)
 }
 
-/// docs/reference/json.md: what a design without a model finds.
+/// The part of docs/reference/json.md about the values that a design without a model computes.
 fn design_figures_table() -> String {
     let rows = DesignQuantity::ALL.iter().map(|quantity| {
         let info = quantity.info();
@@ -173,7 +173,7 @@ fn design_figures_table() -> String {
     markdown_table(&["`name`", "unit", "equation"], rows)
 }
 
-/// The first of several ways out.
+/// The first of several ways out in the text about an error.
 fn first_way_out(text: &str) -> String {
     text.split(", or ").next().unwrap_or_default().to_owned()
 }
@@ -193,13 +193,13 @@ fn errors_table(group: ErrorGroup) -> String {
     markdown_table(&header, rows.map(Vec::from))
 }
 
-/// docs/reference/errors.md: what the exit status says.
+/// The part of docs/reference/errors.md with the meanings of the exit status.
 fn exit_statuses_table() -> String {
     let row = |status: &ExitStatus| vec![status.code().to_string(), status.meaning().to_owned()];
     markdown_table(&["status", "means"], ExitStatus::ALL.iter().map(row))
 }
 
-/// Each part: its page, its name, its text.
+/// All generated parts of docs/: the page, the name and the text of each.
 fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
     const FINDINGS: &str = "reference/findings.md";
     const ERRORS: &str = "reference/errors.md";
@@ -227,7 +227,7 @@ fn page_path(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs").join(name)
 }
 
-/// The page with `text` between the marks of the part.
+/// The page with `text` between the marks of the part `name`.
 fn with_part_replaced(page: &str, name: &str, text: &str) -> Option<String> {
     let (begin, end) = (format!("<!-- begin {name} -->\n"), format!("<!-- end {name} -->"));
     let (before, rest) = page.split_once(&begin)?;

@@ -1,7 +1,7 @@
-//! The verbs that work with the paper's equations, from outside: design, set, drop-test, fit, presets.
+//! Runs the verbs that use the paper's equations: design, set, drop-test, fit, presets.
 //!
-//! Expected numbers come from the paper's Table 1, from the real OpenSim, or from mpmath 1.3.0 with 40 digits; the comment
-//! beside them says which. None is copied from what the command prints. Layout and wording are snapshots.
+//! Expected numbers come from the paper's Table 1, from OpenSim, or from mpmath 1.3.0 with 40 digits; the comment beside a number
+//! names its source. No number is copied from the command's output. Layout and wording are compared with snapshots.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(
@@ -50,13 +50,13 @@ fn number(object: &Value, name: &str) -> f64 {
     object[name].as_f64().unwrap_or_else(|| panic!("no number '{name}' in {object}"))
 }
 
-/// `value` is `expected` within a relative distance.
+/// Asserts that the relative difference between `value` and `expected` is at most `within`.
 #[track_caller]
 fn assert_close(value: f64, expected: f64, within: f64, what: &str) {
     assert!((value - expected).abs() <= within * expected.abs(), "{what}: {value:?}, expected {expected:?}");
 }
 
-/// What a run of a changing verb, with `--format json`, changes: property to `(from, to)`, equal for all that have it.
+/// The changes that a run with `--format json` reports: each property with its old and new value, which all forces have in common.
 #[track_caller]
 fn changes_in_json(run: &CommandRun) -> BTreeMap<String, (f64, f64)> {
     let plan = json_object(run);
@@ -70,7 +70,7 @@ fn changes_in_json(run: &CommandRun) -> BTreeMap<String, (f64, f64)> {
     by_property
 }
 
-/// Lines that differ between two texts of the same number of lines, without notes: `(before, after)`, trimmed.
+/// Lines that differ between two texts with the same number of lines, as trimmed pairs `(before, after)`; notes do not count.
 #[track_caller]
 fn changed_lines(before: &str, after: &str) -> Vec<(String, String)> {
     let body = |text: &str| -> Vec<String> {

@@ -1,6 +1,6 @@
-//! `plot`, from outside: the files that it writes, the content of figures, and refusals.
+//! Runs `plot` and tests the written files, the content of figures, and refusals.
 //!
-//! Expected numbers are those of `tests/plots/reference.py` (mpmath 1.3.0, and a Runge–Kutta method of its own).
+//! Expected numbers come from `tests/plots/reference.py` (mpmath 1.3.0, and its own Runge–Kutta method).
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(

@@ -1,4 +1,4 @@
-//! `schemas/` holds the schemas of the types. To write them again: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
+//! `schemas/` must equal the schemas of the types in the code. To write them again: `UPDATE_SCHEMAS=1 cargo test --test schemas`.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -18,7 +18,7 @@ use schemars::generate::SchemaSettings;
 use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
-/// Letters of the longest line of a schema, if it can be broken.
+/// Most letters in a line of a schema that can be broken.
 const WIDTH: usize = 140;
 
 /// Every schema by its path below `schemas/`.
@@ -56,7 +56,7 @@ fn schemas() -> BTreeMap<String, String> {
         .collect()
 }
 
-/// A value as JSON: on one line where there is room for it, else a line for each of its parts.
+/// A value as JSON: on one line if it fits into `room`, else one line for each of its parts.
 fn json_text(value: &Value, indent: usize, room: usize) -> String {
     let (ends, parts): (_, Vec<(String, &Value)>) = match value {
         Value::Object(fields) => {
@@ -82,7 +82,7 @@ fn json_text(value: &Value, indent: usize, room: usize) -> String {
     format!("{begin}\n{lines}\n{:indent$}{end}", "")
 }
 
-/// The schema of what the program prints as a `T`.
+/// The schema of the JSON that the program prints for a value of type `T`.
 fn schema_of_output<T: JsonSchema>(title: &str) -> Schema {
     let generator = SchemaSettings::draft2020_12().for_serialize().into_generator();
     with_title(generator.into_root_schema_for::<T>(), title)
@@ -131,7 +131,7 @@ fn schemas_are_up_to_date() {
     assert_eq!(schema_names(&folder, ""), schemas.into_keys().collect::<Vec<_>>());
 }
 
-/// What a reader of the schemas relies on: every object of a result is closed, and every field is described.
+/// In the schemas of results every object is closed (no unknown fields), and every field has a description.
 #[test]
 fn results_are_closed_and_described() {
     for (name, text) in schemas() {

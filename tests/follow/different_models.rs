@@ -1,4 +1,4 @@
-//! Factors of bodies that carry spheres, bones with other names, and models that are not scaled copies.
+//! Scale factors of bodies with spheres, in models whose bones have other names or that are not scaled copies of the generic model.
 
 use serde_json::{Value, json};
 
@@ -8,17 +8,17 @@ use super::{
 };
 use crate::support::{TestDir, corpus_folder};
 
-/// Where the heel goes by (1.02, 0.9, 0.95), the factors of the foot in the fixture.
-const HEEL: [f64; 3] = [-0.0102, -0.036, 0.00475];
+/// The place of the heel sphere after scaling by (1.02, 0.9, 0.95), the factors of the foot in the fixture.
+const SCALED_HEEL_PLACE: [f64; 3] = [-0.0102, -0.036, 0.00475];
 /// The distance from the origin of calcn_r to the joint of its toes, scaled over generic:
 /// |(0.1734, -0.0108, 0.0019)| / |(0.17, -0.012, 0.002)|, with 30 digits by Python's decimal.
-const DISTANCE: f64 = 1.019_430_647_983_430_4;
+const RATIO_OF_FOOT_LENGTHS: f64 = 1.019_430_647_983_430_4;
 
-/// This ratio for D'Hondt's calcn_r to mtp_r, through two welded bodies, over Falisse's: the offsets add up to
-/// (0.162178658, -0.003036671, 0.001099361) m.
-const DHONDT: f64 = 0.992_583_223_313_156_7;
+/// The distance from `calcn_r` to `mtp_r` in D'Hondt's model over that in Falisse's. In D'Hondt's model two welded bodies are between
+/// them, and the offsets add up to (0.162178658, -0.003036671, 0.001099361) m.
+const RATIO_OF_DHONDT_TO_FALISSE: f64 = 0.992_583_223_313_156_7;
 
-/// A knee that was moved in the scaled model: no factor of the thigh explains where it is, to its last millimetre.
+/// Moves the knee in the scaled model to a place that no scale factor of the thigh explains within a millimetre.
 fn move_knee(dir: &TestDir) {
     replace_in_file(
         dir,
@@ -56,7 +56,7 @@ fn a_moved_joint_of_a_body_without_spheres_is_only_a_warning() {
         findings(&report)
     );
     // The meshes still give the factors of the feet.
-    assert_close_place(&planned_value(&report, "heel_r", "location"), HEEL);
+    assert_close_place(&planned_value(&report, "heel_r", "location"), SCALED_HEEL_PLACE);
     assert_close(&planned_value(&report, "heel_r", "radius"), 0.030_573_048_163_784_02);
     dir.run("inspect scaled.osim --from generic.osim").succeeded().says(&["not-a-scaled-copy"]);
 }
@@ -113,7 +113,7 @@ fn different_factors_of_meshes_on_one_body_are_refused() {
             &format!("{mesh}<Mesh name=\"femur_r_geom_1\">"),
         );
     }
-    assert_close_place(&planned_value(&dry_run_plan(&other, ""), "heel_r", "location"), HEEL);
+    assert_close_place(&planned_value(&dry_run_plan(&other, ""), "heel_r", "location"), SCALED_HEEL_PLACE);
 }
 
 #[test]
@@ -128,13 +128,13 @@ fn both_sides_use_the_same_source_of_factors() {
         let factors = body_factors(&inspection, body);
         assert_eq!(factors["sources"], json!(["joint distance", "joint distance", "joint distance"]));
         for axis in factors["factors"].as_array().unwrap() {
-            assert_close(axis, DISTANCE);
+            assert_close(axis, RATIO_OF_FOOT_LENGTHS);
         }
     }
     let report = dry_run_plan(&dir, "");
     assert_close_place(
         &planned_value(&report, "heel_r", "location"),
-        [-0.01 * DISTANCE, -0.04 * DISTANCE, 0.005 * DISTANCE],
+        [-0.01 * RATIO_OF_FOOT_LENGTHS, -0.04 * RATIO_OF_FOOT_LENGTHS, 0.005 * RATIO_OF_FOOT_LENGTHS],
     );
     // In a scaled copy both use joint offsets, axis by axis.
     let scaled_copy = generic_and_scaled("smooth");
@@ -200,7 +200,7 @@ fn different_factors_left_and_right_are_refused() {
     let report = dry_run_plan(&scaled_copy, "");
     assert!(!finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings(&report));
     assert_close_place(&planned_value(&report, "heel_l", "location"), [-0.0109, -0.036, -0.00475]);
-    assert_close_place(&planned_value(&report, "heel_r", "location"), HEEL);
+    assert_close_place(&planned_value(&report, "heel_r", "location"), SCALED_HEEL_PLACE);
 }
 
 #[test]
@@ -253,7 +253,7 @@ fn a_joint_near_the_origin_gives_no_factor() {
         replace_in_file(&dir, name, "</Mesh>", "</Brick>");
     }
     // 170 mm: the distance counts, and the toes hang on it.
-    assert_close(&planned_value(&dry_run_plan(&dir, ""), "toe_l", "radius"), 0.032 * DISTANCE);
+    assert_close(&planned_value(&dry_run_plan(&dir, ""), "toe_l", "radius"), 0.032 * RATIO_OF_FOOT_LENGTHS);
     for (name, from) in [("generic.osim", "0.17000000000000001 "), ("scaled.osim", "0.17340000000000003 ")] {
         replace_in_file(&dir, name, from, "0.0149 ");
     }
@@ -283,7 +283,7 @@ fn remarks_about_different_models_match_the_snapshot() {
     dir.run(&format!("{CALL} --dry-run")).succeeded().matches_snapshot("follow_different");
 }
 
-/// Published models compared with Falisse's, of which they are not scaled copies.
+/// Compares published models with Falisse's model, although they are not scaled copies of it.
 #[test]
 fn published_models_that_are_not_copies_get_factors() {
     let Some(folder) = corpus_folder("published_models_that_are_not_copies_get_factors") else { return };
@@ -324,6 +324,6 @@ fn published_models_that_are_not_copies_get_factors() {
     for body in ["calcn_r", "calcn_l"] {
         let foot = body_factors(&dhondt, body);
         assert_eq!(foot["sources"][0], "joint distance");
-        assert!((foot["factors"][0].as_f64().unwrap() - DHONDT).abs() < 1e-12, "{foot}");
+        assert!((foot["factors"][0].as_f64().unwrap() - RATIO_OF_DHONDT_TO_FALISSE).abs() < 1e-12, "{foot}");
     }
 }

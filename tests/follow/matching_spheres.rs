@@ -1,4 +1,4 @@
-//! How spheres of two models are matched, how many share the weight, and which questions follow.
+//! The matching of spheres of two models, the number of spheres that share the weight, and questions about this number.
 
 use super::{
     CALL, assert_close, assert_refused, assert_stderr_has, dry_run_plan, generic_and_scaled, planned_value,
@@ -95,7 +95,7 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
     assert_stderr_has(&plan_with_counts, &["--radius-axis says nothing with --radius"]);
 }
 
-/// Two models whose left and right have different numbers of spheres, because the left toe has none.
+/// A folder with two models that have more spheres on the right side, because the left toe has none.
 fn models_without_left_toe() -> TestDir {
     let dir = generic_and_scaled("smooth");
     for file in ["generic.osim", "scaled.osim"] {

@@ -1,11 +1,11 @@
-//! The records of JSON as `schemas/` has them: for each a row with its fields, since the schemas describe each field.
+//! Makes tables of the records in the JSON of all verbs: a row with the names of the fields for each record in `schemas/`.
 
 use std::path::Path;
 
 use osim_inspect::Figure;
 use serde_json::{Map, Value};
 
-/// Parts of docs/reference/json.md, and the schemas they show.
+/// Parts of docs/reference/json.md, each with the schemas whose records it lists.
 pub(crate) const PARTS: &[(&str, &[&str])] = &[
     ("records-shared", &["failure", "finding"]),
     ("records-inspect", &["results/inspection"]),
@@ -17,22 +17,23 @@ pub(crate) const PARTS: &[(&str, &[&str])] = &[
     ("records-summary", &["results/summary-line"]),
 ];
 
-/// Records that many others have, and what a field of them is called in those.
-const SHARED: &[(&str, &str)] =
+/// Records that are part of many other records, each with the name of the field that contains it.
+const RECORDS_IN_MANY_RECORDS: &[(&str, &str)] =
     &[("FindingRecord", "finding"), ("ContactsMass", "mass"), ("Dimensionless", "dimensionless")];
 
-/// Records of several results, and the result that shows each.
-const SHOWN_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
+/// Records that several results contain, each with the only result whose table lists it.
+const RECORDS_LISTED_ONCE: &[(&str, &str)] = &[("SizeList", "results/inspection")];
 
 /// A row for each record of these schemas.
 pub(crate) fn table_of_records(schemas: &[&str]) -> String {
     let mut text = "|record|fields|\n|---|---|\n".to_owned();
     for name in schemas {
         let schema = read_schema(name);
-        let shown_elsewhere = SHOWN_ONCE.iter().filter(|(_, by)| by != name).map(|(record, _)| *record);
+        let shown_elsewhere =
+            RECORDS_LISTED_ONCE.iter().filter(|(_, by)| by != name).map(|(record, _)| *record);
         let mut rows =
             Rows { definitions: &schema["$defs"], listed: shown_elsewhere.collect(), text: String::new() };
-        for variant in variants(&schema) {
+        for variant in alternatives_of_schema(&schema) {
             let title = name.rsplit('/').next().unwrap();
             let kind =
                 variant["properties"]["kind"]["const"].as_str().map(|kind| format!(" of kind `{kind}`"));
@@ -50,7 +51,7 @@ fn read_schema(name: &str) -> Value {
 }
 
 /// The alternatives of a schema (`oneOf`), or the schema itself.
-fn variants(schema: &Value) -> Vec<&Value> {
+fn alternatives_of_schema(schema: &Value) -> Vec<&Value> {
     schema["oneOf"].as_array().map_or_else(|| vec![schema], |kinds| kinds.iter().collect())
 }
 
@@ -69,8 +70,9 @@ impl<'s> Rows<'s> {
         let names = listed.map(|(name, schema)| {
             let of_type = Type::of(schema);
             let record = of_type.record.filter(|record| self.definitions[record]["properties"].is_object());
-            let shared =
-                SHARED.iter().find(|(record, _)| of_type.record.is_some_and(|of| of.starts_with(record)));
+            let shared = RECORDS_IN_MANY_RECORDS
+                .iter()
+                .find(|(record, _)| of_type.record.is_some_and(|of| of.starts_with(record)));
             if let (Some(record), None) = (record, shared) {
                 inner.push((format!("{path}{name}{}", of_type.list), record));
             }
@@ -93,7 +95,7 @@ impl<'s> Rows<'s> {
     }
 }
 
-/// Whether a row lists the field. Fields of all records, of another table, and those that repeat for each property are not listed.
+/// Whether a row lists the field. A row does not list fields of all records, of another table, or that repeat for each property.
 fn is_listed(name: &str, fields: &Map<String, Value>) -> bool {
     let is_everywhere = ["schema_version", "model"].contains(&name) || name.ends_with("_bytes");
     let is_figure =
@@ -103,7 +105,7 @@ fn is_listed(name: &str, fields: &Map<String, Value>) -> bool {
     !is_everywhere && !is_figure && of_property.is_none_or(|property| property == "stiffness")
 }
 
-/// What a field holds.
+/// The kind of value of a field.
 struct Type<'s> {
     list: &'static str,
     is_nullable: bool,
@@ -131,7 +133,7 @@ impl<'s> Type<'s> {
         }
     }
 
-    /// Nothing for a number, which is the rule.
+    /// Name of the kind of value; empty for a number, because most values are numbers.
     fn kind_of_value(&self, definitions: &Value, schema: &Value) -> String {
         let value_schema = match self.record {
             Some(name) => &definitions[name],

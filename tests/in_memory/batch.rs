@@ -1,4 +1,4 @@
-//! Rows of a manifest: each a request, with a plan and the bytes of a file.
+//! Rows of a manifest in memory: each row is a request, with a plan and the bytes of a new file.
 
 use std::path::Path;
 

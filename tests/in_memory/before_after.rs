@@ -1,4 +1,4 @@
-//! A model before and after a change: the plan is not computed again, and the findings are those of `check`.
+//! A model before and after a change has the same findings as `check` gives for both, without a second plan of the change.
 
 use std::cell::Cell;
 use std::path::{Path, PathBuf};

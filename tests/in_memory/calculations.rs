@@ -1,4 +1,4 @@
-//! Verbs that compute and change nothing: drops, fits, designs without a model, presets, explanations.
+//! Verbs that compute but change no model: drops, fits, designs without a model, presets, explanations.
 
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_requests::RequestError;

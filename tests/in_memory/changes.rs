@@ -1,4 +1,4 @@
-//! Verbs that change models: the plan as table, JSON and diff, and the bytes of each file.
+//! Verbs that change models in memory: the plan as table, JSON and diff, and the bytes of each file.
 
 use osim_planning::prepare;
 use serde_json::json;

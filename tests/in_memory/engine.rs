@@ -1,4 +1,4 @@
-//! The engine of the page answers what the command prints and writes for the same files.
+//! The engine of the web page gives the same answers and files as the command for the same models.
 
 use osim_web::Engine;
 use serde_json::{Value, json};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use crate::front_end::TODAY;
 use crate::support::{HUMAN, TestDir};
 
-/// An engine that has the files of a folder.
+/// An engine with the files of the folder `dir`.
 fn engine_with_files(dir: &TestDir) -> Engine {
     let mut engine = Engine::new();
     engine.set_today(TODAY);
@@ -38,7 +38,7 @@ fn assert_same_text(written: &Value, expected: &str, what: &str) {
     assert!(written == expected, "{what}: {different:.2000?}");
 }
 
-/// Makes the change in the engine, and by the command that the engine spells: files, diff and report must be equal.
+/// Makes the change in the engine, and with the command line that the engine proposes. Files, diff and report must be equal.
 #[track_caller]
 fn assert_same_change(dir: &TestDir, request: &Value) {
     let mut engine = engine_with_files(dir);
@@ -151,7 +151,7 @@ fn a_report_without_changes_equals_the_command() {
 }
 
 #[test]
-fn a_look_equals_inspect_and_check() {
+fn the_answer_to_look_equals_inspect_and_check() {
     let dir = TestDir::with_human();
     let inspection = ask(&mut engine_with_files(&dir), &json!({"do": "look", "model": "human.osim"}));
     let inspected: Value =
@@ -195,7 +195,7 @@ fn quick_sections_equal_those_of_the_whole_answer() {
 }
 
 #[test]
-fn a_scaled_model_is_compared_with_the_one_that_was_scaled() {
+fn a_scaled_model_is_compared_with_its_original() {
     let dir = TestDir::with(&[
         ("scale_tool/generic_smooth.osim", "generic.osim"),
         ("scale_tool/scaled_smooth.osim", "scaled.osim"),

@@ -1,4 +1,4 @@
-//! Findings of a model, and remedies as data that remove them.
+//! Findings about a model, and the requests that correct the model.
 
 use std::path::Path;
 
@@ -64,8 +64,8 @@ fn check_of_several_models_equals_the_command() {
     assert_eq!(table.text(&CommandLine, Layout::default()), run.out());
 }
 
-/// Applies the remedy of `code`, as data in memory and as the command that is proposed: both give the same file, and in it
-/// the finding is gone.
+/// Applies the remedy of the finding `code` in memory and with the proposed command. Both must give the same file, without the
+/// finding.
 #[track_caller]
 fn assert_remedy_removes(dir: &TestDir, model: &str, code: FindingCode) {
     let mut files = files_in_memory(dir);

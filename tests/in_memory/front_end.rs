@@ -1,4 +1,4 @@
-//! A front end without a disk: it changes models in memory.
+//! A front end for tests that changes models in memory, without a disk.
 
 use std::path::{Path, PathBuf};
 
@@ -15,7 +15,7 @@ use serde_json::Value;
 
 use crate::support::TestDir;
 
-/// The request in a JSON object, which must be for the given verb.
+/// The request of a JSON object. The pattern names the verb that the request must have.
 macro_rules! request {
     ($verb:ident, $($json:tt)+) => {
         match $crate::front_end::request_from_json(&serde_json::json!($($json)+)) {
@@ -31,10 +31,10 @@ pub(crate) fn request_from_json(json: &Value) -> Request {
     Request::from_json(json.to_string().as_bytes()).unwrap()
 }
 
-/// The date of the command's runs.
+/// The date that all runs of the command use in these tests.
 pub(crate) const TODAY: &str = "2025-11-26";
 
-/// The files of a folder in memory, by their names in it.
+/// The files of a folder, read into memory, by their names in the folder.
 pub(crate) fn files_in_memory(dir: &TestDir) -> InMemory {
     let mut files = InMemory::from_iter(dir.files());
     files.set_today(TODAY);
@@ -50,9 +50,9 @@ pub(crate) struct Changed {
     pub(crate) results: Vec<NewFile>,
 }
 
-/// A file with its new bytes.
+/// A file that a change makes, with its new bytes.
 pub(crate) struct NewFile {
-    /// The file that it comes from.
+    /// The file of the old model that this file replaces.
     from: FileId,
     pub(crate) name: PathBuf,
     pub(crate) bytes: Vec<u8>,
@@ -81,7 +81,7 @@ impl Changed {
         self.results.iter().map(|file| file.name.display().to_string()).collect()
     }
 
-    /// The files of the model after the change, from those before it.
+    /// The files of the model after the change; `before` has the files before the change.
     pub(crate) fn as_files(&self, before: &ModelFiles) -> ModelFiles {
         let mut after = before.clone();
         for file in &self.results {
@@ -113,7 +113,7 @@ impl Changed {
     }
 }
 
-/// Makes the change of `json` in memory, and that of `words` by the command: table, JSON, diff and files must be equal.
+/// Makes the change `json` in memory, and the change with arguments `words` by the command. Table, JSON, diff and files must be equal.
 #[track_caller]
 pub(crate) fn assert_same_change(dir: &TestDir, words: &str, json: &Value) -> Changed {
     let files = files_in_memory(dir);
@@ -141,7 +141,7 @@ pub(crate) fn assert_same_change(dir: &TestDir, words: &str, json: &Value) -> Ch
     changed
 }
 
-/// A model that cannot be changed gives the same failure in memory as by the command.
+/// Asserts that a model that cannot be changed gives the same failure in memory as by the command.
 #[track_caller]
 pub(crate) fn assert_same_failure(dir: &TestDir, words: &str, json: &Value) {
     let files = files_in_memory(dir);

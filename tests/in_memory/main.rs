@@ -1,8 +1,8 @@
-//! Every verb without a disk and without a terminal, as a page in a browser does it: a request in JSON, files in a map, and
-//! the libraries. The result is what the command prints and writes for the same files.
+//! Runs every verb without a disk and without a terminal, as a page in a browser does: with a request in JSON, files in a map, and the
+//! libraries. The results must equal the output and files of the command.
 //!
-//! Only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-view` and `contact-plots` are used here. Each
-//! expected value is that of the command, because both front ends use the same libraries.
+//! The tests use only `osim-model`, `osim-patch`, `osim-inspect`, `osim-requests`, `osim-view` and `contact-plots`. All expected values
+//! come from the command, because both front ends use the same libraries.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]

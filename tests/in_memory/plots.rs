@@ -12,7 +12,7 @@ fn dir_with_two_models() -> TestDir {
     TestDir::with(&[HUMAN, ("table1/mouse_smooth_sphere.osim", "mouse.osim")])
 }
 
-/// Draws the figure of `json` in memory, and that of `words` by the command: both must be equal.
+/// Draws the figure of the request `json` in memory, and of the arguments `words` by the command. Both figures must be equal.
 #[track_caller]
 fn assert_same_figure(words: &str, json: &Value) {
     let dir = dir_with_two_models();

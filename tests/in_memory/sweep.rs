@@ -1,4 +1,4 @@
-//! Variants of one model: the bytes of each, and the table that says what is in which.
+//! Variants of one model in memory: the bytes of each variant, and the table of all variants.
 
 use std::path::Path;
 

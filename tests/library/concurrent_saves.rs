@@ -1,5 +1,5 @@
-//! Another program saves a model while it is changed in place, and then the run is killed: the save stays under a
-//! name that no later run removes.
+//! Another program saves a model while this program changes the model in place, and then the run is killed. The save of the other
+//! program must stay under a name that no later run removes.
 
 use std::collections::BTreeMap;
 use std::process::{Child, Stdio};
@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use crate::model_folder::{assert_no_temporary_files, run_shell, shell_command};
 use crate::support::{HUMAN, TestDir, fixture, report_skip};
 
-const MARK: &str = "<!-- saved by another program -->\n";
+const SAVED_TEXT: &str = "<!-- saved by another program -->\n";
 
-/// System calls that come after the exchange of the model and its successor.
-const LATER_CALLS: [&str; 4] = ["openat", "fsync", "unlink", "unlinkat"];
+/// System calls that a run makes after the exchange of the model and its new version.
+const SYSTEM_CALLS_AFTER_EXCHANGE: [&str; 4] = ["openat", "fsync", "unlink", "unlinkat"];
 
-/// How often the thread that exchanges the two files makes each system call before the exchange.
+/// Numbers of system calls of each kind that the exchanging thread makes before it exchanges the two files.
 struct Exchange {
     before: BTreeMap<&'static str, usize>,
     call: String,
@@ -25,14 +25,14 @@ fn command_line(options: &str) -> String {
 
 /// A shell command that runs the call under strace and writes its process id to the file `process`.
 fn strace_command(strace_options: &str, call: &str) -> String {
-    let calls = LATER_CALLS.join(",");
+    let calls = SYSTEM_CALLS_AFTER_EXCHANGE.join(",");
     format!(
         "exec strace -f -qq -o trace -e trace=renameat2,{calls} {strace_options} sh -c 'echo $$ > process; exec \"$COMMAND\" {call}'"
     )
 }
 
 impl Exchange {
-    /// From an undisturbed run under strace; `None` if strace is missing or files cannot be exchanged.
+    /// Counts the system calls in an undisturbed run under strace; `None` if strace is missing or files cannot be exchanged.
     fn find(options: &str) -> Option<Self> {
         let dir = TestDir::with_human();
         let (status, _) = run_shell(&dir, &strace_command("", &command_line(options)));
@@ -49,7 +49,11 @@ impl Exchange {
             let begin = format!("{call}(");
             lines.iter().filter(|(of, rest)| *of == thread && rest.trim_start().starts_with(&begin)).count()
         };
-        let before = LATER_CALLS.iter().chain(&["renameat2"]).map(|call| (*call, count(call))).collect();
+        let before = SYSTEM_CALLS_AFTER_EXCHANGE
+            .iter()
+            .chain(&["renameat2"])
+            .map(|call| (*call, count(call)))
+            .collect();
         Some(Self { before, call: command_line(options) })
     }
 
@@ -76,7 +80,7 @@ fn wait_until(what: &str, mut is_there: impl FnMut() -> bool) {
     }
 }
 
-/// Saves as soon as the run is about to exchange the model and its successor.
+/// Saves the model as another program when the run is about to exchange the model and its new version.
 fn save_before_exchange(dir: &TestDir) {
     // The successor is complete: it has a note that the model has not.
     wait_until("the successor is complete", || {
@@ -87,16 +91,17 @@ fn save_before_exchange(dir: &TestDir) {
         })
     });
     std::thread::sleep(Duration::from_millis(300));
-    dir.write("human.osim", [fixture(HUMAN.0), MARK.as_bytes().to_vec()].concat());
+    dir.write("human.osim", [fixture(HUMAN.0), SAVED_TEXT.as_bytes().to_vec()].concat());
 }
 
-/// Names of the files that contain what the other program saved.
+/// Names of the files that contain the text that the other program saved.
 fn files_with_save(dir: &TestDir) -> Vec<String> {
-    let has_mark = |bytes: &[u8]| String::from_utf8_lossy(bytes).contains(MARK);
+    let has_mark = |bytes: &[u8]| String::from_utf8_lossy(bytes).contains(SAVED_TEXT);
     dir.files().into_iter().filter(|(_, bytes)| has_mark(bytes)).map(|(name, _)| name).collect()
 }
 
-/// What another program saved into the model during the run is in a file now, and after a later run in the model or in its backup.
+/// Asserts that the text that another program saved during the run is still in a file, and after a later run in the model or in its
+/// backup.
 #[track_caller]
 fn assert_saved_text_survives(dir: &TestDir, when: &str) {
     let names = files_with_save(dir);
@@ -131,7 +136,7 @@ fn save_and_kill(options: &str) {
     let dir = TestDir::with_human();
     let mut child = exchange.start(&dir, "delay_exit=10000000:when=AT");
     save_before_exchange(&dir);
-    wait_until("the successor has the model's name", || !dir.text("human.osim").contains(MARK));
+    wait_until("the successor has the model's name", || !dir.text("human.osim").contains(SAVED_TEXT));
     let (killed, text) = run_shell(&dir, "kill -9 $(cat process)");
     assert_eq!(killed, Some(0), "{text}");
     child.wait().unwrap();
@@ -144,7 +149,7 @@ fn a_save_survives_a_kill_at_every_later_system_call() {
     use std::os::unix::process::ExitStatusExt;
     let Some(exchange) = Exchange::find("") else { return };
     let mut kills = 0;
-    for call in LATER_CALLS {
+    for call in SYSTEM_CALLS_AFTER_EXCHANGE {
         for at in exchange.before[call] + 1.. {
             let dir = TestDir::with_human();
             let injected = format!("when=AT -e inject={call}:signal=KILL:when={at}");
@@ -161,7 +166,7 @@ fn a_save_survives_a_kill_at_every_later_system_call() {
     assert!(kills >= 4, "{kills}");
 }
 
-/// On a system that cannot exchange files, a force set and its geometry both change or neither.
+/// On a system that cannot exchange files, either both or neither of a force set and its geometry set change.
 #[test]
 fn a_save_into_the_second_of_two_files_restores_the_first() {
     let pair = [
@@ -187,7 +192,7 @@ fn a_save_into_the_second_of_two_files_restores_the_first() {
         wait_until("the first of the files is changed", || {
             dir.read("forces.xml") != forces || child.try_wait().unwrap().is_some()
         });
-        let saved = [geometry.as_slice(), MARK.as_bytes()].concat();
+        let saved = [geometry.as_slice(), SAVED_TEXT.as_bytes()].concat();
         dir.write("geometry.xml", &saved);
         let output = child.wait_with_output().unwrap();
         if !dir.has("trace") {

@@ -1,5 +1,5 @@
-//! The program reads ordinary files up to a limit of size, and pipes only if they are arguments of the call. Nothing else
-//! makes the program wait, or takes memory.
+//! The program reads ordinary files up to a limit of size, and pipes only if the user named them. All other files neither make the
+//! program wait nor fill the memory.
 
 use std::fs::File;
 use std::os::unix::fs::symlink;
@@ -17,7 +17,7 @@ use crate::support::{HUMAN, TestDir, fixture};
 /// One byte more than the largest file that the program reads, as in `docs/reference/errors.md`.
 const TOO_LARGE: u64 = 2 * 1024 * 1024 * 1024 + 1;
 
-/// Runs a call that must end soon, with 3 GB of memory at most.
+/// Runs a call that must end within 20 s and with at most 3 GB of memory.
 #[track_caller]
 fn run_within_20_s(dir: &TestDir, call: &str) -> (Option<i32>, String) {
     let script = format!("ulimit -v 3000000; exec \"$COMMAND\" {call}");
@@ -35,7 +35,7 @@ fn run_within_20_s(dir: &TestDir, call: &str) -> (Option<i32>, String) {
     status_and_output(&child.wait_with_output().unwrap())
 }
 
-/// The call ends soon with this exit status and prints these words.
+/// Asserts that the call ends within 20 s with this exit status and prints these words.
 #[track_caller]
 fn assert_refused_soon(dir: &TestDir, call: &str, status: i32, says: &[&str]) {
     let (exit_status, text) = run_within_20_s(dir, call);
@@ -100,7 +100,7 @@ fn folders_and_sockets_are_refused_in_plain_words() {
     std::fs::remove_file(dir.path("socket.osim")).unwrap();
 }
 
-/// A device gives bytes without end.
+/// A device may give bytes without end.
 #[test]
 fn a_device_without_an_end_is_refused_after_16_mib() {
     let dir = TestDir::with_human();

@@ -1,4 +1,4 @@
-//! No room: a full disk, a limit on the size of files, a full device behind standard output.
+//! Runs without enough space: a full disk, a limit on the size of files, a full device behind standard output.
 
 use crate::model_folder::{
     Files, assert_no_temporary_files, files_below, folder_with_models, run_shell, shell_command,
@@ -13,7 +13,7 @@ fn files_of_undisturbed_run(models: usize) -> Files {
     dir.files()
 }
 
-/// Models of 40 kB and more do not fit, those of 4 kB do.
+/// Under this limit models of 40 kB and more cannot be written, and models of 4 kB can.
 #[test]
 fn a_limit_on_file_size_fails_only_the_large_models() {
     let dir = folder_with_models(10);
@@ -84,7 +84,7 @@ fn a_full_disk_fails_only_the_models_that_do_not_fit() {
     assert!(second_outputs == undisturbed);
 }
 
-/// The disk of the summary is full: `--resume` would not know a model without its line.
+/// The disk of the summary is full. No model may be written without its line, because `--resume` would not know the model.
 #[test]
 fn no_model_is_written_if_its_summary_line_does_not_fit() {
     let dir = folder_with_models(20);

@@ -1,4 +1,4 @@
-//! Ctrl-C: the current models are finished, and `--resume` does the others.
+//! After Ctrl-C the run finishes the current models, and a run with `--resume` changes the other models.
 
 use std::time::{Duration, Instant};
 
@@ -21,7 +21,7 @@ fn send_interrupt(child: &std::process::Child) {
     send_signal("-INT", child);
 }
 
-/// Ctrl-C while the first of the models is being read.
+/// Runs a call and sends Ctrl-C while the run reads the first model.
 fn run_and_interrupt(dir: &TestDir, arguments: &str) -> (Option<i32>, String) {
     make_pipe(dir, "pipe.osim");
     let mut child = start(dir, arguments);
@@ -62,7 +62,7 @@ fn a_run_without_a_summary_can_be_interrupted() {
     assert!(text.contains("3 models: 1 written, 2 not begun; stopped"), "{text}");
 }
 
-/// A batch system that stops a job and a terminal that closes work like Ctrl-C.
+/// A batch system that stops a job (SIGTERM) and a terminal that closes (SIGHUP) have the same effect as Ctrl-C.
 #[test]
 fn sigterm_and_sighup_work_like_an_interrupt() {
     for signal in ["-TERM", "-HUP"] {

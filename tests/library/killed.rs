@@ -1,5 +1,5 @@
-//! SIGKILL at random moments, and at chosen system calls: outputs are absent or complete, and `--resume` makes the result of an
-//! undisturbed run.
+//! Kills runs by SIGKILL at random moments and at chosen system calls. Each output must be absent or complete, and `--resume` must
+//! make the same files as an undisturbed run.
 
 use std::collections::BTreeMap;
 use std::os::unix::process::ExitStatusExt;
@@ -15,7 +15,7 @@ struct Run {
     models: usize,
     /// Whether the models are changed in place.
     in_place: bool,
-    /// Calls that run before.
+    /// Calls that run before this call.
     before: &'static [&'static str],
 }
 
@@ -28,7 +28,7 @@ const INTO_FOLDER: Run = Run {
     in_place: false,
     before: &[],
 };
-/// A table with a row and a mass for each model.
+/// A batch by a table with a row and a mass for each model.
 const BATCH: Run = Run {
     call: "batch masses.csv --summary notes/done.ndjson --format json --jobs 2",
     models: 40,
@@ -42,7 +42,7 @@ const IN_PLACE: Run = Run {
     before: &[],
 };
 
-/// Variants of one model, and their table.
+/// A sweep that writes variants of one model, and their table.
 const SWEEP: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2",
     models: 40,
@@ -50,7 +50,7 @@ const SWEEP: Run = Run {
     before: &[],
 };
 
-/// The second of two shares of this sweep.
+/// The second of two shares of the sweep [`SWEEP`].
 const SHARE: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --shard 2/2",
     models: 20,
@@ -105,7 +105,7 @@ fn killed_a_thousand_times() {
     END_OF_SHARES.kill(100);
 }
 
-/// System calls by which a run changes the disk, by what they do.
+/// System calls by which a run changes the disk, grouped by their effect.
 const SYSTEM_CALLS: [(&str, &[&str]); 4] = [
     ("write", &["write", "writev"]),
     ("sync", &["fsync", "fdatasync"]),
@@ -120,7 +120,7 @@ fn killed_at_each_kind_of_system_call() {
     kill_at_calls(std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap()));
 }
 
-/// A few of these kills, for every change.
+/// Kills a few runs of every kind at system calls; every test run does this.
 #[test]
 fn killed_at_some_system_calls() {
     kill_at_calls(20);
@@ -155,7 +155,7 @@ fn strace_command(strace_options: &str, call: &str) -> String {
 }
 
 impl Run {
-    /// How often a thread of an undisturbed run makes each system call that changes the disk; `None` if strace does not work.
+    /// Numbers of system calls of each kind that a thread of an undisturbed run makes; `None` if strace does not work.
     fn system_calls(&self) -> Option<BTreeMap<(&'static str, &'static str), usize>> {
         let dir = self.prepare();
         let all: Vec<&str> = SYSTEM_CALLS.iter().flat_map(|(_, calls)| *calls).copied().collect();
@@ -234,7 +234,7 @@ impl Run {
         }
     }
 
-    /// Kills runs until `wanted` runs were killed; each resumes the killed one.
+    /// Kills runs until `wanted` runs were killed. Each run resumes the killed run before it.
     fn kill(&self, wanted: usize) {
         let (undisturbed, mut duration) = self.undisturbed();
         let mut random = RandomNumbers::new();
@@ -287,7 +287,7 @@ impl Run {
         dir
     }
 
-    /// All files after an undisturbed run, and how long it takes.
+    /// All files after an undisturbed run, and the duration of the run.
     fn undisturbed(&self) -> (Files, Duration) {
         let mut runs: Vec<(Duration, Files)> = (0..3)
             .map(|_| {
@@ -306,7 +306,7 @@ impl Run {
         (files, duration)
     }
 
-    /// Whether the run had to be killed after `delay`; otherwise it must have succeeded.
+    /// Starts the run and kills it after `delay`. Returns whether it was killed; otherwise the run must have succeeded.
     fn is_killed(&self, dir: &TestDir, call: &str, delay: Duration) -> bool {
         let mut child = dir.command(call).stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
         let end = Instant::now() + delay;
@@ -325,7 +325,7 @@ impl Run {
         false
     }
 
-    /// Asserts that no file is incomplete or lost; returns how many models are done.
+    /// Asserts that no file is incomplete or lost; returns the number of models that the run has changed.
     fn check_files(&self, before: &Files, after: &Files, undisturbed: &Files) -> usize {
         for (name, bytes) in after {
             let is_new = !before.contains_key(name);
@@ -359,12 +359,12 @@ impl Run {
     }
 }
 
-/// How many models are in the folder of the outputs.
+/// The number of models in the output folder.
 fn count_outputs(files: &Files) -> usize {
     files_below(files, "out/").keys().filter(|name| name.ends_with(".osim") && !is_temporary(name)).count()
 }
 
-/// Compares the names first, for a short message.
+/// Asserts that both sets of files are equal. Compares names first, so that the message is short.
 #[track_caller]
 fn assert_same_files(files: &Files, undisturbed: &Files) {
     assert_eq!(files.keys().collect::<Vec<_>>(), undisturbed.keys().collect::<Vec<_>>());
@@ -390,7 +390,7 @@ impl RandomNumbers {
         duration.mul_f64(self.next_u64() as f64 / u64::MAX as f64)
     }
 
-    /// One of the numbers below `end`.
+    /// A random number below `end`.
     fn index_below(&mut self, end: usize) -> usize {
         usize::try_from(self.next_u64() % end as u64).unwrap()
     }

@@ -66,7 +66,7 @@ fn a_leftover_beside_the_target_of_a_link_is_removed() {
     assert!(!dir.has(&stale));
 }
 
-/// A user who may write into the folder may remove a write-protected leftover.
+/// A write-protected leftover can be removed by a user who may write into its folder.
 #[test]
 fn a_write_protected_leftover_is_removed() {
     use std::os::unix::fs::PermissionsExt;
@@ -85,7 +85,7 @@ fn a_write_protected_leftover_is_removed() {
     assert!(!dir.has(&stale));
 }
 
-/// The order of system calls, as strace saw them.
+/// The system calls of a run in their order, as strace records them.
 fn strace_of_run(dir: &TestDir, arguments: &str) -> Option<String> {
     let script = format!(
         "exec strace -f -y -qq -o trace -e trace=fsync,fdatasync,rename,renameat,renameat2,link,linkat \"$COMMAND\" {arguments}"

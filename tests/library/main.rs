@@ -1,6 +1,6 @@
 //! Many models in one run: no file is incomplete or lost, and no change is applied twice.
 //!
-//! `killed.rs` kills runs at any moment; the others test full disks, odd files, Ctrl-C, leftovers and earlier runs.
+//! `killed.rs` kills runs at any moment; the other files test full disks, odd files, Ctrl-C, leftover files and earlier runs.
 
 #![cfg(unix)]
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]

@@ -1,4 +1,4 @@
-//! How much memory a run keeps for each model.
+//! Measures the memory that a run keeps for each model.
 
 use std::process::Child;
 
@@ -9,14 +9,14 @@ const MODELS: usize = 1500;
 const CALL: &str =
     "lib last.osim --target-mass 500 -d out --summary done.csv --format lines --quiet --jobs 1";
 
-/// The most memory that a process had, in KiB; `None` where the system does not say.
+/// The largest memory that a process had, in KiB; `None` if the system does not report it.
 fn peak_memory(child: &Child) -> Option<usize> {
     let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).ok()?;
     let line = status.lines().find(|line| line.starts_with("VmHWM:"))?;
     line.split_ascii_whitespace().nth(1)?.parse().ok()
 }
 
-/// The peak of a run, asked when it waits for the last of its models.
+/// The largest memory of a run, read when the run waits for its last model.
 fn peak_memory_of_run(dir: &TestDir, arguments: &str) -> Option<usize> {
     make_pipe(dir, "last.osim");
     let mut child = start(dir, arguments);

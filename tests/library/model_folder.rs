@@ -1,4 +1,4 @@
-//! Folders of different models, and runs that other programs disturb.
+//! Helpers of tests: folders of different models, and runs that other programs disturb.
 
 use std::collections::BTreeMap;
 use std::fs::File;
@@ -10,7 +10,7 @@ use crate::support::{TestDir, fixture, report_skip};
 
 pub(crate) type Files = BTreeMap<String, Vec<u8>>;
 
-/// The models of a folder are copies of these: small and large ones of both classes, in old and new format.
+/// The fixtures that models of a folder are copied from: small and large models of both classes, in old and new format.
 const FIXTURES: [&str; 5] = [
     "format/v40000.osim",
     "table1/human_62kg_smooth_sphere.osim",
@@ -24,7 +24,7 @@ pub(crate) fn model_name(number: usize) -> String {
     format!("{}/model{number:02}.osim", if number.is_multiple_of(2) { "even" } else { "odd" })
 }
 
-/// The bytes of model `number`, which differ from all others.
+/// The bytes of model `number`, which differ from those of all other models.
 pub(crate) fn model_bytes(number: usize) -> Vec<u8> {
     let mut bytes = fixture(FIXTURES[number % FIXTURES.len()]);
     writeln!(bytes, "<!-- model {number} -->").unwrap();
@@ -40,14 +40,14 @@ pub(crate) fn folder_with_models(count: usize) -> TestDir {
     dir
 }
 
-/// The files whose names begin with `prefix`, named without it.
+/// The files whose names begin with `prefix`, with the prefix removed from the names.
 pub(crate) fn files_below(files: &Files, prefix: &str) -> Files {
     let strip =
         |(name, bytes): (&String, &Vec<u8>)| Some((name.strip_prefix(prefix)?.to_owned(), bytes.clone()));
     files.iter().filter_map(strip).collect()
 }
 
-/// Whether a resumed run removes the file: a temporary file, or one that was exchanged with its successor.
+/// Whether a resumed run removes the file: a temporary file, or an old file that was exchanged with its new version.
 pub(crate) fn is_temporary(name: &str) -> bool {
     let name = name.rsplit('/').next().unwrap_or_default();
     name.starts_with(".osim-contact-scale-") || name.contains(".replaced-")
@@ -146,8 +146,8 @@ pub(crate) fn shell_command(dir: &TestDir, words: &[&str]) -> Command {
     command
 }
 
-/// Words before a call that make permissions apply to it even if the tests run as root; `None` after reporting that
-/// this machine has no way to do that.
+/// The beginning of a command line that runs a call without the rights of root, if the tests run as root. `None` after reporting a
+/// skipped test, if the machine cannot do this.
 pub(crate) fn unprivileged_prefix(dir: &TestDir, test: &str) -> Option<Vec<&'static str>> {
     use std::os::unix::fs::PermissionsExt;
     let root =

@@ -1,4 +1,4 @@
-//! Folders and files that are not as they should be: found before anything is written, or reported for that model alone.
+//! Folders and files with faults: the run refuses them before it writes anything, or reports the fault for one model alone.
 
 use std::ffi::OsStr;
 use std::os::unix::ffi::OsStrExt;
@@ -12,7 +12,7 @@ use crate::support::{TestDir, fixture};
 
 const CALL: &str = "lib --target-mass 500 -d out --summary done.csv";
 
-/// Runs the command as a user to whom permissions apply.
+/// Runs the command as a user without the rights of root, so that permissions of files apply.
 fn run_unprivileged(dir: &TestDir, test: &str, call: &str) -> Option<(Option<i32>, String)> {
     let mut words = unprivileged_prefix(dir, test)?;
     let script = format!("\"$COMMAND\" {call}");
@@ -221,7 +221,7 @@ fn a_file_with_two_hard_links_is_not_changed_twice() {
     assert_eq!(dir.read("lib/even/second.osim"), undisturbed.read("lib/even/model00.osim"));
 }
 
-/// A link that leads nowhere counts as a failed model.
+/// A symbolic link to a missing file counts as a failed model.
 #[test]
 fn the_last_line_counts_links_that_lead_nowhere() {
     let dir = folder_with_models(1);
@@ -231,7 +231,7 @@ fn the_last_line_counts_links_that_lead_nowhere() {
     dir.run("lib --target-mass 500 -d out").failed().says(&["remark: 4 models: 1 written, 3 failed"]);
 }
 
-/// A table may name only ordinary files, and a pipe is not one.
+/// A table may name only ordinary files. The message must say that the file is a pipe.
 #[test]
 fn a_pipe_in_a_table_is_not_called_missing() {
     let dir = folder_with_models(1);

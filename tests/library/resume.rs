@@ -1,4 +1,4 @@
-//! `--resume`: unchanged models are skipped, changed ones are written again, edited outputs stay.
+//! A run with `--resume` skips unchanged models, writes changed models again, and keeps edited outputs.
 
 use crate::model_folder::{assert_no_temporary_files, column_by_model, folder_with_models, model_bytes};
 use crate::support::{CommandRun, TestDir};
@@ -110,7 +110,7 @@ fn models_that_failed_are_tried_again() {
     assert!(dir.files() == undisturbed.files());
 }
 
-/// A run was killed after it had written the summary line of an output and before it replaced the output.
+/// The last run was killed after it had written the summary line of an output and before it replaced the output.
 #[test]
 fn an_output_of_the_run_before_the_last_is_replaced() {
     let dir = finished_run();
@@ -143,7 +143,7 @@ fn a_factor_in_place_is_applied_once() {
     assert!(dir.files() == files_before);
 }
 
-/// The geometry of a standalone force set is an output like the forces.
+/// The geometry set of a standalone force set is an output, too.
 #[test]
 fn a_missing_geometry_is_written_again() {
     let dir = TestDir::with(&[
@@ -304,7 +304,7 @@ fn rows_of_a_manifest_may_change_their_order() {
     assert_eq!(rows, ["2", "3", "4"]);
 }
 
-/// A model is recognised however its path, its output or the folder of the call is written.
+/// A model is recognised if its path, its output or the folder of the call is spelled in another way.
 #[test]
 fn models_are_recognised_by_any_path_and_from_any_folder() {
     let dir = finished_run();
@@ -330,7 +330,7 @@ fn models_are_recognised_by_any_path_and_from_any_folder() {
 
 #[cfg(unix)]
 #[test]
-fn a_factor_in_place_is_applied_once_whatever_the_path() {
+fn a_factor_in_place_is_applied_once_for_any_spelling_of_the_path() {
     let dir = folder_with_models(3);
     let call = |folder: &str, more: &str| {
         format!("set {folder} stiffness=x2 --no-note --no-backup --in-place --summary s.csv{more}")
@@ -344,7 +344,7 @@ fn a_factor_in_place_is_applied_once_whatever_the_path() {
     }
 }
 
-/// A run over fewer models keeps the lines of the others.
+/// A resumed run over fewer models keeps the summary lines of the other models.
 #[test]
 fn summary_lines_of_models_outside_the_run_stay() {
     let dir = finished_run();
@@ -406,7 +406,7 @@ fn rows_of_a_manifest_may_be_removed_restored_and_swapped() {
     }
 }
 
-/// A corrected factor would multiply the number that the first factor gave.
+/// A second factor would multiply the result of the first factor.
 #[test]
 fn another_factor_in_place_is_refused() {
     let dir = TestDir::with(&[("table1/human_62kg_smooth_sphere.osim", "a.osim")]);

@@ -1,11 +1,11 @@
-//! `--shard` and `--jobs`: the work in shares and in threads.
+//! `--shard` divides a run into shares for several computers; `--jobs` sets the number of threads.
 
 use std::collections::BTreeSet;
 
 use crate::model_folder::{files_below, folder_with_models, model_bytes};
 use crate::support::TestDir;
 
-/// Names below `out/` that share `index` of `count` writes.
+/// Names of the files below `out/` that the share `index` of `count` writes.
 fn outputs_of_share(dir: &TestDir, index: usize, count: usize) -> BTreeSet<String> {
     let run = dir
         .run(&format!("lib --target-mass 500 -d out --shard {index}/{count} --summary {index}.csv"))

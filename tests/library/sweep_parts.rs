@@ -1,4 +1,4 @@
-//! `sweep --point` and `sweep --shard`: jobs of a cluster write parts of one sweep in parallel, and a last call writes the whole table.
+//! `sweep --point` and `sweep --shard`: jobs on a cluster write parts of one sweep in parallel, and a last call writes the whole table.
 
 use std::fs::File;
 
@@ -22,14 +22,14 @@ fn share_options(count: usize) -> impl Iterator<Item = String> {
     (1..=count).map(move |index| format!("--shard {index}/{count}"))
 }
 
-/// Runs the call that finishes the sweep; it must print `says`.
+/// Runs the call that finishes the sweep; the call must print `says`.
 #[track_caller]
 fn finish_sweep(dir: &TestDir, says: &str) {
     dir.run(&format!("{CALL} --resume")).succeeded().says(&[says]);
     assert_undisturbed(dir, CALL);
 }
 
-/// Two shares of the six models, one after the other.
+/// A folder after both shares of a sweep of six models were run, one after the other.
 fn sweep_in_two_shares() -> TestDir {
     let dir = dir_with_emu();
     for share in share_options(2) {
@@ -38,7 +38,7 @@ fn sweep_in_two_shares() -> TestDir {
     dir
 }
 
-/// The rows of a table, and its header.
+/// The rows and the header of a table.
 fn rows_and_header(dir: &TestDir, table: &str) -> (Vec<String>, String) {
     let text = dir.text(table);
     let mut lines = text.lines().map(str::to_owned);
@@ -72,7 +72,7 @@ fn parallel_points_and_a_last_call_make_the_whole_sweep() {
     }
 }
 
-/// Shares and single points in parallel: two calls write each model.
+/// Shares and single points run in parallel, so that two calls write each model.
 #[test]
 fn a_point_that_two_calls_write_is_complete() {
     let dir = dir_with_emu();
@@ -132,7 +132,7 @@ fn parts_of_another_model_are_replaced() {
     finish_sweep(&dir, "5 models written, 1 done before");
 }
 
-/// A killed share leaves some models and an incomplete line.
+/// A killed share leaves some models, and an incomplete line in the partial table.
 #[test]
 fn models_of_a_killed_part_are_recognised() {
     let dir = sweep_in_two_shares();

@@ -1,4 +1,4 @@
-//! `sweep --resume`: complete models stay, missing ones are written, edited ones stay.
+//! `sweep --resume` keeps complete models, writes missing models, and keeps edited models.
 
 use std::time::{Duration, Instant};
 
@@ -33,13 +33,13 @@ pub(crate) fn replace_by_heavier_model(dir: &TestDir) {
     replace_by_model_of_mass(dir, 50);
 }
 
-/// Replaces the model by one of `kg`.
+/// Replaces the model by a model with a mass of `kg`.
 pub(crate) fn replace_by_model_of_mass(dir: &TestDir, kg: u32) {
     dir.run(&format!("emu.osim --target-mass {kg} -o other.osim --force")).succeeded();
     std::fs::rename(dir.path("other.osim"), dir.path("emu.osim")).unwrap();
 }
 
-/// The folder has the files of an undisturbed sweep of its model.
+/// Asserts that the folder has the same files as after an undisturbed sweep.
 #[track_caller]
 pub(crate) fn assert_undisturbed(dir: &TestDir, call: &str) {
     let undisturbed = TestDir::new();
@@ -157,7 +157,7 @@ fn an_earlier_model_is_replaced_after_a_sweep_that_failed_to() {
     assert_undisturbed(&dir, CALL);
 }
 
-/// A killed sweep leaves some files and an incomplete line.
+/// A killed sweep leaves some files, and an incomplete line in the partial table.
 #[test]
 fn complete_lines_of_a_partial_table_are_used() {
     let dir = finished_sweep();
@@ -253,7 +253,7 @@ fn a_second_sweep_into_a_busy_folder_is_refused() {
     assert_undisturbed(&dir, CALL);
 }
 
-/// Ctrl-C: the partial table stays, and the same call with `--resume` ends it.
+/// After Ctrl-C the partial table stays, and the same call with `--resume` finishes the sweep.
 #[test]
 fn an_interrupted_sweep_can_be_resumed() {
     let dir = dir_with_emu();

@@ -1,14 +1,14 @@
-//! `design`: known numbers give the others; with models only the requested properties are written.
+//! `design` computes unknown numbers from known numbers. With models, it writes only the requested properties.
 
 use std::collections::BTreeMap;
 
 use crate::support::{CommandRun, HUMAN, TestDir};
 use crate::{assert_close, changed_lines, changes_in_json, json_object};
 
-/// Table 1 as the paper prints it.
+/// The numbers of Table 1, typed from the paper.
 const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
-/// The figures of the calculator by name.
+/// The values that `design` without a model computes, by name.
 #[track_caller]
 fn design_sheet(arguments: &str) -> BTreeMap<String, f64> {
     let run = TestDir::new().run(&format!("design {arguments} --format json")).succeeded().wrote_nothing();
@@ -129,7 +129,7 @@ fn design_computes_smoothing_from_widths() {
     assert_figure(&falisse, "constant_contact_force", 1e-5, 1e-3);
 }
 
-/// The stiffness that `design` plans for the human, its equation, and the remarks about rest.
+/// The stiffness that `design` plans for the human, the equation of the stiffness, and remarks about the standing body.
 #[track_caller]
 fn planned_stiffness(arguments: &str) -> (f64, String, String) {
     let dir = TestDir::with(&[HUMAN]);

@@ -1,12 +1,12 @@
-//! `drop-test`: the paper's experiment.
+//! `drop-test`: lets bodies fall on their contacts, as in the paper.
 
 use serde::Deserialize;
 
 use crate::support::{CommandRun, HUMAN, TestDir, fixture};
 use crate::{assert_close, json_object};
 
-/// Rows of Table 1: fixture, stance limbs, M, n, R, and k in kN/m as OpenSim 4.6 has it (theory.md; the paper prints
-/// three digits of these: 13.4, 54.5, 0.218, 10.5, 26.2, 151, 207).
+/// Rows of Table 1: fixture, stance limbs, M, n, R, and k in kN/m as OpenSim 4.6 computes it (theory.md; the paper prints k with
+/// three digits: 13.4, 54.5, 0.218, 10.5, 26.2, 151, 207).
 const TABLE_1: [(&str, u32, f64, f64, f64, f64); 7] = [
     ("human_62kg", 1, 62.0, 6.0, 0.032, 13.450),
     ("human_500kg", 1, 500.0, 6.0, 0.0637, 54.487),
@@ -17,10 +17,10 @@ const TABLE_1: [(&str, u32, f64, f64, f64, f64); 7] = [
     ("giraffe", 2, 1190.0, 8.0, 0.030, 206.515),
 ];
 
-/// The contract of `--format json`, field by field.
+/// All fields of the JSON that `drop-test --format json` prints.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Drop {
+struct DropJson {
     schema_version: u32,
     model: String,
     mass_kg: f64,
@@ -42,13 +42,13 @@ struct Drop {
     restitution_approximate: Option<f64>,
     contact_time_s: Option<f64>,
     rebound_speed_m_s: Option<f64>,
-    compare: Option<Compare>,
-    series: Series,
+    compare: Option<ComparisonJson>,
+    series: SeriesJson,
 }
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Compare {
+struct ComparisonJson {
     other: String,
     until_dimensionless_time: f64,
     height_over_radius: f64,
@@ -57,7 +57,7 @@ struct Compare {
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Series {
+struct SeriesJson {
     time_s: Vec<f64>,
     height_m: Vec<f64>,
     speed_m_s: Vec<f64>,
@@ -67,7 +67,7 @@ struct Series {
 }
 
 #[track_caller]
-fn drop_test(dir: &TestDir, arguments: &str) -> Drop {
+fn drop_test(dir: &TestDir, arguments: &str) -> DropJson {
     let run = dir.run(&format!("drop-test {arguments} --format json")).succeeded().wrote_nothing();
     serde_json::from_value(json_object(&run)).unwrap()
 }
@@ -277,7 +277,7 @@ fn drop_test_output_matches_its_snapshots() {
     dir.run("drop-test").matches_snapshot("physics_drop_test_nothing");
 }
 
-/// A duration over sqrt(R/g) that is more than a double holds was one step of the integration, which met no contact.
+/// A duration over sqrt(R/g) that is too large for a double once made the integration take one step, which missed the contact.
 #[test]
 fn a_duration_near_the_largest_double_is_refused() {
     let drop =

@@ -1,16 +1,16 @@
-//! `fit`: a measured curve gives the parameters that made it, from the file of any spreadsheet.
+//! `fit`: recovers the parameters of a measured curve, from the file of any spreadsheet.
 
 use crate::support::{CommandRun, TestDir};
 use crate::{assert_close, json_object, number};
 
-/// The parameters of the curve: n, R, E*, α and the onset.
+/// Number of spheres in the curve. The constants below are its R, E*, α and onset of contact.
 const COUNT: f64 = 6.0;
 const RADIUS: f64 = 0.032;
 const MODULUS: f64 = 4e5;
 const DISSIPATION: f64 = 0.8;
 const ONSET: f64 = 0.0005;
 
-/// Time, indentation, speed and force by (1) with (12), in SI units: in and out again within 0.2 s.
+/// A curve by (1) with (12): time, indentation, speed and force in SI_UNITS units, while the spheres go in and out again within 0.2 s.
 fn measured_curve() -> Vec<[f64; 4]> {
     let half = std::f64::consts::PI / 0.2;
     (0..=40)
@@ -25,7 +25,7 @@ fn measured_curve() -> Vec<[f64; 4]> {
         .collect()
 }
 
-/// The curve as CSV text: columns in other units, cells joined by `between`, `decimal` for the point.
+/// The curve as CSV text: `units` multiply the columns, `between` separates cells, and `decimal` is the decimal sign.
 fn curve_as_csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> String {
     let mut text = format!("{}\n", header.replace(',', between));
     for row in measured_curve() {
@@ -37,11 +37,11 @@ fn curve_as_csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> 
 }
 
 const HEADER: &str = "time,indentation,speed,force";
-const SI: [f64; 4] = [1.0; 4];
+const SI_UNITS: [f64; 4] = [1.0; 4];
 
 fn dir_with_curve() -> TestDir {
     let dir = TestDir::new();
-    dir.write("curve.csv", curve_as_csv(HEADER, SI, ",", "."));
+    dir.write("curve.csv", curve_as_csv(HEADER, SI_UNITS, ",", "."));
     dir
 }
 
@@ -106,9 +106,9 @@ fn units_delimiters_and_decimal_commas_change_nothing() {
     let text = curve_as_csv(names, [1e-3, 1e-3, 1e-3, 1e3], ";", ",").replace('\n', "\r\n");
     dir.write("eu.csv", [b"\xEF\xBB\xBF".as_slice(), text.as_bytes()].concat());
     assert_true_parameters(&dir.run(&format!("fit eu.csv {columns}")).succeeded());
-    dir.write("tabs.tsv", curve_as_csv(HEADER, SI, "\t", "."));
+    dir.write("tabs.tsv", curve_as_csv(HEADER, SI_UNITS, "\t", "."));
     assert_true_parameters(&dir.run(&format!("fit tabs.tsv {OPTIONS}")).succeeded());
-    dir.write("comma_tabs.tsv", curve_as_csv(HEADER, SI, "\t", ","));
+    dir.write("comma_tabs.tsv", curve_as_csv(HEADER, SI_UNITS, "\t", ","));
     assert_true_parameters(&dir.run(&format!("fit comma_tabs.tsv {OPTIONS}")).succeeded());
     dir.write("micro.csv", curve_as_csv(HEADER, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
     assert_true_parameters(

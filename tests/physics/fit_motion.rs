@@ -1,4 +1,4 @@
-//! `fit` of a model to a recording recovers known contacts.
+//! `fit` of a model to a recorded motion recovers known contacts.
 
 use serde_json::Value;
 
@@ -11,14 +11,14 @@ const FILES: [(&str, &str); 4] = [
     ("motion/plates.sto", "plates.sto"),
     ("motion/plates.xml", "plates.xml"),
 ];
-const FIT: &str = "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml";
+const FIT_CALL: &str = "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml";
 
 /// The folder of a public recording, or `None` after reporting that the test is skipped.
 fn trial_folder(test: &str, name: &str) -> Option<std::path::PathBuf> {
     Some(corpus_folder(test)?.join("../trials").join(name))
 }
 
-/// The new value of a property, equal in all changes of it.
+/// The new value of a property, which is equal in all changes of the plan.
 #[track_caller]
 fn new_value(plan: &Value, property: &str) -> f64 {
     let changes = plan["changes"].as_array().unwrap().iter().filter(|change| change["property"] == property);
@@ -27,7 +27,7 @@ fn new_value(plan: &Value, property: &str) -> f64 {
     values[0]
 }
 
-/// How far the floor goes up, m.
+/// The upward movement of the floor in a plan, m.
 #[track_caller]
 fn floor_up(plan: &Value) -> f64 {
     let moved =
@@ -35,12 +35,12 @@ fn floor_up(plan: &Value) -> f64 {
     moved["to"][1].as_f64().unwrap() - moved["from"][1].as_f64().unwrap()
 }
 
-/// What `make_motion.py` gave the plates: E1* 4e6 N/m2 (8e6 in the model), 1.5 s/m (0.5), a floor 11 mm lower.
+/// `make_motion.py` computed the plates with E1* 4e6 N/m² (the model has 8e6), α 1.5 s/m (the model has 0.5) and an 11 mm lower floor.
 #[test]
 fn fit_recovers_known_contacts_from_a_recording() {
     let dir = TestDir::with(&FILES);
     let plan = json_object(
-        &dir.run(&format!("{FIT} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
+        &dir.run(&format!("{FIT_CALL} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
     );
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, "dissipation");
@@ -67,17 +67,17 @@ fn fit_recovers_known_contacts_from_a_recording() {
     );
     insta::assert_snapshot!(
         "fit_motion",
-        dir.run(&format!("{FIT} --dry-run")).succeeded().wrote_nothing().out()
+        dir.run(&format!("{FIT_CALL} --dry-run")).succeeded().wrote_nothing().out()
     );
 }
 
-/// A start that is wrong by ten times, either way, in stiffness and dissipation.
+/// The fit begins with a stiffness and dissipation that are ten times too large or too small.
 #[test]
-fn a_start_that_is_wrong_by_ten_times_changes_nothing() {
+fn a_start_that_is_wrong_by_ten_times_leads_to_the_same_fit() {
     let dir = TestDir::with(&FILES);
     for factor in ["x10", "x0.1"] {
         dir.run(&format!("set walker.osim stiffness={factor} dissipation={factor} -o wrong.osim --force --yes wrong-afterwards")).succeeded();
-        let call = FIT.replace("walker.osim", "wrong.osim");
+        let call = FIT_CALL.replace("walker.osim", "wrong.osim");
         let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, factor);
         assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, factor);
@@ -88,7 +88,7 @@ fn a_start_that_is_wrong_by_ten_times_changes_nothing() {
 #[test]
 fn only_the_named_quantities_are_fitted() {
     let dir = TestDir::with(&FILES);
-    let plan = json_object(&dir.run(&format!("{FIT} --fit height --dry-run --format json")).succeeded());
+    let plan = json_object(&dir.run(&format!("{FIT_CALL} --fit height --dry-run --format json")).succeeded());
     let properties: Vec<&str> = plan["changes"]
         .as_array()
         .unwrap()
@@ -97,7 +97,8 @@ fn only_the_named_quantities_are_fitted() {
         .collect();
     assert_eq!(properties, ["location"]);
     let plan = json_object(
-        &dir.run(&format!("{FIT} --fit stiffness --fit dissipation --dry-run --format json")).succeeded(),
+        &dir.run(&format!("{FIT_CALL} --fit stiffness --fit dissipation --dry-run --format json"))
+            .succeeded(),
     );
     assert!(plan["changes"].as_array().unwrap().iter().all(|change| change["property"] != "location"));
     assert!(plan["floor_up_m"].is_null(), "{plan}");
@@ -105,7 +106,7 @@ fn only_the_named_quantities_are_fitted() {
 
 /// Spheres keep their different dissipations if only the floor is fitted.
 #[test]
-fn quantities_that_are_not_fitted_stay_unequal() {
+fn dissipations_that_differ_between_spheres_stay_if_only_the_floor_is_fitted() {
     let dir = TestDir::with(&FILES);
     let unequal = dir.text("walker.osim").replacen("<dissipation>0.5", "<dissipation>4", 1);
     dir.write("own.osim", &unequal);
@@ -123,7 +124,7 @@ fn quantities_that_are_not_fitted_stay_unequal() {
     assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{plan}");
 }
 
-/// Where `plan` puts the centre of a sphere, m.
+/// The new centre of a sphere in `plan`, m.
 #[track_caller]
 fn new_centre(plan: &Value, sphere: &str) -> [f64; 3] {
     let changes = plan["changes"].as_array().unwrap();
@@ -140,7 +141,7 @@ fn new_centre(plan: &Value, sphere: &str) -> [f64; 3] {
 #[test]
 fn the_height_can_be_fitted_by_moving_the_spheres() {
     let dir = TestDir::with(&FILES);
-    let call = format!("{FIT} --height-in spheres");
+    let call = format!("{FIT_CALL} --height-in spheres");
     let plan = json_object(
         &dir.run(&format!("{call} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
     );
@@ -173,19 +174,19 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
     let rows: Vec<String> = rows.lines().map(raised).collect();
     dir.write("walk.mot", format!("{head}endheader\n{names}\n{}\n", rows.join("\n")));
     let plan =
-        json_object(&dir.run(&format!("{FIT} --height-in spheres --dry-run --format json")).succeeded());
+        json_object(&dir.run(&format!("{FIT_CALL} --height-in spheres --dry-run --format json")).succeeded());
     let [_, y, _] = new_centre(&plan, "heel_r");
     assert!((y - (-0.02 - 0.25)).abs() < 1e-3, "{y}");
 }
 
 /// Only the horizontal error depends on the slip against a belt: feet with friction that step in place slip over it.
 #[test]
-fn a_belt_counts_in_a_fit() {
+fn the_speed_of_a_belt_counts_in_a_fit() {
     let dir = TestDir::with(&FILES);
     dir.run("set walker.osim static_friction=0.8 dynamic_friction=0.8 -o rough.osim --yes wrong-afterwards")
         .succeeded();
     let error = |options: &str| {
-        let call = FIT.replace("walker.osim", "rough.osim");
+        let call = FIT_CALL.replace("walker.osim", "rough.osim");
         let plan = json_object(&dir.run(&format!("{call} {options} --dry-run --format json")).succeeded());
         plan["errors"]["horizontal_rms_bw"].as_f64().unwrap()
     };
@@ -197,12 +198,12 @@ fn a_belt_counts_in_a_fit() {
     let with_belt: String = rows.lines().map(|row| format!("{row}\t1.25\n")).collect();
     dir.write("walk.mot", format!("{head}endheader\n{names}\tbelt\n{with_belt}"));
     assert_eq!(error("--belt-column belt"), error("--belt 1.25"));
-    dir.run(&format!("{FIT} --belt-column other --dry-run")).says(&["no column 'other'"]);
+    dir.run(&format!("{FIT_CALL} --belt-column other --dry-run")).says(&["no column 'other'"]);
     let motion = dir.run("motion rough.osim walk.mot --belt-column belt --format csv").succeeded().out();
     assert_eq!(motion, dir.run("motion rough.osim walk.mot --belt 1.25 --format csv").succeeded().out());
 }
 
-/// Two recordings of one body share their contacts; the second recording is the second half of the walk.
+/// Two recordings of one body have the same contacts. The second recording is the second half of the walk.
 #[test]
 fn several_trials_share_their_contacts() {
     let dir = TestDir::with(&FILES);
@@ -231,14 +232,15 @@ fn several_trials_share_their_contacts() {
 #[test]
 fn options_of_a_curve_and_of_a_recording_are_not_mixed() {
     let dir = TestDir::with(&FILES);
-    dir.run(&format!("{FIT} --radius 0.01")).usage_error().says(&["--radius"]);
+    dir.run(&format!("{FIT_CALL} --radius 0.01")).usage_error().says(&["--radius"]);
     dir.run("fit walker.osim --motion walk.mot").usage_error().says(&["--plates"]);
     dir.run("fit walker.osim --plates plates.sto --radius 0.01").usage_error().says(&["--motion"]);
     dir.run("fit measured.csv --radius 0.01 -o other.csv").usage_error().says(&["--motion"]);
     dir.run("fit measured.csv --radius 0.01 --unbounded").usage_error().says(&["--motion"]);
 }
 
-/// A published simulation whose ground reactions come from its own contacts: E1* within 1 %, α within 5 %, height within 0.1 mm.
+/// In a published simulation the ground reactions come from its own contacts. The fit finds E1* within 1 %, α within 5 %, height
+/// within 0.1 mm.
 #[test]
 fn fit_recovers_the_contacts_of_a_simulated_gait() {
     let Some(folder) = trial_folder("fit_recovers_the_contacts_of_a_simulated_gait", "example2DWalking")
@@ -258,7 +260,7 @@ fn fit_recovers_the_contacts_of_a_simulated_gait() {
     assert!(floor_up(&plan).abs() < 1e-4, "{plan}");
 }
 
-/// A measured gait: with no bound, 0.2 body weights per foot, and 0.3 on the foot that was not fitted.
+/// The error for a measured gait, without bounds: 0.2 body weights per foot, and 0.3 on the foot that was not fitted.
 #[test]
 fn fit_of_a_measured_gait_reaches_the_documented_error() {
     let Some(folder) =
@@ -298,7 +300,7 @@ fn fit_of_a_measured_gait_reaches_the_documented_error() {
     assert!(remarks.contains("--unbounded"), "{remarks}");
 }
 
-/// A table of models: one row is a body with its recording.
+/// In a table of models, each row is a body with its own recording.
 #[test]
 fn a_table_has_a_recording_for_each_model() {
     let dir = TestDir::with(&FILES);
@@ -309,14 +311,14 @@ fn a_table_has_a_recording_for_each_model() {
          walker.osim,fit,walk.mot,plates.sto,plates.xml,height,height.osim\n",
     );
     dir.run("batch table.csv").succeeded().wrote(&["all.osim", "height.osim"]);
-    dir.run(&format!("{FIT} -o alone.osim")).succeeded();
+    dir.run(&format!("{FIT_CALL} -o alone.osim")).succeeded();
     assert_eq!(dir.text("all.osim"), dir.text("alone.osim"));
     assert!(dir.text("height.osim").contains("<stiffness>8e+06"));
     dir.write("table.csv", "model,verb,output\nwalker.osim,fit,other.osim\n");
     dir.run("batch table.csv").says(&["motion"]);
 }
 
-/// The default pose of an ankle does not matter: down is the direction to the floor while the foot stands.
+/// The default pose of an ankle does not matter, because down is the direction to the floor while the foot is on the floor.
 #[test]
 fn the_default_pose_of_an_ankle_does_not_matter() {
     let dir = TestDir::with(&FILES);
@@ -326,7 +328,7 @@ fn the_default_pose_of_an_ankle_does_not_matter() {
         format!("{}{}", &text[..at], text[at..].replacen("<default_value>0<", "<default_value>0.5<", 1));
     assert_ne!(turned, text);
     dir.write("turned.osim", turned);
-    let call = FIT.replace("walker.osim", "turned.osim");
+    let call = FIT_CALL.replace("walker.osim", "turned.osim");
     let plan =
         json_object(&dir.run(&format!("{call} --height-in spheres --dry-run --format json")).succeeded());
     for sphere in ["heel_r", "ball_r", "heel_l", "ball_l"] {
@@ -335,7 +337,7 @@ fn the_default_pose_of_an_ankle_does_not_matter() {
     }
 }
 
-/// Two trials of one body whose floors differ by 20 mm: they share the contacts and not the floor, whether floors or spheres move.
+/// Two trials of one body with floors at heights that differ by 20 mm share the contacts but not the floor, also if spheres move.
 #[test]
 fn each_trial_has_a_floor_of_its_own() {
     let dir = TestDir::with(&FILES);
@@ -350,7 +352,7 @@ fn each_trial_has_a_floor_of_its_own() {
     });
     dir.write("raised.mot", format!("{head}endheader\n{names}\n{}", raised.collect::<String>()));
     for options in ["", "--height-in spheres"] {
-        let call = FIT.replace("--plates", "--motion raised.mot --plates plates.sto --plates");
+        let call = FIT_CALL.replace("--plates", "--motion raised.mot --plates plates.sto --plates");
         let plan = json_object(&dir.run(&format!("{call} {options} --dry-run --format json")).succeeded());
         assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 0.02, "{options}: {plan}");
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.02, "E1*");
@@ -367,7 +369,7 @@ fn each_trial_has_a_floor_of_its_own() {
     }
 }
 
-/// No plate measured the right foot: it is left out with a remark, and the left foot gives the contacts.
+/// If no plate measured the right foot, a remark says that the foot does not count, and the left foot gives the contacts.
 #[test]
 fn a_foot_that_no_plate_measured_is_left_out() {
     let dir = TestDir::with(&FILES);
@@ -381,7 +383,7 @@ fn a_foot_that_no_plate_measured_is_left_out() {
         cells.map(|(cell, &is)| if is { "0" } else { cell }).collect::<Vec<&str>>().join("\t") + "\n"
     });
     dir.write("plates.sto", format!("{head}endheader\n{names}\n{}", emptied.collect::<String>()));
-    let plan = json_object(&dir.run(&format!("{FIT} --dry-run --format json")).succeeded());
+    let plan = json_object(&dir.run(&format!("{FIT_CALL} --dry-run --format json")).succeeded());
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     let remarks = plan["remarks"].to_string();
     assert!(
@@ -394,8 +396,9 @@ fn a_foot_that_no_plate_measured_is_left_out() {
 #[test]
 fn a_moved_floor_of_other_spheres_is_reported() {
     let dir = TestDir::with(&FILES);
-    let plan =
-        json_object(&dir.run(&format!("{FIT} --select contact_heel_r --dry-run --format json")).succeeded());
+    let plan = json_object(
+        &dir.run(&format!("{FIT_CALL} --select contact_heel_r --dry-run --format json")).succeeded(),
+    );
     let remarks = plan["remarks"].to_string();
     assert!(remarks.contains("the floor is also that of"), "{remarks}");
 }
@@ -403,9 +406,9 @@ fn a_moved_floor_of_other_spheres_is_reported() {
 #[test]
 fn fit_of_a_motion_refuses_options_without_effect() {
     let dir = TestDir::with(&FILES);
-    dir.run(&format!("{FIT} --fit stiffness --height-in spheres"))
+    dir.run(&format!("{FIT_CALL} --fit stiffness --height-in spheres"))
         .usage_error()
         .says(&["no height is fitted", "--height-in"]);
-    dir.run(&format!("{FIT} --branch loading")).usage_error().says(&["--branch"]);
-    dir.run(&format!("{FIT} --force-unit kN")).usage_error().says(&["--force-unit"]);
+    dir.run(&format!("{FIT_CALL} --branch loading")).usage_error().says(&["--branch"]);
+    dir.run(&format!("{FIT_CALL} --force-unit kN")).usage_error().says(&["--force-unit"]);
 }

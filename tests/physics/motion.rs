@@ -1,4 +1,5 @@
-//! `motion`: contacts along a recording. `tests/oracle/test_motion.py` compares with OpenSim; here the numbers are computed by hand.
+//! `motion`: contact forces along a recorded motion. Expected numbers are computed by hand; `tests/oracle/test_motion.py` compares
+//! with OpenSim.
 
 use crate::support::TestDir;
 use crate::{assert_close, json_object};
@@ -9,7 +10,7 @@ const FILES: [(&str, &str); 4] = [
     ("motion/plates.sto", "plates.sto"),
     ("motion/plates.xml", "plates.xml"),
 ];
-const MEASURED: &str = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
+const CALL_WITH_PLATES: &str = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
 
 #[track_caller]
 fn assert_refused(dir: &TestDir, arguments: &str, words: &str) {
@@ -17,7 +18,7 @@ fn assert_refused(dir: &TestDir, arguments: &str, words: &str) {
     assert_ne!(run.status, Some(0));
 }
 
-/// The cells of the first row of a sphere.
+/// The cells of the first row about a sphere, with their column names.
 fn first_row_of(csv: &str, sphere: &str) -> Vec<(String, String)> {
     let mut lines = csv.lines();
     let names = lines.next().unwrap().split(',').map(str::to_owned);
@@ -64,7 +65,7 @@ fn missing_rows_of_plates_are_reported_once() {
     };
     let gap_remarks = |text: &str| {
         dir.write("plates.sto", text);
-        let run = dir.run(MEASURED).succeeded().wrote_nothing();
+        let run = dir.run(CALL_WITH_PLATES).succeeded().wrote_nothing();
         let text = run.out().split_whitespace().collect::<Vec<_>>().join(" ");
         (text.matches("rows are missing").count(), text)
     };
@@ -85,9 +86,10 @@ fn missing_rows_of_plates_are_reported_once() {
 #[test]
 fn motion_compares_feet_with_plates() {
     let dir = TestDir::with(&FILES);
-    let run = dir.run(MEASURED).succeeded().wrote_nothing();
+    let run = dir.run(CALL_WITH_PLATES).succeeded().wrote_nothing();
     insta::assert_snapshot!("motion", run.out());
-    let motion = json_object(&dir.run(&format!("{MEASURED} --format json")).succeeded().wrote_nothing());
+    let motion =
+        json_object(&dir.run(&format!("{CALL_WITH_PLATES} --format json")).succeeded().wrote_nothing());
     let feet = motion["feet"].as_array().unwrap();
     assert_eq!(
         feet.iter().map(|foot| foot["name"].as_str().unwrap()).collect::<Vec<_>>(),
@@ -105,10 +107,10 @@ fn motion_compares_feet_with_plates() {
     assert!((mean - 1.0).abs() < 0.05, "{mean}");
 }
 
-/// The largest force under a foot, N, as NumPy has it in `fixtures/motion/plates.sto`.
+/// The largest force under a foot in `fixtures/motion/plates.sto`, N, computed by NumPy.
 const PLATES_PEAK_N: f64 = 1_048.392_9;
 
-/// The written file can be read as ground reactions, and agrees with the model.
+/// The program can read the written file as ground reactions, and the forces agree with the model.
 #[test]
 fn written_reactions_agree_with_the_model() {
     let dir = TestDir::with(&FILES);
@@ -163,7 +165,7 @@ fn wrong_recordings_are_refused_with_a_reason() {
     assert_refused(&dir, "motion walker.osim nothing.mot", "there is no such file");
 }
 
-/// Plates without points and sides belong to no foot, so no foot is compared.
+/// Plates without pressure points and sides belong to no foot, so the program compares no foot.
 #[test]
 fn a_plate_without_a_foot_counts_only_in_the_total() {
     let dir = TestDir::with(&FILES);
@@ -184,7 +186,7 @@ fn a_plate_without_a_foot_counts_only_in_the_total() {
     );
 }
 
-/// A step beside the plates (7.6 body weights in the model, none in the plates) does not count as an error of the contacts.
+/// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.
 #[test]
 fn a_step_beside_the_plates_is_not_compared() {
     let dir = TestDir::with(&FILES);
@@ -257,7 +259,7 @@ fn a_motion_plot_shows_model_and_plates() {
     dir.run("plot force walker.osim --motion walk.mot -o none.svg").usage_error().says(&["--motion FILE"]);
 }
 
-/// The page of `check` shows the recording: words, feet, and the figure with a curve of each foot.
+/// The page of `check` shows the recording: a text, the feet, and a figure with a curve for each foot.
 #[test]
 fn the_report_of_a_check_shows_the_recording() {
     let dir = TestDir::with(&FILES);
@@ -294,7 +296,7 @@ fn the_report_of_a_fit_shows_the_recording() {
     }
 }
 
-/// An option that figures do not have is named, and not the kind of the figure, which is a verb as well.
+/// The message names the option that figures do not have, not the kind of figure, although `motion` is also a verb.
 #[test]
 fn an_option_that_a_plot_lacks_is_named() {
     let dir = TestDir::with(&FILES);
@@ -302,7 +304,7 @@ fn an_option_that_a_plot_lacks_is_named() {
     dir.run("plot feet walker.osim --belt 1").usage_error().says(&["--belt"]);
 }
 
-/// JSON has no number for what is not finite, and its schema promises numbers: such a model is refused.
+/// A model with values that are not finite is refused, because JSON has no such numbers and its schema promises numbers.
 #[test]
 fn a_model_whose_motion_overflows_is_refused() {
     let dir = TestDir::with(&FILES);
@@ -314,7 +316,9 @@ fn a_model_whose_motion_overflows_is_refused() {
     ] {
         assert!(walker.contains(old), "{old}");
         dir.write("walker.osim", walker.replace(old, new));
-        for call in ["motion walker.osim walk.mot --format json", &format!("{MEASURED} --format json")] {
+        for call in
+            ["motion walker.osim walk.mot --format json", &format!("{CALL_WITH_PLATES} --format json")]
+        {
             let run = dir.run(call).wrote_nothing();
             assert!(run.status == Some(1) && run.out().contains("\"error\""), "{new}: {}", run.out());
         }

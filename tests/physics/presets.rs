@@ -1,4 +1,4 @@
-//! `presets`, and presets in a file of the user.
+//! `presets` lists presets of the program and presets in a file of the user.
 
 use crate::support::{HUMAN, TestDir};
 use crate::{assert_close, changes_in_json, json_object, number};

@@ -1,4 +1,4 @@
-//! `set`: plain changes of values.
+//! `set`: writes given values, or multiplies values by given factors.
 
 use crate::support::{HUMAN, TestDir};
 use crate::{changed_lines, changes_in_json, json_object};

@@ -1,10 +1,11 @@
-//! The pictures in docs/ are those that the commands beside them draw. A page shows each picture, and a command draws each kind of plot.
+//! The pictures in docs/ are equal to those that the commands on the pages draw. Every picture is on a page, and every kind of plot has
+//! a command.
 
 use std::path::Path;
 
 use crate::support::{TestDir, root};
 
-/// What the commands of the pages read.
+/// Fixtures that the commands on the pages read.
 const FIXTURES: [&str; 7] = [
     "fixtures/table1",
     "fixtures/drawn_feet",
@@ -15,7 +16,7 @@ const FIXTURES: [&str; 7] = [
     "fixtures/plots",
 ];
 
-/// Calls in `page` that write a figure: the name of the picture and the arguments before it.
+/// Calls in `page` that write a figure: the name of the picture, and the arguments of the call.
 fn calls_that_draw(page: &str) -> Vec<(String, String)> {
     let lines = page.lines().filter_map(|line| line.strip_prefix("$ osim-contact-scale "));
     lines
@@ -27,7 +28,7 @@ fn calls_that_draw(page: &str) -> Vec<(String, String)> {
         .collect()
 }
 
-/// Numbers may differ by one drawing unit (1/20 pt): the last bit of a sine is the platform's.
+/// Asserts that both pictures are equal. Numbers may differ by one drawing unit (1/20 pt), because sines differ between systems.
 #[track_caller]
 fn assert_same_picture(drawn_svg: &str, committed: &str, name: &str) {
     let pieces_of = |text: &str| -> Vec<String> {
@@ -44,7 +45,7 @@ fn assert_same_picture(drawn_svg: &str, committed: &str, name: &str) {
     }
 }
 
-/// To draw them again: `PLOTS=overwrite cargo test --test plots`, then look at them.
+/// To draw the pictures again: `PLOTS=overwrite cargo test --test plots`, then look at the pictures.
 #[test]
 fn the_pictures_are_those_that_the_commands_draw() {
     let dir = TestDir::new();
@@ -61,7 +62,7 @@ fn the_pictures_are_those_that_the_commands_draw() {
     }
 }
 
-/// Runs the calls of a page that write something, in their order, and compares the pictures among it.
+/// Runs the calls of a page that write files, in their order, and compares the written pictures.
 #[track_caller]
 fn assert_pictures_of_page(dir: &TestDir, page: &str) -> usize {
     let text = std::fs::read_to_string(root().join(page)).unwrap();

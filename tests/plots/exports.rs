@@ -1,11 +1,11 @@
-//! Figures for journals and other programs: PDF in its true size, labels, ranges, and the drawn numbers.
+//! Figures for journals and other programs: PDF in its true size, labels, ranges, and tables of the drawn numbers.
 
 use std::process::Command;
 
 use crate::document::Svg;
 use crate::support::{HUMAN, TestDir, report_skip};
 
-/// The output of a program of poppler about a file; `None` after reporting that the program is missing.
+/// The output of a program of the package poppler; `None` after reporting that the program is missing.
 fn run_poppler(test: &str, program: &str, dir: &TestDir, arguments: &[&str]) -> Option<String> {
     match Command::new(program).args(arguments).current_dir(dir.path("")).output() {
         Ok(output) => {
@@ -69,7 +69,7 @@ fn labels_ranges_and_width_follow_the_options() {
     assert_refused("force human.osim --data numbers.txt", &["ends in .csv"]);
 }
 
-/// Rows of the table that belong to a curve, as numbers.
+/// The points of the curve `name` in the table of a figure.
 fn curve_in_table(table: &str, name: &str) -> Vec<(f64, f64)> {
     let mut reader = csv::Reader::from_reader(table.as_bytes());
     let header: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
@@ -83,7 +83,7 @@ fn curve_in_table(table: &str, name: &str) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// Where a curve of straight lines is at `x`.
+/// The height of a curve at `x`, between the two nearest points.
 fn value_at(curve: &[(f64, f64)], x: f64) -> f64 {
     let pair = curve.windows(2).find(|pair| pair[0].0 <= x && x <= pair[1].0).unwrap();
     let [(x0, y0), (x1, y1)] = *pair else { unreachable!() };

@@ -1,12 +1,12 @@
-//! Curves, labels and values in the figures.
+//! Tests the curves, labels and values in figures.
 
 use crate::document::{Scale, Svg};
 use crate::support::{HUMAN, TestDir};
 
-const HERTZ: &str = "#0072B2";
-const MODEL_LAW: &str = "#222222";
-const MOUSE: &str = "#0072B2";
-const GIRAFFE: &str = "#D55E00";
+const COLOUR_OF_HERTZ: &str = "#0072B2";
+const COLOUR_OF_MODEL_LAW: &str = "#222222";
+const COLOUR_OF_MOUSE: &str = "#0072B2";
+const COLOUR_OF_GIRAFFE: &str = "#D55E00";
 
 /// The figure that `plot ARGUMENTS` draws.
 #[track_caller]
@@ -15,7 +15,7 @@ fn plot_svg(dir: &TestDir, arguments: &str) -> Svg {
     Svg::read(&dir.text("figure.svg"))
 }
 
-/// The value of a curve at `at`, between the two nearest of its points.
+/// The value of a curve at `at`, interpolated between the two nearest points.
 #[track_caller]
 fn value_at(curve: &[(f64, f64)], (x, y): (&Scale, &Scale), at: f64) -> f64 {
     let points: Vec<(f64, f64)> = curve.iter().map(|(px, py)| (x.value(*px), y.value(*py))).collect();
@@ -27,7 +27,7 @@ fn value_at(curve: &[(f64, f64)], (x, y): (&Scale, &Scale), at: f64) -> f64 {
     if to.0 == from.0 { to.1 } else { from.1 + (to.1 - from.1) * (at - from.0) / (to.0 - from.0) }
 }
 
-/// From a point to a curve, in drawing units.
+/// The distance from a point to a curve, in drawing units.
 fn distance_to_curve((px, py): (f64, f64), curve: &[(f64, f64)]) -> f64 {
     let to_segment = |pair: &[(f64, f64)]| {
         let ((ax, ay), (bx, by)) = (pair[0], pair[1]);
@@ -53,8 +53,8 @@ fn the_preset_shows_its_three_laws() {
     let axes = (&svg.scale_of_x(), &svg.scale_of_y());
     let assert_near =
         |value: f64, expected: f64| assert!((value - expected).abs() < 0.4, "{value}, expected {expected}");
-    assert_near(value_at(svg.curves(HERTZ)[0], axes, 0.4999), 170.667);
-    let model_law = svg.curves(MODEL_LAW)[0];
+    assert_near(value_at(svg.curves(COLOUR_OF_HERTZ)[0], axes, 0.4999), 170.667);
+    let model_law = svg.curves(COLOUR_OF_MODEL_LAW)[0];
     assert_near(value_at(model_law, axes, 0.4999), 175.631);
     assert_near(value_at(model_law, axes, 0.0), 7.498);
     assert_near(value_at(svg.curves("#D55E00")[0], axes, 0.0), 14.996);
@@ -74,7 +74,7 @@ fn scaled_contacts_have_the_same_dimensionless_curve() {
     let svg = plot_svg(&TestDir::new(), "force falisse2022 --target-mass 1190");
     svg.says(&["falisse2022", "falisse2022, scaled to 1190 kg"]);
     let axes = (&svg.scale_of_x(), &svg.scale_of_y());
-    let (before, after) = (svg.curves(MOUSE)[0], svg.curves(GIRAFFE)[0]);
+    let (before, after) = (svg.curves(COLOUR_OF_MOUSE)[0], svg.curves(COLOUR_OF_GIRAFFE)[0]);
     for at in [-0.2, 0.0, 0.1, 0.3, 0.45] {
         // The picture has points of the dashed curve only at the ends of its dashes, some 0.02 apart.
         let (first, second) = (value_at(before, axes, at), value_at(after, axes, at));
@@ -111,8 +111,8 @@ fn fig_c5_shows_what_default_smoothing_does_to_small_spheres() {
     ]);
     assert_eq!(svg.attribute("width"), "190mm");
     // All four panels have the same width; the force panels the same scale, from the Hertz curve: 0 to 62.431 N.
-    let hertz = svg.curves(HERTZ);
-    let model_law = svg.curves(MODEL_LAW);
+    let hertz = svg.curves(COLOUR_OF_HERTZ);
+    let model_law = svg.curves(COLOUR_OF_MODEL_LAW);
     assert_eq!((hertz.len(), model_law.len()), (2, 4));
     let force = |panel: usize, at: f64| {
         let curve = hertz[panel];
@@ -147,7 +147,7 @@ fn fig_4_shows_the_mouse_bouncing_until_its_dissipation_is_scaled() {
         "non-dimensional time t/√(R/g) (–)",
         "α = 2 s/m for both",
     ]);
-    let (mouse, giraffe) = (svg.curves(MOUSE), svg.curves(GIRAFFE));
+    let (mouse, giraffe) = (svg.curves(COLOUR_OF_MOUSE), svg.curves(COLOUR_OF_GIRAFFE));
     assert_eq!((mouse.len(), giraffe.len()), (4, 4));
     // A falling body weighs 0, and at the end it rests at 1: the scale of each panel.
     let y = |panel: usize| {

@@ -1,4 +1,4 @@
-//! Formats, files and errors.
+//! Formats, files and errors of `plot`.
 
 use std::collections::HashSet;
 

@@ -1,4 +1,4 @@
-//! No circle between the modules of a crate.
+//! Finds circles between the modules of a crate: modules that use each other, directly or through others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -6,10 +6,10 @@ use crate::source::{Module, Tree};
 
 type Path = Vec<String>;
 
-/// Which module uses which other, with the first place: file, line and the path in the code.
+/// Pairs of modules of which the first uses the second, with the first place: file, line and the path in the code.
 pub type Uses = BTreeMap<(Path, Path), String>;
 
-/// How many imports of imports are followed: imports in a circle would never end.
+/// Most imports of imports that are followed, because imports in a circle never end.
 const DEEPEST: usize = 20;
 
 /// The module or item that a path in the code names.
@@ -20,7 +20,7 @@ enum Target {
     ItemOf(Path),
 }
 
-/// Every arrow between two modules of a tree.
+/// All uses between two modules of a tree.
 #[must_use]
 pub fn uses(tree: &Tree) -> Uses {
     let mut arrows = Uses::new();
@@ -78,7 +78,7 @@ fn targets_of_path(tree: &Tree, at: &Module, path: &[String], depth: usize) -> V
     }
 }
 
-/// The targets of a path from a module that it names. An item that no module defines is taken to be defined there by a macro.
+/// The targets of the rest of a path after the module `at`. An item that no module defines counts as defined in `at` by a macro.
 fn targets_below(tree: &Tree, at: &[String], path: &[String], depth: usize) -> Vec<Target> {
     let Some(module) = tree.get(at) else { return Vec::new() };
     let targets = if path.is_empty() {
@@ -112,7 +112,7 @@ fn targets_from_module(tree: &Tree, at: &Module, path: &[String], depth: usize) 
     targets
 }
 
-/// The circles of a tree, each as its modules with an arrow from each to the next ones.
+/// The circles of a tree, each as a text with its modules and arrows from each module to the modules that it uses.
 #[must_use]
 pub fn circles(tree: &Tree) -> Vec<String> {
     let uses = uses(tree);
@@ -138,7 +138,7 @@ fn module_name(path: &[String]) -> String {
     ["crate"].into_iter().chain(path.iter().map(String::as_str)).collect::<Vec<_>>().join("::")
 }
 
-/// All modules that one uses, directly or through others.
+/// All modules that the module `start` uses, directly or through other modules.
 fn modules_used_by<'u>(uses: &'u Uses, start: &Path) -> BTreeSet<&'u Path> {
     let mut reached = BTreeSet::new();
     let mut pending = vec![start];

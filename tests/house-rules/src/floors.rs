@@ -1,4 +1,4 @@
-//! The direction of arrows between crates, and between the modules of two large ones.
+//! Checks the direction of uses between crates, and between the modules of two large crates.
 //!
 //! To add, move or rename a crate, change [`FLOORS`]; a crate that is missing there fails the test, and so does a name without a crate.
 //! [`INSIDE`] does the same for modules.
@@ -10,7 +10,7 @@ use std::path::Path;
 use crate::circles::uses;
 use crate::source::Tree;
 
-/// The crates from the lowest floor to the highest. Each depends only on lower floors, and not on its neighbours.
+/// The crates from the lowest floor to the highest. Each crate depends only on crates of lower floors, not of its own floor.
 pub const FLOORS: &[&[&str]] = &[
     &["contact-plots", "contact-scaling"],
     &["osim-model"],
@@ -23,7 +23,7 @@ pub const FLOORS: &[&[&str]] = &[
     &["osim-contact-scale", "osim-python", "osim-web"],
 ];
 
-/// Crates that have floors of modules: each module uses only those on lower floors. The root of the crate may use all.
+/// Crates whose modules have floors: each module uses only modules on lower floors. The root of the crate may use all modules.
 pub const INSIDE: &[(&str, &[&[&str]])] = &[
     ("osim-model", &[&["messages", "xml"], &["model"], &["compare", "feet"]]),
     ("osim-view", &[&["figures", "report"], &["html"]]),
@@ -35,7 +35,7 @@ pub type Crates = BTreeMap<String, Vec<String>>;
 /// Reads the manifests of all crates in a folder.
 ///
 /// # Errors
-/// A manifest that cannot be read.
+/// A manifest cannot be read.
 pub fn crates(folder: &Path) -> Result<Crates, String> {
     let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let mut crates = Crates::new();
@@ -49,8 +49,8 @@ pub fn crates(folder: &Path) -> Result<Crates, String> {
     Ok(crates)
 }
 
-/// What a manifest, or the part of it about one system, depends on; of tests' dependencies those that have a version, without which
-/// Cargo leaves them out of what is published: an arrow up among them keeps it from finding an order to publish in.
+/// The crates that a manifest, or its part about one system, depends on. Dependencies of tests count only if they have a version:
+/// Cargo publishes these, and cannot find an order for publishing if such a dependency is on a higher floor.
 fn dependencies(table: &toml::Table) -> Vec<String> {
     let inner = |name: &str| table.get(name).and_then(toml::Value::as_table);
     let is_published = |value: &toml::Value| value.get("path").is_none() || value.get("version").is_some();
@@ -66,7 +66,7 @@ fn dependencies(table: &toml::Table) -> Vec<String> {
     names
 }
 
-/// Arrows that do not point down, crates without a floor, and names without a crate.
+/// Dependencies on a crate that is not on a lower floor, crates without a floor, and names in `floors` without a crate.
 #[must_use]
 pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
     let floor = |name: &str| floors.iter().position(|floor| floor.contains(&name));
@@ -88,7 +88,7 @@ pub fn faults(floors: &[&[&str]], crates: &Crates) -> Vec<String> {
     faults
 }
 
-/// Arrows between the modules of a crate that do not point down, and modules without a floor.
+/// Uses of a module that is not on a lower floor, and modules without a floor.
 #[must_use]
 pub fn faults_inside(floors: &[&[&str]], tree: &Tree) -> Vec<String> {
     let floor = |path: &[String]| floors.iter().position(|floor| floor.contains(&path[0].as_str()));

@@ -1,4 +1,4 @@
-//! The structure of this project: what its tests (`tests/project.rs`) hold the code to.
+//! Rules for the structure of this project, which `tests/project.rs` applies to the code.
 //!
 //! - [`circles`]: no circle between the modules of a crate. A module uses another one if it names what the other *defines*;
 //!   a facade (`pub use tree::Tree`) is not used by those who name what it passes on.

@@ -1,7 +1,7 @@
-//! The modules of all crates: what each defines, imports, names and says, without what only tests compile.
+//! Reads the modules of all crates: definitions, imports, paths and texts of each, without code that only tests compile.
 //!
-//! A module is a file; the code in `mod a { … }` is not looked at. The text is searched, not parsed: nothing is expanded, and a method
-//! that is called on a value names no module.
+//! A module is a file; the code in `mod a { … }` is ignored. The text is searched, not parsed: no macro is expanded, and a method
+//! call on a value names no module.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -13,45 +13,45 @@ use regex::{Captures, Regex};
 /// The text of each file of a crate, by its path from the root of the crate: `src/lib.rs`.
 pub type Sources = BTreeMap<String, String>;
 
-/// One leaf of a `use`.
+/// One name that a `use` imports.
 #[derive(Debug)]
 pub struct Import {
-    /// The path as it is written.
+    /// The path of the import, as the code spells it.
     pub path: Vec<String>,
     /// Name of the import in this module; `*` if all names are imported.
     pub name: String,
     /// Whether it is a `pub use`.
     pub is_passed_on: bool,
-    /// The line; 0 for an exported macro, which the root has without a `use`.
+    /// The line of the import; 0 for an exported macro, which is in the root of the crate without a `use`.
     pub line: usize,
 }
 
-/// A string, or doc comments that follow each other.
+/// A string, or a group of doc comments on consecutive lines.
 #[derive(Debug)]
 pub struct Text {
-    /// The text, with blanks instead of escapes.
+    /// The text, with blanks in place of escapes.
     pub text: String,
-    /// The line on which it begins, from 1.
+    /// The line on which the text begins, from 1.
     pub line: usize,
-    /// Whether it is documentation.
+    /// Whether the text is a doc comment.
     pub is_doc: bool,
 }
 
 /// A module of Rust.
 #[derive(Debug, Default)]
 pub struct Module {
-    /// `crate::a::b`, as names without `crate`.
+    /// The path of the module, such as `crate::a::b`, as a list of names without `crate`.
     pub path: Vec<String>,
     pub file: String,
-    /// Modules in files below it.
+    /// Names of its child modules that are files.
     pub children: Vec<String>,
-    /// Names that it defines.
+    /// Names that the module defines.
     pub items: BTreeSet<String>,
-    /// Paths of macros among those of the module.
+    /// Paths of macros among the paths in the module.
     pub macros: Vec<String>,
     /// Imports of the module.
     pub imports: Vec<Import>,
-    /// Paths of two names or more in its code, with their lines.
+    /// Paths of two or more names in the module's code, with their lines.
     pub mentions: Vec<(Vec<String>, usize)>,
     /// Strings and doc comments of the module.
     pub texts: Vec<Text>,
@@ -60,16 +60,16 @@ pub struct Module {
 /// A tree of modules by their paths: a library, or a program.
 pub type Tree = BTreeMap<Vec<String>, Module>;
 
-/// Keys of serde's attributes whose text is a path.
-const KEYS: &[&str] = &["with", "default", "skip_serializing_if", "from"];
+/// Keys in attributes of serde whose text is a path in the code.
+const SERDE_KEYS_WITH_PATHS: &[&str] = &["with", "default", "skip_serializing_if", "from"];
 
 #[expect(clippy::expect_used, reason = "constants, which each test of this crate uses")]
 pub(crate) fn pattern(parts: &[&str]) -> Regex {
     Regex::new(&format!("(?s){}", parts.join("|"))).expect("a regular expression")
 }
 
-/// Comments, strings and characters. A lifetime is one, too, so that its mark begins no character.
-static NO_CODE: LazyLock<Regex> = LazyLock::new(|| {
+/// Matches comments, strings and characters. Lifetimes match, too, so that their mark does not begin a character.
+static COMMENT_OR_STRING: LazyLock<Regex> = LazyLock::new(|| {
     pattern(&[
         r"//[^\n]*|/\*.*?\*/",
         r####"[bc]?r"[^"]*"|[bc]?r#".*?"#|[bc]?r##".*?"##|[bc]?r###".*?"###"####,
@@ -77,23 +77,24 @@ static NO_CODE: LazyLock<Regex> = LazyLock::new(|| {
         r"b?'(?:[^'\\]|\\[^u]|\\x..|\\u\{\w+\})'|'\w+",
     ])
 });
-static ESCAPE: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\\[^\n]"]));
-static TEST: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"#\[(?:test|cfg\([^\]]*\btest\b[^\]]*\))\]"]));
-static MOD: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\bmod\s+(\w+)\s*([;{])"]));
-static USE: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\b(pub(?:\([^)]*\))?\s+)?use\s([^;]+);"]));
-static ITEM: LazyLock<Regex> = LazyLock::new(|| {
+static ESCAPE_IN_STRING: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\\[^\n]"]));
+static TEST_ATTRIBUTE: LazyLock<Regex> =
+    LazyLock::new(|| pattern(&[r"#\[(?:test|cfg\([^\]]*\btest\b[^\]]*\))\]"]));
+static MODULE_ITEM: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\bmod\s+(\w+)\s*([;{])"]));
+static USE_ITEM: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"\b(pub(?:\([^)]*\))?\s+)?use\s([^;]+);"]));
+static DEFINED_ITEM: LazyLock<Regex> = LazyLock::new(|| {
     pattern(&[
         r"\b((?:const\s+)?fn|struct|enum|union|trait|type|const|static|macro_rules!)\s+(?:mut\s+)?(\w+)",
     ])
 });
-/// A path, or `pub(in …)`, which uses nothing.
+/// Matches a path, or `pub(in …)`, which uses no module.
 static PATH: LazyLock<Regex> =
     LazyLock::new(|| pattern(&[r"pub\([^)]*\)|(?:\$crate|\b[[:alpha:]_]\w*)(?:::[[:alpha:]_]\w*)+"]));
 
-/// The trees of each crate of a project, those of its library and its program.
+/// The trees of modules of each crate of a project: of its library and of its program.
 ///
 /// # Errors
-/// A file that cannot be read, or a module without one.
+/// A file cannot be read, or a module has no file.
 pub fn project(root: &Path) -> Result<BTreeMap<String, Vec<Tree>>, String> {
     let entries = fs::read_dir(root.join("crates")).map_err(|error| error.to_string())?;
     let mut project = BTreeMap::new();
@@ -118,10 +119,10 @@ pub fn project(root: &Path) -> Result<BTreeMap<String, Vec<Tree>>, String> {
     Ok(project)
 }
 
-/// The trees of modules in a crate: that of its library and that of its program.
+/// The trees of modules in a crate: of its library and of its program.
 ///
 /// # Errors
-/// A module without a file.
+/// A module has no file.
 pub fn trees(sources: &Sources) -> Result<Vec<Tree>, String> {
     let mut trees = Vec::new();
     for root in ["src/lib.rs", "src/main.rs"].into_iter().filter(|root| sources.contains_key(*root)) {
@@ -155,20 +156,21 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
     let breaks: Vec<usize> = source.match_indices('\n').map(|(at, _)| at).collect();
     let line = |at: usize| 1 + breaks.partition_point(|end| *end < at);
     let mut module = Module { path, file: file.to_owned(), ..Module::default() };
-    let mut code = NO_CODE.replace_all(source, |part: &Captures<'_>| blank(&part[0])).into_owned();
+    let mut code = COMMENT_OR_STRING.replace_all(source, |part: &Captures<'_>| blank(&part[0])).into_owned();
     let mut tests = Vec::new();
-    for test in TEST.find_iter(&code.clone()) {
+    for test in TEST_ATTRIBUTE.find_iter(&code.clone()) {
         let is_for_more = ["not", "any"].iter().any(|word| test.as_str().contains(word));
         if !is_for_more && code[test.range()].starts_with('#') {
             tests.push(test.start()..blank_item(&mut code, test.start(), test.end()));
         }
     }
-    for part in
-        NO_CODE.find_iter(source).filter(|part| !tests.iter().any(|test| test.contains(&part.start())))
+    for part in COMMENT_OR_STRING
+        .find_iter(source)
+        .filter(|part| !tests.iter().any(|test| test.contains(&part.start())))
     {
         module.add_text(part.as_str(), line(part.start()), &code[..part.start()]);
     }
-    for (whole, name, sign) in MOD
+    for (whole, name, sign) in MODULE_ITEM
         .captures_iter(&code.clone())
         .map(|captures| (captures.get_match().range(), captures[1].to_owned(), captures[2].to_owned()))
     {
@@ -178,13 +180,13 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
             module.children.push(name);
         }
     }
-    for captures in USE.captures_iter(&code) {
+    for captures in USE_ITEM.captures_iter(&code) {
         let (is_passed_on, line) = (captures.get(1).is_some(), line(captures.get_match().start()));
         let add = &mut |path, name| module.imports.push(Import { path, name, is_passed_on, line });
         import_leaves(&captures[2], &[], add);
     }
-    let code = USE.replace_all(&code, |captures: &Captures<'_>| blank(&captures[0]));
-    for captures in ITEM.captures_iter(&code) {
+    let code = USE_ITEM.replace_all(&code, |captures: &Captures<'_>| blank(&captures[0]));
+    for captures in DEFINED_ITEM.captures_iter(&code) {
         module.items.insert(captures[2].to_owned());
         module.macros.extend((&captures[1] == "macro_rules!").then(|| captures[2].to_owned()));
     }
@@ -211,9 +213,11 @@ impl Module {
             }
             _ if is_doc => self.texts.push(Text { text: part[3..].to_owned(), line, is_doc }),
             _ if part.ends_with(['"', '#']) && !part.starts_with('/') => {
-                let text = ESCAPE.replace_all(part, "  ").into_owned();
+                let text = ESCAPE_IN_STRING.replace_all(part, "  ").into_owned();
                 let key = before.trim_end().trim_end_matches('=').trim_end();
-                if text.contains("::") && KEYS.iter().any(|key_of_path| key.ends_with(key_of_path)) {
+                if text.contains("::")
+                    && SERDE_KEYS_WITH_PATHS.iter().any(|key_of_path| key.ends_with(key_of_path))
+                {
                     self.mentions.push((path_names(text.trim_matches('"')), line));
                 }
                 self.texts.push(Text { text, line, is_doc });
@@ -223,12 +227,12 @@ impl Module {
     }
 }
 
-/// As many blanks as the text has bytes; line ends stay.
+/// The text with a blank in place of each byte; line ends stay.
 pub(crate) fn blank(text: &str) -> String {
     text.bytes().map(|byte| if byte == b'\n' { '\n' } else { ' ' }).collect()
 }
 
-/// Blanks in the place of an item that begins at `begin`; `at` is after its attribute or its name. Gives its end.
+/// Replaces an item that begins at `begin` by blanks; `at` is the position after its attribute or its name. Returns its end.
 fn blank_item(code: &mut String, begin: usize, at: usize) -> usize {
     let (mut depth, mut end) = (0_usize, code.len());
     for (place, sign) in code[at..].char_indices() {
@@ -252,7 +256,7 @@ fn path_names(path: &str) -> Vec<String> {
     names.filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
-/// The leaves of a tree of imports: the path and the name of each.
+/// Adds each import in a tree of imports, such as `a::{b, c}`, by its path and its name.
 fn import_leaves(tree: &str, before: &[String], add: &mut impl FnMut(Vec<String>, String)) {
     if let Some((begin, inside)) = tree.split_once('{') {
         let path = [before, &path_names(begin)].concat();

@@ -1,4 +1,4 @@
-//! What code must not write: options below the front ends, and the world outside of the program.
+//! Finds names that code must not contain: options below the front ends, and files, processes and streams of the system.
 
 use std::sync::LazyLock;
 
@@ -6,7 +6,7 @@ use regex::Regex;
 
 use crate::source::{Module, Text, Tree, pattern};
 
-/// Files, processes and streams of the system, by their paths in the standard library. Printing by macros is clippy's.
+/// Files, processes and streams of the system, by their paths in the standard library. Clippy forbids printing by macros.
 pub const OUTSIDE: &[&str] = &[
     "std::env",
     "std::fs",
@@ -17,10 +17,10 @@ pub const OUTSIDE: &[&str] = &[
     "std::io::stdout",
 ];
 
-/// An option, which no word or comment of a page is before.
+/// Matches an option such as `--mass`, but neither hyphens within a word nor a comment of HTML.
 static OPTION: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"(?:^|[^\w!-])(--[a-z](?:-?[[:alnum:]])*)"]));
 
-/// The options that the strings of a crate name, each with its place.
+/// The options of the command line in the strings of a crate, each with its place.
 #[must_use]
 pub fn options(tree: &Tree) -> Vec<String> {
     let mut options = Vec::new();
@@ -35,7 +35,7 @@ pub fn options(tree: &Tree) -> Vec<String> {
     options
 }
 
-/// Places at which a crate names something of [`OUTSIDE`].
+/// Places at which the code of a crate names one of the paths [`OUTSIDE`].
 #[must_use]
 pub fn outside(tree: &Tree) -> Vec<String> {
     let mut uses = Vec::new();
@@ -51,7 +51,7 @@ pub fn outside(tree: &Tree) -> Vec<String> {
     uses
 }
 
-/// A path with the import that it begins with in the place of its first name.
+/// The path with its first name replaced by the path of the import of this name.
 fn full_path(module: &Module, path: &[String]) -> String {
     let import = module
         .imports

@@ -1,4 +1,4 @@
-//! Words that texts must not use, and what to write instead.
+//! Finds words that texts must not use, and gives the words to write instead.
 
 use std::sync::LazyLock;
 
@@ -12,47 +12,47 @@ use crate::source::{self, Tree, blank};
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Words {
-    /// Words of any text.
+    /// Words that no text may use.
     pub word: Vec<Word>,
-    /// Words of README.md and docs/ alone.
+    /// Words that only README.md and docs/ may not use.
     #[serde(default)]
     pub book: Vec<Word>,
 }
 
-/// One of them, with examples that are refused, and that pass.
+/// A forbidden word, with examples of refused and of allowed texts.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Word {
-    /// What must not be written: a regular expression for whole words. A blank also fits the end of a line.
+    /// A regular expression for the whole forbidden words. A blank in it also matches the end of a line.
     #[serde(deserialize_with = "pattern")]
     pub not: Regex,
-    /// What to write instead.
+    /// The words to write instead.
     pub say: String,
     /// Texts around the words in which they are allowed.
     #[serde(default, deserialize_with = "some_pattern")]
     pub unless: Option<Regex>,
-    /// Texts that are refused.
+    /// Examples of texts that are refused.
     pub wrong: Vec<String>,
-    /// Texts that pass the rule.
+    /// Examples of texts that are allowed.
     #[serde(default)]
     pub right: Vec<String>,
 }
 
 impl Words {
-    /// What must not be written in a text that people read, which begins on a line.
+    /// The forbidden words in a text for people, which begins on `line`.
     #[must_use]
     pub fn in_text(&self, file: &str, line: usize, text: &str) -> Vec<String> {
         self.word.iter().flat_map(|word| word.in_text(file, line, text)).collect()
     }
 
-    /// What must not be written in a page of the book, beside the words of any text.
+    /// The forbidden words in a page of README.md or docs/.
     #[must_use]
     pub fn in_page(&self, file: &str, text: &str) -> Vec<String> {
         let only_here = self.book.iter().flat_map(|word| word.in_text(file, 1, text));
         self.in_text(file, 1, text).into_iter().chain(only_here).collect()
     }
 
-    /// What must not be written in the strings and doc comments of a crate: names in `{}` and code in backticks aside.
+    /// The forbidden words in the strings and doc comments of a crate, except in names in `{}` and in code in backticks.
     #[must_use]
     pub fn in_code(&self, tree: &Tree) -> Vec<String> {
         let mut forbidden = Vec::new();
@@ -60,7 +60,7 @@ impl Words {
             for text in &module.texts {
                 let blank_inside =
                     |name: &Captures<'_>| format!("{}{}{}", &name[1], blank(&name[2]), &name[3]);
-                let code_pattern = if text.is_doc { &CODE } else { &VALUE };
+                let code_pattern = if text.is_doc { &CODE_SPAN } else { &NAME_IN_BRACES };
                 forbidden.extend(self.in_text(
                     &module.file,
                     text.line,
@@ -72,8 +72,8 @@ impl Words {
     }
 }
 
-static CODE: LazyLock<Regex> = LazyLock::new(|| source::pattern(&["(`)([^`]*)(`)"]));
-static VALUE: LazyLock<Regex> = LazyLock::new(|| source::pattern(&[r"(\{)([^\s}]*)(\})"]));
+static CODE_SPAN: LazyLock<Regex> = LazyLock::new(|| source::pattern(&["(`)([^`]*)(`)"]));
+static NAME_IN_BRACES: LazyLock<Regex> = LazyLock::new(|| source::pattern(&[r"(\{)([^\s}]*)(\})"]));
 
 impl Word {
     /// Every place of the word in a text that begins on `line`.

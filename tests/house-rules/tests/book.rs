@@ -1,4 +1,4 @@
-//! The book is short: all pages together, and each sentence. All paths in its map of the code exist.
+//! Tests that the documentation (README.md and docs/) and its sentences are short, and that all paths in its map of the code exist.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -8,15 +8,16 @@ use std::path::{Path, PathBuf};
 use regex::Regex;
 use walkdir::WalkDir;
 
-/// Words of `README.md` and `docs/` together, as `wc -w` counts them, without the pages of `LOOKED_UP`.
-const WORDS: usize = 32_000;
-/// Pages that have an entry for each code or word of the program: they grow with it.
-const LOOKED_UP: [&str; 3] = ["docs/glossary.md", "docs/reference/errors.md", "docs/reference/findings.md"];
-/// Words of a sentence, on average of a page.
+/// Most words in README.md and docs/ together, as `wc -w` counts them, without the pages of [`PAGES_WITHOUT_LIMIT`].
+const MOST_WORDS_OF_DOCS: usize = 32_000;
+/// Pages with an entry for each code or term of the program, which grow with the program.
+const PAGES_WITHOUT_LIMIT: [&str; 3] =
+    ["docs/glossary.md", "docs/reference/errors.md", "docs/reference/findings.md"];
+/// Most words of a sentence on average over a page.
 const MEAN_SENTENCE: usize = 22;
-/// Words of the longest sentence: lists in a sentence are lists.
+/// Most words of any sentence.
 const LONGEST_SENTENCE: usize = 40;
-/// The map of the code.
+/// The page with the map of the code.
 const CODE_MAP: &str = "docs/developers/architecture.md";
 
 fn root() -> PathBuf {
@@ -38,13 +39,16 @@ fn pages() -> Vec<(String, String)> {
 #[test]
 fn the_book_is_short() {
     let pages = pages();
-    assert!(LOOKED_UP.iter().all(|name| pages.iter().any(|(page, _)| page == name)), "{LOOKED_UP:?}");
-    let counted = pages.iter().filter(|(name, _)| !LOOKED_UP.contains(&name.as_str()));
+    assert!(
+        PAGES_WITHOUT_LIMIT.iter().all(|name| pages.iter().any(|(page, _)| page == name)),
+        "{PAGES_WITHOUT_LIMIT:?}"
+    );
+    let counted = pages.iter().filter(|(name, _)| !PAGES_WITHOUT_LIMIT.contains(&name.as_str()));
     let sum: usize = counted.map(|(_, text)| text.split_whitespace().count()).sum();
-    assert!(sum <= WORDS, "{sum} words, at most {WORDS}");
+    assert!(sum <= MOST_WORDS_OF_DOCS, "{sum} words, at most {MOST_WORDS_OF_DOCS}");
 }
 
-/// Words of each sentence of the prose of a page. Code, tables and headings are no prose; a code span is one word.
+/// The number of words in each sentence of a page. Code, tables and headings do not count; a code span is one word.
 fn sentences(page: &str) -> Vec<usize> {
     let replace_all =
         |text: &str, pattern: &str, by: &str| Regex::new(pattern).unwrap().replace_all(text, by).into_owned();
@@ -88,7 +92,7 @@ fn sentences_are_counted() {
     assert_eq!(sentences("one - two = three"), [3]);
 }
 
-/// Code spans that begin with a folder of the project are paths in it, but for examples such as `docs/*.md`.
+/// Code spans that begin with a folder of the project must be existing paths, except examples such as `docs/*.md`.
 #[test]
 fn every_path_in_the_code_map_exists() {
     let text = fs::read_to_string(root().join(CODE_MAP)).unwrap();

@@ -1,4 +1,4 @@
-//! The structure and the words of this project; `src/lib.rs` says what each rule means.
+//! Applies the rules about structure and words to this project; `src/lib.rs` explains each rule.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -13,16 +13,16 @@ use house_rules::words::Words;
 use house_rules::{circles, floors, texts};
 use walkdir::WalkDir;
 
-/// The one place below the front ends that spells options: a file, or a folder with `/` at its end.
-const SPELLER: &str = "crates/osim-requests/src/spell/";
+/// The only place below the front ends where code may spell options: a file, or a folder with `/` at its end.
+const PLACE_THAT_SPELLS_OPTIONS: &str = "crates/osim-requests/src/spell/";
 
-/// Crates that may name files, processes and streams of the system. Printing is clippy's.
+/// Crates that may name files, processes and streams of the system. Clippy checks printing.
 const OUTSIDE: &[&str] = &["osim-contact-scale", "osim-library"];
 
-/// osim-python names it only so that Cargo compiles their libraries once for the wheel, which has both.
+/// The crate that `osim-python` depends on without using it, so that Cargo compiles the libraries of both only once for the wheel.
 const BUILT_TOGETHER: &str = "osim-contact-scale";
 
-/// The heading of what is not released yet: only there can a change log be corrected.
+/// The heading in the change log of changes that are not released yet. Only their entries can still be corrected.
 const UNRELEASED: &str = "## [Unreleased]";
 
 static PROJECT: LazyLock<BTreeMap<String, Vec<Tree>>> =
@@ -37,7 +37,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// What a rule finds in all crates but some, each once: a module of a library and a program is read for both.
+/// The findings of a rule in all crates outside `except`, each finding once, although a library and a program may share a module.
 fn findings_of_rule(rule: impl Fn(&Tree) -> Vec<String>, except: &[&str]) -> Vec<String> {
     let crates = PROJECT.iter().filter(|(name, _)| !except.contains(&name.as_str()));
     let mut findings: Vec<String> = crates.flat_map(|(_, trees)| trees).flat_map(rule).collect();
@@ -85,9 +85,9 @@ fn crates_use_only_lower_floors() {
 
 #[test]
 fn only_front_ends_spell_options() {
-    assert!(root().join(SPELLER).exists(), "{SPELLER}");
+    assert!(root().join(PLACE_THAT_SPELLS_OPTIONS).exists(), "{PLACE_THAT_SPELLS_OPTIONS}");
     let mut options = findings_of_rule(texts::options, FLOORS.last().unwrap());
-    options.retain(|option| !option.starts_with(SPELLER));
+    options.retain(|option| !option.starts_with(PLACE_THAT_SPELLS_OPTIONS));
     assert_none(&options, "options below the front ends");
 }
 
@@ -96,7 +96,7 @@ fn only_the_library_and_the_command_use_the_system() {
     assert_none(&findings_of_rule(texts::outside, OUTSIDE), "uses of files, processes or streams");
 }
 
-/// Files in a folder of the project with this ending, with their texts.
+/// Names and texts of the files in a folder of the project whose names have this ending.
 fn files(folder: &str, ending: &str) -> Vec<(String, String)> {
     let entries = WalkDir::new(root().join(folder)).sort_by_file_name().into_iter().map(Result::unwrap);
     let files = entries.filter(|entry| entry.path().extension().is_some_and(|extension| extension == ending));
@@ -142,7 +142,7 @@ fn the_schemas_have_no_forbidden_words() {
     assert_none(&forbidden.collect::<Vec<_>>(), "words that words.toml forbids");
 }
 
-/// Each word of the list is refused in its examples, and passes where the list says so.
+/// Each forbidden word is refused in its examples, and is allowed in its examples of allowed texts.
 #[test]
 fn each_forbidden_word_is_found_in_its_examples() {
     type Refused = fn(&str) -> Vec<String>;

@@ -1,4 +1,4 @@
-//! That each rule can fail, and what must pass: small crates in one string, a file after each `// name` line.
+//! Tests each rule with small crates that break or keep it. A crate is one string, with a file after each `// name` line.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -6,7 +6,7 @@ use house_rules::floors::faults_inside;
 use house_rules::source::{Sources, Tree, trees};
 use house_rules::{circles, texts, words::Words};
 
-/// The library of a crate.
+/// The tree of modules of a library whose files are in the string `files`.
 fn library(files: &str) -> Tree {
     let mut sources = Sources::new();
     for file in files.split("\n// ").skip(1) {
@@ -26,7 +26,7 @@ fn assert_no_circle(files: &str) {
     assert_eq!(circles::circles(&library(files)), Vec::<String>::new(), "{files}");
 }
 
-/// Modules `a` and `b`, where `b` uses `a`, and `a` is this code.
+/// Asserts a circle between modules `a` and `b`, where `b` uses `a`, and `a` has this code.
 #[track_caller]
 fn assert_circle_with(code: &str) {
     assert_circle(&format!(
