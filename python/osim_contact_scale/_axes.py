@@ -15,8 +15,8 @@ Row = dict[str, Any]
 #: Dashes of the curves, one after the other: colours alone do not distinguish enough curves.
 _DASHES = ("-", "--", "-.", ":")
 #: The look of curves without a name, which are the background of others.
-_UNNAMED = {"color": "0.6", "linewidth": 0.6}
-_THIN = {"color": "0.5", "linestyle": "--", "linewidth": 0.8}
+_UNNAMED_LOOK = {"color": "0.6", "linewidth": 0.6}
+_THIN_LOOK = {"color": "0.5", "linestyle": "--", "linewidth": 0.8}
 
 
 class Panel(NamedTuple):
@@ -43,13 +43,13 @@ def draw(panel: Panel, axes: Any) -> None:
     if y_log:
         axes.set_yscale("log")
     rows_by_kind = _group_by_kind(panel.rows)
-    _cells(axes, rows_by_kind, (x_log, y_log))
-    _outlines(axes, rows_by_kind.get("outline", ()))
-    _curves(axes, rows_by_kind.get("curve", ()), lengths)
-    _spheres(axes, rows_by_kind.get("sphere", ()))
-    _points(axes, rows_by_kind.get("point", ()), with_text="sphere" in rows_by_kind or "outline" in rows_by_kind)
+    _draw_heat_map(axes, rows_by_kind, (x_log, y_log))
+    _draw_outlines(axes, rows_by_kind.get("outline", ()))
+    _draw_curves(axes, rows_by_kind.get("curve", ()), lengths)
+    _draw_spheres(axes, rows_by_kind.get("sphere", ()))
+    _draw_points(axes, rows_by_kind.get("point", ()), with_text="sphere" in rows_by_kind or "outline" in rows_by_kind)
     for row in (*rows_by_kind.get("limit", ()), *rows_by_kind.get("level", ())):
-        _line(axes, row)
+        _draw_line(axes, row)
     _label_axes(panel, axes)
     if x_limits is not None:
         axes.set_xlim(*x_limits)
@@ -85,9 +85,9 @@ def _escaped(text: str) -> str:
     return f" {text}" if text.startswith("_") else text
 
 
-def _curves(axes: Any, rows: Sequence[Row], lengths: Sequence[int]) -> None:
-    """Draws the curves. Several may have one name; they then have one look."""
-    looks: dict[str, dict[str, Any]] = {"": _UNNAMED}
+def _draw_curves(axes: Any, rows: Sequence[Row], lengths: Sequence[int]) -> None:
+    """Draws the curves. Curves of one name have one look."""
+    looks: dict[str, dict[str, Any]] = {"": _UNNAMED_LOOK}
     for curve in _split_curves(rows, lengths):
         name = curve[0]["name"]
         if name not in looks:
@@ -109,7 +109,7 @@ def _coordinates(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
     return [row["x"] for row in rows], [row["y"] for row in rows]
 
 
-def _points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
+def _draw_points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
     """Draws points with their names: in the legend, or beside each point."""
     for name, point_rows in itertools.groupby(rows, key=lambda row: str(row["name"])):
         places = _coordinates(list(point_rows))
@@ -120,21 +120,21 @@ def _points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
             axes.plot(*places, "o", color="black", label=_escaped(name), zorder=3)
 
 
-def _line(axes: Any, row: Row) -> None:
-    """Draws a limit or a level as a line across the panel. A limit of a heat map has no place; `_cells` draws it."""
+def _draw_line(axes: Any, row: Row) -> None:
+    """Draws a limit or a level as a line across the panel. A limit of a heat map has no place; `_draw_heat_map` draws it."""
     if row["x"] is not None:
-        axes.axvline(row["x"], **_THIN, label=_escaped(row["name"]))
+        axes.axvline(row["x"], **_THIN_LOOK, label=_escaped(row["name"]))
     elif row["y"] is not None:
-        axes.axhline(row["y"], **_THIN, label=_escaped(row["name"]))
+        axes.axhline(row["y"], **_THIN_LOOK, label=_escaped(row["name"]))
 
 
-def _outlines(axes: Any, rows: Sequence[Row]) -> None:
+def _draw_outlines(axes: Any, rows: Sequence[Row]) -> None:
     """Draws the shapes of bones."""
     for _, corners in itertools.groupby(rows, key=lambda row: str(row["name"])):
         axes.fill(*_coordinates(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
 
 
-def _spheres(axes: Any, rows: Sequence[Row]) -> None:
+def _draw_spheres(axes: Any, rows: Sequence[Row]) -> None:
     """Draws spheres as circles of their true size, with their names."""
     if not rows:
         return
@@ -150,7 +150,7 @@ def _spheres(axes: Any, rows: Sequence[Row]) -> None:
     axes.autoscale_view()
 
 
-def _cells(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[bool, bool]) -> None:
+def _draw_heat_map(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[bool, bool]) -> None:
     """Draws a heat map with its colour bar; cells without a value stay empty."""
     rows = rows_by_kind.get("cell")
     if not rows:
@@ -158,16 +158,16 @@ def _cells(axes: Any, rows_by_kind: dict[str, list[Row]], logarithmic: tuple[boo
     x, y = (sorted({row[name] for row in rows}) for name in ("x", "y"))
     values_by_place = {(row["x"], row["y"]): row["value"] for row in rows}
     values = [[math.nan if values_by_place.get((a, b)) is None else values_by_place[a, b] for a in x] for b in y]
-    mesh = axes.pcolormesh(_edges(x, logarithmic[0]), _edges(y, logarithmic[1]), values)
+    mesh = axes.pcolormesh(_cell_edges(x, logarithmic[0]), _cell_edges(y, logarithmic[1]), values)
     bar = axes.figure.colorbar(mesh, ax=axes, label=_escaped(rows[0]["value_name"]))
     for row in rows_by_kind.get("limit", ()):
         # The limit is a line at this value, in the map and on the bar.
         axes.contour(x, y, values, levels=[row["value"]], colors="white", linestyles="--")
         bar.ax.axhline(row["value"], color="white", linestyle="--")
-        axes.plot([], [], **_THIN, label=_escaped(row["name"]))
+        axes.plot([], [], **_THIN_LOOK, label=_escaped(row["name"]))
 
 
-def _edges(middles: Sequence[float], is_logarithmic: bool) -> list[float]:
+def _cell_edges(middles: Sequence[float], is_logarithmic: bool) -> list[float]:
     """The edges of cells: halfway between two middles, and as far beyond the first and the last."""
     places = [math.log(value) for value in middles] if is_logarithmic else list(middles)
     between = [(low + high) / 2 for low, high in itertools.pairwise(places)]

@@ -54,7 +54,7 @@ def many(verb: str, models: Any, keywords: Mapping[str, Any], progress: Progress
     fields["models"] = [to_path(model) for model in sources]
     with progress_callback(progress, verb) as callback:
         records, remarks = _native.change_many(fields, f'ocs.many("{verb}", ...)', callback)
-    _report(records, remarks)
+    _log_outcomes(records, remarks)
     return table(records, all_columns((), records))
 
 
@@ -92,7 +92,7 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
         records = _change_rows(to_fields("batch", keywords), data, len(rows), progress)
     except RequestError as error:
         raise explain_gaps(error, gaps) from None
-    places = _places(records, rows)
+    places = _rows_of_records(records, rows)
     if places is None:
         return _text_table(records)
     for record in records:
@@ -106,7 +106,7 @@ def _change_rows(
     """Changes the models of a table's rows, and returns a record for each."""
     with progress_callback(progress, "batch", count) as callback:
         records, remarks = _native.rescale_many(fields, data, "ocs.rescale_many(table, ...)", callback)
-    _report(records, remarks)
+    _log_outcomes(records, remarks)
     return records
 
 
@@ -127,14 +127,14 @@ def _refuse_nameless(rows: Sequence[Mapping[str, Any]], visible: Sequence[Mappin
         raise RequestError("usage", "\n".join([f"{count_phrase} wrong, so nothing was written:", *lines]))
 
 
-def _places(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:
+def _rows_of_records(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:
     """The row of each record, from 0; None if a row is not known. In the table that Rust reads, the names of the columns are line 1."""
     places = [record["row"] - 2 for record in records if isinstance(record.get("row"), int)]
     are_known = len(places) == len(records) and all(0 <= place < len(rows) for place in places)
     return places if are_known else None
 
 
-def _report(records: Sequence[Mapping[str, Any]], remarks: Sequence[str]) -> None:
+def _log_outcomes(records: Sequence[Mapping[str, Any]], remarks: Sequence[str]) -> None:
     for remark in remarks:
         log.info("%s", remark)
     for record in records:

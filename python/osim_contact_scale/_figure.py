@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from ._axes import Panel
 
 #: Inches of one panel of a figure that `plot` makes.
-_PANEL = (5.0, 3.6)
+_PANEL_INCHES = (5.0, 3.6)
 
 
 class _RenderedFigure(NamedTuple):
@@ -177,7 +177,7 @@ class Figure(NamedValues):
 
         columns = 1 if count < 4 else 2
         lines = -(-count // columns)
-        size = (_PANEL[0] * columns, _PANEL[1] * lines)
+        size = (_PANEL_INCHES[0] * columns, _PANEL_INCHES[1] * lines)
         figure, axes = pyplot.subplots(lines, columns, figsize=size, squeeze=False, layout="constrained")
         for spare in axes.flat[count:]:
             figure.delaxes(spare)

@@ -36,7 +36,7 @@ class Labels(NamedTuple):
     @property
     def shape(self) -> tuple[int, ...]:
         """The shape of an array that has these labels."""
-        return tuple(len(axis) for axis in _axes(self._first, self.kind))
+        return tuple(len(axis) for axis in _axis_labels(self._first, self.kind))
 
     @property
     def _first(self) -> Any:
@@ -69,7 +69,7 @@ class Labels(NamedTuple):
     def describe_place(self, place: tuple[int, ...]) -> str:
         """The labels of one element, in brackets; an empty text if they only repeat its position."""
         parts = []
-        for axis_name, axis, step in zip(("index", "column"), _axes(self._first, self.kind), place):
+        for axis_name, axis, step in zip(("index", "column"), _axis_labels(self._first, self.kind), place):
             # An iterator gives plain Python numbers, whose repr is short.
             label = repr(next(iter(axis[step : step + 1])))
             if label != str(step):
@@ -110,7 +110,7 @@ def missing_as_nan(value: Any) -> Any:
     return value.to_numpy(dtype=np.float64, na_value=np.nan) if are_numbers else value
 
 
-def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
+def _axis_labels(value: Any, kind: tuple[str, str]) -> list[Any]:
     """Labels along each dimension; rows of polars have only their number."""
     if kind[0] == "pandas":
         return list(value.axes)
@@ -118,7 +118,7 @@ def _axes(value: Any, kind: tuple[str, str]) -> list[Any]:
 
 
 def _check_same_labels(kind: tuple[str, str], first: str, one: Any, second: str, other: Any) -> None:
-    pairs = zip(_axes(one, kind), _axes(other, kind))
+    pairs = zip(_axis_labels(one, kind), _axis_labels(other, kind))
     if all(
         first_axis.equals(second_axis) if hasattr(first_axis, "equals") else first_axis == second_axis
         for first_axis, second_axis in pairs

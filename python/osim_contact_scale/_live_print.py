@@ -34,7 +34,7 @@ CONTACTS = frozenset(
 )
 
 #: Settings of the whole process change what OpenSim prints: only one thread prints at a time.
-_PRINTING = threading.Lock()
+_PRINTING_LOCK = threading.Lock()
 
 
 def model_to_xml(opensim: Any, model: Any, file: str | None = None) -> bytes:
@@ -48,7 +48,7 @@ def model_to_xml(opensim: Any, model: Any, file: str | None = None) -> bytes:
     ContactScaleError
         OpenSim cannot print it.
     """
-    with _PRINTING, _settings(opensim), tempfile.TemporaryDirectory() as folder:
+    with _PRINTING_LOCK, _printing_settings(opensim), tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "model.osim")
         try:
             # OpenSim refuses a model whose connections are not finalized. A clone of it would be printed, without them.
@@ -83,7 +83,7 @@ def connected_clone(model: Any) -> Any:
 
 
 @contextlib.contextmanager
-def _settings(opensim: Any) -> Iterator[None]:
+def _printing_settings(opensim: Any) -> Iterator[None]:
     """Changes OpenSim's settings while a model is printed.
 
     It leaves out defaults: it refuses to read some of those that it prints, such as a muscle's `optimal_force`. And it does not write the
@@ -108,7 +108,7 @@ def _unmark_defaults(opensim: Any, owner: Any) -> None:
         prop = owner.getPropertyByIndex(index)
         if prop.getValueIsDefault():
             # The program adds its note to the credits: without a text in the file, the note would replace it.
-            if prop.getName() != "credits" and defaults is not None and _value(opensim, prop) == defaults[index]:
+            if prop.getName() != "credits" and defaults is not None and _comparable(opensim, prop) == defaults[index]:
                 continue
             prop.setValueIsDefault(False)
         if prop.isObjectProperty():
@@ -120,21 +120,21 @@ def _unmark_defaults(opensim: Any, owner: Any) -> None:
 def _default_values(opensim: Any, name: str) -> list[object] | None:
     """The values of a new object of a class. None for classes that Python cannot create."""
     try:
-        return _values(opensim, getattr(opensim, name)())
+        return _property_values(opensim, getattr(opensim, name)())
     except Exception:
         return None
 
 
-def _values(opensim: Any, owner: Any) -> list[object]:
-    return [_value(opensim, owner.getPropertyByIndex(index)) for index in range(owner.getNumProperties())]
+def _property_values(opensim: Any, owner: Any) -> list[object]:
+    return [_comparable(opensim, owner.getPropertyByIndex(index)) for index in range(owner.getNumProperties())]
 
 
-def _value(opensim: Any, prop: Any) -> object:
-    """The value of a property in a form that can be compared, with all digits. NaN equals NaN; a value of a rare type equals nothing."""
+def _comparable(opensim: Any, prop: Any) -> object:
+    """The value of a property in a form that can be compared, with all digits. NaN equals NaN; a value of a rare type equals none."""
     places = range(prop.size())
     if prop.isObjectProperty():
         objects = [prop.getValueAsObject(place) for place in places]
-        return [(one.getConcreteClassName(), _values(opensim, one)) for one in objects]
+        return [(one.getConcreteClassName(), _property_values(opensim, one)) for one in objects]
     kind = prop.getTypeName()
     if kind in ("bool", "int", "string"):
         return prop.toString()

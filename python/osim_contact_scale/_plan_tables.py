@@ -10,7 +10,7 @@ from .types import Table
 
 #: Columns of a table of changes. `old` and `new` are in `unit`.
 CHANGES = ("property", "path", "old", "new", "factor", "unit", "equation", "force", "sphere", "set", "line", "inserted")
-#: Columns of a table in which equal changes are one row: `of` is their number.
+#: Columns of a table in which equal changes are one row: `of` is the number of equal changes.
 GROUPED = ("property", "of", "old", "new", "factor", "unit", "equation")
 #: Columns of a table of spheres that move: metres, in their frames.
 MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z", "equation", "line", "inserted")

@@ -24,10 +24,10 @@ if TYPE_CHECKING:
 log = logging.getLogger("osim_contact_scale")
 
 #: Columns of the verdicts before and after the change.
-_VERDICTS = ("verdict", "before", "after", "says")
+_VERDICT_FIELDS = ("verdict", "before", "after", "says")
 
 #: The field that names the model, for verbs in which it is not `models`.
-_MODEL = {"fit": "file"}
+_MODEL_FIELDS = {"fit": "file"}
 
 
 def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping[str, bytes] | None = None) -> Result:
@@ -42,7 +42,7 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     memory.update(tables or {})
     model = to_model(source, memory)
     fields = to_fields(verb, with_companions(source, keywords, memory), memory)
-    fields[_MODEL.get(verb, "models")] = model
+    fields[_MODEL_FIELDS.get(verb, "models")] = model
     is_whole = not isinstance(model, str) or model in memory or os.path.isabs(model)
     planned = Result(fields, _native.plan(fields, memory, True), None if is_whole else os.getcwd())
     for remark in planned.remarks:
@@ -226,7 +226,7 @@ class Result(NamedValues):
             "force": force,
             "geometry_output": geometry_output,
         }
-        self._stay_in_folder(output, output_dir)
+        self._check_current_folder(output, output_dir)
         fields = to_fields(self.verb, {name: value for name, value in options.items() if value is not False})
         del fields["verb"]
         paths, backups, remarks = self._planned.write(fields)
@@ -236,7 +236,7 @@ class Result(NamedValues):
             log.warning("%s: %s", printable(self.path), remark)
         return list(paths)
 
-    def _stay_in_folder(self, *outputs: Any) -> None:
+    def _check_current_folder(self, *outputs: Any) -> None:
         """Raises an error if the model has a relative path and the current folder is another one now."""
         if self._folder is None or self._folder == os.getcwd():
             return
@@ -311,7 +311,7 @@ class Result(NamedValues):
         parts += _section("", _plan_tables.GROUPED, grouped, ".changes")
         parts += _section("Spheres that move", _plan_tables.MOVES[:8], moves, ".moves")
         parts += _section("Objects", _plan_tables.OBJECTS[:5], record["objects"], ".objects")
-        parts += _section("Verdicts, as it is and after the change", _VERDICTS, self._verdicts(), ".report(path)")
+        parts += _section("Verdicts, as it is and after the change", _VERDICT_FIELDS, self._verdicts(), ".report(path)")
         findings = Findings((*self.findings, *self.findings_after))
         where = ".findings and .findings_after have all"
         parts.append(findings._html_table("Findings of the change and of the new model", where))

@@ -1,4 +1,4 @@
-"""Other numbers of a model that depend on body size, which `check(from_=...)` and `inspect(target_mass=...)` list."""
+"""Numbers of a model other than contacts that depend on body size: `check(from_=...)` and `inspect(target_mass=...)` list them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     import pandas as pd
 
 #: Fields of a record that become three columns each: median, min and max.
-_SPREADS = ("value", "factor")
+_SPREAD_FIELDS = ("value", "factor")
 _COLUMNS = (
     "model",
     "kind",
@@ -91,8 +91,8 @@ class Similarity(Sequence[dict[str, Any]]):
         rows = []
         for model, record in zip(self._models, self.records):
             for kind in record["kinds"]:
-                row = {"model": model, **{name: value for name, value in kind.items() if name not in _SPREADS}}
-                for spread in _SPREADS:
+                row = {"model": model, **{name: value for name, value in kind.items() if name not in _SPREAD_FIELDS}}
+                for spread in _SPREAD_FIELDS:
                     parts = kind[spread] or {}
                     row |= {f"{spread}_{part}": parts.get(part) for part in ("median", "min", "max")}
                 rows.append({name: row[name] for name in _COLUMNS})

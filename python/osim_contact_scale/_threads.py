@@ -13,7 +13,7 @@ log = logging.getLogger("osim_contact_scale")
 
 #: More threads than any computer has processors.
 _MAX_THREADS = 4096
-_VARIABLE = "OSIM_CONTACT_SCALE_THREADS"
+_ENVIRONMENT_VARIABLE = "OSIM_CONTACT_SCALE_THREADS"
 
 _default_count: int | None = None
 #: The wrong value of the environment variable that was reported already.
@@ -59,13 +59,13 @@ def default_thread_count() -> int | None:
     global _reported_value
     if _default_count is not None:
         return _default_count
-    text = os.environ.get(_VARIABLE, "").strip()
+    text = os.environ.get(_ENVIRONMENT_VARIABLE, "").strip()
     if text.isdecimal() and len(text) < 10 and 1 <= int(text) <= _MAX_THREADS:
         return int(text)
     if text and text != _reported_value:
         _reported_value = text
         message = "%s=%r: expected a whole number, 1 or more and at most %d: one thread per processor is used"
-        log.warning(message, _VARIABLE, text[:40], _MAX_THREADS)
+        log.warning(message, _ENVIRONMENT_VARIABLE, text[:40], _MAX_THREADS)
     return None
 
 

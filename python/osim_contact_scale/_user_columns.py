@@ -18,7 +18,7 @@ from ._text import printable
 log = logging.getLogger("osim_contact_scale")
 
 #: Names of columns that the result has itself.
-_RESULT = re.compile(
+_RESULT_COLUMNS = re.compile(
     r"row|status|(contacts|target)_mass_kg|contacts_mass_source|objects|changes|unequal_factors|findings|error|error_code|line|column|folder"
     r"|tool_version|sha256_.*|(radius|stiffness|dissipation|\w+_friction|transition_velocity|constant_contact_force|\w+_smoothing)_"
     r"(from|to|factor)(_m)?"
@@ -46,7 +46,7 @@ def user_columns(names: Sequence[str], keep: Any) -> UserColumns:
     """
     kept = _columns_to_keep(names, keep)
     for name in kept:
-        if _RESULT.fullmatch(name):
+        if _RESULT_COLUMNS.fullmatch(name):
             raise _keep_error(f"the result has a column {name!r} itself: rename yours, or let its name begin with #")
     marked = {name for name in names if name.startswith("#")}
     return UserColumns(

@@ -44,7 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     try:
         results = run(
             options.table,
-            _task(options.task, _settings(options.set)),
+            _task_of_options(options.task, _parse_settings(options.set)),
             results=options.results,
             scheduler=options.scheduler,
             workers=options.workers,
@@ -110,7 +110,7 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _task(text: str, settings: dict[str, Any]) -> Any:
+def _task_of_options(text: str, settings: dict[str, Any]) -> Any:
     """The task that `--task` and `--set` describe.
 
     Raises
@@ -128,10 +128,10 @@ def _task(text: str, settings: dict[str, Any]) -> Any:
     file, colon, name = text.rpartition(":")
     if not colon or not file.endswith(".py"):
         raise RequestError("usage", f"--task {printable(text)}: expected {', '.join(TASKS)} or FILE.py:FUNCTION")
-    return Function(_function(Path(file), name), settings)
+    return Function(_function_in_file(Path(file), name), settings)
 
 
-def _function(file: Path, name: str) -> Callable[..., Any]:
+def _function_in_file(file: Path, name: str) -> Callable[..., Any]:
     if not file.is_file():
         raise RequestError("usage", f"--task: there is no file {printable(str(file))}")
     # The module is loaded from its file, because another module may have its name. It can import modules of its folder.
@@ -154,7 +154,7 @@ def _function(file: Path, name: str) -> Callable[..., Any]:
     return task_function
 
 
-def _settings(items: Sequence[str]) -> dict[str, Any]:
+def _parse_settings(items: Sequence[str]) -> dict[str, Any]:
     """The settings of `NAME=VALUE` arguments; a value is a number, true, false or null if JSON reads it as one, else a text."""
     settings: dict[str, Any] = {}
     for item in items:

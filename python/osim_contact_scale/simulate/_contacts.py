@@ -39,7 +39,7 @@ def selected_contacts(opensim: Any, model: Any, select: Sequence[str]) -> list[C
     ModelError
         There is no such force, or one of the spheres has no radius.
     """
-    contacts = [contact for force in _contact_forces(opensim, model) if (contact := _contact(opensim, model, force))]
+    contacts = [contact for force in _contact_forces(opensim, model) if (contact := _to_contact(opensim, model, force))]
     if not contacts:
         expected = f"a {HUNT_CROSSLEY} or {SMOOTH} in which a ContactSphere meets a ContactHalfSpace"
         raise model_error(f"there is nothing that the body can stand on: expected {expected}")
@@ -112,7 +112,7 @@ def _contact_forces(opensim: Any, model: Any) -> Iterator[Any]:
             yield kind.safeDownCast(component)
 
 
-def _contact(opensim: Any, model: Any, force: Any) -> Contact | None:
+def _to_contact(opensim: Any, model: Any, force: Any) -> Contact | None:
     """A force between spheres and half-spaces as a `Contact`; None if it acts between other shapes."""
     geometry = force_geometry(opensim, model, force)
     spheres = [one for one in map(opensim.ContactSphere.safeDownCast, geometry) if one is not None]

@@ -34,7 +34,7 @@ def describe_error(error: BaseException, folder: str | None = None) -> str:
     text = _kind_and_message(error)
     for name in (os.path.realpath(folder), folder) if folder else ():
         text = text.replace(name, ".")
-    return clipped(printable(text)) + _place(error)
+    return clipped(printable(text)) + _place_of_error(error)
 
 
 def _kind_and_message(error: BaseException) -> str:
@@ -54,7 +54,7 @@ def _in_one_line(message: str) -> str:
     return " ".join(line.strip() for line in lines if line.strip())
 
 
-def _place(error: BaseException) -> str:
+def _place_of_error(error: BaseException) -> str:
     """The innermost line of your code that led to the error; empty if there is none, as in a task of this package."""
     places = [
         (_frame_file(frame), line, frame.f_code.co_name) for frame, line in traceback.walk_tb(error.__traceback__)

@@ -58,11 +58,11 @@ def refuse_unguarded() -> None:
     frame: FrameType | None = sys._getframe()
     while frame is not None:
         if frame.f_globals is vars(main) and frame.f_code.co_name == "<module>":
-            _refuse(frame, file)
+            _end_unguarded(frame, file)
         frame = frame.f_back
 
 
-def _refuse(frame: FrameType, file: str) -> None:
+def _end_unguarded(frame: FrameType, file: str) -> None:
     try:
         if os.path.getmtime(file) > _IMPORT_TIME:
             return  # Edited since: its lines are no longer those of the program that runs.

@@ -33,19 +33,19 @@ def join_outcomes(points: Sequence[Point], keys: Mapping[int, str], rows: Mappin
             if name not in numbers:
                 numbers[name] = _unused_name(name, {*point_columns, *RESULT_COLUMNS, *numbers.values()})
     return pd.DataFrame(
-        [_record(point, keys.get(point.row), row, numbers) for point, row in zip(points, outcomes)],
+        [_row_of_point(point, keys.get(point.row), row, numbers) for point, row in zip(points, outcomes)],
         columns=[*point_columns, *RESULT_COLUMNS, *numbers.values()],
     )
 
 
 def _unused_name(name: str, used: set[str]) -> str:
-    """A name for a column that no other one has."""
+    """A name for a column that no other column has."""
     while name in used:
         name = f"{name}_result"
     return name
 
 
-def _record(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
+def _row_of_point(point: Point, key: str | None, row: Outcome | None, numbers: Mapping[str, str]) -> dict[str, Any]:
     record = {**point.columns, "key": key}
     if row is not None:
         # The parts do not have the name of the model, because models of equal bytes share an outcome.
@@ -74,11 +74,11 @@ def write_tables(folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:
 
 
 def _write_csv(path: Path, table: pd.DataFrame) -> None:
-    texts = {name: table[name].map(_cell) for name in table.columns if table[name].dtype.kind not in "ifb"}
+    texts = {name: table[name].map(_csv_cell) for name in table.columns if table[name].dtype.kind not in "ifb"}
     table.assign(**texts).to_csv(path, index=False, lineterminator="\n", quoting=csv.QUOTE_MINIMAL)
 
 
-def _cell(value: Any) -> Any:
+def _csv_cell(value: Any) -> Any:
     return to_cell(value) if isinstance(value, str) else value
 
 
@@ -87,10 +87,10 @@ def _plain_types(table: pd.DataFrame) -> pd.DataFrame:
     mixed = {
         name: table[name].map(lambda value: None if pd.isna(value) else str(value))
         for name in table.columns
-        if len({_kind(value) for value in table[name] if not pd.isna(value)}) > 1
+        if len({_type_for_parquet(value) for value in table[name] if not pd.isna(value)}) > 1
     }
     return table.assign(**mixed)
 
 
-def _kind(value: Any) -> str:
+def _type_for_parquet(value: Any) -> str:
     return "number" if isinstance(value, (int, float)) and not isinstance(value, bool) else type(value).__name__

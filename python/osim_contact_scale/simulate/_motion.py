@@ -56,7 +56,7 @@ class Motion:
         return Moment(state.getTime(), self._scene.opensim.Vector(state.getY()))
 
     def begin(self, moment: Moment) -> Any:
-        """Starts the integration from a moment; states that it returned before are no longer valid."""
+        """Starts the integration from a moment; states that earlier calls returned are no longer valid."""
         opensim, state = self._scene.opensim, self._state
         state.setTime(moment.time_s)
         state.setY(moment.values)

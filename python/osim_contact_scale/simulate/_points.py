@@ -53,21 +53,21 @@ def read_points(source: Any) -> list[Point]:
         source = source.manifest
     if isinstance(source, (str, os.PathLike)):
         table = Path(source)
-        return _points(read_rows(table), table.parent, printed_name=printable(str(table)))
-    return _points(to_rows(source), Path.cwd(), printed_name="points")
+        return _points_of_rows(read_rows(table), table.parent, printed_name=printable(str(table)))
+    return _points_of_rows(to_rows(source), Path.cwd(), printed_name="points")
 
 
-def _points(rows: Sequence[Mapping[str, Any]], folder: Path, printed_name: str) -> list[Point]:
+def _points_of_rows(rows: Sequence[Mapping[str, Any]], folder: Path, printed_name: str) -> list[Point]:
     if not rows:
         raise RequestError("usage", f"{printed_name}: it has no rows", keywords=("points",))
     for column in rows[0]:
         if column in RESULT_COLUMNS:
             message = f"{printed_name}: the column {column!r} is one of those that results have: leave out {', '.join(RESULT_COLUMNS)}"
             raise RequestError("usage", message, keywords=("points",))
-    return [_point(number, row, folder, printed_name) for number, row in enumerate(rows, 1)]
+    return [_point_of_row(number, row, folder, printed_name) for number, row in enumerate(rows, 1)]
 
 
-def _point(number: int, row: Mapping[str, Any], folder: Path, printed_name: str) -> Point:
+def _point_of_row(number: int, row: Mapping[str, Any], folder: Path, printed_name: str) -> Point:
     column = next((name for name in ("path", "file") if name in row), None)
     if column is None:
         message = f"{printed_name}: expected a column path (or file) with the files of the models"

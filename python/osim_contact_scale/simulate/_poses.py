@@ -59,7 +59,7 @@ class Pose:
         return cls.of(frame.getTransformInGround(state))
 
     def then(self, inner: Pose) -> Pose:
-        """The pose of `inner`, which is given in this frame, in the frame in which this pose is given."""
+        """The pose `inner`, given in this frame, converted to the frame in which this pose is given."""
         return Pose(self.origin_m + self.rotation @ inner.origin_m, self.rotation @ inner.rotation)
 
     def seen_from(self, other: Pose) -> Pose:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 
 #: More steps than any bracket of doubles can be halved.
-_MOST = 2000
+_MAX_STEPS = 2000
 
 
 def root(function: Callable[[float], float], left: float, right: float, *, close: float) -> float:
@@ -33,7 +33,7 @@ def root(function: Callable[[float], float], left: float, right: float, *, close
     if (at_left > 0) == (at_right > 0):
         raise ValueError("the function has the same sign at both ends")
     widths, moved = [math.inf] * 3, ""
-    for _ in range(_MOST):
+    for _ in range(_MAX_STEPS):
         middle = (left * at_right - right * at_left) / (at_right - at_left)
         if abs(right - left) > 0.5 * widths[-3] or not min(left, right) < middle < max(left, right):
             middle = 0.5 * (left + right)

@@ -149,7 +149,7 @@ class Scene:
         self.model.realizePosition(state)
 
     def _find_lift(self) -> tuple[Any, float, list[Any]]:
-        """The coordinate that lifts all spheres straight up, how much of it lifts them by 1 m, and the bodies that it lifts."""
+        """The coordinate that lifts all spheres straight up, its change for a lift of 1 m, and the bodies that it lifts."""
         bodies = _all_bodies(self.opensim, self.model)
         before = [Pose.in_ground(body, self.state) for body in bodies]
         sphere_bodies = {
@@ -225,7 +225,7 @@ def _is_moved(before: Pose, after: Pose) -> bool:
 
 
 def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
-    """The distance that all bodies have risen; None if one turned or moved otherwise."""
+    """The distance that all bodies have risen; None if a body turned or moved in another direction."""
     moves = np.array([after.origin_m - before.origin_m for before, after in poses])
     turned = max(float(np.abs(after.rotation - before.rotation).max()) for before, after in poses)
     risen = float(moves[0] @ up)

@@ -38,7 +38,7 @@ def main(arguments: list[str]) -> None:
     send(answers, loaded.versions)
     with suppress(EOFError, OSError):
         if arguments == ["--once"]:
-            _once(requests, answers, loaded)
+            _run_only_job(requests, answers, loaded)
             return
         while True:
             job: Job = receive(requests)
@@ -55,7 +55,7 @@ def _take_pipes() -> tuple[int, int]:
     return requests, answers
 
 
-def _once(requests: int, answers: int, loaded: Loaded) -> None:
+def _run_only_job(requests: int, answers: int, loaded: Loaded) -> None:
     job: Job = receive(requests)
     begin = time.perf_counter()
     # The worker removes the folder, because this process is in it or may be ended.

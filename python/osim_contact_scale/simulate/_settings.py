@@ -8,7 +8,7 @@ from .._errors import RequestError
 
 
 def parse_multiple(value: float | str, unit: str, keyword: str) -> tuple[float, bool]:
-    """A number, and whether it is a multiple of the model's unit: `0.01` is not, `"0.25R"` and `"x0.25"` are.
+    """A number, and whether it is a multiple of the model's unit: `0.01` is none, `"0.25R"` and `"x0.25"` are multiples.
 
     Raises
     ------
@@ -30,7 +30,7 @@ def parse_multiple(value: float | str, unit: str, keyword: str) -> tuple[float, 
 
 
 def check_choice(value: str, expected: tuple[str, ...], keyword: str) -> None:
-    """Refuses a word that is not one of those expected."""
+    """Refuses a word that is not among the expected words."""
     if value not in expected:
         words = " or ".join(map(repr, expected))
         raise RequestError("usage", f"{keyword}={value!r}: expected {words}", keywords=(keyword,))

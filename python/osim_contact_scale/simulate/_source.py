@@ -22,11 +22,11 @@ from typing import Any
 from .._errors import RequestError
 from ._values import describe_value
 
-#: Attributes that say where a module is and nothing about its code.
+#: Attributes of a module that describe its place, not its code.
 _MODULE_ATTRIBUTES = {"__builtins__", "__file__", "__name__", "__package__", "__spec__"}
 
 #: Attributes with one underscore that the standard library adds to classes.
-_NOTES = {"_abc_impl", "_field_defaults", "_fields"}
+_CLASS_NOTES = {"_abc_impl", "_field_defaults", "_fields"}
 
 
 class Source:
@@ -62,9 +62,9 @@ class Source:
         if isinstance(value, types.BuiltinFunctionType):
             return ["built in", value.__module__, value.__qualname__]
         if isinstance(value, types.FunctionType):
-            return self._function(value, name) if self._is_yours(value) else _describe_installed(value)
+            return self._describe_function(value, name) if self._is_yours(value) else _describe_installed(value)
         if isinstance(value, type):
-            return self._class(value, name) if self._is_yours(value) else _describe_installed(value)
+            return self._describe_class(value, name) if self._is_yours(value) else _describe_installed(value)
         if isinstance(value, functools.partial):
             return ["partial", self._describe([value.func, value.args, value.keywords], name)]
         if isinstance(value, types.MethodType):
@@ -82,12 +82,12 @@ class Source:
             return ["set", _sorted(self._describe(item, name) for item in value)]
         if isinstance(value, (list, tuple)):
             return [type(value).__name__, [self._describe(item, name) for item in value]]
-        return self._object(value, name)
+        return self._describe_object(value, name)
 
-    def _function(self, function: types.FunctionType, name: str) -> Any:
+    def _describe_function(self, function: types.FunctionType, name: str) -> Any:
         code = function.__code__
-        parts: list[Any] = ["function", self._code(code)]
-        cells = [] if function.__closure__ is None else [_content(cell) for cell in function.__closure__]
+        parts: list[Any] = ["function", self._describe_code(code)]
+        cells = [] if function.__closure__ is None else [_cell_content(cell) for cell in function.__closure__]
         parts += [
             self._describe([function.__defaults__, function.__kwdefaults__], f"a default of {function.__qualname__}"),
             [self._describe(cell, global_names) for global_names, cell in zip(code.co_freevars, cells)],
@@ -99,29 +99,29 @@ class Source:
             item.argval for item in instructions if item.opname in ("LOAD_ATTR", "LOAD_METHOD", "IMPORT_FROM")
         }
         for used_name in sorted(global_names & function.__globals__.keys() - _MODULE_ATTRIBUTES):
-            parts.append([used_name, self._global(function.__globals__[used_name], used_name, attributes)])
+            parts.append([used_name, self._describe_global(function.__globals__[used_name], used_name, attributes)])
         return parts
 
-    def _code(self, code: types.CodeType) -> Any:
+    def _describe_code(self, code: types.CodeType) -> Any:
         constants = [
-            self._code(item) if isinstance(item, types.CodeType) else self._describe(item, "a constant")
+            self._describe_code(item) if isinstance(item, types.CodeType) else self._describe(item, "a constant")
             for item in code.co_consts
         ]
         return [code.co_code.hex(), list(code.co_names), constants]
 
-    def _global(self, value: Any, name: str, attributes: Iterable[str]) -> Any:
-        """Describes the named members of a module of yours, or any other value."""
+    def _describe_global(self, value: Any, name: str, attributes: Iterable[str]) -> Any:
+        """Describes a global value of a function: of a module of yours the members named `attributes`, of anything else the whole value."""
         if isinstance(value, types.ModuleType) and self._is_yours(value):
             members = vars(value)
             return [[used, self._describe(members[used], used)] for used in sorted(attributes) if used in members]
         return self._describe(value, name)
 
-    def _class(self, kind: type, name: str) -> Any:
+    def _describe_class(self, kind: type, name: str) -> Any:
         members = {member: value for member, value in vars(kind).items() if not _is_generated(member, value)}
         bases = [self._describe(base, name) for base in kind.__bases__]
         return ["class", kind.__qualname__, bases, self._describe(members, f"an attribute of {kind.__qualname__}")]
 
-    def _object(self, value: Any, name: str) -> Any:
+    def _describe_object(self, value: Any, name: str) -> Any:
         try:
             # The state that pickle would save.
             state = value.__reduce_ex__(2)
@@ -132,7 +132,7 @@ class Source:
         return ["object", self._describe(type(value), name), self._describe(list(state[1:3]), name)]
 
     def _is_yours(self, value: Any) -> bool:
-        """Whether a value belongs to a module that is neither installed nor part of Python."""
+        """Whether a value belongs to a module that is neither an installed package nor part of Python."""
         name = value.__name__ if isinstance(value, types.ModuleType) else getattr(value, "__module__", None)
         module = sys.modules.get(name or "")
         if name is None or module is None:
@@ -176,14 +176,14 @@ def _is_generated(member: str, value: Any) -> bool:
     if isinstance(value, (types.MemberDescriptorType, types.GetSetDescriptorType)):
         return True
     # Python adds attributes to a class, some only when the class is used.
-    return member.startswith("_") and not _is_code(value) and (member in _NOTES or member.startswith("__"))
+    return member.startswith("_") and not _is_code(value) and (member in _CLASS_NOTES or member.startswith("__"))
 
 
 def _is_code(value: Any) -> bool:
     return isinstance(value, (types.FunctionType, staticmethod, classmethod, property, Mapping))
 
 
-def _content(cell: types.CellType) -> Any:
+def _cell_content(cell: types.CellType) -> Any:
     try:
         return cell.cell_contents
     except ValueError:

@@ -67,7 +67,7 @@ def _stand_figures(scene: Scene) -> tuple[dict[str, float | None], dict[str, lis
         "least_relative_indentation": min(relative),
         "largest_relative_indentation": max(relative),
     }
-    for name, depth, share in zip(_names(scene), depths, relative):
+    for name, depth, share in zip(_sphere_names(scene), depths, relative):
         figures[f"indentation_m_{name}"] = depth
         figures[f"relative_indentation_{name}"] = share
     return figures, {
@@ -77,7 +77,7 @@ def _stand_figures(scene: Scene) -> tuple[dict[str, float | None], dict[str, lis
     }
 
 
-def _names(scene: Scene) -> list[str]:
+def _sphere_names(scene: Scene) -> list[str]:
     """Unique names of the spheres for names of columns, in letters, digits and _."""
     names: list[str] = []
     for ball in scene.balls:

@@ -26,7 +26,7 @@ _thread_local = threading.local()
 #: Servers of this process, for the end of a run.
 _servers: set[Server] = set()
 #: Runs that have ended.
-_ended: set[str] = set()
+_ended_runs: set[str] = set()
 _lock = threading.Lock()
 
 #: Each model has one thread, because many models run at the same time.
@@ -73,7 +73,7 @@ class Server:
         self.run = run
         # The lock lasts until the process is registered, so that it ends with the run.
         with _lock:
-            if run in _ended:
+            if run in _ended_runs:
                 raise RuntimeError("the run was stopped")
             self._process = _start_server(cwd=tempfile.gettempdir())
             _servers.add(self)
@@ -137,7 +137,7 @@ def _server_of_thread(run: str) -> Server:
 def end_servers(run: str) -> None:
     """Ends all servers of a run in this process; the run can start no others."""
     with _lock:
-        _ended.add(run)
+        _ended_runs.add(run)
         for server in list(_servers):
             if server.run == run:
                 server.end()
