@@ -200,7 +200,7 @@ class Inspection(Survey):
                 "contacts_mass_source": contacts.get("source"),
             }
             counts = {"sphere_count": len(record["spheres"]), "force_count": len(record["forces"])}
-            rows.append({name: values.get(name) for name in _MODEL} | counts | _scalars(record["figures"], _MODEL_COLUMNS))
+            rows.append({name: values.get(name) for name in _MODEL} | counts | _scalars(record["figures"], _MODEL))
         return table(rows, all_columns(_MODEL, rows))
 
     @property
