@@ -1,4 +1,4 @@
-// Everybody can use it: axe-core finds nothing, on a telephone and on a large screen, in light and in dark; nothing sticks out.
+// Everybody can use the page: axe-core finds no problem on small and large screens, in light and dark; no element is wider than the page.
 
 import assert from "node:assert/strict";
 
@@ -10,7 +10,7 @@ const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 const MOUSE = given("table1/mouse_smooth_sphere.osim", "mouse.osim");
 const WIDTHS = [360, 1280, 1920];
 const SCHEMES = ["light", "dark"];
-// What depends on the width is found in one scheme, and what depends on colours at one width.
+// Problems of the width are found in one colour scheme, and problems of colours at one width.
 const SCREENS_IN_FULL = [[360, "light"], [1280, "dark"], [1920, "light"]];
 
 const SCREENS = {
@@ -81,7 +81,7 @@ for (const [name, show] of Object.entries(SCREENS)) {
     const { page } = user;
     for (const width of WIDTHS) {
       await page.setViewportSize({ width, height: 900 });
-      assert.deepEqual(await sticksOut(page), [], `at ${width} pixels`);
+      assert.deepEqual(await elementsBeyondTheEdge(page), [], `at ${width} pixels`);
       for (const scheme of SCHEMES) {
         const full = SCREENS_IN_FULL.some(([wide, colours]) => wide === width && colours === scheme);
         if (!full && width !== WIDTHS[1]) continue;
@@ -103,11 +103,11 @@ inChromium("the explanation is a dialog without findings", async (user) => {
 inChromium("letters twice as large still fit", { width: 640, height: 450 }, async (user) => {
   await user.open(HUMAN);
   await user.page.evaluate(() => (document.documentElement.style.fontSize = "200%"));
-  assert.deepEqual(await sticksOut(user.page), []);
+  assert.deepEqual(await elementsBeyondTheEdge(user.page), []);
 });
 
-/** Whether the page has to be scrolled sideways, and what makes it so. */
-function sticksOut(page) {
+/** The elements that reach beyond the right edge of the page, so that the page has to be scrolled sideways. */
+function elementsBeyondTheEdge(page) {
   return page.evaluate(() => {
     const width = document.documentElement.clientWidth;
     if (document.documentElement.scrollWidth <= width) return [];

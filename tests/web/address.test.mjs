@@ -1,4 +1,4 @@
-// The request in the address: it can be kept and sent, and it never says what the files are.
+// The request in the address of the page: the user can store and send the address, and it never has names of files.
 
 import assert from "node:assert/strict";
 

@@ -1,11 +1,11 @@
-// The calculator: parameters from what is wanted, without a model.
+// The calculator: parameters of contacts from wanted values, without a model.
 
 import assert from "node:assert/strict";
 
 import { inChromium } from "./support/chromium.mjs";
 import { Folder } from "./support/command.mjs";
 
-const WANTED = Object.entries({
+const WANTED_VALUES = Object.entries({
   "Radius (m)": "0.03", "Mass of the model (kg)": "70", "Spheres that share the body weight": "4",
   "Relative indentation": "0.16", "Coefficient of restitution": "0.8", "Impact speed (m/s)": "0.4",
 });
@@ -71,7 +71,7 @@ async function openCalculator(user) {
 }
 
 async function fillCalculator(user, calculator) {
-  for (const [label, text] of WANTED) {
+  for (const [label, text] of WANTED_VALUES) {
     // A question has the same field once more, below the form.
     await calculator.getByLabel(label, { exact: true }).first().fill(text);
   }

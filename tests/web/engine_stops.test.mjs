@@ -1,4 +1,4 @@
-// A defect of the engine: WebAssembly stops in the middle of an answer. What is open is still there, and can be saved.
+// A defect of the engine: WebAssembly stops in the middle of an answer. Open models stay open, and can be downloaded.
 
 import assert from "node:assert/strict";
 
@@ -11,7 +11,7 @@ import { User } from "./support/user.mjs";
 const HUMAN = given("table1/human_62kg_smooth_sphere.osim", "human.osim");
 
 testWith({}, "after a stop of the engine, what is open stays, and work goes on", async () => {
-  const user = await withTrap();
+  const user = await openPageWithStoppableEngine();
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.done("human.scaled.osim");
@@ -33,8 +33,8 @@ testWith({}, "after a stop of the engine, what is open stays, and work goes on",
   await user.context.close();
 });
 
-/** The page, with a worker that can be made to stop. */
-async function withTrap() {
+/** Opens the page with an engine that a test can stop. */
+async function openPageWithStoppableEngine() {
   const { context, page, watched } = await openWindow();
   await page.addInitScript(trappable, beforeTheWorker.toString());
   await page.goto(PAGE_ADDRESS);
@@ -46,7 +46,7 @@ async function trapEngine(user, trapped) {
   for (const worker of user.page.workers()) await worker.evaluate((yes) => (self.trapped = yes), trapped);
 }
 
-/** Puts a text before that of the worker, in the page. */
+/** Runs in the page: puts the script `before` in front of the script of the worker. */
 function trappable(before) {
   const Plain = Blob;
   window.Blob = class extends Plain {

@@ -1,4 +1,4 @@
-// Errors: where they are shown, and the way out. What is open stays open.
+// Errors: their place on the page, and the way out. Open models stay open.
 
 import assert from "node:assert/strict";
 
@@ -13,7 +13,7 @@ const BROKEN_MODELS = ["truncated", "tags_crossed", "attribute_unquoted", "two_r
 inChromium("a broken file shows file, line, column and the marked place, as the command does", { limit: 90_000 }, async (user) => {
   for (const name of BROKEN_MODELS) {
     const file = given(`bad/${name}.osim`);
-    const { line, column, message, marked } = await commandsError(file);
+    const { line, column, message, marked } = await errorOfCommand(file);
     await user.choose([file]);
     if (name !== BROKEN_MODELS[0]) await user.button(file.name).click();
     const alert = user.region(file.name).getByRole("alert");
@@ -99,8 +99,8 @@ inChromium("what was typed wrongly is said at its field", async (user) => {
   await user.done("human.scaled.osim");
 });
 
-/** The command's error about a file. */
-async function commandsError(file) {
+/** The error that the command reports about a file. */
+async function errorOfCommand(file) {
   const folder = new Folder(file);
   const { stdout, stderr } = await folder.run("inspect", file.name, "--format", "json");
   folder.end();

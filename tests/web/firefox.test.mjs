@@ -1,4 +1,4 @@
-// The main flows in Firefox ESR.
+// The main tasks of a user in Firefox ESR.
 
 import assert from "node:assert/strict";
 
@@ -26,7 +26,7 @@ testWith({ browser: FIREFOX }, "Firefox: open, rescale, download what the comman
     await user.click("Undo");
     await user.find("heading", "human.osim");
     assert.match(new URL(await user.page.url()).hash, /^#rescale/);
-    assertQuiet(user);
+    assertNoRequestsAndNoErrors(user);
   } finally {
     await user.end();
   }
@@ -46,7 +46,7 @@ testWith({ browser: FIREFOX }, "Firefox: files that are dropped, the calculator,
       ["Spheres that share the body weight", "4"]]) await user.fill(label, text);
     await user.click("Calculate");
     await user.text("What follows for one contact sphere.");
-    assertQuiet(user);
+    assertNoRequestsAndNoErrors(user);
   } finally {
     await user.end();
   }
@@ -73,7 +73,7 @@ testWith({ browser: FIREFOX }, "Firefox: the commonest jobs, each in a few click
     await user.click("From a reference spheres of another model or a preset");
     assert.equal(await user.page.evaluate(() => document.activeElement.id), "form-from");
     for (const one of done) one();
-    assertQuiet(user);
+    assertNoRequestsAndNoErrors(user);
   } finally {
     await user.end();
   }
@@ -88,13 +88,13 @@ testWith({ browser: FIREFOX }, "Firefox: a library of forty is one ZIP", async (
     await user.fill("Target mass (kg)", "80");
     await user.click("Change all and download a ZIP");
     assert.ok((await user.downloaded("models.zip")).length > 40_000);
-    assertQuiet(user);
+    assertNoRequestsAndNoErrors(user);
   } finally {
     await user.end();
   }
 });
 
-function assertQuiet({ watched: { requests, problems } }) {
+function assertNoRequestsAndNoErrors({ watched: { requests, problems } }) {
   // Firefox has letters for its own use in an address that holds them.
   const others = requests.filter((address) => address.split("#")[0] !== PAGE_ADDRESS && !/^(blob|data):/.test(address));
   assert.deepEqual(others, []);

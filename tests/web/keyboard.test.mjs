@@ -1,4 +1,4 @@
-// With the keyboard alone: from the files to the download.
+// Tests the page with the keyboard alone, from opening files to the download.
 
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
@@ -80,7 +80,7 @@ inChromium("a remedy, its undoing and the explanation of a finding", async (user
   await user.opened("sunk_in.osim");
 });
 
-/** Presses a key until what has this name has the focus. */
+/** Presses a key until the element with this name has the focus. */
 async function tabTo(user, name, key = "Tab") {
   const passed = [];
   for (let count = 0; count < 120; count += 1) {
@@ -92,7 +92,7 @@ async function tabTo(user, name, key = "Tab") {
   assert.fail(`${name} is not reached: ${passed.join(", ")}`);
 }
 
-/** The name of what has the focus, as a screen reader says it. */
+/** The name of the element with the focus, as a screen reader reads it. */
 function focusedElement(user) {
   return user.page.evaluate(() => {
     const one = document.activeElement;

@@ -1,4 +1,4 @@
-// A file of 30 MB keeps the page alive: pictures go on while it is opened, and the slider works.
+// A file of 30 MB does not block the page: the page is drawn again while the file is opened, and the slider works.
 
 import assert from "node:assert/strict";
 import { join } from "node:path";
@@ -19,7 +19,7 @@ inChromium("while a file of 30 MB is opened the page goes on, and then the slide
   const bytes = Buffer.from(`${before}${filler}<BodySet${after}`);
   assert.ok(bytes.length >= MODEL_BYTES);
   const folder = new Folder({ name: "large.osim", bytes });
-  await user.page.evaluate(countPictures);
+  await user.page.evaluate(measureTimeBetweenPictures);
   const opening = await bestOfAttempts(async () => {
     // A model that is open already would not be opened again.
     const close = user.button("Close large.osim");
@@ -53,8 +53,8 @@ async function bestOfAttempts(attempt) {
   return least;
 }
 
-/** Counts, inside the page, how long it is between pictures; `longest` says it and begins again. */
-function countPictures() {
+/** Runs in the page: measures the longest time between two pictures; `longest` returns it and begins again. */
+function measureTimeBetweenPictures() {
   let [last, longest] = [performance.now(), 0];
   const picture = () => {
     const now = performance.now();

@@ -1,4 +1,4 @@
-// Several models: a table with a row each, one change for all, and an archive of the results.
+// Several models: a table with a row for each model, one change for all models, and an archive of the results.
 
 import assert from "node:assert/strict";
 

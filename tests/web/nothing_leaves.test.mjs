@@ -1,4 +1,4 @@
-// Nothing leaves: a page with the policy of the page tries all ways out that we know, and no byte reaches a listener.
+// The page sends nothing: a test page with the same policy tries all known ways to send data, and no byte reaches a listener.
 //
 // Beyond what a policy in a page can forbid is that the page is left: an address that a script or the user goes to, also in
 // another window by a link, is asked for. The page has one such link, to the paper. No script of ours goes anywhere.
@@ -20,7 +20,7 @@ import { testWith } from "./support/skipping.mjs";
 import { NAMES, waysOut } from "./support/ways_out.mjs";
 
 const WAIT_MS = 2500;
-// The ways out that the guard, the first script of the page, takes away: no policy governs them.
+// Ways to send data that the first script of the page (the guard) blocks, because no policy governs them.
 const GUARDED = ["window-open", "turn-server"];
 const LEAVES_THE_PAGE = ["link-new-window"];
 // Chromium does nothing about these in a page from a folder, or not each time, also without a policy.
@@ -75,7 +75,7 @@ inChromium("the page keeps nothing: no cookies, no storage, no caches", async (u
   assert.deepEqual(kept, ["", 0, 0, 0]);
 });
 
-/** The requests that reached a listener when a page whose head begins with `element` tried these ways, after a click. */
+/** The requests that reach a listener when a page tries the ways `names` after a click. The head of the page begins with `element`. */
 async function requestsHeard(names, element, guard = GUARD) {
   const listener = await listen();
   const folder = mkdtempSync(join(tmpdir(), "osim-web-leak-"));

@@ -1,4 +1,4 @@
-// Opening files: dropped, chosen, one or many, with what belongs to them.
+// Opening files: dropped or chosen, one or many, with the other files of a model.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";

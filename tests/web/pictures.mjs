@@ -1,6 +1,6 @@
 // Takes the pictures of the documentation: node tests/web/pictures.mjs docs/page
 //
-// Of the project's own models only. The window is small, so that the pictures are.
+// The pictures show only the project's own models. The window is small, so that the pictures are small.
 
 import { mkdirSync, statSync } from "node:fs";
 import { join } from "node:path";

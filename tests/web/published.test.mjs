@@ -1,4 +1,4 @@
-// Published models, all verbs: what the page makes is what the command makes, and what one refuses the other refuses.
+// Published models, all verbs: page and command make the same files, and refuse the same changes.
 
 import assert from "node:assert/strict";
 import { readdirSync, readFileSync } from "node:fs";
@@ -39,7 +39,7 @@ inChromium("all verbs on all published models", { corpus: true, limit: 120_000 }
   test.diagnostic(`${tallies.reduce((sum, one) => sum + one, 0)} of ${models.length * VERBS.length} were changed, the others refused`);
 });
 
-/** The table's row about each model. */
+/** The row of the page's table about each model. */
 async function rowsOf(user, title) {
   const rows = await user.region(title).getByRole("row").filter({ has: user.page.getByRole("rowheader") }).all();
   return Promise.all(rows.map((row) => row.evaluate((one) => ({
@@ -50,7 +50,7 @@ async function rowsOf(user, title) {
   }))));
 }
 
-/** How page and command differ about one model; its file is taken out of `files`. */
+/** The differences between page and command for one model, whose result is removed from `files`. */
 async function compareVerb(folder, { name: verb, words }, { model, message, place, outcome }, files) {
   const result = model.replace(/\.osim$/, ".scaled.osim");
   // Into another folder the command writes what needs no change, too: all results are there, as in the archive.

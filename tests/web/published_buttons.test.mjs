@@ -50,7 +50,7 @@ async function compareVerb(user, folder, { name: verb, words }, model) {
   if (REPORTED_MODELS.includes(model)) await compareReport(user, folder, [verb, model, ...words]);
 }
 
-/** The report is the file that --report writes. */
+/** Asserts that the report of the page equals the file that --report writes. */
 async function compareReport(user, folder, words) {
   const [report] = await user.downloads(user.button("Report about the change", user.acts));
   folder.clear();

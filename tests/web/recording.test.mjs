@@ -1,4 +1,4 @@
-// A recorded motion with its force plates: the body along it, curves beside those of the plates, and what it shows in words.
+// A recorded motion with force plates: the moving body, curves of the contacts and of the plates, and a text about them.
 
 import assert from "node:assert/strict";
 

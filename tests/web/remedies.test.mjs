@@ -20,7 +20,7 @@ testWith({}, "remedies of our models: each can be applied, and blocks no verb", 
 
 testWith({ corpus: true }, "remedies of published models: each can be applied, and blocks no verb", async (context) => tryRemedies(context, osims(CORPUS), 0));
 
-/** `least`: so many remedies there are at least; of published models there may be none, which have remarks at most. */
+/** Applies all remedies of the models at `paths`. There must be at least `least` remedies; published models may have none. */
 async function tryRemedies(context, paths, least) {
   // Its file has no ending by which Node would know that it is a module.
   const binding = readFileSync(join(ENGINE, "osim_web.js"), "utf8");
@@ -67,7 +67,7 @@ function ask(engine, question) {
   return JSON.parse(engine.call(JSON.stringify(question)));
 }
 
-/** The findings that have a button: those that are wrong, and not mere remarks. */
+/** The findings with a button: errors and warnings with a remedy, but no remarks. */
 function remediesOf(Engine, bytes) {
   const engine = engineWith(Engine, bytes);
   const { ok } = ask(engine, { do: "look", model: "model.osim", parts: [] });
@@ -75,7 +75,7 @@ function remediesOf(Engine, bytes) {
   return (ok?.findings ?? []).filter(({ remedy, severity }) => remedy && severity !== "remark").map(({ remedy }) => remedy);
 }
 
-/** The reason for which each verb is refused; nothing where it is not. */
+/** The reason why each verb is refused; undefined for a verb that is not refused. */
 function refusalsOfVerbs(engine, model) {
   return NEXT_REMEDIES.map((request) => ask(engine, { do: "change", request: { ...request, models: [model] }, parts: [] }).error);
 }

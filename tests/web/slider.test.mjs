@@ -1,4 +1,4 @@
-// Number box and slider show the same, and what would change follows both.
+// Number box and slider show the same mass, and the preview of the change follows both.
 
 import assert from "node:assert/strict";
 

@@ -1,4 +1,4 @@
-// Each verb: its form filled in, what would change on the screen, and the download, which is the command's file.
+// Each verb: the test fills in its form, reads the preview of the change, and compares the download with the command's file.
 
 import assert from "node:assert/strict";
 

@@ -1,4 +1,4 @@
-// Tests in Chromium: every test gets a page of its own, and every page is watched.
+// Tests in Chromium: every test gets its own page, whose requests and errors are recorded.
 
 import assert from "node:assert/strict";
 import { after } from "node:test";
@@ -36,15 +36,15 @@ export function inChromium(name, ...rest) {
     const user = await openPage(options);
     try {
       await act(user, context);
-      asksOnlyForItself(user.watched);
+      assertRequestsOnlyItself(user.watched);
     } finally {
       await user.context.close();
     }
   });
 }
 
-/** Nothing but the page and its worker, which is made of text in the page, was asked for. */
-function asksOnlyForItself({ requests, problems }) {
+/** Asserts that the page requested only itself and its worker, whose script is text in the page. */
+function assertRequestsOnlyItself({ requests, problems }) {
   const others = requests.filter((one) => one.split("#")[0] !== PAGE_ADDRESS && !one.startsWith("blob:"));
   assert.deepEqual(others, [], "the page asked for more than itself");
   assert.deepEqual(problems, [], "something went wrong in the page");

@@ -1,4 +1,4 @@
-// The command, in a folder of its own with the same files as the page has.
+// Runs the command in its own folder, with the same files as the page.
 
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
@@ -39,12 +39,12 @@ export class Folder {
     return this.names().filter((name) => !this.given.includes(name));
   }
 
-  /** Takes away what commands made. */
+  /** Removes the files that commands made. */
   clear() {
     for (const name of this.made()) rmSync(join(this.path, name));
   }
 
-  /** Runs the program with these words. */
+  /** Runs the program with these arguments. */
   run(...words) {
     return endOfChild(spawn(PROGRAM, words, { cwd: this.path }));
   }
@@ -71,7 +71,7 @@ function endOfChild(child) {
   });
 }
 
-/** The line, typed where the same files are, makes files of the same names and bytes as were downloaded. */
+/** Asserts that the command `line`, typed in a folder with the same files, makes files with the names and bytes of the downloads. */
 export async function makesTheSame(line, files, downloads) {
   const folder = new Folder(...files);
   try {

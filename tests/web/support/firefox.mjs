@@ -11,7 +11,7 @@ import { FIREFOX, PAGE_ADDRESS } from "./places.mjs";
 
 const PATIENCE_MS = 15_000;
 
-/** The page in a browser of its own; what it downloads is in a folder. */
+/** Opens the page in its own browser, which downloads files into a temporary folder. */
 export async function openFirefox() {
   const downloads = mkdtempSync(join(tmpdir(), "osim-web-firefox-"));
   const browser = await puppeteer.launch({
@@ -41,7 +41,7 @@ class FirefoxUser {
 
   /** The visible element of this kind and name. */
   async find(kind, name) {
-    const handle = await this.page.waitForFunction(shownAs, { polling: 50 }, kind, name);
+    const handle = await this.page.waitForFunction(visibleElement, { polling: 50 }, kind, name);
     return handle.asElement();
   }
 
@@ -63,12 +63,12 @@ class FirefoxUser {
     return () => rmSync(folder, { recursive: true });
   }
 
-  /** Waits until text is somewhere on the page. */
+  /** Waits until the page contains a text. */
   async text(text) {
     await this.page.waitForFunction((one) => document.body.innerText.includes(one), {}, text);
   }
 
-  /** Waits for a download of this name; gives its bytes. */
+  /** Waits for a download of this name; returns its bytes. */
   async downloaded(name) {
     for (const end = Date.now() + PATIENCE_MS; Date.now() < end; await wait(50)) {
       const names = readdirSync(this.downloads);
@@ -86,8 +86,8 @@ class FirefoxUser {
   }
 }
 
-/** Inside the page: names are those that labels, titles and texts give. */
-function shownAs(kind, name) {
+/** Runs in the page: finds the visible element of this kind whose label, title or text is `name`. */
+function visibleElement(kind, name) {
   const texts = { button: "button", heading: "h1, h2, h3", image: "svg title" };
   const named = kind === "textbox" ? document.querySelectorAll("label") : document.querySelectorAll(texts[kind]);
   const found = [...named].find((one) => one.textContent.trim() === name && one.checkVisibility() !== (kind === "image"));

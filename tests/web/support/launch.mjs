@@ -15,7 +15,7 @@ export function launch() {
   return chromium.launch({ executablePath: CHROMIUM, args: BROWSER_ARGUMENTS });
 }
 
-/** A window without the page: `watched` is what it asks for, and what goes wrong in it. */
+/** Opens a window without the page; `watched` records the requests and errors in it. */
 export async function windowIn(browser, { width = 1280, height = 900, scheme = "light", permissions = [] } = {}) {
   const viewport = { width, height };
   // Animals that fall while a page starts would keep a processor busy: the test of these asks for motion.
@@ -43,7 +43,7 @@ function watch(context, page) {
   return watched;
 }
 
-/** A screenshot reads what was drawn; the software that stands in for a graphics card says that this is slow. */
+/** Whether a message is a warning of the graphics driver that screenshots are slow without a graphics card. */
 function isOfDriver(message) {
   return message.text().includes("GPU stall due to ReadPixels");
 }

@@ -1,4 +1,4 @@
-// Where things are, and what may be missing.
+// Paths of the page, the program and the browsers, and a check which of them are missing.
 
 import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -22,12 +22,12 @@ export function published(name) {
   return join(CORPUS, name);
 }
 
-/** A file of the fixtures as one to open: under its last name, or another. */
+/** A fixture as a file to open, under its own name or under `name`. */
 export function given(path, name = path.split("/").pop()) {
   return { name, bytes: readFileSync(fixture(path)) };
 }
 
-/** Programs and files that a test needs and this machine lacks; nothing where all is there. */
+/** Programs and files that a test needs and this machine lacks; undefined if nothing is missing. */
 export function lacking({ corpus = false, browser = CHROMIUM } = {}) {
   if (!existsSync(browser)) return `${browser}: not found`;
   if (corpus && !CORPUS) return "OSIM_CORPUS is not set";

@@ -1,9 +1,9 @@
-// Whether page and command refuse for the same reason. They call options and fields by other names; the rest must be the same.
+// Compares refusals of page and command. They may name options and fields differently; the rest of the messages must be equal.
 
 // Shorter than that, two messages have only an article in common.
 const LEAST_LETTERS = 20;
 
-/** The fault in JSON with which the command refuses a model; nothing where it did not. */
+/** The fault in the JSON of a command that refused a model; undefined if the command did not refuse it. */
 export function refusal({ stdout }) {
   return JSON.parse(stdout.trim().split("\n").pop()).error ?? undefined;
 }

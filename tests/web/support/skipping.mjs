@@ -1,10 +1,10 @@
-// Tests that cannot run here say so, in the form that dev/skips.py reads.
+// Reports tests that cannot run on this machine, in the form that dev/skips.py reads.
 
 import { test } from "node:test";
 
 import { lacking } from "./places.mjs";
 
-/** A test that is skipped, with a line about it, where this machine lacks what it `needs`. */
+/** A test that is skipped and reported if this machine lacks programs or files that it `needs`. */
 export function testWith(needs, name, ...rest) {
   const act = rest.pop();
   const why = lacking(needs);

@@ -1,4 +1,4 @@
-// Unpacks archives with Python's own library, which knows nothing of what made them.
+// Unpacks archives with Python's own library, so that another program than the page reads them.
 
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// Actions of a user on the page: everything is found by its role and its name.
+// Actions of a user on the page. Elements are found by their role and name.
 
 import { readFile } from "node:fs/promises";
 
@@ -69,14 +69,14 @@ export class User {
     await (await chooser).setFiles(typeof files === "string" ? files : files.map(asPayload));
   }
 
-  /** Opens files, and waits until all models among them are there. */
+  /** Opens files, and waits until the page shows all models among them. */
   async open(...files) {
     await this.choose(files);
     await this.announced(/opened|added/);
     await this.opened(files.find(({ name }) => name.endsWith(".osim")).name);
   }
 
-  /** Waits until a model is shown; gives its region. */
+  /** Waits until a model is shown; returns its region of the page. */
   async opened(name) {
     const region = this.region(name);
     await region.getByRole("term").filter({ hasText: "Gravity" }).waitFor();
@@ -98,7 +98,7 @@ export class User {
     for (const value of values) await group.getByRole("checkbox", { name: value, exact: true }).check();
   }
 
-  /** Waits until the result is of what the form says now and nothing moves any more; gives its state. */
+  /** Waits until the result belongs to the present form and nothing moves any more; returns the state of the result. */
   async settled() {
     return this.page.evaluate(async (quiet) => {
       const result = document.getElementById("result");
@@ -113,7 +113,7 @@ export class User {
     }, QUIET_MS);
   }
 
-  /** Waits for a result with this file; gives the button that downloads it. */
+  /** Waits for a result with this file; returns the button that downloads it. */
   async done(name) {
     const button = this.button(`Download ${name}`, this.acts);
     await button.waitFor();
@@ -121,14 +121,14 @@ export class User {
     return button;
   }
 
-  /** Keeps the result; the page then shows the changed model, and reading goes on at its name. */
+  /** Keeps the result, and waits until the page shows the changed model and its name has the focus. */
   async keep(name) {
     await this.button("Keep and go on", this.acts).click();
     await this.opened(name);
     await this.page.waitForFunction((one) => document.activeElement.textContent === one, name);
   }
 
-  /** Clicks, and gives what is downloaded: as many files as are expected. */
+  /** Clicks a button, and returns the downloaded files when there are `count`. */
   async downloads(button, count = 1) {
     this.started = [];
     const all = new Promise((resolve) => (this.onDownload = () => this.started.length === count && resolve()));
@@ -137,7 +137,7 @@ export class User {
     return Promise.all(this.started.map(async (one) => ({ name: one.suggestedFilename(), bytes: await readFile(await one.path()) })));
   }
 
-  /** The change as the page spells it. */
+  /** The change as a call in a language, as the page shows it. */
   async spelled(language = "Command") {
     await this.button("Share…", this.acts).click();
     const dialog = this.page.getByRole("dialog", { name: "Share" });
@@ -157,12 +157,12 @@ export class User {
     return this.region("The model in detail");
   }
 
-  /** Opens what is further down in the form. */
+  /** Opens the groups further down in the form. */
   async more() {
     await this.form.getByText("More options").click();
   }
 
-  /** Waits until a screen reader hears this. */
+  /** Waits until the page announces a text to screen readers. */
   async announced(text) {
     await this.page.getByRole("status").filter({ hasText: text }).first().waitFor({ state: "attached" });
   }

@@ -1,4 +1,4 @@
-// One request of each verb: how it is typed into the form, and how the command is called.
+// One request for each verb: the actions that fill the form, and the arguments of the same command.
 
 export const VERBS = [
   { title: "Rescale", fill: (user) => user.field("Target mass (kg)").fill("100"), words: ["--target-mass", "100"] },

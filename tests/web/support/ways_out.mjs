@@ -1,6 +1,6 @@
-// Every way that we know by which a page can reach a server. Runs inside the page, as its only script.
+// All known ways in which a page can reach a server. Runs inside the page, as its only script.
 
-/** The text of a script that, once its button is clicked, tries all ways to `host`, or only those with these names. */
+/** The text of a script that tries the ways `names` to reach `host` after its button is clicked. */
 export function waysOut(host, names) {
   return `(${everything})(${JSON.stringify(host)}, ${JSON.stringify(names ?? null)});`;
 }

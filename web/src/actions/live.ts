@@ -19,11 +19,11 @@ const UNIT_QUESTIONS = new Set(["implausible-mass", "mass-in-pounds"]);
 type Plan = { ask: Request } | { show: Preview };
 
 export class LivePreview {
-  #asking = false;
+  #isAsking = false;
   /** The verb and the model that the preview is about. */
   #previewSubject = "";
   #isOutdated = false;
-  #typedAt: number | undefined;
+  #firstTypedAt: number | undefined;
   #restTimer: ReturnType<typeof setTimeout> | undefined;
   #afterRest: () => void = () => undefined;
 
@@ -36,7 +36,7 @@ export class LivePreview {
 
   /** Call this after the user has changed a field. */
   typed = (): void => {
-    this.#typedAt ??= performance.now();
+    this.#firstTypedAt ??= performance.now();
     this.changed();
   };
 
@@ -46,22 +46,22 @@ export class LivePreview {
     this.#discardStale();
     clearTimeout(this.#restTimer);
     this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
-    if (!this.#asking) void this.#ask();
+    if (!this.#isAsking) void this.#ask();
   };
 
   async #ask(): Promise<void> {
-    this.#asking = true;
+    this.#isAsking = true;
     // Also after an error, the next change must be requested.
     try {
       while (this.#isOutdated) {
         this.#isOutdated = false;
-        const since = this.#typedAt;
-        this.#typedAt = undefined;
+        const since = this.#firstTypedAt;
+        this.#firstTypedAt = undefined;
         await this.#updatePreview(this.#quickSections());
         if (since !== undefined) measureStep(since);
       }
     } finally {
-      this.#asking = false;
+      this.#isAsking = false;
     }
   }
 
@@ -79,13 +79,13 @@ export class LivePreview {
     } catch (error) {
       console.warn(error);
     }
-    if (this.#asking || this.session.preview.value.state === "none") {
-      if (this.#asking) this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
+    if (this.#isAsking || this.session.preview.value.state === "none") {
+      if (this.#isAsking) this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
       return;
     }
-    this.#asking = true;
+    this.#isAsking = true;
     void this.#updatePreview(ALL_SECTIONS).finally(() => {
-      this.#asking = false;
+      this.#isAsking = false;
       if (this.#isOutdated) void this.#ask();
     });
   }

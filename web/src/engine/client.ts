@@ -16,9 +16,9 @@ type BusyListener = (count: number) => void;
 export class Client {
   readonly #worker: Worker;
   readonly #waiting = new Map<number, Waiting>();
-  /** Tasks from before the start of the engine, which are sent after it. */
-  #early: (() => void)[] | undefined = [];
-  #last = 0;
+  /** Tasks from before the start of the engine, which are sent after the start; undefined after the start. */
+  #tasksBeforeStart: (() => void)[] | undefined = [];
+  #lastId = 0;
   #busy: BusyListener = () => undefined;
 
   constructor(script: string) {
@@ -56,9 +56,9 @@ export class Client {
   /** Starts the engine, then sends the tasks that waited for it. */
   start(engine: string): Promise<null> {
     const started = this.#send<null>({ do: "start", engine });
-    const early = this.#early ?? [];
-    this.#early = undefined;
-    for (const post of early) post();
+    const tasks = this.#tasksBeforeStart ?? [];
+    this.#tasksBeforeStart = undefined;
+    for (const post of tasks) post();
     return started;
   }
 
@@ -79,10 +79,10 @@ export class Client {
   }
 
   #send<T>(task: Task, transfer: Transferable[] = []): Promise<T> {
-    const id = (this.#last += 1);
+    const id = (this.#lastId += 1);
     const answer = new Promise<unknown>((resolve, reject) => this.#waiting.set(id, { resolve, reject }));
     const post = () => this.#worker.postMessage({ id, task }, transfer);
-    if (this.#early && task.do !== "start") this.#early.push(post);
+    if (this.#tasksBeforeStart && task.do !== "start") this.#tasksBeforeStart.push(post);
     else post();
     this.#busy(this.#waiting.size);
     return answer as Promise<T>;

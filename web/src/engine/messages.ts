@@ -10,9 +10,9 @@ export type Task =
   | { do: "remove"; name: string }
   | { do: "bytes"; name: string }
   | { do: "ask"; question: Record<string, unknown> }
-  /** A change, and at once its result files. */
+  /** Plans a change, and returns its result files in the same answer. */
   | { do: "files"; request: Request }
-  /** A change, and at once a second question about it. */
+  /** Plans a change, and asks a second question about it in the same task. */
   | { do: "then"; request: Request; parts: string[]; next: "keep" | "diff" }
   | { do: "zip-begin" }
   | { do: "zip-add"; request: Request }

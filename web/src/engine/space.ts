@@ -9,7 +9,7 @@ export interface PlacedSphere {
   side: "right" | "left" | null;
   centre_m: Vector;
   radius_m: number;
-  /** The force that it carries at rest, in body weights; null if that is not known. */
+  /** The force on the sphere at rest, in body weights; null if it is not known. */
   force_bw: number | null;
   relative_indentation: number | null;
 }

@@ -41,8 +41,8 @@ function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answ
     case "remove": return { ok: engine.remove(task.name) ?? null };
     case "bytes": return { ok: engine.bytes(task.name) ?? null };
     case "ask": return ask(engine, task.question);
-    case "files": return files(engine, task.request);
-    case "then": return then(engine, task);
+    case "files": return changedFiles(engine, task.request);
+    case "then": return changeThenAsk(engine, task);
     case "zip-begin": archive = new Archive(); return { ok: null };
     case "zip-add": return addToZip(engine, task.request);
     case "zip-end": return { ok: archive.end() };
@@ -57,14 +57,14 @@ function requestChange(engine: EngineHost, request: Request, parts: string[]): A
   return ask<Change>(engine, { do: "change", request, parts });
 }
 
-function files(engine: EngineHost, request: Request): Answer<Files> {
+function changedFiles(engine: EngineHost, request: Request): Answer<Files> {
   const change = requestChange(engine, request, ["changes"]);
   if (failed(change)) return change;
   const results = change.ok.results.map(({ name }, index) => ({ name, bytes: engine.result(index) ?? new Uint8Array() }));
   return { ok: { change: change.ok, files: results } };
 }
 
-function then(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
+function changeThenAsk(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
   const change = requestChange(engine, request, parts);
   if (failed(change)) return change;
   const answer = ask<unknown>(engine, { do: next });
@@ -74,7 +74,7 @@ function then(engine: EngineHost, { request, parts, next }: Extract<Task, { do: 
 }
 
 function addToZip(engine: EngineHost, request: Request): Answer<Change> {
-  const results = files(engine, request);
+  const results = changedFiles(engine, request);
   if (failed(results)) return results;
   const conflict = results.ok.files.find(({ name, bytes }) => archive.hasOther(name, bytes));
   if (conflict) return { error: nameTaken(conflict.name) };

@@ -28,9 +28,9 @@ export interface Field {
   limits?: Limits;
   /** The source of its options. */
   source?: Source;
-  /** The value that is used if none is given. */
+  /** The value that is used if the user gives none. */
   default?: string;
-  /** The group it belongs to; empty for main fields. */
+  /** The group of the field; empty for main fields. */
   group: string;
 }
 

@@ -1,4 +1,4 @@
-// A field for a file: an open one, or one that the user adds.
+// A field for a file: an open file, or a file that the user adds.
 
 import { button, el } from "../dom/element";
 import type { Context, Control, Option } from "./context";

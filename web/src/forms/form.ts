@@ -30,7 +30,7 @@ export function showForm(form: Form, context: Context): FormView {
     setText(hint, relationHint(form, context));
     return setCount;
   };
-  /** Shows a new form, or one whose values were all replaced: the groups open if one of their fields is set. */
+  /** Shows a new form, or a form whose values were all replaced. Groups with a field that has a value are open. */
   const showAll = (choices: boolean) => {
     if (update(choices, null) > 0) more.open = true;
   };

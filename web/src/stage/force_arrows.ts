@@ -1,4 +1,4 @@
-// Shows ground reactions along a recording as arrows: those of the contacts and those of the force plates.
+// Shows ground reactions along a recording as arrows: the forces of the contacts and the forces of the force plates.
 
 import { ArrowHelper, Group, Vector3 } from "three";
 
@@ -9,7 +9,7 @@ const MAX_BW = 3;
 
 export class ForceArrows {
   readonly group = new Group();
-  /** Arrows of each foot: that of the contacts, then that of its plates. */
+  /** Two arrows for each foot: the force of its contacts, then the force of its plates. */
   #arrows: ArrowHelper[] = [];
   #played: PlayedMotion | undefined;
 

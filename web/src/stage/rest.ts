@@ -2,7 +2,7 @@
 
 import { dot, type Scene } from "../engine/space";
 
-/** The height of the floor along the up direction; undefined if there is none, or several. */
+/** The height of the floor along the up direction; undefined if the model has no floor, or several. */
 export function floorHeight({ planes, axes: [, up] }: Scene): number | undefined {
   const heights = new Set(planes.filter(({ normal }) => dot(normal, up) > 0.7).map(({ point_m: point }) => dot(point, up)));
   const [height] = heights;

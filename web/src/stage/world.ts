@@ -32,20 +32,20 @@ interface Colours {
 const BALL = new SphereGeometry(1, 20, 14);
 const RINGS = rings();
 const POINTS_PER_M = 1e5;
-/** Without a graphics card: pixel ratio while something moves, pixel ratio at rest, and the delay of the latter. */
-const COARSE = 0.4;
-const FINE = 1;
+/** Pixel ratio without a graphics card: while the picture moves, and after it has not moved for `REST_MS`. */
+const MOVING_PIXEL_RATIO = 0.4;
+const RESTING_PIXEL_RATIO = 1;
 const REST_MS = 350;
 /** Length of an arrow for one body weight along a recording, in body heights. */
-const PUSH = 0.25;
+const ARROW_PER_BW = 0.25;
 /** Frames of a recording in which the distance of the feet is measured. */
-const SAMPLED = 12;
+const SAMPLES = 12;
 /** Ratio of width and height of the picture of feet. */
-const FLAT = 1.4;
+const FEET_ASPECT_RATIO = 1.4;
 /** Cells of the floor's grid along each side. */
-const CELLS = 24;
+const FLOOR_CELLS = 24;
 /** Length of the longest arrow, in units of the visible part's size. */
-const ARROW = 0.45;
+const LONGEST_ARROW = 0.45;
 
 export class Stage {
   readonly camera = new PerspectiveCamera(30, 1, 0.001, 200);
@@ -77,7 +77,7 @@ export class Stage {
   /** Throws if the browser has no WebGL. */
   constructor(readonly canvas: HTMLCanvasElement) {
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#slow, alpha: true, powerPreference: "low-power" });
-    this.#renderer.setPixelRatio(this.#slow ? COARSE : Math.min(devicePixelRatio, 2));
+    this.#renderer.setPixelRatio(this.#slow ? MOVING_PIXEL_RATIO : Math.min(devicePixelRatio, 2));
     this.#colours = readColours(canvas);
     this.#materials = materials(this.#colours);
     this.#world.add(this.#body, this.#oldSpheres, this.#floor, this.#forceArrows.group, this.#sun, new AmbientLight(0xffffff, 1.4));
@@ -136,7 +136,7 @@ export class Stage {
     this.showForces(false);
     if (!this.#followedMiddle) this.#widenView(played, scene);
     const { middle } = extent(this.#placeSpheres(played, frame, scene));
-    this.#forceArrows.show(played, frame, PUSH * bodyHeight(scene), { model: this.#colours.force, plates: this.#colours.old });
+    this.#forceArrows.show(played, frame, ARROW_PER_BW * bodyHeight(scene), { model: this.#colours.force, plates: this.#colours.old });
     this.#follow(middle, new Vector3(...scene.axes[1]));
     this.render();
   }
@@ -157,9 +157,9 @@ export class Stage {
 
   /** Moves the camera back until all spheres of the whole recording are visible: feet are further apart in a stride. */
   #widenView(played: PlayedMotion, scene: Scene): void {
-    const frames = Array.from({ length: SAMPLED }, (_, index) => Math.floor((index * (played.time_s.length - 1)) / (SAMPLED - 1)));
+    const frames = Array.from({ length: SAMPLES }, (_, index) => Math.floor((index * (played.time_s.length - 1)) / (SAMPLES - 1)));
     const reach = Math.max(...frames.map((frame) => extent(this.#placeSpheres(played, frame, scene)).reach));
-    const distance = (1.15 * reach) / this.#visibleHalf(FLAT);
+    const distance = (1.15 * reach) / this.#visibleHalf(FEET_ASPECT_RATIO);
     const from = this.camera.position.clone().sub(this.target);
     if (from.length() < distance) this.camera.position.copy(this.target).addScaledVector(from, distance / from.length());
   }
@@ -219,7 +219,7 @@ export class Stage {
       side: right.clone().addScaledVector(up, 0.06), top: up.clone().addScaledVector(forward, -0.001),
       front: forward.clone().addScaledVector(up, 0.06), corner: right.clone().addScaledVector(forward, 0.8).addScaledVector(up, 0.45),
     }[from].normalize();
-    const half = this.#visibleHalf(at === "body" || from === "top" ? 1 : FLAT);
+    const half = this.#visibleHalf(at === "body" || from === "top" ? 1 : FEET_ASPECT_RATIO);
     this.camera.up.copy(from === "top" ? forward : up);
     this.camera.position.copy(this.target).addScaledVector(direction, (1.15 * reach) / half);
     this.camera.near = reach / 50;
@@ -252,9 +252,9 @@ export class Stage {
     this.#drawRequested = true;
     requestAnimationFrame(() => {
       this.#drawRequested = false;
-      this.#draw(COARSE);
+      this.#draw(MOVING_PIXEL_RATIO);
       clearTimeout(this.#fineTimer);
-      if (this.#slow) this.#fineTimer = setTimeout(() => this.#draw(FINE), REST_MS);
+      if (this.#slow) this.#fineTimer = setTimeout(() => this.#draw(RESTING_PIXEL_RATIO), REST_MS);
       this.canvas.dataset["drawn"] = String(Number(this.canvas.dataset["drawn"] ?? 0) + 1);
     });
   }
@@ -336,7 +336,7 @@ export class Stage {
     const { middle, reach } = extent(scene.spheres.map(({ centre_m: centre }) => new Vector3(...centre)));
     for (const { path, centre_m: centre, radius_m: radius, force_bw: force } of scene.spheres) {
       const arrow = this.#arrows.get(path) ?? new ArrowHelper(up, middle, 1, this.#colours.force);
-      const length = most > 0 ? (ARROW * (reach + radius) * (force ?? 0)) / most : 0;
+      const length = most > 0 ? (LONGEST_ARROW * (reach + radius) * (force ?? 0)) / most : 0;
       arrow.userData["carries"] = length > 0.01 * reach;
       arrow.visible = this.#forces && length > 0.01 * reach;
       arrow.setDirection(up);
@@ -358,7 +358,7 @@ export class Stage {
     const floor = grid(size, this.#colours.floor);
     floor.quaternion.setFromUnitVectors(new Vector3(0, 1, 0), up);
     floor.position.copy(middle).addScaledVector(up, height - middle.dot(up));
-    floor.userData["cell"] = size / CELLS;
+    floor.userData["cell"] = size / FLOOR_CELLS;
     this.#floor.add(floor);
   }
 }
@@ -372,7 +372,7 @@ function extent(points: readonly Vector3[]): { middle: Vector3; reach: number } 
 
 /** The grid of a level floor. */
 function grid(size: number, colour: string): GridHelper {
-  const floor = new GridHelper(size, CELLS, colour, colour);
+  const floor = new GridHelper(size, FLOOR_CELLS, colour, colour);
   floor.material.transparent = true;
   floor.material.opacity = 0.45;
   return floor;

@@ -91,7 +91,7 @@ export function isSameMass(one: number, other: number): boolean {
 
 const MISPLACED = new Set(["spheres-left-behind", "spheres-misplaced"]);
 
-/** Whether spheres are known not to be where the bones are. A remark about a heel without spheres does not say so. */
+/** Whether a finding says that spheres are not where the bones are. A remark about a heel without spheres does not count. */
 export function hasMisplacedSpheres({ findings }: Inspected): boolean {
   return findings.some(({ code, severity }) => MISPLACED.has(code) && severity !== "remark");
 }

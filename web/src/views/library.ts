@@ -38,9 +38,9 @@ export class LibraryView {
       void inspectDetails(session, id);
       void findOriginals(session, id);
     });
-    session.changingAll.watch(() => this.#enable());
-    session.verb.watch(() => this.#otherChange());
-    session.values.watch(() => this.#otherChange());
+    session.changingAll.watch(() => this.#updateButtons());
+    session.verb.watch(() => this.#clearOutcomes());
+    session.values.watch(() => this.#clearOutcomes());
   }
 
   #update(): void {
@@ -53,17 +53,17 @@ export class LibraryView {
     const rows = models.map((model) => this.#row(model, mass));
     const isSameCell = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
     if (!isSameCell) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
-    this.#enable();
+    this.#updateButtons();
   }
 
-  /** Removes outcomes after the change in the form has changed. */
-  #otherChange(): void {
+  /** Removes the outcomes of all models after the user edited the change in the form. */
+  #clearOutcomes(): void {
     const models = this.session.models.value;
     if (models.some(({ outcome }) => outcome)) this.session.models.set(models.map((model) => ({ ...model, outcome: null })));
     else this.#update();
   }
 
-  #enable(): void {
+  #updateButtons(): void {
     const can = canChangeAll(this.session);
     for (const one of [this.#changeAll, this.#zip]) {
       one.disabled = !can;
@@ -77,8 +77,8 @@ export class LibraryView {
     const chosen = model.id === this.session.chosen.value;
     const shownRow = this.#shownRows.get(model.id);
     if (shownRow && shownRow.model === model && shownRow.chosen === chosen && shownRow.mass === mass) return shownRow.row;
-    const massCells = mass ? [this.#mass(model)] : [];
-    const all = [this.#name(model), ...cells(model), ...massCells, outcomeCell(model), this.#close(model)];
+    const massCells = mass ? [this.#massCell(model)] : [];
+    const all = [this.#nameCell(model), ...cells(model), ...massCells, outcomeCell(model), this.#closeCell(model)];
     const row = shownRow?.mass === mass ? shownRow.row : el("tr");
     setAttribute(row, "aria-current", chosen && "true");
     keepingFocus(row, () => byId("model-title"), () => updateRow(row, all));
@@ -86,12 +86,12 @@ export class LibraryView {
     return row;
   }
 
-  #name(model: OpenModel): HTMLElement {
+  #nameCell(model: OpenModel): HTMLElement {
     const open = button(currentFile(model), () => this.session.chosen.set(model.id), { class: "link" });
     return el("th", { scope: "row" }, open);
   }
 
-  #mass(model: OpenModel): HTMLElement {
+  #massCell(model: OpenModel): HTMLElement {
     const name = `Target mass of ${currentFile(model)} (kg)`;
     const input = el("input", { type: "text", inputmode: "decimal", class: "mass", "aria-label": name, autocomplete: "off" });
     input.value = model.targetMass;
@@ -105,7 +105,7 @@ export class LibraryView {
     return el("td", { class: "own" }, input, problemText);
   }
 
-  #close(model: OpenModel): HTMLElement {
+  #closeCell(model: OpenModel): HTMLElement {
     const { session } = this;
     const pressed = button("Close", () => {
       close(session, model);
@@ -115,7 +115,7 @@ export class LibraryView {
   }
 }
 
-/** Replaces cells that differ. Equal cells stay, because the user may be typing in one or reading one. */
+/** Replaces cells that differ. Equal cells stay, because the user may be typing in a cell or reading it. */
 function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
   if (row.children.length === 0) row.append(...cells);
   for (const [index, cell] of cells.entries()) {
