@@ -28,7 +28,7 @@ PATIENCE = 120
 
 
 def missing():
-    """The programs that are not there."""
+    """The programs that a test needs and that are not installed."""
     programs = {"chromium": ("chromium", "chromium-browser", "google-chrome"), "chromedriver": ("chromedriver",)}
     return [name for name, known in programs.items() if not any(map(shutil.which, known))]
 
@@ -123,7 +123,7 @@ class Browser:
         return [one["request"]["url"] for one in sent]
 
     def picture(self, path, first, last):
-        """The page from one element to another as WebP, in which letters may be small and the file all the same."""
+        """A picture of the page from one element to another as WebP, so that small letters are readable in a small file."""
         top, bottom, width = self.run(
             f"return [document.querySelector('{first}').getBoundingClientRect().top + scrollY,"
             f"document.querySelector('{last}').getBoundingClientRect().bottom + scrollY, innerWidth]"

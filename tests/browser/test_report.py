@@ -188,7 +188,7 @@ def test_what_is_on_it(browser, pages, page):
 
 
 def test_keyboard(browser, pages):
-    """The first key leads past the contents; what has the focus is seen; a table's box can be scrolled with keys."""
+    """The first key leads past the contents; the element with the focus is visible; the box of a table can be scrolled with keys."""
     browser.open(pages / "rescale.html", 400, "light")
     for kind in ("rawKeyDown", "keyUp"):
         browser.protocol("Input.dispatchKeyEvent", type=kind, key="Tab", code="Tab", windowsVirtualKeyCode=9)
@@ -212,7 +212,7 @@ def test_failures_come_before_everything_else(browser, pages):
 
 
 def test_a_table_that_scrolls_says_so(browser, pages):
-    """A shadow is at the edge behind which there is more; names are broken at folders."""
+    """A shadow marks the edge behind which a table continues; names of files are broken at folders."""
     browser.open(pages / "transfer.html", 360, "light")
     box = "const box = [...document.querySelectorAll('.wide')].find(b => b.scrollWidth > b.clientWidth + 1);"
     assert "radial-gradient" in browser.run(box + "return getComputedStyle(box).backgroundImage")

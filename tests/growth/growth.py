@@ -125,7 +125,7 @@ def growth_of_call(program, folder, verb, kind):
 
 
 def exponent(least, few, many):
-    """The exponent with which something grows; a function that is not called for N grows from nothing."""
+    """The exponent with which the instructions grow from N to 4 N; a function that is not called for N grows from 0."""
     if many <= least:
         return 0.0
     return math.log((many - least) / max(few - least, 1)) / math.log(TIMES)
@@ -156,7 +156,7 @@ def run(call, place):
 
 
 def prepared(place, verb, kind, size):
-    """Writes what the call needs into `place`, and returns its words."""
+    """Writes the files that the call needs into `place`, and returns the arguments of the call."""
     written = {"GENERIC": place / "generic.osim", OUT: place / "out", "FOLDER": place / "library"}
     if kind == "files":
         small = models.KINDS["forces"](LEAST)

@@ -15,7 +15,7 @@ ONE_PIECE = {f"toes_{side}": f"calcn_{side}" for side in "rl"}
 
 @dataclass(frozen=True)
 class Case:
-    """A model, what it gets, and how. `bare` models have contacts that are taken out first."""
+    """A model, the contacts that it gets, and the options. Contacts of `bare` models are removed first."""
 
     model: Path
     reference: Path = PRESET

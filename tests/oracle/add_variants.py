@@ -53,7 +53,7 @@ def sources():
 
 
 def chosen():
-    """All of them, or two forms of each version, by turns."""
+    """All documents, or two forms of each version in turn."""
     every = list(documents())
     if os.environ.get("ORACLE_DOCUMENTS") == "all":
         return [*every, *sources()]
@@ -89,7 +89,7 @@ def sets(form):
 
 
 def forces(name):
-    """A set with a force that is no contact."""
+    """A force set with a force that is not a contact."""
     push = f'<PointActuator name="{name}">\n\t<body>pelvis</body>\n\t<optimal_force>3</optimal_force>\n</PointActuator>'
     return f"<ForceSet>\n\t<objects>\n{indent(push, 2)}\t</objects>\n\t<groups/>\n</ForceSet>"
 

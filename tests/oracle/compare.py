@@ -1,4 +1,4 @@
-"""The comparisons: what `inspect` says against what OpenSim reads, and a rescaled model against its plan."""
+"""Compares the output of `inspect` with OpenSim's reading of a model, and a rescaled model with its plan."""
 
 import math
 import re
@@ -12,7 +12,7 @@ MASS_TOLERANCE = 1e-12  # OpenSim adds masses in another order than the file's
 
 
 def hexed(value):
-    """A JSON number as the bits OpenSim's reading holds; null stands for what is not finite."""
+    """A JSON number in the form of OpenSim's reading (all bits); null stands for a number that is not finite."""
     return None if value is None else float(value).hex()
 
 
@@ -131,7 +131,7 @@ def plan(report):
 
 
 def value(reading, place):
-    """OpenSim's bits of one planned value."""
+    """The value that OpenSim reads at a place of the plan, with all bits."""
     path, number, name = place
     if name == "radius":
         return next(sphere["radius"] for sphere in reading["spheres"] if sphere["path"] == path)

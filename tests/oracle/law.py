@@ -6,7 +6,7 @@ import rules
 
 
 def force(kind, radius, parameters, x):
-    """Newtons of one sphere, `x` metres deep."""
+    """The force of one sphere at the indentation `x` (m), in N."""
     modulus = parameters["stiffness"] / 2**1.5
     if kind != rules.SMOOTH_SET:
         return 4 / 3 * modulus * np.sqrt(radius) * np.maximum(x, 0.0) ** 1.5

@@ -1,4 +1,4 @@
-"""Which models the oracle reads: every fixture of the project, and the corpus where it is at hand."""
+"""The models that OpenSim reads in these tests: every fixture of the project, and the corpus if it is available."""
 
 import os
 import re

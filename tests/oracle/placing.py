@@ -20,7 +20,7 @@ SIDE = re.compile(r"^[rl]_|_[rl]v?$")
 
 
 class Unknown(Exception):
-    """Nothing says how large a body is."""
+    """No mesh, joint or option determines the size of a body."""
 
 
 def bone(file):
@@ -140,7 +140,7 @@ class Sizes:
         return None if best is None else np.full(3, best[0] / best[1])
 
     def sources(self, body):
-        """The values of the sources, in their order."""
+        """The factors of a body from each source, in the order of the sources."""
         known = [("mesh", self.mesh(body))]
         known.append(("offsets", self.factors_from_offsets(body)[0]) if self.is_copy else ("distance", self.distance(body)))
         return {name: values for name, values in known if values is not None}
@@ -161,11 +161,11 @@ class Sizes:
         return factors
 
     def is_last(self, body):
-        """Whether nothing hangs on a body of a model that is no scaled copy."""
+        """Whether no joint hangs on the body, in a model that is not a scaled copy."""
         return not self.is_copy and all(joint["bodies"][0] != body for joint in self.model["joints"])
 
     def factors_from_parent(self, body):
-        """The factors of the body that it hangs on."""
+        """The factors of the parent body."""
         joint = above(self.model, body)
         if joint is None or joint["bodies"][0] == "ground":
             raise Unknown(body)

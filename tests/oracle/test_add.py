@@ -42,7 +42,7 @@ def variants(tmp_path_factory):
 
 @dataclass
 class Added:
-    """The result of one case."""
+    """The model of one case after `add`, and the report of the command."""
 
     case: Case
     before: Path
@@ -86,7 +86,7 @@ def contacts(reading):
 
 
 def check_near(value, expected, where):
-    """Relatively, to the longest of a vector."""
+    """Asserts that values are equal relative to the longest vector."""
     value, expected = np.asarray(value), np.asarray(expected)
     assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 

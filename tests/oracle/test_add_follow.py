@@ -48,12 +48,12 @@ def both_ways(path, factors, mass, folder, readings):
 
 
 def check_near(value, expected, where):
-    """Relatively, to the longest of a vector."""
+    """Asserts that values are equal relative to the longest vector."""
     assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
 
 def cases():
-    """All unevenly; evenly those with several spheres in a force, by name."""
+    """All models, scaled unevenly; and models with several spheres in a force, scaled evenly."""
     for one in ALL:
         yield pytest.param(*one.values, "uneven", id=f"{one.id}-uneven", marks=one.marks)
         if one.id in ("generic_hunt_crossley", "v30000_osim_rl_gait9dof18musc_crlf"):

@@ -49,7 +49,7 @@ def mass_of(reading):
 
 
 def uneven(bodies):
-    """Factors that differ by body and axis, always the same ones."""
+    """Factors that differ between bodies and axes, but are the same in every run."""
     draw = np.random.default_rng(20260521)
     return {body: [round(float(f), 3) for f in draw.uniform(0.8, 1.25, 3)] for body in sorted(bodies)}
 
@@ -94,7 +94,7 @@ def json_is_what_opensim_reads(report, before, after):
 
 
 def check_near(value, expected, where):
-    """Relatively, to the longest of a vector."""
+    """Asserts that values are equal relative to the longest vector."""
     value, expected = np.asarray(value), np.asarray(expected)
     assert np.max(np.abs(value - expected)) <= TOLERANCE * np.max(np.abs(expected)), (where, value, expected)
 
@@ -245,7 +245,7 @@ def test_the_scale_tool_from_a_setup(kind, tmp_path, readings):
 
 
 def distance_of_models(model, other):
-    """How far two drops lie apart in dimensionless form: height over radius, force over body weight."""
+    """The largest difference between two drops in dimensionless form: height over radius, force over body weight."""
     call = [str(command.BINARY), "drop-test", str(model), "--compare", str(other), "--format", "json"]
     process = subprocess.run(call, capture_output=True, timeout=120, check=True)
     printed = json.loads(process.stdout)

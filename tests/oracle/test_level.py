@@ -1,4 +1,4 @@
-"""Feet that `set --level` and `add --level` make level: the real OpenSim has the bottoms of each foot at one height, that of its lowest."""
+"""Feet that `set --level` and `add --level` make level: in OpenSim all bottoms of a foot are at the height of its lowest bottom."""
 
 import numpy as np
 import pytest

@@ -72,7 +72,7 @@ def rescale(forces, geometry, model, folder):
 
 
 def sets_are_equal(report, forces, geometry):
-    """By name: in a set of its own a force has no path."""
+    """Compares the sets by names of objects, because a force in a standalone set has no path."""
     theirs = {force["name"]: force["parameters"] for force in forces["forces"]}
     assert {force["name"] for force in report["forces"]} == set(theirs)
     for force in report["forces"]:

@@ -34,7 +34,7 @@ def limb(reading, side):
 
 
 def carried(spheres, heights, load, kind=None):
-    """How deep each sphere is, in its radius, where together they carry the load; by their own law, or by that of `kind`."""
+    """Relative indentations of spheres that together carry the load, by their own force law, or by the law of `kind`."""
 
     def total(down):
         return sum(law.force(kind or own, r, numbers, down - heights[name]) for name, own, r, numbers, *_ in spheres)

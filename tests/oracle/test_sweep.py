@@ -1,4 +1,4 @@
-"""A sample of a sweep: OpenSim reads from each file what the manifest says is in it."""
+"""A sample of a sweep: OpenSim reads from each file the values that the manifest lists for it."""
 
 import csv
 import hashlib

@@ -62,7 +62,7 @@ class Draw:
 
 
 def name(draw, stem):
-    """A name such as people give."""
+    """A random name as people give to objects."""
     return draw.random.choice(["{}", "{}_contact", "Contact{}", "{}.1", "s-{}", "{}_µ"]).format(stem)
 
 

@@ -162,7 +162,7 @@ def changed_model(seed):
 
 
 def leaf(draw, model):
-    """A property with text: its tag, and where the text is."""
+    """A random property with text: its tag, and the position of the text."""
     leaves = list(re.finditer(r"<(\w+)>([^<>]+)</\1>", model))
     return draw.choice(leaves)
 

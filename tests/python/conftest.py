@@ -64,7 +64,7 @@ needs_corpus = pytest.mark.skipif(not corpus(), reason="OSIM_CORPUS is not set: 
 
 
 def program():
-    """The command that came with the package: in the scripts beside this interpreter."""
+    """The path of the command that was installed with the package, beside this interpreter."""
     scripts = Path(sys.executable).parent
     found = shutil.which("osim-contact-scale", path=str(scripts))
     if found is None:
@@ -82,7 +82,7 @@ def asked(**fields):
 
 
 def unspelled(record):
-    """A record without words that each front end spells in its own way."""
+    """The record without texts that each front end spells differently."""
     if isinstance(record, dict):
         # The words of a verdict, which has a sign, too.
         words = SPELLED | {"text"} if "sign" in record else SPELLED

@@ -37,7 +37,7 @@ def keywords(name):
 
 
 def foreign_keywords(text, name):
-    """The advised keywords that neither this function takes nor one that is named before them in the sentence."""
+    """The advised keywords that neither this function takes, nor a function that the sentence names before them."""
     found, name_of_function = [], name
     for word in re.split(r"(?<=[.;])\s|\s", text):
         if (call := re.match(r"\W*(?:ocs\.)?(\w+)\(", word)) and call[1] in FUNCTIONS:

@@ -1,4 +1,4 @@
-"""Figures drawn with matplotlib: what is in the numbers is on the axes, with its labels and units."""
+"""Figures drawn with matplotlib: all numbers of a figure are on the axes, with labels and units."""
 
 import functools
 import pickle
@@ -38,7 +38,7 @@ FIGURES = {
 
 @functools.cache
 def figure_of(kind):
-    """Each is made once."""
+    """The figure of a kind, which is made only once."""
     return FIGURES[kind]()
 
 
@@ -49,7 +49,7 @@ def closed():
 
 
 def points_on(axes):
-    """How many points the curves and marks on axes have, without lines across a panel and legend entries."""
+    """The number of points of all curves and marks on axes, without lines across a panel and legend entries."""
     return sum(len(line.get_xdata()) for line in axes.lines if line.get_linewidth() != 0.8)
 
 

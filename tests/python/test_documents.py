@@ -25,7 +25,7 @@ BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.M |
 
 
 def missing(code):
-    """Packages that a block imports and that are not here."""
+    """Packages that a block imports and that are not installed."""
     nodes = ast.walk(ast.parse(code))
     names = [alias.name for node in nodes if isinstance(node, ast.Import) for alias in node.names]
     return [name for name in names if importlib.util.find_spec(name.split(".")[0]) is None]
@@ -33,7 +33,7 @@ def missing(code):
 
 @pytest.fixture
 def top(tmp_path, monkeypatch):
-    """A folder with the files that the examples need of the top folder."""
+    """A temporary folder with the files of the top folder that the examples need."""
     shutil.copytree(TOP / "fixtures", tmp_path / "fixtures")
     monkeypatch.chdir(tmp_path)
 

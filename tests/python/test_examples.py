@@ -16,7 +16,7 @@ FUNCTIONS = [name for name in (*ocs.__all__, "set") if inspect.isfunction(getatt
 
 @pytest.fixture(scope="module")
 def top(tmp_path_factory):
-    """A folder with the files that the examples need of the top folder."""
+    """A temporary folder with the files of the top folder that the examples need."""
     folder = tmp_path_factory.mktemp("top")
     shutil.copytree(TOP / "fixtures", folder / "fixtures")
     return folder

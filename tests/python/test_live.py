@@ -80,7 +80,7 @@ def forget_defaults():
 
 
 def loaded(path):
-    """A model as a new process would load it."""
+    """The model at `path`, loaded as in a new process."""
     forget_defaults()
     return opensim.Model(path)
 
@@ -244,7 +244,7 @@ def test_only_models_are_live():
 
 
 def test_defaults_of_an_earlier_model_are_seen():
-    """OpenSim keeps them for the whole process, and does not print what equals them."""
+    """OpenSim keeps defaults for the whole process, and does not print values that equal them."""
     defaults = FIXTURES / "format" / "defaults_hold_everything.osim"
     constant = float(re.search("<constant_contact_force>(.*?)<", defaults.read_text(encoding="utf-8"))[1])
     loaded(str(defaults))

@@ -1,4 +1,4 @@
-"""Files that are made from live models: OpenSim opens them in another process, and reads what was alive.
+"""Files that are made from live models: OpenSim opens them in another process, and reads the same values.
 
 They are written in one process, which has read defaults of many classes before, and read in another one, which has read nothing else. What
 is compared is all that OpenSim prints, with all defaults: it prints 17 digits, so that equal texts are equal numbers.
@@ -69,13 +69,13 @@ def starts(model):
 
 
 def without_contacts(text):
-    """A printed model without objects of contacts, and without credits, which have our note."""
+    """The text of a printed model without contact objects, and without credits, which contain the note of this package."""
     names = "|".join([*_live_print.CONTACTS, "credits"])
     return re.sub(rf"\t*<({names})\b.*?</\1>\n", "", text, flags=re.S)
 
 
 def written(paths, folder, has_defaults, system):
-    """Writes a file from each model that OpenSim reads: their numbers, and what was alive."""
+    """Writes a file from each model that OpenSim reads; returns the values of the live models."""
     quiet()
     if has_defaults:
         before = folder / "before.osim"

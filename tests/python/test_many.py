@@ -19,7 +19,7 @@ pd = pytest.importorskip("pandas", reason="pandas is not installed: tables are l
 
 @pytest.fixture
 def lab(tmp_path):
-    """A folder with ten models and a table that says what each is to be scaled to."""
+    """A folder with ten models, and a table with a target mass for each."""
     rows = []
     for number in range(1, 11):
         path = Path(shutil.copy(HUMAN, tmp_path / f"subject {number}.osim"))

@@ -13,7 +13,7 @@ PLATES, LOADS = FOLDER / "plates.sto", FOLDER / "plates.xml"
 
 
 def table(path, factor=lambda name: 1.0):
-    """The columns of a file, each times a factor."""
+    """The columns of a file, each multiplied by a factor."""
     lines = path.read_text(encoding="utf-8").split("endheader\n")[1].splitlines()
     names = lines[0].split("\t")
     rows = [[float(cell) for cell in line.split("\t")] for line in lines[1:]]

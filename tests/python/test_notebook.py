@@ -27,7 +27,7 @@ NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
 
 
 def executed(path, folder):
-    """The notebook as it is after a run, without the cells that cannot run here."""
+    """The notebook after a run, without the cells that cannot run on this machine."""
     shutil.copytree(FOLDER, folder)
     notebook = nbformat.read(path, as_version=4)
     if MISSING:
@@ -40,7 +40,7 @@ def executed(path, folder):
 
 
 def without_times(notebook):
-    """The notebook without what differs from run to run or from machine to machine."""
+    """The notebook without texts that differ between runs or machines."""
     for cell in notebook.cells:
         cell.metadata.pop("execution", None)
         for output in cell.get("outputs", ()):

@@ -1,4 +1,4 @@
-"""Results: what they show, write, carry along, and refuse."""
+"""Results of planned changes: their texts, their files, their pickles, and refusals."""
 
 import os
 import pickle

@@ -141,7 +141,7 @@ THINGS = {
 
 @pytest.fixture(scope="module")
 def shown_objects():
-    """The objects that tests look at, made once."""
+    """The objects whose texts the tests read, made once."""
     things = {}
 
     def thing(name):
@@ -186,7 +186,7 @@ def test_a_cell_about_a_model_is_small(path):
 
 
 def thousand(survey):
-    """A thousand models like the one of a survey, and the requests of their findings."""
+    """A survey of a thousand copies of the model in `survey`, with the requests of their findings."""
     return [({**survey[0], "model": f"folder/{number}.osim"}, []) for number in range(1000)]
 
 

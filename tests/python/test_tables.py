@@ -1,4 +1,4 @@
-"""Tables in memory: what of a DataFrame, a dictionary or a list the program reads, and what comes back."""
+"""Tables in memory: how DataFrames, dictionaries and lists are read, and the tables that are returned."""
 
 import csv
 import io
@@ -18,7 +18,7 @@ GENERIC = FIXTURES / "scale_tool" / "generic_smooth.osim"
 
 
 def result_of_row(**cells):
-    """A table with one row that rescales the human to 70 kg, and nothing written."""
+    """The result of a table with one row, which rescales the human to 70 kg without writing a file."""
     return ocs.rescale_many([{"model": HUMAN, "target_mass": 70, **cells}], dry_run=True)
 
 

@@ -148,7 +148,7 @@ def test_pyright_finds_nothing_in_examples_and_calls(programs):
 
 
 def signatures():
-    """Every public function and method, and each of its annotations with what it is for."""
+    """Every public function and method, each with its annotations and the names of the arguments."""
     for name in (*ocs.__all__, "set"):
         value = getattr(ocs, name)
         parts = {name: value}

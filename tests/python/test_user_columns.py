@@ -67,7 +67,7 @@ def test_an_index_of_numbers_stays_what_it_is():
 
 @pytest.fixture
 def lab(tmp_path, monkeypatch):
-    """Six rows in a folder with their models: one is empty, one model is broken."""
+    """A folder with models and a table of six rows: one row is empty, and the model of another row is broken."""
     monkeypatch.chdir(tmp_path)
     for number in range(6):
         shutil.copy(HUMAN, f"{number}.osim")

@@ -99,7 +99,7 @@ def foreign_in(text, more=()):
 
 
 def is_right(error):
-    """Looks at an exception: its words, its length, its keywords, and that it can be sent."""
+    """Checks an exception: its words, its length, its keywords, and that it can be pickled."""
     text = str(error)
     assert not foreign_in(text, [FIELD]), text
     lines = text.splitlines()

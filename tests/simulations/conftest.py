@@ -36,13 +36,13 @@ def models(folder, count):
 
 @pytest.fixture
 def points(tmp_path):
-    """Makes a table of so many models."""
+    """Returns a function that makes a table of `count` models."""
     return lambda count: models(tmp_path / "models", count)
 
 
 @pytest.fixture(scope="session")
 def client():
-    """Two workers of Dask for all tests that do not harm them."""
+    """A client with two Dask workers, shared by all tests that do not kill workers."""
     import distributed
 
     with (
@@ -54,7 +54,7 @@ def client():
 
 @contextmanager
 def programs():
-    """Starts programs, and ends them with all that they started."""
+    """A function that starts programs; after the test they are ended with all their child processes."""
     running = []
 
     def start(*words, **options):
@@ -118,7 +118,7 @@ def script(folder, text):
 
 
 def table_bytes(folder):
-    """The joined tables."""
+    """The bytes of the tables at the end of a run."""
     return (folder / "table.csv").read_bytes(), (folder / "table.parquet").read_bytes()
 
 

@@ -18,7 +18,7 @@ NAME = re.compile(r"\A(?:#!.*\n)?# ([\w.]+): ")
 
 @dataclass(frozen=True)
 class Recipe:
-    """A section of the page: what is typed, and what is printed."""
+    """A section of the page: the lines to type, and the output."""
 
     #: Texts of files by their names.
     files: dict[str, str]

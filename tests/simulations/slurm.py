@@ -140,7 +140,7 @@ class Slurm:
             shutil.rmtree(self.folder, ignore_errors=True)
 
     def _end_left(self):
-        """Ends what jobs left: without rights, Slurm cannot find programs whose parent has gone."""
+        """Ends programs that jobs left: without rights, Slurm cannot find programs whose parent has ended."""
         mark = f"SLURM_CONF={self.conf}".encode()
         for folder in Path("/proc").glob("[0-9]*"):
             with suppress(OSError):
@@ -175,7 +175,7 @@ class Slurm:
         return dict(line.split() for line in said.splitlines())
 
     def nodes(self, job):
-        """The nodes on which a job, or those of an array, ran."""
+        """The nodes on which a job, or the jobs of an array, ran."""
         return set(
             self.call("squeue", "--noheader", "--array", "--states=all", "--format", "%N", "--jobs", job).split()
         )
@@ -237,7 +237,7 @@ def _end(pid_file):
 
 
 def _lives(number):
-    """Whether there is such a process, beyond one whose end nobody has asked for yet."""
+    """Whether a process with this number runs; a process that has ended but was not waited for does not count."""
     try:
         return Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
     except OSError:

@@ -34,7 +34,7 @@ def level(source, target, spheres=True):
 
 
 def moved(opensim, components, state):
-    """Spheres with their new places in their bodies."""
+    """The spheres, each with its new place in its body."""
     expected = None
     for sphere in map(opensim.ContactSphere.safeDownCast, components):
         if sphere is not None:

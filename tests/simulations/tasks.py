@@ -1,4 +1,4 @@
-"""Tasks for tests: small, and some of them bad."""
+"""Tasks for tests: small functions, some of which fail."""
 
 import os
 import signal
@@ -17,7 +17,7 @@ def no_path(*, index):
 
 
 def size(path, grid_stiffness=None, factor=FACTOR):
-    """A number of the file, a value of its row, and a setting."""
+    """Returns a number from the file, a value of the model's row, and a setting."""
     return {"size_bytes": os.path.getsize(path), "stiffness_n_m2": grid_stiffness, "scaled": scaled(factor)}
 
 
@@ -39,7 +39,7 @@ def process(path):
 
 
 def by_index(path, index, spoil):
-    """`spoil` says what becomes of which index."""
+    """Fails in a way that `spoil` names for the index of the model."""
     deed = spoil.get(str(index))
     if deed == "raise":
         raise ValueError("it does not\x1b[31m stand in " + os.getcwd())
@@ -64,7 +64,7 @@ def by_index(path, index, spoil):
 
 
 def marks(path, index, folder, seconds):
-    """Leaves a mark for each time that it was run, and takes its time, unless there is a file that says not to."""
+    """Writes a mark for each time that it runs, and waits `seconds`, unless a file tells it not to wait."""
     with open(os.path.join(folder, f"{index}.{os.getpid()}.{time.monotonic_ns()}"), "w"):
         pass
     if not os.path.exists(folder + ".quick"):

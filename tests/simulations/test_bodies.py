@@ -36,7 +36,7 @@ def test_one_model_falls_as_the_table_says(tmp_path):
 
 
 def test_a_similar_body_falls_like_the_original_with_places_and_not_without():
-    """By similarity, whatever the program: the same numbers without dimensions."""
+    """Similarity requires the same dimensionless numbers for both bodies."""
     rows = read(HERE / "bodies.csv")
     for (model, build, contacts), row in rows.items():
         if build == "similar":

@@ -1,4 +1,4 @@
-"""`python -m osim_contact_scale.simulate`: what it prints, its exit status, and that it is the function."""
+"""Tests `python -m osim_contact_scale.simulate`: its output and exit status, which agree with the function `run`."""
 
 import re
 import signal

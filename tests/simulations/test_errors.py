@@ -98,7 +98,7 @@ ODD = ("nested", "recursion", "huge", "ours", "returned")
 
 @pytest.fixture(scope="module")
 def errors(tmp_path_factory, client):
-    """The errors of all rows, by what went wrong."""
+    """The error of each row, by the fault that the row causes."""
     folder = tmp_path_factory.mktemp("errors")
     rows = [{**row, "what": what} for row, what in zip(models(folder / "models", 20), [*EXPECTED, *ODD])]
     table = simulate.run(rows, fail_in_task, results=folder / "r", scheduler=client).table

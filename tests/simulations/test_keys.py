@@ -1,4 +1,4 @@
-"""A row is used again only where everything that it depends on is the same."""
+"""An earlier row is used again only if everything that its result depends on is unchanged."""
 
 import importlib
 import os
@@ -171,7 +171,7 @@ def test_what_changed_is_simulated_again_and_nothing_else(tmp_path, client):
     folder.mkdir()
 
     def ran(settings=None, version=None):
-        """How many models were simulated by this call."""
+        """The number of models that a run simulates."""
         before = len(list(folder.iterdir()))
         function = simulate.Function(tasks.marks, {"folder": str(folder), "seconds": 0, **(settings or {})}, version)
         results = simulate.run(rows, function, results=tmp_path / "r", scheduler=client, resume=True)

@@ -38,7 +38,7 @@ def written(folder, mass):
 
 
 def accelerations(path, length):
-    """Accelerations of all coordinates, over those of similarity: at a pose with both feet in the ground, moving, muscles at work."""
+    """Accelerations of all coordinates over those of similarity, in a moving pose with both feet in the ground and active muscles."""
     walker = opensim.Model(str(path))
     state = walker.initSystem()
     chosen = np.random.default_rng(1)
@@ -114,7 +114,7 @@ def test_the_heavy_walk_is_found_again(tmp_path):
 @needs_moco
 @pytest.mark.studies
 def test_the_predicted_walk_is_one_at_another_mass(tmp_path):
-    """Tracked, then predicted, then scaled: similarity says that this is a predicted walk of the heavy body, at the same cost."""
+    """A walk is tracked, predicted and then scaled. By similarity this is a predicted walk of the heavy body, at the same cost."""
     files = ["--table", tmp_path / "rows.csv", "--curves", tmp_path / "curves.csv"]
     tracked = ["--table", tmp_path / "tracked.csv", "--curves", tmp_path / "tracked_curves.csv"]
     for verb, mass, more in (("solve", 1, tracked), ("predict", 1, files), ("predict", 8, files)):
@@ -154,7 +154,7 @@ def test_the_committed_table_has_what_the_page_claims():
 
 
 def test_the_committed_predictions_are_one_walk():
-    """At each mesh the original's walk is one of the other bodies, too."""
+    """At each mesh, the walk of the original is also a walk of the other bodies."""
     rows = table(HERE / "predictions.csv")
     originals = {row["mesh"]: row for row in rows if row["mass"] == "1"}
     others = [row for row in rows if row["start"] == "original"]

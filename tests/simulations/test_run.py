@@ -117,7 +117,7 @@ def test_progress_and_the_address_of_the_dashboard(tmp_path, points, caplog, mon
 
 
 def test_a_server_that_is_kept_waiting_sees_what_its_copy_wrote(tmp_path, monkeypatch):
-    """The copy may write all that it has and end between a look into the pipe and one at the process."""
+    """The copy may write all its output and end after the server looked into the pipe, and before it looks at the process."""
     from osim_contact_scale.simulate import _server
     from osim_contact_scale.simulate._job import Job
     from osim_contact_scale.simulate._loaded import Loaded

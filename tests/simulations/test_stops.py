@@ -1,4 +1,4 @@
-"""If any process is killed, nothing that was written is lost, and `resume` gives the same table."""
+"""If any process is killed, no written row is lost, and `resume` gives the same table."""
 
 import os
 import signal
@@ -30,7 +30,7 @@ if __name__ == "__main__":
 
 
 class Case:
-    """A table, where marks are left, and the tables of a run that nobody stopped."""
+    """A table of points, a folder for marks of the task, and the tables of an uninterrupted run."""
 
     def __init__(self, folder, client):
         self.folder = folder
@@ -55,11 +55,11 @@ class Case:
         return lambda: len(list(self.marks.iterdir())) >= count
 
     def written(self):
-        """Keys of the rows in whole parts."""
+        """Keys of the rows in complete part files."""
         return set(simulate._store.read_statuses(self.results))
 
     def finish(self, client):
-        """Goes on, and compares."""
+        """Resumes the run, and compares its tables with those of an uninterrupted run."""
         self.quick.touch()
         before = self.written()
         marks = set(self.marks.iterdir())
@@ -167,7 +167,7 @@ def test_who_reads_along_sees_whole_parts(case):
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_models_that_run_end_with_the_program(case, start, tmp_path, number):
-    """However long they would take, and what they started, too."""
+    """This holds for models of any duration, and for the programs that their tasks started."""
     text = PROGRAM.replace('"seconds": 0.25', '"seconds": 600').replace("import json, sys", "import json, signal, sys")
     text = text.replace("rows, folder", "signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))\nrows, folder")
     program = start(script(tmp_path, text), case.words("here"), stderr=subprocess.DEVNULL)

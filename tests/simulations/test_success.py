@@ -1,4 +1,4 @@
-"""The count of walks from random guesses: what is a success, and its confidence interval."""
+"""The count of successful walks from random guesses: the criterion of success, and the confidence interval."""
 
 import sys
 

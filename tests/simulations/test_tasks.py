@@ -77,7 +77,7 @@ def drop_test(path, task, *options):
 
 
 def limbs(path):
-    """For each limb, names of its forces, and x/R of its spheres where the limb carries the body at the default pose."""
+    """For each limb, the names of its forces, and x/R of its spheres when the limb carries the body at the default pose."""
     for limb in command_record("inspect", path)["figures"]["limbs"]:
         forces = tuple(dict.fromkeys(name for sphere in limb["spheres"] for name in sphere["forces"]))
         yield (
@@ -87,7 +87,7 @@ def limbs(path):
 
 
 def same_fall(fallen, report):
-    """All figures and series that both have are the same."""
+    """Asserts that all numbers and series that both results have are equal."""
     figures, series = fallen
     common = [name for name in figures if name in report]
     assert len(common) >= 12
@@ -219,7 +219,7 @@ def check_standing(placed, expected):
 
 
 def test_a_locked_body_comes_to_rest_where_it_stands(apart):
-    """Followed for long enough, a fall ends where nothing is integrated."""
+    """A long fall ends at the height that `Stand` finds without integration."""
     path = str(FIXTURES / "walks" / "child.osim")
     fallen, _ = apart(Drop(duration="60T", samples=11), path)
     placed, _ = apart(Stand(), path)

@@ -1,4 +1,4 @@
-"""Values that come from tables and go into tables: what cannot be held is refused before anything runs, or is a row."""
+"""Values from tables and for tables: a value that a table cannot hold is refused before the run, or gives a failed row."""
 
 import datetime
 import os
