@@ -212,7 +212,7 @@ def test_failures_come_before_everything_else(browser, pages):
 
 
 def test_a_table_that_scrolls_says_so(browser, pages):
-    """A shadow marks the edge behind which a table continues; names of files are broken at folders."""
+    """A shadow marks the edge beyond which a table continues; names of files are broken at folders."""
     browser.open(pages / "transfer.html", 360, "light")
     box = "const box = [...document.querySelectorAll('.wide')].find(b => b.scrollWidth > b.clientWidth + 1);"
     assert "radial-gradient" in browser.run(box + "return getComputedStyle(box).backgroundImage")

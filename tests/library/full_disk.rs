@@ -1,4 +1,4 @@
-//! Runs without enough space: a full disk, a limit on the size of files, a full device behind standard output.
+//! Runs without enough space: a full disk, a limit on the size of files, standard output to a full device.
 
 use crate::model_folder::{
     Files, assert_no_temporary_files, files_below, folder_with_models, run_shell, shell_command,

@@ -12,7 +12,7 @@ MASS_TOLERANCE = 1e-12  # OpenSim adds masses in another order than the file's
 
 
 def hexed(value):
-    """A JSON number in the form of OpenSim's reading (all bits); null stands for a number that is not finite."""
+    """A JSON number in the form of OpenSim's reading (all bits); null means a number that is not finite."""
     return None if value is None else float(value).hex()
 
 

@@ -64,7 +64,7 @@ def by_index(path, index, spoil):
 
 
 def marks(path, index, folder, seconds):
-    """Writes a mark for each time that it runs, and waits `seconds`, unless a file tells it not to wait."""
+    """Writes a mark for each time that it runs, and waits `seconds`, unless a file forbids waiting."""
     with open(os.path.join(folder, f"{index}.{os.getpid()}.{time.monotonic_ns()}"), "w"):
         pass
     if not os.path.exists(folder + ".quick"):

@@ -105,12 +105,12 @@ impl Terminal {
         self.out
     }
 
-    /// Prints text that is no result on standard error.
+    /// Prints text that is not a result on standard error.
     pub(crate) fn print_beside(&mut self, text: &str) -> io::Result<()> {
         self.aside(&fitted(text, self.err))
     }
 
-    /// Prints text that is no result on standard error, with unbroken lines.
+    /// Prints text that is not a result on standard error, with unbroken lines.
     pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),

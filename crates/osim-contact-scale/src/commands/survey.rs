@@ -137,7 +137,7 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
     Ok(shown)
 }
 
-/// Stands for the name of the model in calls that are shown.
+/// The word in place of the model's name in calls that are shown.
 const MODEL: &str = "MODEL";
 
 /// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.

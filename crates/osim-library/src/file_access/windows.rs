@@ -13,8 +13,8 @@ pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
 
 const ERROR_SHARING_VIOLATION: i32 = 32;
 
-/// Opens a file so that nobody else can open it for writing. A lock is no alternative: it would also forbid other processes, and
-/// other handles of this process, to read. A file that is opened only for appending could be neither shortened nor locked.
+/// Opens a file so that nobody else can open it for writing. A lock would also forbid other processes, and other handles of this
+/// process, to read. A file that is opened only for appending could be neither shortened nor locked.
 pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
     use std::os::windows::fs::OpenOptionsExt;
     const FILE_SHARE_READ: u32 = 1;

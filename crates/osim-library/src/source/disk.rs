@@ -17,8 +17,8 @@ use crate::paths::folder_of;
 use crate::source::find_models::Source;
 use crate::source::workbook::workbook_as_csv;
 
-/// Reads files that the user named from the disk, also pipes and devices; the path `-` is standard input. A file whose name stands
-/// in another file has to be an ordinary file.
+/// Reads files that the user named from the disk, also pipes and devices; the path `-` is standard input. A file whose name is in
+/// another file has to be an ordinary file.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Disk;
 

@@ -254,7 +254,7 @@ impl SplitName {
         likely
     }
 
-    /// A message about the `first` argument that is no file, with the whole name in quotes as the user should write it.
+    /// A message that the argument `first` is not a file, with the whole name in quotes as the user should write it.
     pub fn message(&self, first: &Path) -> String {
         format!("'{}' is {}", first.display(), self.reason())
     }
