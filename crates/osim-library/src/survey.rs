@@ -205,7 +205,7 @@ impl Survey<'_> {
         let entry = check_result
             .as_ref()
             .filter(|_| with_page)
-            .map(|check_result| self.entry(&opened, &inspection, check_result));
+            .map(|check_result| self.page_entry(&opened, &inspection, check_result));
         let surveyed = match check_result {
             Some(check_result) if is_check => SurveyedModel::Checked(Box::new(check_result), written),
             check_result => SurveyedModel::Inspected(
@@ -217,7 +217,7 @@ impl Survey<'_> {
     }
 
     /// The entry of one model on the report page.
-    fn entry(&self, opened: &OpenModel, inspection: &Inspection, check: &CheckResult) -> Entry {
+    fn page_entry(&self, opened: &OpenModel, inspection: &Inspection, check: &CheckResult) -> Entry {
         let digest =
             |(name, bytes): (&str, &[u8])| NamedDigest { name: name.to_owned(), sha256: sha256(bytes) };
         let files: Vec<NamedDigest> = opened.files().map(digest).collect();
@@ -227,20 +227,20 @@ impl Survey<'_> {
             model: opened,
             examined: InspectedAndChecked { inspection, check },
             files: &files,
-            feet: detail.has_feet().then(|| self.feet(opened)).flatten(),
-            recording: self.recording(opened),
+            feet: detail.has_feet().then(|| self.feet_with_bones(opened)).flatten(),
+            recording: self.section_of_recording(opened),
         };
         osim_view::html::entry_of_inspected_model(shown, detail, self.words)
     }
 
     /// The section of the page about the model's contacts along the recorded motion, if the options name one.
-    fn recording(&self, opened: &OpenModel) -> Option<Section> {
+    fn section_of_recording(&self, opened: &OpenModel) -> Option<Section> {
         let (result, remarks) = self.inspector.recording(&opened.name().to_path(), &Disk)?;
         Some(osim_view::html::recording(&result, &remarks, self.words))
     }
 
     /// The feet of a model, with the bones whose meshes are available.
-    fn feet(&self, opened: &OpenModel) -> Option<ModelFeet> {
+    fn feet_with_bones(&self, opened: &OpenModel) -> Option<ModelFeet> {
         let path = opened.name().to_path();
         let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options().selection)?;
         feet.add_bones(&opened.model, &path, None, &Disk);

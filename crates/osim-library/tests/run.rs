@@ -1,4 +1,4 @@
-//! A run over a folder, asked for as any front end asks: through the crate's own trait, without the command.
+//! Runs over a folder by a small front end that uses the crate's trait, without the command.
 
 #![allow(clippy::disallowed_methods, reason = "tests cut their own texts")]
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
@@ -17,10 +17,10 @@ use osim_requests::spell::Speller;
 use osim_requests::{BatchRequest, Request};
 use tempfile::TempDir;
 
-/// 10 kg on one sphere of 0.03 m with a stiffness of 1e6 N/m².
+/// A model of 10 kg on one sphere with a radius of 0.03 m and a stiffness of 1e6 N/m².
 const ONE_FOOT: &str = include_str!("../../osim-model/tests/data/one_foot.osim");
 
-/// The names of fields, and no words for remedies: a change shows none.
+/// Spells options by the names of fields; fails if a remedy has to be spelled, because a change shows none.
 struct Words;
 
 impl Dialect for Words {
@@ -39,14 +39,14 @@ impl Speller for Words {
     }
 }
 
-/// Counts what is done, and shows which files were written.
+/// A front end that counts finished and failed models, and returns the written files of each model.
 #[derive(Default)]
-struct Watch {
+struct CountingFrontEnd {
     done: AtomicUsize,
     failed: AtomicUsize,
 }
 
-impl RunFrontEnd for Watch {
+impl RunFrontEnd for CountingFrontEnd {
     type Shown = Vec<PathBuf>;
 
     fn dialect(&self) -> &dyn Speller {
@@ -72,8 +72,8 @@ impl RunFrontEnd for Watch {
 }
 
 /// Results of a run.
-struct Ran {
-    watch: Watch,
+struct RunResult {
+    watch: CountingFrontEnd,
     counts: Counts,
     /// The number of models or folders that could not be listed.
     failures: usize,
@@ -87,7 +87,7 @@ fn rescale_to_80_kg(
     field: &str,
     output: &Path,
     options: &RunOptions,
-) -> Result<Ran, LibraryFault> {
+) -> Result<RunResult, LibraryFault> {
     let (models, output) = (models.to_str().unwrap(), output.to_str().unwrap());
     let request = serde_json::json!({"verb": "rescale", "models": models, "target_mass": 80, field: output})
         .to_string();
@@ -98,13 +98,13 @@ fn rescale_to_80_kg(
     )?;
     run.begin()?;
     let failures = run.failures().len();
-    let (watch, mut records, mut written) = (Watch::default(), Vec::new(), Vec::new());
+    let (watch, mut records, mut written) = (CountingFrontEnd::default(), Vec::new(), Vec::new());
     let counts = run.do_tasks(&watch, |_, outcome| {
         records.push(outcome.record);
         written.extend(outcome.shown.unwrap_or_default());
     })?;
     run.finish()?;
-    Ok(Ran { watch, counts, failures, records, written })
+    Ok(RunResult { watch, counts, failures, records, written })
 }
 
 /// Names and contents of all files of a folder.
@@ -121,7 +121,7 @@ fn files_in_folder(folder: &Path) -> Vec<(String, String)> {
     files
 }
 
-/// A folder with a good model, one that ends in the middle, and another good one.
+/// A folder with a good model, a truncated model, and another good model.
 fn three_models() -> (TempDir, PathBuf) {
     let folder = TempDir::new().unwrap();
     let models = folder.path().join("models");
@@ -134,7 +134,7 @@ fn three_models() -> (TempDir, PathBuf) {
 }
 
 #[test]
-fn a_bad_file_in_the_middle_stops_nothing() {
+fn a_bad_model_does_not_stop_the_other_models() {
     let (folder, models) = three_models();
     let before = files_in_folder(&models);
     let output = folder.path().join("scaled");
@@ -153,7 +153,7 @@ fn a_bad_file_in_the_middle_stops_nothing() {
 }
 
 #[test]
-fn outputs_are_whole_and_alone_in_their_folder() {
+fn outputs_are_complete_and_the_only_files_in_their_folder() {
     let (folder, models) = three_models();
     let output = folder.path().join("scaled");
     let summary = Some(folder.path().join("summary.csv"));
@@ -206,25 +206,25 @@ fn no_run_overwrites_a_model() {
     assert_eq!(files_in_folder(&models), before);
 }
 
-/// The rows of a table in memory, whose paths begin in `folder`.
-fn rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
+/// Reads and checks the rows of a table in memory, whose paths begin in `folder`.
+fn read_rows(request: &BatchRequest, table: &str, folder: &Path) -> Result<CheckedRows, LibraryFault> {
     RowReader::new(request)?.read(table.as_bytes(), "table", folder)
 }
 
-/// Faults that `rows` finds in a table: line, column and message of each.
+/// Faults in the rows of a table: line, column and message of each.
 fn row_faults(
     request: &BatchRequest,
     table: &str,
     folder: &Path,
 ) -> Vec<(Option<usize>, Option<usize>, String)> {
-    let CheckedRows::Invalid(wrong) = rows(request, table, folder).unwrap() else {
+    let CheckedRows::Invalid(wrong) = read_rows(request, table, folder).unwrap() else {
         panic!("nothing is wrong")
     };
     assert!(wrong.iter().all(|failure| failure.model.to_string() == "table"), "{wrong:?}");
     wrong.into_iter().map(|failure| (failure.line, failure.column, failure.message.to_string())).collect()
 }
 
-/// The stiffness in a model of [`ONE_FOOT`]'s kind.
+/// The stiffness of the only contact in a model such as [`ONE_FOOT`].
 fn stiffness_in_model(model: &Path) -> f64 {
     let text = std::fs::read_to_string(model).unwrap();
     let (_, rest) = text.split_once("<stiffness>").unwrap();
@@ -236,14 +236,14 @@ fn a_table_can_be_in_memory() {
     let (folder, models) = three_models();
     let table = "model,target_mass,output,#site\na.osim,80,../a80.osim,north\nc.osim,6,../c6.osim,south\n";
     let request = BatchRequest { allow_outside: true, ..BatchRequest::default() };
-    let CheckedRows::Run(rows) = rows(&request, table, &models).unwrap() else { panic!() };
+    let CheckedRows::Run(rows) = read_rows(&request, table, &models).unwrap() else { panic!() };
     assert!(rows.extra_files.is_empty(), "{:?}", rows.extra_files);
     let options = RunOptions::default();
     let mut run = Run::new(rows, &options).unwrap();
     run.begin().unwrap();
     let mut user_columns = Vec::new();
     let counts = run
-        .do_tasks(&Watch::default(), |task, outcome| {
+        .do_tasks(&CountingFrontEnd::default(), |task, outcome| {
             assert!(outcome.failure.is_none(), "{:?}", outcome.failure);
             user_columns.push((task.row, outcome.record.user_columns));
         })
@@ -286,9 +286,9 @@ fn all_wrong_rows_of_a_table_are_found_at_once() {
 }
 
 #[test]
-fn what_is_no_table_or_for_one_model_only_is_refused() {
+fn bytes_without_a_table_and_options_for_one_model_are_refused() {
     let (_folder, models) = three_models();
-    let refused = |request: &BatchRequest, table: &str| match rows(request, table, &models) {
+    let refused = |request: &BatchRequest, table: &str| match read_rows(request, table, &models) {
         Err(fault) => fault.to_string(),
         Ok(_) => panic!("{table:?} is read"),
     };

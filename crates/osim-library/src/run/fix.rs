@@ -48,7 +48,7 @@ impl ModelToFix<'_> {
             return Ok((self.checked, why.to_owned()));
         };
         let refused = |fault: LibraryFault| fault.into_failure(self.opened.name(), "output");
-        let change = Arc::new(prepared(first, self.opened)?);
+        let change = Arc::new(change_of_step(first, self.opened)?);
         let verb = change.verb;
         let task = Task::new(self.source.clone(), output, Arc::new(JobSettings::new(change, output)));
         let request = RunRequest::new(verb, vec![task]);
@@ -67,7 +67,7 @@ impl ModelToFix<'_> {
         let mut done: Option<(Vec<u8>, OpenModel)> = None;
         for step in &self.checked.steps {
             let current = done.as_ref().map_or(self.opened, |(_, opened)| opened);
-            let plan = prepared(step, current)?.plan(current, &Disk)?;
+            let plan = change_of_step(step, current)?.plan(current, &Disk)?;
             let new = plan.patched(&current.model, FileId::MAIN);
             let new = new.map_err(|fault| current.failure(fault))?;
             let opened = self.files.with_bytes(new.clone()).with_name(path.display().to_string()).open()?;
@@ -89,7 +89,7 @@ impl ModelToFix<'_> {
 }
 
 /// The change that one proposal of a check asks for.
-fn prepared(step: &Request, opened: &OpenModel) -> Result<PreparedChange, Failure> {
+fn change_of_step(step: &Request, opened: &OpenModel) -> Result<PreparedChange, Failure> {
     prepare(step.clone(), &Disk).map_err(|error| match error {
         RequestError::Failure(failure) => failure,
         RequestError::Fault(fault) => Failure::outside(opened.name().clone(), "internal", fault.phrase()),

@@ -88,7 +88,7 @@ impl PreviousRun {
         let file = self.files.len();
         let mut places = Vec::new();
         lines.for_each(user_columns, |offset, record| {
-            places.push(LinePlace { hash: hash_of_path(&self.file_of(record)), file, offset });
+            places.push(LinePlace { hash: hash_of_path(&self.file_of_record(record)), file, offset });
         })?;
         self.places.append(&mut places);
         self.files.push(lines);
@@ -102,7 +102,7 @@ impl PreviousRun {
 
     /// The file that a line of the summary is about: its output, or the model if nothing is written. (Rows of a manifest may move or get
     /// another model, but no two rows write one output.)
-    fn file_of(&self, record: &Record) -> PathBuf {
+    fn file_of_record(&self, record: &Record) -> PathBuf {
         self.resolved_name(record, record.output.as_deref().unwrap_or(&record.model))
     }
 
@@ -117,7 +117,7 @@ impl PreviousRun {
 
     /// The earlier records about the same file as the record `now`, the latest last.
     fn records_of(&self, now: &Record) -> Result<Vec<Record>, LibraryFault> {
-        let file = self.file_of(now);
+        let file = self.file_of_record(now);
         let hash = hash_of_path(&file);
         let start = self.places.partition_point(|place| place.hash < hash);
         let same = self.places.iter().skip(start).take_while(|place| place.hash == hash);
@@ -125,7 +125,7 @@ impl PreviousRun {
         for place in same {
             let Some(lines) = self.files.get(place.file) else { continue };
             let record = lines.record_at(place.offset)?;
-            if self.file_of(&record) == file {
+            if self.file_of_record(&record) == file {
                 records.push(record);
             }
         }
@@ -166,7 +166,7 @@ impl PreviousRun {
             return Ok(());
         }
         let hashes_of_tasks: HashSet<u64> =
-            tasks.iter().map(|task| hash_of_path(&self.file_of(&Record::not_begun(task)))).collect();
+            tasks.iter().map(|task| hash_of_path(&self.file_of_record(&Record::not_begun(task)))).collect();
         let mut others: Vec<LinePlace> =
             self.places.iter().filter(|place| !hashes_of_tasks.contains(&place.hash)).copied().collect();
         others.sort_unstable_by_key(|place| (place.file, place.offset));

@@ -82,7 +82,7 @@ impl Sources {
                 next = split.words.end;
                 sources.failures.push(Failure::outside(path.as_path(), "unreadable", split.reason()));
             } else if path.is_dir() {
-                sources.walk(path, skip, &mut seen);
+                sources.search_folder(path, skip, &mut seen);
             } else if seen.insert(path) {
                 sources.models.push(Source::file(path));
             }
@@ -90,7 +90,7 @@ impl Sources {
         sources
     }
 
-    fn walk(&mut self, folder: &Path, skip: Option<&Path>, seen: &mut SeenModels) {
+    fn search_folder(&mut self, folder: &Path, skip: Option<&Path>, seen: &mut SeenModels) {
         let skip = skip.and_then(|path| path.canonicalize().ok());
         let is_skipped = |path: &Path| skip.is_some() && path.canonicalize().ok() == skip;
         let (mut own_outputs, mut repeated, mut sweeps) = (0, 0, 0);

@@ -89,7 +89,7 @@ impl<'s> SweepRun<'s> {
             }
             error
         })?;
-        Ok(Self { request, plan, origin, folder: folder(request, model) })
+        Ok(Self { request, plan, origin, folder: folder_of_variants(request, model) })
     }
 
     fn plan(request: &'s SweepRequest, model: &Path) -> Result<(SweepPlan<'s>, Origin), RequestError> {
@@ -334,7 +334,7 @@ fn has_bytes(path: &Path, bytes: &[u8]) -> bool {
     file_access::read_ordinary(path).is_ok_and(|existing| existing == bytes)
 }
 
-fn folder(request: &SweepRequest, model: &Path) -> PathBuf {
+fn folder_of_variants(request: &SweepRequest, model: &Path) -> PathBuf {
     let beside = || {
         let mut name = model.file_stem().unwrap_or_default().to_owned();
         name.push(SWEEP_FOLDER_ENDING);

@@ -42,7 +42,7 @@ impl<'p> SweepTables<'p> {
     /// The tables that other runs write.
     pub(super) fn tables_of_others(&self) -> impl Iterator<Item = &Path> {
         let whole = self.is_part().then_some(self.whole.as_path());
-        let parts = self.parts().iter().map(PathBuf::as_path);
+        let parts = self.tables_of_parts().iter().map(PathBuf::as_path);
         whole.into_iter().chain(parts.filter(|part| *part != self.table_of_run()))
     }
 
@@ -52,7 +52,7 @@ impl<'p> SweepTables<'p> {
     }
 
     /// Existing tables of runs that made a part of the variants, complete or partial.
-    fn parts(&self) -> &BTreeSet<PathBuf> {
+    fn tables_of_parts(&self) -> &BTreeSet<PathBuf> {
         self.parts.get_or_init(|| {
             let entries = std::fs::read_dir(self.folder).into_iter().flatten().flatten();
             let table = |name: &str| {
