@@ -27,7 +27,7 @@ use crate::terminal::Terminal;
 pub fn main() -> ExitCode {
     exit::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
-    let exit = match parsed(session.terminal.columns()) {
+    let exit = match call_of_arguments(session.terminal.columns()) {
         Ok(call) => {
             let done = match call {
                 Ok(call) => commands::call(call, &mut session),
@@ -38,7 +38,7 @@ pub fn main() -> ExitCode {
                 exit_of(&error)
             })
         }
-        Err(error) => usage(&error, &mut session.terminal),
+        Err(error) => print_clap_error(&error, &mut session.terminal),
     };
     terminal::keep_open(&mut session.terminal);
     ExitCode::from(exit.code())
@@ -46,7 +46,7 @@ pub fn main() -> ExitCode {
 
 /// The call that the arguments of the command line make. The inner error is about options that do not go together; the outer error
 /// is clap's, which also returns its help and version as errors.
-fn parsed(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
+fn call_of_arguments(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
     let first = std::env::args_os().nth(1);
     let first = first.as_deref().and_then(|word| word.to_str());
     // To put the help together takes longer than to read the words, so it is done where something is to be shown.
@@ -88,7 +88,7 @@ fn suggestion_for_call() -> Option<String> {
 }
 
 /// Prints help and version on standard output; prints all other errors of clap as one line on standard error.
-fn usage(error: &clap::Error, terminal: &mut Terminal) -> Exit {
+fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
     match error.kind() {
         ErrorKind::DisplayHelp
         | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand

@@ -1,4 +1,4 @@
-//! The questions of the web page, and answers that need no model: calculations, explanations, presets.
+//! The questions that the web page can ask, and answers that need no model: calculations, explanations, presets.
 
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;

@@ -129,7 +129,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         exit = exit.and(Exit::Failed);
     }
     if !options.quiet && several {
-        session.terminal.print_beside(&summary(&counts, options, session.words))?;
+        session.terminal.print_beside(&last_line_of_run(&counts, options, session.words))?;
     } else if !options.quiet && counts.interrupted() {
         session.terminal.print_beside("stopped\n")?;
     }
@@ -228,7 +228,7 @@ fn exit_of(counts: &Counts, untold: bool) -> Exit {
 }
 
 /// The last line of a run over several models.
-fn summary(counts: &Counts, options: &RunOptions, words: Words) -> String {
+fn last_line_of_run(counts: &Counts, options: &RunOptions, words: Words) -> String {
     let parts = [
         (counts.written, "written"),
         (counts.dry, "planned (dry run)"),
@@ -399,11 +399,11 @@ pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result
     let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
     match reader.read(&bytes, &shown, folder).map_err(|fault| session.refused(&fault))? {
         CheckedRows::Run(rows) => run(rows, &request.run, session),
-        CheckedRows::Invalid(wrong) => report(&wrong, &shown, request.run.is_json(), session),
+        CheckedRows::Invalid(wrong) => report_wrong_rows(&wrong, &shown, request.run.is_json(), session),
     }
 }
 
-fn report(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
+fn report_wrong_rows(wrong: &[Failure], shown: &str, json: bool, session: &mut Session) -> Result<Exit> {
     for failure in wrong.iter().filter(|_| json) {
         session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
     }

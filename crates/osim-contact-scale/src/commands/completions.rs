@@ -72,7 +72,7 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
                 completed,
                 "complete -c {name} -n \"{functions}_using_subcommand {}\"{files} -a \"{}\"",
                 verb.get_name(),
-                values.iter().map(entry).collect::<Vec<_>>().join("\n")
+                values.iter().map(fish_completion).collect::<Vec<_>>().join("\n")
             );
         }
     }
@@ -89,7 +89,7 @@ fn values(argument: &Arg) -> Vec<PossibleValue> {
 }
 
 /// A value and its description, as fish reads them between double quotation marks.
-fn entry(value: &PossibleValue) -> String {
+fn fish_completion(value: &PossibleValue) -> String {
     let help = value.get_help().map(ToString::to_string).unwrap_or_default();
     let help = help.replace('\\', "\\\\").replace('\'', "\\'").replace(['"', '$', '\n'], " ");
     format!("{}\\t'{help}'", value.get_name())

@@ -171,8 +171,8 @@ impl<'o> PlotOutput<'o> {
         if let Some(path) = self.path {
             let bytes = match self.picture {
                 Picture::Svg => svg.as_bytes().to_vec(),
-                Picture::Pdf => page(&svg, drawing.title())?,
-                Picture::Png => pixels(&svg, request)?,
+                Picture::Pdf => pdf_bytes(&svg, drawing.title())?,
+                Picture::Png => png_bytes(&svg, request)?,
             };
             files.push((path, bytes));
         }
@@ -201,21 +201,21 @@ impl<'o> PlotOutput<'o> {
 }
 
 #[cfg(feature = "pdf")]
-fn page(svg: &str, title: &str) -> Result<Vec<u8>> {
+fn pdf_bytes(svg: &str, title: &str) -> Result<Vec<u8>> {
     Ok(contact_plots::pdf(svg, title)?)
 }
 
 #[cfg(not(feature = "pdf"))]
-fn page(_svg: &str, title: &str) -> Result<Vec<u8>> {
+fn pdf_bytes(_svg: &str, title: &str) -> Result<Vec<u8>> {
     bail!("this program was built without pdf, for '{title}' or any other figure")
 }
 
 #[cfg(feature = "png")]
-fn pixels(svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
+fn png_bytes(svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
     Ok(contact_plots::png(svg, f32::from(request.looks.dpi.get()))?)
 }
 
 #[cfg(not(feature = "png"))]
-fn pixels(_svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
+fn png_bytes(_svg: &str, request: &PlotRequest) -> Result<Vec<u8>> {
     bail!("this program was built without png, at {} dpi or any other", request.looks.dpi)
 }

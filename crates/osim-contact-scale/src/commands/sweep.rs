@@ -44,7 +44,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     if let Err(error) = sweep.check_ends() {
         return session.refuse(error, json);
     }
-    announce(&sweep, request, session)?;
+    print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
         let record = first_record(&sweep, None).counted(sweep.count(), 0);
         let text = match sweep.is_large() {
@@ -132,7 +132,11 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
 }
 
 /// Shows the number of variants and their size before the first variant is made.
-fn announce(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<()> {
+fn print_number_of_variants(
+    sweep: &SweepRun<'_>,
+    request: &SweepRequest,
+    session: &mut Session,
+) -> Result<()> {
     if request.quiet {
         return Ok(());
     }
