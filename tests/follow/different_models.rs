@@ -3,8 +3,8 @@
 use serde_json::{Value, json};
 
 use super::{
-    CALL, assert_close, assert_close_place, assert_refused, assert_stderr_has, dry_run_plan, finding_codes,
-    generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors,
+    CALL_OF_TRANSFER, assert_close, assert_close_place, assert_refused, assert_stderr_has, dry_run_plan,
+    finding_codes, generic_and_scaled, parse_json, planned_value, replace_in_file, set_mesh_factors,
 };
 use crate::support::{TestDir, corpus_folder};
 
@@ -96,7 +96,7 @@ fn different_factors_of_meshes_on_one_body_are_refused() {
         "--body-scale calcn_r=x,y,z",
         "[body-scale]",
     ];
-    assert_refused(&dir, CALL, &words);
+    assert_refused(&dir, CALL_OF_TRANSFER, &words);
     // The answer, with one factor for all axes.
     let report = dry_run_plan(&dir, "--body-scale calcn_r=1.5");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.015, -0.06, 0.0075]);
@@ -176,7 +176,7 @@ fn different_factors_left_and_right_are_refused() {
     // 1.09 along x against 1.02: 6.9 %.
     assert_refused(
         &dir,
-        CALL,
+        CALL_OF_TRANSFER,
         &[
             "calcn_r 1.0200, 0.9000, 0.9500",
             "calcn_l 1.0900, 0.9000, 0.9500",
@@ -237,7 +237,7 @@ fn a_mesh_of_another_animal_with_the_same_name_is_refused() {
         let words =
             ["mesh of body calcn_r", "toes_r_joint", "another animal's bone", "--body-scale calcn_r=x,y,z"];
         if asks {
-            assert_refused(&dir, CALL, &words);
+            assert_refused(&dir, CALL_OF_TRANSFER, &words);
         } else {
             assert!(findings(&dry_run_plan(&dir, "")).contains("took the first"));
         }
@@ -258,13 +258,17 @@ fn a_joint_near_the_origin_gives_no_factor() {
         replace_in_file(&dir, name, from, "0.0149 ");
     }
     // |(0.0149, 0.012, 0.002)| is 19.2 mm.
-    assert_refused(&dir, CALL, &["calcn_r", "20 mm", "--body-scale calcn_r=x,y,z", "[body-scale]"]);
+    assert_refused(
+        &dir,
+        CALL_OF_TRANSFER,
+        &["calcn_r", "20 mm", "--body-scale calcn_r=x,y,z", "[body-scale]"],
+    );
 }
 
 #[test]
 fn a_scale_set_of_another_model_is_refused() {
     let dir = generic_and_scaled("smooth");
-    let call = format!("{CALL} --body-scale-file applied.xml");
+    let call = format!("{CALL_OF_TRANSFER} --body-scale-file applied.xml");
     dir.run(&format!("{call} --dry-run")).succeeded();
     // Another generic model: its feet were longer, so that they were scaled by 0.867 along x and not by 1.02.
     replace_in_file(&dir, "generic.osim", "0.17000000000000001 ", "0.2 ");
@@ -280,7 +284,7 @@ fn remarks_about_different_models_match_the_snapshot() {
     let dir = generic_and_scaled("smooth");
     move_knee(&dir);
     replace_in_file(&dir, "scaled.osim", ">toes_r.vtp<", ">hoof.vtp<");
-    dir.run(&format!("{CALL} --dry-run")).succeeded().matches_snapshot("follow_different");
+    dir.run(&format!("{CALL_OF_TRANSFER} --dry-run")).succeeded().matches_snapshot("follow_different");
 }
 
 /// Compares published models with Falisse's model, although they are not scaled copies of it.

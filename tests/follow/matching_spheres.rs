@@ -1,14 +1,14 @@
 //! The matching of spheres of two models, the number of spheres that share the weight, and questions about this number.
 
 use super::{
-    CALL, assert_close, assert_refused, assert_stderr_has, dry_run_plan, generic_and_scaled, planned_value,
-    replace_in_file,
+    CALL_OF_TRANSFER, assert_close, assert_refused, assert_stderr_has, dry_run_plan, generic_and_scaled,
+    planned_value, replace_in_file,
 };
 use crate::support::{TestDir, fixture};
 
 #[test]
 fn a_sphere_missing_on_one_side_is_named() {
-    for (file, call) in [("generic.osim", CALL), ("scaled.osim", CALL)] {
+    for (file, call) in [("generic.osim", CALL_OF_TRANSFER), ("scaled.osim", CALL_OF_TRANSFER)] {
         for name in ["toe_r", "toe_l"] {
             let dir = generic_and_scaled("smooth");
             let text = dir.text(file);
@@ -31,7 +31,7 @@ fn spheres_with_other_names_in_the_reference_are_named() {
     for name in ["\"ball_r\"", "contactgeometryset/ball_r<"] {
         replace_in_file(&dir, "scaled.osim", name, &name.replace("ball_r", "forefoot_r"));
     }
-    assert_refused(&dir, CALL, &["ball_r"]);
+    assert_refused(&dir, CALL_OF_TRANSFER, &["ball_r"]);
 }
 
 #[test]
@@ -43,14 +43,14 @@ fn a_sphere_on_another_body_is_named() {
         "<socket_frame>/bodyset/toes_r</socket_frame>",
         "<socket_frame>/bodyset/calcn_r</socket_frame>",
     );
-    assert_refused(&dir, CALL, &["toe_r", "calcn_r", "toes_r"]);
+    assert_refused(&dir, CALL_OF_TRANSFER, &["toe_r", "calcn_r", "toes_r"]);
 }
 
 #[test]
 fn a_reference_without_contacts_is_refused() {
     let dir = generic_and_scaled("smooth");
     dir.write("generic.osim", fixture("bad/no_contacts.osim"));
-    assert_refused(&dir, CALL, &["generic.osim", "[no-contacts]"]);
+    assert_refused(&dir, CALL_OF_TRANSFER, &["generic.osim", "[no-contacts]"]);
 }
 
 #[test]
@@ -82,7 +82,7 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
     assert!(
         !plan_with_kept["changes"].as_array().unwrap().iter().any(|change| change["property"] == "radius")
     );
-    let factor = dir.run(&format!("{CALL} --radius x1.5")).usage_error();
+    let factor = dir.run(&format!("{CALL_OF_TRANSFER} --radius x1.5")).usage_error();
     assert_stderr_has(
         &factor,
         &[
@@ -91,7 +91,8 @@ fn radii_of_followed_spheres_may_follow_another_rule() {
             "isometric, metres or kept",
         ],
     );
-    let plan_with_counts = dir.run(&format!("{CALL} --radius isometric --radius-axis x")).usage_error();
+    let plan_with_counts =
+        dir.run(&format!("{CALL_OF_TRANSFER} --radius isometric --radius-axis x")).usage_error();
     assert_stderr_has(&plan_with_counts, &["--radius-axis says nothing with --radius"]);
 }
 
@@ -117,7 +118,7 @@ fn spheres_with_the_same_names_need_no_count() {
     let expected = 1_837_655.613_115_876_4;
     let report = dry_run_plan(&dir, "");
     assert_close(&planned_value(&report, "contact_ball_r", "stiffness"), expected);
-    assert_stderr_has(&dir.run(&format!("{CALL} -o done.osim")).succeeded(), &[]);
+    assert_stderr_has(&dir.run(&format!("{CALL_OF_TRANSFER} -o done.osim")).succeeded(), &[]);
     // Twice as many limbs share the weight: half of it on each sphere (10).
     assert_close(
         &planned_value(&dry_run_plan(&dir, "--stance-limbs 2"), "contact_ball_r", "stiffness"),
@@ -135,12 +136,12 @@ fn a_missing_count_is_requested_by_the_option_of_its_model() {
     let dir = models_without_left_toe();
     assert_refused(
         &dir,
-        &format!("{CALL} --spheres 3"),
+        &format!("{CALL_OF_TRANSFER} --spheres 3"),
         &["generic.osim", "--reference-spheres N", "[sphere-count]"],
     );
     assert_refused(
         &dir,
-        &format!("{CALL} --reference-spheres 3"),
+        &format!("{CALL_OF_TRANSFER} --reference-spheres 3"),
         &["scaled.osim", "--spheres N", "[sphere-count]"],
     );
     let plan_with_counts = dry_run_plan(&dir, "--spheres 3 --reference-spheres 3");
@@ -158,7 +159,7 @@ fn the_advised_options_leave_a_shared_sphere_unchanged() {
         let second = text[start..end].replace("contact_heel_r", "second_heel_r");
         dir.write(file, format!("{}{second}{}", &text[..end], &text[end..]));
     }
-    let call = format!("{CALL} --select contact_* --reference-select contact_* --dry-run");
+    let call = format!("{CALL_OF_TRANSFER} --select contact_* --reference-select contact_* --dry-run");
     let run = dir.run(&call).failed();
     assert_stderr_has(&run, &["sphere /contactgeometryset/heel_r is used by"]);
     // The advised options.
@@ -187,5 +188,5 @@ fn spheres_of_disabled_forces_do_not_count() {
         let force = format!("<SmoothSphereHalfSpaceForce name=\"{name}\">");
         replace_in_file(&dir, "scaled.osim", &force, &format!("{force}<appliesForce>false</appliesForce>"));
     }
-    assert_refused(&dir, CALL, &["[sphere-count]"]);
+    assert_refused(&dir, CALL_OF_TRANSFER, &["[sphere-count]"]);
 }
