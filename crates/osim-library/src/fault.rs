@@ -6,7 +6,7 @@ use std::path::Path;
 use osim_model::files::{Failure, FileName};
 use osim_model::messages::{Dialect, Input, Phrase, phrase};
 
-/// Why something could not be done with files: what is wrong, what was expected, and a way out.
+/// The reason why an action with files failed: the fault, what was expected, and a way out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LibraryFault {
     message: Phrase,

@@ -31,7 +31,7 @@ pub struct Survey<'s> {
     pub report: &'s ReportOptions,
     /// Whether each model has a text of its own, even if there are many models.
     pub shows_each: bool,
-    /// The call of a check, which the command for many models repeats.
+    /// The request of the check. The command that the text about many models proposes repeats its options.
     pub check: Option<&'s CheckRequest>,
     /// The layout of texts. In a full layout each model has a text of its own, too.
     pub layout: Layout,

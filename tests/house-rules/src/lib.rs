@@ -1,7 +1,7 @@
 //! Rules for the structure of this project, which `tests/project.rs` applies to the code.
 //!
-//! - [`circles`]: no circle between the modules of a crate. A module uses another one if it names what the other *defines*;
-//!   a facade (`pub use tree::Tree`) is not used by those who name what it passes on.
+//! - [`circles`]: no circle between the modules of a crate. A module uses another module if it names an item that the other module
+//!   *defines*. Naming an item that a facade only passes on (`pub use tree::Tree`) is not a use of the facade.
 //! - [`floors`]: the one table of crates from low to high; a crate depends only on crates on lower floors.
 //! - [`texts`]: no option's name (`--mass`) and no file, process or stream of the system where they do not belong.
 //! - [`words`]: the words that messages, doc comments and docs must not use.

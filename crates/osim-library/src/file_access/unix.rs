@@ -45,7 +45,7 @@ pub(super) fn is_device(metadata: &Metadata) -> bool {
     metadata.file_type().is_char_device()
 }
 
-/// Whether a name is that of a device in every folder: Unix has no such names.
+/// Whether a name means a device in every folder: always false, because Unix has no such names.
 pub(super) fn is_device_name(_path: &Path) -> bool {
     false
 }

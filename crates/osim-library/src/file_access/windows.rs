@@ -47,8 +47,8 @@ pub(super) fn is_device(_metadata: &Metadata) -> bool {
     false
 }
 
-/// Whether a name is that of a device: `CON`, `nul.osim`, `\\.\COM1`, `\\.\pipe\name`. Ports have the numbers 1 to 9; 1 to 3 may
-/// be superscripts.
+/// Whether a name means a device: `CON`, `nul.osim`, `\\.\COM1`, `\\.\pipe\name`. Ports have the numbers 1 to 9; 1 to 3 may be
+/// superscripts.
 pub(super) fn is_device_name(path: &Path) -> bool {
     const DEVICE_NUMBERS: [&str; 12] =
         ["1", "2", "3", "4", "5", "6", "7", "8", "9", "\u{b9}", "\u{b2}", "\u{b3}"];

@@ -156,7 +156,8 @@ impl PreviousRun {
         records.into_iter().rev().find(|record| record.sha256_output.is_some())
     }
 
-    /// Calls `each` with the records of models that are not in `tasks`, the latest last, except those that failed without an output.
+    /// Calls `each` with the earlier records of models that are not in `tasks`, the latest last. Records of failures without an output
+    /// are left out.
     pub(super) fn for_each_other_model(
         &self,
         tasks: &[Task],

@@ -58,7 +58,7 @@ impl Source {
     }
 }
 
-/// The models that a call names, those in folders included.
+/// The models that a call names, including the models in folders that it names.
 #[derive(Debug, Default)]
 pub struct Sources {
     pub models: Vec<Source>,
@@ -160,7 +160,7 @@ fn has_name_of_model(path: &Path) -> bool {
     path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("osim"))
 }
 
-/// Whether the error is about a dead link whose name is neither that of a model nor of a folder.
+/// Whether the error is about a link to a missing file, and the name of the link is neither a model's nor a folder's.
 fn is_dead_link_beside_models(error: &walkdir::Error) -> bool {
     let path = error.path().filter(|path| path.extension().is_some() && !has_name_of_model(path));
     error.loop_ancestor().is_none() && path.is_some_and(is_dead_link)

@@ -347,7 +347,7 @@ fn folder_of_variants(request: &SweepRequest, model: &Path) -> PathBuf {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct SameContacts {
     pub count: usize,
-    /// The numbers, from 1, of the first of them and of the variant with equal contacts.
+    /// The numbers (from 1) of the first such variant and of the variant whose contacts it repeats.
     pub first: Option<(usize, usize)>,
 }
 
