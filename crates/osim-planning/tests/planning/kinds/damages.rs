@@ -160,8 +160,11 @@ pub const DAMAGES: &[Kind] = &[
     ("gravity 9.81 with x and y swapped by frame (0 0 9.81)", "gravity-not-down", |m| m.gravity("0 0 9.81")),
 ];
 
+/// The name of an edit that does no harm, and the edit.
+pub type HarmlessEdit = (&'static str, fn(&Published) -> Edited);
+
 /// Edits that do no harm. None of them gives a warning.
-pub const HARMLESS: &[(&str, fn(&Published) -> Edited)] = &[
+pub const HARMLESS: &[HarmlessEdit] = &[
     ("friction of another floor", |m| friction(m, "0.9")),
     ("all masses 1 % more", |m| m.masses(all, |kg| kg * 1.01)),
     ("a sensor of 10 g", |m| m.masses(is_torso, |kg| kg + 0.01)),
