@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use crate::json_types::Finding;
-use crate::support::{HUMAN, TestDir, corpus_folder, root};
+use crate::support::{HUMAN, TestDir, corpus_folder, fixture, root};
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -527,4 +527,12 @@ fn published_models_have_the_documented_findings() {
     }
     let landing = report_of("v40000_toy_landing");
     assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
+}
+
+#[test]
+fn a_finding_without_a_command_leads_to_its_explanation() {
+    let dir = TestDir::new();
+    dir.write("model.osim", fixture("check/doubled_spheres.osim"));
+    let run = dir.run("check model.osim").failed();
+    assert!(run.out().ends_with("\n\nWhat to do: explain doubled-spheres\n"), "{}", run.out());
 }

@@ -50,8 +50,8 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     if is_full {
         text.push_str(&explanations(found, layout));
     } else if let Some(open) = found.findings.iter().find(without_command) {
-        let more = Phrase::template(&format!("\nWhat to do: `explain topics={}`", open.code()));
-        text.push_str(&format!("{}\n", more.spelled(words)));
+        let more = Phrase::template(&format!("What to do: `explain topics={}`", open.code()));
+        text.push_str(&format!("\n{}\n", more.spelled(words)));
     }
     if let Some(list) = found.similarity.as_ref().filter(|list| is_full || list.is_worth_showing()) {
         text.push('\n');
