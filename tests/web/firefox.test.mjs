@@ -67,7 +67,7 @@ testWith({ browser: FIREFOX }, "Firefox: the commonest jobs, each in a few click
     await user.click("Scaled from generic.osim? Let its contacts follow the bones");
     await user.click("Download scaled.scaled.osim");
     const followed = { name: "scaled.scaled.osim", bytes: await user.downloaded("scaled.scaled.osim") };
-    await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies", [scaled, generic], [followed]);
+    await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies --level", [scaled, generic], [followed]);
     done.push(await user.choose(given("feet/human_40000.osim", "bare.osim")));
     await user.click("bare.osim");
     await user.click("From a reference spheres of another model or a preset");

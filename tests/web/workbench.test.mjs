@@ -50,7 +50,7 @@ inChromium("job: scaled from a model that is open, two actions after it is chose
   await user.opened("scaled.osim");
   await user.button("Scaled from generic.osim? Let its contacts follow the bones").click();
   const [file] = await user.downloads(user.button("Download scaled.scaled.osim", user.acts));
-  await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies", files, [file]);
+  await makesTheSame("osim-contact-scale transfer scaled.osim --from generic.osim --follow-bodies --level", files, [file]);
 });
 
 inChromium("job: no contacts: three ways, each begins where something has to be said", async (user) => {
