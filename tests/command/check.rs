@@ -358,7 +358,7 @@ fn no_command_is_proposed_while_masses_disagree() {
     let settled = report_of("human.scaled.osim --mass 0.0209");
     assert!(!codes_of(&settled).contains("sunk-in"));
     // For contacts of a preset under another body, only the scaling is proposed.
-    dir.write("other.osim", crate::support::fixture("check/contacts_of_another_mass.osim"));
+    dir.write("other.osim", fixture("check/contacts_of_another_mass.osim"));
     let other = report_of("other.osim");
     let codes_with_command: Vec<_> = other
         .findings

@@ -21,7 +21,7 @@ inChromium("numbers are the command's, and follow what is typed", async (user) =
   await calculator.getByText("As text, to copy").click();
   const text = await calculator.getByLabel("The result as text").textContent();
   const folder = new Folder();
-  const { stdout, status } = await folder.run(...WORDS);
+  const { stdout, status } = await folder.run(...CALL_WORDS);
   folder.end();
   assert.equal(status, 0);
   assert.equal(text.trim(), stdout.trim());

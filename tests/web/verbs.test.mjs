@@ -104,7 +104,7 @@ inChromium("add: a preset's spheres, once the size of the bodies is said", async
 });
 
 inChromium("add: spheres below the meshes of the feet, with numbers from what is wanted", async (user) => {
-  await user.open(BARE, ...meshes());
+  await user.open(BARE, ...filesOfMeshes());
   await user.verb("Add");
   await user.tick("Bodies that touch the ground", "calcn_r", "calcn_l");
   await user.field("Spheres under each foot").fill("3");
@@ -114,7 +114,7 @@ inChromium("add: spheres below the meshes of the feet, with numbers from what is
   await user.field("Class of the new forces").selectOption({ label: "SmoothSphereHalfSpaceForce" });
   await user.form.getByText("More options").click();
   await user.field("Relative indentation").fill("0.2");
-  await downloadsWhatTheCommandMakes(user, [BARE, ...meshes()], "bare.scaled.osim");
+  await downloadsWhatTheCommandMakes(user, [BARE, ...filesOfMeshes()], "bare.scaled.osim");
 });
 
 inChromium("add: spheres where a table has them", async (user) => {
