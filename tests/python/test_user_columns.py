@@ -7,7 +7,7 @@ import sys
 import osim_contact_scale as ocs
 import pytest
 from conftest import HUMAN
-from osim_contact_scale._options import ROW_OPTIONS, RUN_OPTIONS
+from osim_contact_scale._option_names import ROW_OPTIONS, RUN_OPTIONS
 
 pd = pytest.importorskip("pandas", reason="pandas is not installed: tables are lists of dictionaries")
 np = pytest.importorskip("numpy")

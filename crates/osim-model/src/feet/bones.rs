@@ -343,7 +343,7 @@ fn repair_advice(times: f64) -> String {
     }
 }
 
-/// A message about a mesh with a broken vertex; `None` for other faults, which do not tell the size of the mesh.
+/// A message about a mesh with a broken vertex; `None` for other faults, which do not show the size of the mesh.
 fn odd_vertex(fault: &FeetFault) -> Option<OddMesh> {
     let FeetFault::Mesh { body, mesh, fault: MeshFault::StrayPoint { .. }, .. } = fault else { return None };
     Some(OddMesh { body: body.clone(), mesh: mesh.clone(), text: fault.phrase().to_string() })

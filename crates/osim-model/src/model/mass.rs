@@ -85,7 +85,7 @@ impl MassSource {
         }
     }
 
-    /// Whether the source tells the mass for which the contacts were made, not only the mass of the body.
+    /// Whether the source gives the mass for which the contacts were made, not only the mass of the body.
     pub const fn is_about_contacts(&self) -> bool {
         !matches!(self, Self::Mass | Self::Bodies(_))
     }
@@ -113,7 +113,7 @@ pub struct Mass {
 }
 
 impl Mass {
-    /// A phrase with this mass as the mass for which contacts were made. It says "taken as" if the source tells only the mass of the body.
+    /// A phrase with this mass as the mass for which contacts were made. It says "taken as" if the source gives only the mass of the body.
     pub fn contacts_made_for(&self) -> Phrase {
         let taken =
             if self.source.is_about_contacts() { "contacts made for" } else { "contacts taken as made for" };
@@ -129,7 +129,7 @@ impl MassRequest {
         self.exclude_bodies.iter().filter(move |pattern| matches_nothing(pattern))
     }
 
-    /// The mass of the model: as the caller gave it, else the sum of its bodies in file order. [`Body::excluded_from_mass`] tells the
+    /// The mass of the model: as the caller gave it, else the sum of its bodies in file order. [`Body::excluded_from_mass`] says the
     /// bodies that are left out.
     ///
     /// # Errors

@@ -61,7 +61,7 @@ pub fn refuse_name_in_paths(name: &str) -> Result<(), Fault> {
     }
 }
 
-/// A pattern of names: `*` stands for any text, `?` for one letter, `[rl]` for one of these letters, `{heel,toe}*` for one of these words.
+/// A pattern of names: `*` means any text, `?` for one letter, `[rl]` for one of these letters, `{heel,toe}*` for one of these words.
 /// Upper and lower case differ.
 ///
 /// ```

@@ -155,7 +155,7 @@ impl Model {
         Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
     }
 
-    /// Magnitude of gravity, m/s²; `None` if it is no number. Without gravity, or with 0, forces cannot be given in body weights.
+    /// Magnitude of gravity, m/s²; `None` if it is not a number. Without gravity, or with 0, forces cannot be given in body weights.
     pub fn gravity(&self) -> Option<f64> {
         self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
     }

@@ -120,7 +120,7 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
     (count > 0 && count % 3 == 0).then_some(first)
 }
 
-/// Whether a text is three numbers that a person and OpenSim read alike. Commas behind the first two numbers are harmless.
+/// Whether a text is three numbers that a person and OpenSim read alike. Commas after the first two numbers are harmless.
 ///
 /// ```
 /// use osim_model::xml::opensim_text::is_plain_triple;
@@ -172,7 +172,7 @@ fn spelled_flag(word: &str) -> Option<bool> {
     if is("true") { Some(true) } else { is("false").then_some(false) }
 }
 
-/// The digits at the start of `word`, behind a sign, without leading zeros. For 0, the result is empty.
+/// The digits at the start of `word`, after a sign, without leading zeros. For 0, the result is empty.
 fn whole_number_at_start(word: &str) -> Option<&str> {
     let digits = word.strip_prefix(['+', '-']).unwrap_or(word);
     let end = digits.find(|c: char| !c.is_ascii_digit()).unwrap_or(digits.len());

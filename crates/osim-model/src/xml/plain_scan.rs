@@ -16,7 +16,7 @@ const BYTES_PER_ELEMENT: usize = 20;
 const MOST_SHORT_TEXT_BYTES: usize = 16;
 const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
 
-/// The pieces and elements of `text`, whose first byte is byte `base` of the file (behind a byte order mark). `None` if the file is not
+/// The pieces and elements of `text`, whose first byte is byte `base` of the file (after a byte order mark). `None` if the file is not
 /// plain.
 pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, Vec<StoredElement>)> {
     let length = text.len();
@@ -178,7 +178,7 @@ impl PlainScan<'_> {
         }
     }
 
-    /// The index behind an attribute's `="value"`.
+    /// The index after an attribute's `="value"`.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {

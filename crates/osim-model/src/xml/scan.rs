@@ -136,7 +136,7 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
 
 struct Scanner<'t> {
     text: &'t str,
-    /// Length of the byte order mark. The parser quick-xml gets the text behind it.
+    /// Length of the byte order mark. The parser quick-xml gets the text after it.
     base: usize,
     pieces: Vec<StoredPiece>,
     elements: Vec<StoredElement>,

@@ -63,9 +63,9 @@ pub(super) struct StoredElement {
     pub(super) close: u32,
     /// Index of the parent element; the root is its own parent.
     pub(super) parent: u32,
-    /// Index of the first element behind this element and all its descendants.
+    /// Index of the first element after this element and all its descendants.
     pub(super) subtree_end: u32,
-    /// Length of the tag name, which begins one byte behind the `<`.
+    /// Length of the tag name, which begins one byte after the `<`.
     pub(super) name_len: u32,
 }
 

@@ -267,7 +267,7 @@ fn refuse_moved_spheres(
 ///
 /// If the model is a scaled copy of the reference, it has no [`difference`](Self::difference), and the factors are exact. Each axis takes
 /// the first source that has a factor: the caller, the Scale Tool's file, meshes, joint offsets. Between different models, joint offsets
-/// are no factors: a body takes the ratio of the mesh factors of one bone, or one ratio of distances to a joint below the body. A body at
+/// are not factors: a body takes the ratio of the mesh factors of one bone, or one ratio of distances to a joint below the body. A body at
 /// the end of a limb without a source takes the factors of its parent body. Left and right take the same source.
 ///
 /// ```

@@ -86,7 +86,7 @@ fn resting_slope(mut points: Vec<DVec2>) -> f64 {
 const GRID_SIZE_M: f64 = 1.0 / (1_u64 << 34) as f64;
 /// A direction is replaced by an axis of ground if it differs by less than this.
 const AXIS_TOLERANCE: f64 = 1e-9;
-/// If the limbs of a pair are closer than this, m, their places do not tell the direction to the right.
+/// If the limbs of a pair are closer than this, m, their places do not show the direction to the right.
 const LEAST_LIMB_DISTANCE_M: f64 = 1e-6;
 
 /// A point of a bone in ground, and the index of its body in the foot.

@@ -150,7 +150,7 @@ impl<'m> LiftSearch<'m> {
     }
 }
 
-/// The reason that tells the user more.
+/// The reason that says more to the user.
 fn more_telling(one: NotLifted, other: NotLifted) -> NotLifted {
     let rank = |reason: &NotLifted| match reason {
         NotLifted::Welded => 0,

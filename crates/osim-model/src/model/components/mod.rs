@@ -228,7 +228,7 @@ impl Components {
         Some(FoundFrame { component: Some(component), by_name: by_name && !connectee.legacy })
     }
 
-    /// Whether `body` is the body that stands for ground in old documents.
+    /// Whether `body` is the body that means ground in old documents.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
         self.doc(body).version() < FIRST_WITHOUT_GROUND && self.name(body) == "ground"
     }

@@ -33,7 +33,7 @@ pub enum FaultKind {
     NotOpenSim {
         root: String,
     },
-    /// The `Version` attribute is missing or is no number.
+    /// The `Version` attribute is missing or is not a number.
     NoVersion {
         found: String,
     },

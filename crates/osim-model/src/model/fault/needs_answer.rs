@@ -8,7 +8,7 @@ use crate::messages::{Input, Phrase, four_significant, phrase, readable};
 /// Mass of one pound, by its definition of 1959.
 pub(crate) const POUND_KG: f64 = 0.453_592_37;
 
-/// The probable mistake behind a mass that looks wrong.
+/// The probable mistake that explains a mass that looks wrong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MassMistake {
     /// The mass is about 1000 times the bodies' kilograms: perhaps grams.

@@ -172,7 +172,7 @@ impl Source {
     }
 }
 
-/// Splits `text` at the last `mark`, if `read` accepts the text behind it.
+/// Splits `text` at the last `mark`, if `read` accepts the text after it.
 fn split_last<'t, T>(text: &'t str, mark: &str, read: impl Fn(&str) -> Option<T>) -> (&'t str, Option<T>) {
     let parts = text.rsplit_once(mark).and_then(|(before, part)| Some((before, read(part)?)));
     parts.map_or((text, None), |(before, part)| (before, Some(part)))

@@ -15,7 +15,7 @@ use crate::model::note::content::{
 
 pub(super) const BEGINS: &str = "[contacts made for ";
 pub(super) const ENDS: &str = ")]";
-/// The text behind mass and gravity in every note. Text in square brackets without it is not a note.
+/// The text after mass and gravity in every note. Text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
 const NO_SIZES: &str = "none";
 /// The text in a note before each step.

@@ -24,14 +24,14 @@ pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 const SEPARATOR: &str = "; ";
 const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
 
-/// The `<credits>` of a model with their text, up to the first comment behind it, without white space around it. The note is part of this
+/// The `<credits>` of a model with their text, up to the first comment after it, without white space around it. The note is part of this
 /// text.
 ///
 /// OpenSim reads one text or one CDATA section here, with comments before or after it; it refuses a model with other contents.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Credits<'d> {
     pub element: ElementId,
-    /// Bytes of the text in the credits; empty if there is no text. For an element `<credits/>`, the place behind the element.
+    /// Bytes of the text in the credits; empty if there is no text. For an element `<credits/>`, the place after the element.
     pub span: Range<usize>,
     raw: &'d str,
     /// The text as OpenSim reads it: entities resolved, white space reduced to single blanks.
@@ -97,7 +97,7 @@ impl<'d> Credits<'d> {
         edits
     }
 
-    /// The edits after which `note` is behind all existing text, including another note.
+    /// The edits after which `note` is after all existing text, including another note.
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
         let and = if self.raw.is_empty() { "" } else { SEPARATOR };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
