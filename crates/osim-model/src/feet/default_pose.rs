@@ -141,7 +141,7 @@ pub struct JointStep<'j> {
     pub joint: &'j ModelJoint,
     /// The body before the joint, nearer to ground; `None` is ground.
     pub from: Option<&'j str>,
-    /// The body that the joint carries; `None` is ground.
+    /// The body after the joint; `None` is ground.
     pub to: Option<&'j str>,
     /// Whether the chain crosses the joint from its parent to its child.
     pub forward: bool,
