@@ -115,6 +115,8 @@ class Finding(NamedValues):
         Names of all spheres concerned.
     line : int or None
         Line in the model.
+    details : tuple of str
+        Sentences about single spheres, such as where each belongs; empty if the message says all.
     had_before : bool
         Of the result of a change: the model before it, or the reference, has this finding, too.
     remedy : Remedy or None
@@ -129,6 +131,7 @@ class Finding(NamedValues):
     place: str | None
     spheres: tuple[str, ...]
     line: int | None
+    details: tuple[str, ...]
     had_before: bool
     remedy: Remedy | None
 
@@ -138,8 +141,9 @@ class Finding(NamedValues):
     ) -> Finding:
         command = record["command"]
         remedy = Remedy(command, request, source, others, folder) if command and request else None
-        values = {key: value for key, value in record.items() if key not in ("command", "spheres")}
-        return cls(**values, spheres=tuple(record["spheres"]), remedy=remedy)
+        lists = {key: tuple(record[key]) for key in ("spheres", "details")}
+        values = {key: value for key, value in record.items() if key != "command"}
+        return cls(**values | lists, remedy=remedy)
 
     def __str__(self) -> str:
         return f"{self.severity}: {self.code}: {self.message}"
