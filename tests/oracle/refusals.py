@@ -17,7 +17,6 @@ REFUSED = {
     "player_and_ball.osim": "two trees joined only through ground: the user has to select one",
     "contacts_of_another_mass.osim": "known contacts, made for another mass than the bodies weigh: it has to be said",
     "massless_body.osim": "known contacts, made for another mass than the bodies weigh: it has to be said",
-    "mass_against_length.osim": "known contacts, made for another mass than the bodies weigh: it has to be said",
     "spheres_misplaced.osim": "known contacts, made for another mass than the bodies weigh: it has to be said",
     "copied_note.osim": "its note was written for other values, so which mass is meant has to be said",
     "stale_note.osim": "its note cannot be read, so which mass its contacts are made for has to be said",

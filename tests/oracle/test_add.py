@@ -240,7 +240,7 @@ def asymmetry(reading):
     return max(result)
 
 
-FLOOR = re.compile(r"pose (\S+), the lowest sphere, is (\S+) mm (inside|above) the floor(?:; (\S+)(?: of \S+)? = (\S+) \(now (\S+)\))?")
+FLOOR = re.compile(r"pose (\S+), the lowest sphere, is (\S+) mm (inside|above) the floor(?:; to start there, (\S+)(?: of \S+)? = (\S+) \(now ([^;)]+)[;)])?")
 PRINTED = 1e-6  # m
 
 

@@ -19,7 +19,7 @@ from recipes import changed, recipe
 
 COUNT = 8
 
-missing = slurm_module.missing()
+missing = slurm_module.missing_programs()
 
 
 def needs_slurm(test):

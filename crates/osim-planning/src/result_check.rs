@@ -98,6 +98,7 @@ impl PreparedChange {
             .map(|(changed, inspected)| check_without_remedies(&options_after, changed, inspected));
         let reference = self.reference.as_ref().map_or(&[][..], |reference| &reference.findings);
         let mut judged = findings_of_result(&before, after.as_deref(), reference);
+        judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
         // Conversion has advice of its own on what it makes.
         if self.verb == Verb::Convert {
             judged.retain(|one| !plan.findings.iter().any(|own| is_same_case(own, one)));

@@ -193,25 +193,29 @@ impl Needed {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::BodyMass { body } => phrase![
-                format!(
-                    "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>, or say what the model weighs with "
-                ),
-                Input::Mass.with_placeholder("KG"),
+                format!("body '{body}' has no mass (OpenSim reads NaN): give it a <mass>"),
+                Input::Mass
+                    .either(phrase![", or say what the model weighs with ", Input::Mass.with_placeholder("KG")], ""),
             ],
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
                     0 => "the mass is not in the file: no body is left to sum".to_owned(),
                     count => format!("the {count} bodies weigh {} kg in all", readable(*kg)),
                 },
-                ": say what the model weighs with ",
-                Input::Mass.with_placeholder("KG"),
-                ", or which mass its contacts are made for with ",
-                Input::ContactsMass.with_placeholder("KG"),
+                Input::Mass.either(
+                    phrase![
+                        ": say what the model weighs with ",
+                        Input::Mass.with_placeholder("KG"),
+                        ", or which mass its contacts are made for with ",
+                        Input::ContactsMass.with_placeholder("KG"),
+                    ],
+                    ": give them masses",
+                ),
             ],
             Self::MassOfLoop => phrase![
-                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice: \
-                 say what the model weighs with ",
-                Input::Mass.with_placeholder("KG"),
+                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice",
+                Input::Mass
+                    .either(phrase![": say what the model weighs with ", Input::Mass.with_placeholder("KG")], ""),
             ],
             Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
             Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
