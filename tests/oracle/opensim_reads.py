@@ -52,6 +52,7 @@ def run_job(job):
     reading |= parts(opensim, model)
     welded = welded_to_ground(model) if reading["connects"] else set()
     reading["fixed"] = sorted(welded)
+    reading["jointed_to_ground_alone"] = sorted(bodies_alone(model)) if reading["connects"] else []
     reading["gravity"] = vector(model.get_gravity())
     reading["name"] = model.getName()
     reading["mass_sum"] = left_to_right(body["mass"] for body in reading["bodies"])
@@ -177,6 +178,13 @@ def downcast_frame(component):
 def welded_to_ground(model):
     """The paths of ground and of all bodies that hang on it by WeldJoints alone."""
     return welded_to({"/ground"}, [ends(joint) for joint in joints(model) if is_weld(joint)])
+
+
+def bodies_alone(model):
+    """The bodies that only ground is joined to."""
+    pairs = [set(ends(joint)) for joint in joints(model)]
+    neighbours = {end: set().union(*(both for both in pairs if end in both)) for both in pairs for end in both}
+    return [end for end, both in neighbours.items() if end != "/ground" and both == {end, "/ground"}]
 
 
 def welded_bodies(model, welded):
