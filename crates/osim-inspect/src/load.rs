@@ -245,11 +245,9 @@ impl MassMismatch {
     /// A clause about the two masses, to add to the message of a finding.
     pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
-        phrase![
-            format!("; figures are those under {body} kg: for the others say "),
-            Input::Mass.with_value(contacts),
-            &self.answer_to_question(),
-        ]
+        let other =
+            phrase![": for the others say ", Input::Mass.with_value(contacts), &self.answer_to_question()];
+        phrase![format!("; figures are those under {body} kg"), Input::Mass.either(other, "")]
     }
 
     /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.

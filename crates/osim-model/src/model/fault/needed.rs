@@ -194,8 +194,10 @@ impl Needed {
         match self {
             Self::BodyMass { body } => phrase![
                 format!("body '{body}' has no mass (OpenSim reads NaN): give it a <mass>"),
-                Input::Mass
-                    .either(phrase![", or say what the model weighs with ", Input::Mass.with_placeholder("KG")], ""),
+                Input::Mass.either(
+                    phrase![", or say what the model weighs with ", Input::Mass.with_placeholder("KG")],
+                    ""
+                ),
             ],
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
@@ -214,8 +216,10 @@ impl Needed {
             ],
             Self::MassOfLoop => phrase![
                 "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice",
-                Input::Mass
-                    .either(phrase![": say what the model weighs with ", Input::Mass.with_placeholder("KG")], ""),
+                Input::Mass.either(
+                    phrase![": say what the model weighs with ", Input::Mass.with_placeholder("KG")],
+                    ""
+                ),
             ],
             Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
             Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {

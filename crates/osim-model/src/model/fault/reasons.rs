@@ -113,8 +113,7 @@ pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Inpu
         format!("it is not certain which mass {} made for, because ", contacts_are(input)),
         doubt.as_str(),
         noted.unwrap_or_default(),
-        ": give that mass with ",
-        input.with_placeholder("KG")
+        input.either(phrase![": give that mass with ", input.with_placeholder("KG")], "")
     ]
 }
 
