@@ -234,7 +234,7 @@ pub(crate) fn continued_steps(model: &Model, step: Step, is_new: bool) -> Vec<St
 pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
     let Some(note) = &model.note else { return Vec::new() };
     match model.doubt_about_note() {
-        // What does not change the values leaves them in doubt, and that they were changed is said once.
+        // A step that changes no values does not remove this doubt. The note says only once that others changed values.
         Some(NoteDoubt::ValuesChanged)
             if note.steps.iter().all(|step| step.operation != CHANGED_BY_OTHERS) =>
         {

@@ -23,7 +23,7 @@ pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
         Err(Errno::NODATA) => fremovexattr(file, ATTRIBUTE_NAME),
         Err(_) => Ok(()),
     };
-    // Where that is not possible, the mode bits are still those of the file.
+    // If the access list cannot be copied, the new file still has the mode bits of the old one.
     let _ = kept;
 }
 
