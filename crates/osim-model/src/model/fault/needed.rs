@@ -237,8 +237,10 @@ impl Needed {
                 phrase![
                     "contact spheres stand on bodies that are joined only through ground: ",
                     each.join("; "),
-                    ": say which forces are meant with ",
-                    input.with_placeholder("GLOB"),
+                    input.either(
+                        phrase![": say which forces are meant with ", input.with_placeholder("GLOB")],
+                        ""
+                    ),
                 ]
             }
             other => other.about_spheres(),
