@@ -4,7 +4,7 @@ use crate::support::{HUMAN, TestDir, assert_snapshot};
 use crate::terminal::terminal_output;
 
 /// Calls whose outputs people read most.
-const OUTPUTS: [(&str, &str); 10] = [
+const OUTPUTS: [(&str, &str); 16] = [
     ("good", "check good.osim"),
     ("scaled", "check scaled.osim --from generic.osim"),
     ("broken", "check broken.osim"),
@@ -18,6 +18,12 @@ const OUTPUTS: [(&str, &str); 10] = [
     ("inspect", "inspect scaled.osim"),
     ("motion", "motion walker.osim walk.mot --plates plates.sto"),
     ("design", "design human.osim --indentation 0.16 --constant-indentation 0.05 --dry-run"),
+    ("design_sheet", "design --mass 62 --spheres 6 --indentation 0.16 --restitution 0.8 --constant-indentation 0.05"),
+    ("drop_test", "drop-test falisse2022 --compare moco-2d-gait"),
+    ("explain", "explain C.8 spheres-left-behind stiffness output"),
+    ("fit", "fit heel_pad.csv --radius 0.03 --indentation-unit mm --time-column time --onset fit"),
+    ("presets", "presets"),
+    ("reproduce", "reproduce"),
 ];
 
 fn models() -> TestDir {
@@ -38,6 +44,7 @@ fn models() -> TestDir {
         ("motion/walker.osim", "walker.osim"),
         ("motion/walk.mot", "walk.mot"),
         ("motion/plates.sto", "plates.sto"),
+        ("measured/heel_pad.csv", "heel_pad.csv"),
     ])
 }
 
@@ -58,6 +65,8 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
         }
         assert_snapshot(&format!("width_{name}"), &all);
     }
+    let (topics, _) = terminal_output(dir.command("explain"), 60);
+    assert!(topics.lines().count() > 200 && topics.lines().all(|line| line.chars().count() <= 62), "{topics}");
 }
 
 #[test]

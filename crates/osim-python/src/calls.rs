@@ -8,6 +8,7 @@ use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_moti
 use osim_requests::Request;
 use osim_requests::spell::Python as PythonWords;
 use osim_view::report::explain::{Letters, answer};
+use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
 use osim_view::report::results::{
@@ -45,7 +46,7 @@ fn unexpected(request: &Request) -> Problem {
 pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Answer<'py>> {
     let fields = request_fields(fields)?;
     let sheet = guarded(py, || Ok(design_sheet(&request!(Design, fields))?))?;
-    Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet)))
+    Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet, None)))
 }
 
 /// `drop-test`: the drop, its text, and remarks about masses.
@@ -61,7 +62,7 @@ pub(crate) fn drop_test<'py>(
     })?;
     let mismatches = drop.mismatches.iter();
     let remarks = mismatches.map(|(name, mismatch)| mass_mismatch(name, mismatch, &PythonWords)).collect();
-    Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop), remarks))
+    Ok((dictionary(py, &DropRecord::from(&drop))?, drop_text(&drop, None), remarks))
 }
 
 /// `motion`: what the contacts do, its text, and a column of cells for each column of its rows.
@@ -100,7 +101,7 @@ pub(crate) fn fit<'py>(
     let fields = request_fields(fields)?;
     let fit =
         guarded(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::from_python(&memory, true))?))?;
-    Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords)))
+    Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords, None)))
 }
 
 /// `presets`: each with its text.
@@ -112,7 +113,7 @@ pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyRe
     })?;
     presets
         .iter()
-        .map(|preset| Ok((dictionary(py, &PresetRecord::from(preset))?, preset_text(preset))))
+        .map(|preset| Ok((dictionary(py, &PresetRecord::from(preset))?, preset_text(preset, None))))
         .collect()
 }
 
@@ -125,7 +126,7 @@ pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(S
             let mut fields: Map<String, Value> = fields.clone();
             fields.extend(format.map(|format| ("format".to_owned(), format.into())));
             let request = request!(Explain, fields);
-            answer(&request, Letters::Unicode, &PythonWords)
+            answer(&request, Letters::Unicode, &PythonWords, WIDTH)
                 .map_err(|unknown| Problem::general("RequestError", "usage", unknown.message(&PythonWords)))
         };
         Ok((explanation(None)?, explanation(Some("json"))?))
@@ -136,7 +137,7 @@ pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(S
 #[pyfunction]
 pub(crate) fn reproduce<'py>(py: Python<'py>) -> PyResult<Answer<'py>> {
     let record = guarded(py, || Ok(ReproductionRecord::new(&PythonWords)?))?;
-    let text = format!("{}\n{}", reproduction_text(&record), fig1_text(&record));
+    let text = format!("{}\n{}", reproduction_text(&record, None), fig1_text(&record, None));
     Ok((dictionary(py, &record)?, text))
 }
 

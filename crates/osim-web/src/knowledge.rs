@@ -4,6 +4,7 @@ use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
 use osim_requests::spell::{CommandLine, Matlab, Page, Python, Speller};
 use osim_view::report::explain::{Letters, answer};
+use osim_view::report::layout::WIDTH;
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -23,7 +24,7 @@ pub(crate) fn calculate(request: &Request) -> Result<Calculation, Problem> {
         return Err(Problem::question("only a request for design calculates without a model"));
     };
     let sheet = design_sheet(request)?;
-    let text = design_sheet_text(&sheet);
+    let text = design_sheet_text(&sheet, None);
     Ok(Calculation { sheet, text })
 }
 
@@ -40,7 +41,7 @@ pub(crate) fn presets(mut fields: Fields, files: &GivenFiles) -> Result<Vec<Pres
     fields.insert("verb".to_owned(), "presets".into());
     let Request::Presets(request) = Request::from_map(fields)? else { return Ok(Vec::new()) };
     let presets = find_presets(&request, files)?;
-    let shown = |preset| PresetShown { record: PresetRecord::from(preset), text: preset_text(preset) };
+    let shown = |preset| PresetShown { record: PresetRecord::from(preset), text: preset_text(preset, None) };
     Ok(presets.iter().map(shown).collect())
 }
 
@@ -48,7 +49,7 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields = [("verb", "explain"), ("topics", topic)];
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };
-    answer(&request, Letters::Unicode, &Page).map_err(|unknown| Problem::question(unknown.message(&Page)))
+    answer(&request, Letters::Unicode, &Page, WIDTH).map_err(|unknown| Problem::question(unknown.message(&Page)))
 }
 
 // A request as calls that people can copy: of the command, of Python, of MATLAB.

@@ -17,6 +17,7 @@ use osim_requests::{
 use osim_view::figures;
 use osim_view::report::explain::{Letters, answer};
 use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_csv, reproduction_text};
 use osim_view::report::results::{
@@ -35,7 +36,7 @@ use crate::terminal::Terminal;
 pub(crate) fn design(request: &DesignRequest, session: &mut Session) -> Result<Exit> {
     let sheet = design_sheet(request).map_err(|fault| session.usage(&fault))?;
     let json = request.run.is_json();
-    let text = if json { line(&sheet) } else { design_sheet_text(&sheet) };
+    let text = if json { line(&sheet) } else { design_sheet_text(&sheet, session.terminal.columns()) };
     session.terminal.print_as(&text, json)?;
     Ok(Exit::Done)
 }
@@ -54,12 +55,15 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
         Ok(drop) => drop,
         Err(error) => return session.refuse(error, request.format == SeriesFormat::Json),
     };
+    let columns = session.terminal.columns();
     let text = match request.format {
         SeriesFormat::Json => line(&DropRecord::from(&drop)),
         SeriesFormat::Csv => drop_csv(&drop)?,
         // A terminal can draw.
-        _ if std::io::stdout().is_terminal() => format!("{}{}", drop_text(&drop), drop_chart(&drop)),
-        _ => drop_text(&drop),
+        _ if std::io::stdout().is_terminal() => {
+            format!("{}{}", drop_text(&drop, columns), drop_chart(&drop, columns))
+        },
+        _ => drop_text(&drop, columns),
     };
     let is_for_programs = matches!(request.format, SeriesFormat::Json | SeriesFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;
@@ -89,7 +93,7 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     let json = request.run.is_json();
     match run_fit(request, &Disk) {
         Ok(fit) => {
-            let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words) };
+            let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words, session.terminal.columns()) };
             session.terminal.print_as(&text, json)?;
             Ok(Exit::Done)
         }
@@ -133,7 +137,9 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
         session.terminal.print_beside(&written)?;
     } else {
         let gap = if written.is_empty() { "" } else { "\n" };
-        let text = format!("{}\n{}{gap}{written}", reproduction_text(&record), fig1_text(&record));
+        let columns = session.terminal.columns();
+        let texts = [reproduction_text(&record, columns), fig1_text(&record, columns)].join("\n");
+        let text = format!("{texts}{gap}{written}");
         session.terminal.print(&text)?;
     }
     Ok(Exit::Done)
@@ -184,7 +190,8 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
 pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
     let words = session.words;
     let letters = if Terminal::shows_unicode() { Letters::Unicode } else { Letters::Ascii };
-    let shown = answer(request, letters, words).map_err(|unknown| anyhow!(unknown.message(words)))?;
+    let width = session.terminal.columns().unwrap_or(WIDTH);
+    let shown = answer(request, letters, words, width).map_err(|unknown| anyhow!(unknown.message(words)))?;
     session.terminal.print_as(&shown, request.format == Format::Json)?;
     Ok(Exit::Done)
 }
@@ -197,11 +204,12 @@ pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result
 /// The file of presets cannot be read, or the name is unknown.
 pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result<Exit> {
     let presets = find_presets(request, &Disk).map_err(|fault| session.usage(&fault))?;
+    let columns = session.terminal.columns();
     for (index, preset) in presets.iter().enumerate() {
         let text = match request.format {
             Format::Json => line(&PresetRecord::from(preset)),
-            _ if index == 0 => preset_text(preset),
-            _ => format!("\n{}", preset_text(preset)),
+            _ if index == 0 => preset_text(preset, columns),
+            _ => format!("\n{}", preset_text(preset, columns)),
         };
         session.terminal.print_as(&text, request.format == Format::Json)?;
     }

@@ -17,9 +17,12 @@ use unicode_linebreak::linebreaks;
 /// The width in columns of an old terminal. Texts in a file or a pipe are also this wide.
 pub const WIDTH: usize = 80;
 
-/// Options for breaking text into lines of at most `width` columns and of about equal length.
+/// Options for breaking text into lines of at most `width` columns and of about equal length. Options of a command line are never
+/// broken at their hyphens.
 pub(crate) fn options<'o>(width: usize) -> Options<'o> {
-    Options::new(width).word_separator(WordSeparator::Custom(breakable_words))
+    Options::new(width)
+        .word_separator(WordSeparator::Custom(breakable_words))
+        .word_splitter(WordSplitter::NoHyphenation)
 }
 
 /// A paragraph that may have names from files in it: line ends in names are escaped, and very long names are cut.
@@ -43,11 +46,7 @@ pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str, width: usi
 }
 
 fn in_lines(text: &str, indent: &str, width: usize) -> String {
-    // Options of a command line are never broken at their hyphens.
-    let options = options(width)
-        .subsequent_indent(indent)
-        .break_words(false)
-        .word_splitter(WordSplitter::NoHyphenation);
+    let options = options(width).subsequent_indent(indent).break_words(false);
     format!("{}\n", textwrap::fill(text, options))
 }
 

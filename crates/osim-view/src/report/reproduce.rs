@@ -3,7 +3,7 @@
 use contact_scaling::table1::{self, Animal, Column, Compared};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
-use osim_model::messages::{Dialect, counted, readable, shortest};
+use osim_model::messages::{Dialect, counted, four_significant, readable, shortest};
 use osim_requests::fig1;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -138,12 +138,16 @@ impl From<&Compared> for NumberRecord {
 
 /// Number of digits that are shown beyond the digits of the paper.
 const MORE_DIGITS: usize = 3;
+/// The columns of a terminal that Table 1 needs with its absolute differences.
+const LEAST_COLUMNS_OF_TABLE: usize = 72;
 
-/// Table 1, number by number, and the count of numbers in which the paper and its equations agree.
-pub fn reproduction_text(record: &ReproductionRecord) -> String {
+/// Table 1, number by number, and the count of numbers in which the paper and its equations agree, for a terminal with this many
+/// columns. A narrow one shows the differences only as relative ones.
+pub fn reproduction_text(record: &ReproductionRecord, columns: Option<usize>) -> String {
+    let is_narrow = columns.is_some_and(|columns| columns < LEAST_COLUMNS_OF_TABLE);
     let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
     for number in record.table1.iter().flat_map(|animal| &animal.values) {
-        table.add_row(cells(number));
+        table.add_row(cells(number, is_narrow));
     }
     table.right_aligned(&[1, 2, 3, 4]);
     let formatted = table.trim_fmt();
@@ -155,13 +159,14 @@ pub fn reproduction_text(record: &ReproductionRecord) -> String {
             text.push_str(&format!("{line}\n"));
         }
     }
-    text.push_str(&format!("\n{}", summary_in_words(record)));
+    text.push_str(&format!("\n{}", summary_in_words(record, columns.unwrap_or(WIDTH))));
     text
 }
 
 /// Sentences about what Fig. 1 shows, and which data it needs.
-pub fn fig1_text(record: &ReproductionRecord) -> String {
-    let paragraphs: Vec<String> = record.fig1.iter().map(|paragraph| filled(paragraph, WIDTH)).collect();
+pub fn fig1_text(record: &ReproductionRecord, columns: Option<usize>) -> String {
+    let fill = |paragraph: &String| filled(paragraph, columns.unwrap_or(WIDTH));
+    let paragraphs: Vec<String> = record.fig1.iter().map(fill).collect();
     format!("{}\n", paragraphs.join("\n"))
 }
 
@@ -212,27 +217,27 @@ fn heading(animal: &AnimalRecord) -> String {
     format!("{}: {mass} kg on {} of R = {radius} m", animal.taxon, counted(spheres, "sphere"))
 }
 
-fn cells(number: &NumberRecord) -> Vec<String> {
+fn cells(number: &NumberRecord, is_narrow: bool) -> Vec<String> {
     let decimals = number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + MORE_DIGITS;
     let unit = if number.unit.is_empty() { String::new() } else { format!(", {}", number.unit) };
     vec![
         format!("  {}{unit}", number.label),
         number.printed.to_owned(),
         format!("{:.decimals$}", number.computed),
-        format!("{:+.decimals$}", number.difference),
+        if is_narrow { String::new() } else { format!("{:+.decimals$}", number.difference) },
         format!("{:+.2} %", 100.0 * number.relative_difference),
         if number.within_last_digit { "yes" } else { "no" }.to_owned(),
     ]
 }
 
 /// How many numbers agree, why others do not agree, and how they were computed.
-fn summary_in_words(record: &ReproductionRecord) -> String {
+fn summary_in_words(record: &ReproductionRecord, width: usize) -> String {
     let (agree, all) = (record.within_last_digit, record.numbers);
     let mut text = filled(
         &format!(
             "{agree} of {all} numbers agree: computed and printed are within half a unit of the last printed digit of each other."
         ),
-        WIDTH,
+        width,
     );
     text.push('\n');
     let numbers =
@@ -242,16 +247,16 @@ fn summary_in_words(record: &ReproductionRecord) -> String {
             (Some(value), Some(base)) => format!(
                 "the paper multiplies the rounded {base} {} of its human, which gives {}",
                 number.unit,
-                readable(value)
+                four_significant(value)
             ),
             _ => "no rounding explains it".to_owned(),
         };
-        text.push_str(&wrapped(&format!("- {}, {}: {why}.", animal.taxon, number.label), "  ", WIDTH));
+        text.push_str(&wrapped(&format!("- {}, {}: {why}.", animal.taxon, number.label), "  ", width));
     }
     text.push_str(&filled(
         "E1*, E* and alpha follow from the 62 kg human by (10), (A.4) and (14). The final x/R is that of a drop test by our own \
          integrator, from a quarter of the radius and for 2 s at 9.81 m/s2 on a HuntCrossleyForce, and k is (B.2) there.",
-        WIDTH,
+        width,
     ));
     text.push('\n');
     text

@@ -2,6 +2,7 @@
 
 use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
 use osim_view::report::explain::{self, Letters, Topic, TopicRecord};
+use osim_view::report::layout::WIDTH;
 use osim_view::report::json::line;
 
 /// The width of a line in columns. The hat of x̂ needs no column.
@@ -13,12 +14,12 @@ fn columns(line: &str) -> usize {
 fn every_topic_is_explained_in_the_words_of_each_front_end() {
     for topic in Topic::all() {
         for front_end in [&CommandLine as &dyn FrontEnd, &Python, &Page] {
-            let text = explain::text(topic, front_end, Letters::Unicode);
+            let text = explain::text(topic, front_end, Letters::Unicode, WIDTH);
             assert!(!text.contains('`'), "{text}");
             assert!(text.lines().all(|line| columns(line) <= 80), "{text}");
         }
         for text in
-            [explain::text(topic, &Python, Letters::Unicode), explain::text(topic, &Page, Letters::Unicode)]
+            [explain::text(topic, &Python, Letters::Unicode, WIDTH), explain::text(topic, &Page, Letters::Unicode, WIDTH)]
         {
             assert!(!text.contains(" --") && !text.contains("(--"), "{text}");
         }
@@ -29,7 +30,7 @@ fn every_topic_is_explained_in_the_words_of_each_front_end() {
 fn topics_are_told_with_what_to_do() {
     let text = |name: &str, letters| -> String {
         let topics = Topic::find(name).unwrap();
-        topics.into_iter().map(|topic| explain::text(topic, &CommandLine, letters)).collect()
+        topics.into_iter().map(|topic| explain::text(topic, &CommandLine, letters, WIDTH)).collect()
     };
     insta::assert_snapshot!("explain_equation", text("C.8", Letters::Unicode));
     insta::assert_snapshot!("explain_equation_ascii", text("C.8", Letters::Ascii));
@@ -52,8 +53,7 @@ fn records_say_their_kind_first() {
     );
     assert_eq!(
         record("several-trees"),
-        "{\"kind\":\"error\",\"schema_version\":1,\"code\":\"several-trees\",\"means\":\"contact spheres stand on bodies \
-         that are joined only through ground (player and ball): which are meant?\",\"way_out\":\"--select GLOB\"}\n"
+        "{\"kind\":\"error\",\"schema_version\":1,\"code\":\"several-trees\",\"means\":\"contact spheres are on bodies that are joined only through ground (player and ball): which of them have to be changed?\",\"way_out\":\"--select GLOB\"}\n"
     );
     assert!(record("sunk-in").starts_with(
         r#"{"kind":"finding","schema_version":1,"code":"sunk-in","severity":"error","checked":true,"what":"#

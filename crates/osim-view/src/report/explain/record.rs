@@ -203,7 +203,8 @@ impl SymbolRecord {
     }
 }
 
-/// The explanations of the topics that a request names; if it names none, the list of all topics.
+/// The explanations of the topics that a request names; if it names none, the list of all topics. Lines have at most
+/// `width` columns.
 ///
 /// # Errors
 /// Something that is neither an equation, a quantity nor a code.
@@ -211,15 +212,16 @@ pub fn answer(
     request: &ExplainRequest,
     letters: Letters,
     front_end: &dyn FrontEnd,
+    width: usize,
 ) -> Result<String, UnknownTopic> {
     let named = request.topics.join(" ");
     let topics = if named.is_empty() { Topic::all() } else { Topic::find(&named)? };
     let letters = if request.ascii { Letters::Ascii } else { letters };
     Ok(match request.format {
         Format::Json => topics.into_iter().map(|topic| line(&TopicRecord::new(topic, front_end))).collect(),
-        _ if named.is_empty() => list(&topics, front_end, letters),
+        _ if named.is_empty() => list(&topics, front_end, letters, width),
         _ => {
-            let each: Vec<String> = topics.into_iter().map(|topic| text(topic, front_end, letters)).collect();
+            let each: Vec<String> = topics.into_iter().map(|topic| text(topic, front_end, letters, width)).collect();
             each.join("\n")
         }
     })

@@ -1,4 +1,4 @@
-//! Explanations for people, 80 columns wide, in letters that the reader's terminal can show.
+//! Explanations for people, in letters that the reader's terminal can show.
 
 use contact_scaling::Equation;
 use contact_scaling::equations::reference;
@@ -8,19 +8,19 @@ use osim_model::messages::{Dialect, Phrase};
 use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
-use crate::report::layout::{WIDTH, options, table};
+use crate::report::layout::{options, table};
 
-/// The whole explanation of one topic as text.
-pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters) -> String {
+/// The whole explanation of one topic as text, in lines of at most `width` columns.
+pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
     match topic {
-        Topic::Equation(equation) => equation_text(equation, dialect, letters),
-        Topic::Quantity(quantity) => quantity_text(quantity, dialect, letters),
-        Topic::Finding(rule) => finding_text(rule, dialect),
-        Topic::Error(error) => error_text(error, dialect),
+        Topic::Equation(equation) => equation_text(equation, dialect, letters, width),
+        Topic::Quantity(quantity) => quantity_text(quantity, dialect, letters, width),
+        Topic::Finding(rule) => finding_text(rule, dialect, width),
+        Topic::Error(error) => error_text(error, dialect, width),
     }
 }
 
-fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -> String {
+fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
     let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
     let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
@@ -32,16 +32,16 @@ fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters) -
         symbols.add_row([symbol.symbol, symbol.meaning, symbol.unit].map(spelled).to_vec());
     }
     if !equation.symbols.is_empty() {
-        text.push_str(&format!("\n{}\n", symbols.fitted(WIDTH)));
+        text.push_str(&format!("\n{}\n", symbols.fitted(width)));
     }
     text.push('\n');
-    text.push_str(&paragraph("Source: ", &spelled(equation.source)));
-    text.push_str(&paragraph("Used:   ", &sentence_of_use(equation.label).spelled(dialect)));
+    text.push_str(&paragraph("Source: ", &spelled(equation.source), width));
+    text.push_str(&paragraph("Used:   ", &sentence_of_use(equation.label).spelled(dialect), width));
     text.push_str(&book_line("Book:   ", "equations"));
     text
 }
 
-fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters) -> String {
+fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
     let mut parts =
         vec![("What:  ", quantity.what().spelled(dialect)), ("Unit:  ", quantity.unit_in_words().to_owned())];
     if !quantity.symbols.is_empty() {
@@ -53,28 +53,28 @@ fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Lette
     parts.extend(quantity.limit.clone().map(|limit| ("Limit: ", limit)));
     parts.push(("Trap:  ", quantity.trap().spelled(dialect)));
     let body: String =
-        parts.into_iter().map(|(label, body)| paragraph(label, &letters.spelled(&body))).collect();
+        parts.into_iter().map(|(label, body)| paragraph(label, &letters.spelled(&body), width)).collect();
     format!("{} (quantity)\n\n{body}", quantity.name)
 }
 
-fn finding_text(rule: &Rule, dialect: &dyn Dialect) -> String {
+fn finding_text(rule: &Rule, dialect: &dyn Dialect, width: usize) -> String {
     let repair = rule.repair.sentence().into();
     let parts =
         [("What: ", rule.what()), ("Why:  ", rule.why()), ("Do:   ", rule.advice()), ("Fix:  ", repair)];
     let body: String =
-        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
+        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect), width)).collect();
     format!("{}\n\n{body}{}", rule.code, book_line("Book: ", "findings"))
 }
 
-fn error_text(error: &ErrorCode, dialect: &dyn Dialect) -> String {
+fn error_text(error: &ErrorCode, dialect: &dyn Dialect, width: usize) -> String {
     let parts = [("Means: ", error.means()), ("Do:    ", error.way_out())];
     let body: String =
-        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect))).collect();
+        parts.into_iter().map(|(label, body)| paragraph(label, &body.spelled(dialect), width)).collect();
     format!("{} (error)\n\n{body}{}", error.code, book_line("Book:  ", "errors"))
 }
 
-/// A list of topics by kind, one line each.
-pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String {
+/// A list of topics by kind, in lines of at most `width` columns.
+pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
     let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
         table(&["quantity", "what it is"]),
@@ -101,7 +101,7 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters) -> String
     }
     // A name that is broken cannot be copied.
     quantities.unbroken(0);
-    [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted(WIDTH))).join("\n")
+    [equations, quantities, findings, errors].map(|table| format!("{}\n", table.fitted(width))).join("\n")
 }
 
 /// The line with the page of the documentation that has all topics of one kind.
@@ -109,10 +109,10 @@ fn book_line(label: &str, page: &str) -> String {
     format!("{label}docs/reference/{page}.md\n")
 }
 
-fn paragraph(label: &str, body: &str) -> String {
+fn paragraph(label: &str, body: &str, width: usize) -> String {
     let body = format!("{}.", body.trim_ascii().trim_end_matches('.'));
     let indent = " ".repeat(label.len());
-    let options = options(WIDTH).initial_indent(label).subsequent_indent(&indent);
+    let options = options(width).initial_indent(label).subsequent_indent(&indent);
     format!("{}\n", textwrap::fill(&body, options))
 }
 

@@ -8,7 +8,7 @@ use contact_scaling::drop_test::DropReport;
 #[cfg(feature = "schemas")]
 use osim_inspect::ObjectSchema;
 use osim_inspect::SCHEMA_VERSION;
-use osim_model::messages::{counted, readable, shortest};
+use osim_model::messages::{counted, four_significant, readable, shortest};
 use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -25,19 +25,20 @@ use crate::report::layout::{WIDTH, table};
 const ROUNDING_OF_CURVES: f64 = 1e-9;
 const CHART_ROWS: usize = 16;
 
-/// The figures of a drop, whether they are within the limits of the laws, and the difference from another drop.
-pub fn drop_text(drop: &DropResult) -> String {
+/// The values of a drop, whether they are within the limits of the laws, and the difference from another drop, for a terminal with
+/// this many columns.
+pub fn drop_text(drop: &DropResult, columns: Option<usize>) -> String {
     let values = drop.values;
     let mut text = format!(
         "{}: {} kg on {}, {} m/s2, from {} m, {} s\n\n",
         drop.name,
-        readable(values.mass_kg),
+        four_significant(values.mass_kg),
         counted(readable(drop.sphere_count), "sphere"),
         readable(values.gravity_m_s2),
-        readable(values.height_m),
-        readable(values.duration_s)
+        four_significant(values.height_m),
+        four_significant(values.duration_s)
     );
-    text.push_str(&rows(drop));
+    text.push_str(&rows(drop, columns));
     text.push_str(&limits_in_words(drop));
     if drop.report.first_contact.is_none() {
         text.push_str("\nthe body does not reach the ground in this time\n");
@@ -51,7 +52,7 @@ pub fn drop_text(drop: &DropResult) -> String {
             "\nagainst {}, dimensionless, up to t/sqrt(R/g) = {}:\n  largest difference of height/radius {}, \
              of force/body weight {}\n",
             compared.name,
-            readable(compared.difference.until),
+            four_significant(compared.difference.until),
             difference_in_words(compared.difference.height),
             difference_in_words(compared.difference.force)
         ));
@@ -59,18 +60,18 @@ pub fn drop_text(drop: &DropResult) -> String {
     text
 }
 
-fn rows(drop: &DropResult) -> String {
+fn rows(drop: &DropResult, columns: Option<usize>) -> String {
     let mut table = table(&["figure", "value", "unit"]);
     for place in [DropRow::InOrder, DropRow::Last] {
         for figure in DropFigure::ALL.iter().filter(|figure| figure.row() == place) {
             let (info, value) = (figure.info(), figure.value(drop));
-            let shown = value.map_or_else(|| "absent".to_owned(), readable);
+            let shown = value.map_or_else(|| "absent".to_owned(), four_significant);
             let unit = if value.is_some() { info.unit } else { "" };
             table.add_row(vec![info.heading_without_unit(), shown, unit.to_owned()]);
         }
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.trim_fmt())
+    format!("{}\n", table.within(columns))
 }
 
 /// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.
@@ -83,15 +84,15 @@ fn limits_in_words(drop: &DropResult) -> String {
     let mut text = String::new();
     if let Some((within, limit)) = admits(DropFigure::IndentationHertz) {
         text.push_str(&format!(
-            "\nindentation/radius at rest, by (11), is {} the Hertz law ({limit})\n",
+            "\nindentation/radius at rest, by (11), is {} the limit of the Hertz law ({limit})\n",
             word(within)
         ));
     }
     let restitution = admits(DropFigure::RestitutionApproximate).zip(DropFigure::ImpactSpeed.value(drop));
     if let Some(((within, limit), speed)) = restitution {
-        text.push_str(&format!("restitution by (13) is {} the Hunt-Crossley law ({limit})\n", word(within)));
+        text.push_str(&format!("restitution by (13) is {} the limit of the Hunt-Crossley law ({limit})\n", word(within)));
         if DropFigure::RestitutionApproximate.value(drop).is_none() {
-            text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", readable(speed)));
+            text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", four_significant(speed)));
         }
     }
     text
@@ -102,8 +103,8 @@ fn difference_in_words(difference: f64) -> String {
     if difference < ROUNDING_OF_CURVES { "below 1e-9".to_owned() } else { format!("{difference:.3e}") }
 }
 
-/// A chart of force over body weight against time, made of letters, for terminals.
-pub fn drop_chart(drop: &DropResult) -> String {
+/// A chart of force over body weight against time, made of letters, for a terminal with this many columns.
+pub fn drop_chart(drop: &DropResult, columns: Option<usize>) -> String {
     let report = &drop.report;
     let points = report
         .series
@@ -112,7 +113,7 @@ pub fn drop_chart(drop: &DropResult) -> String {
     let mut panel = Panel::new("", Axis::new("time (s)"), Axis::new("force/body weight"));
     panel.curves.push(Curve::new("", points.collect(), Look::series(0)));
     // One sample alone is not a curve; the figures are enough.
-    let chart = contact_plots::text(&panel, WIDTH, CHART_ROWS);
+    let chart = contact_plots::text(&panel, columns.unwrap_or(WIDTH), CHART_ROWS);
     chart.map_or_else(|_| String::new(), |chart| format!("\n{chart}"))
 }
 

@@ -4,7 +4,7 @@ use contact_scaling::fit::{Doubt, Estimate, Fit, Parameter};
 use contact_scaling::limits;
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
-use osim_model::messages::{Dialect, Input, phrase, readable, shown_path};
+use osim_model::messages::{Dialect, Input, four_significant, phrase, readable, shown_path};
 use osim_planning::FitResult;
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -12,8 +12,9 @@ use serde::Serialize;
 
 use crate::report::layout::table;
 
-/// The fitted parameters with their confidence intervals, and whether the measurement is within the limits of the laws.
-pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
+/// The fitted parameters with their confidence intervals, and whether the measurement is within the limits of the laws, for a
+/// terminal with this many columns.
+pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize>) -> String {
     let fit = &result.fit;
     let mut text = format!(
         "{}: {} rows in the fit, n = {}, R = {} m\n\n{}\n\n",
@@ -21,15 +22,15 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect) -> String {
         fit.rows.len(),
         readable(result.sphere_count),
         readable(result.radius_m),
-        parameters(fit)
+        parameters(fit, columns)
     );
     text.push_str(&format!(
         "R squared {:.6}; residuals have a standard deviation of {} N\n",
         fit.r_squared,
-        readable(fit.residual_deviation_n)
+        four_significant(fit.residual_deviation_n)
     ));
     text.push_str(&format!(
-        "largest indentation/radius {:.4}: {} the Hertz law ({})\n",
+        "largest indentation/radius {:.4}: {} the limit of the Hertz law ({})\n",
         fit.largest_relative_indentation,
         word(fit.within_hertz_limit),
         limits::INDENTATION.in_words()
@@ -72,17 +73,17 @@ pub(super) fn in_words(doubt: &Doubt) -> String {
 
 /// A bound of a confidence interval, in words; the bound may be unknown.
 fn bound(value: f64) -> String {
-    if value.is_nan() { "not known".to_owned() } else { readable(value) }
+    if value.is_nan() { "not known".to_owned() } else { four_significant(value) }
 }
 
 fn word(within: bool) -> &'static str {
     if within { "within" } else { "outside" }
 }
 
-fn parameters(fit: &Fit) -> String {
+fn parameters(fit: &Fit, columns: Option<usize>) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
-        let cells = [name, &readable(value.value), &bound(value.low), &bound(value.high), unit, equation];
+        let cells = [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");
@@ -94,20 +95,20 @@ fn parameters(fit: &Fit) -> String {
         row("contact onset", onset, "m", "(1)");
     }
     table.right_aligned(&[1, 2, 3]);
-    table.trim_fmt()
+    table.within(columns)
 }
 
 fn restitution(fit: &Fit) -> String {
     match (fit.restitution, fit.within_hunt_crossley_limit, fit.largest_speed_m_s) {
         (Some(restitution), Some(within), Some(speed)) => format!(
-            "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the Hunt-Crossley law ({})\n",
-            readable(speed),
+            "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the limit of the Hunt-Crossley law ({})\n",
+            four_significant(speed),
             word(within),
             limits::RESTITUTION.in_words()
         ),
         (None, Some(_), Some(speed)) => format!(
             "at the largest speed ({} m/s) (13) is outside its domain: the Hunt-Crossley law does not hold\n",
-            readable(speed)
+            four_significant(speed)
         ),
         _ => "no speed is known, so the force is taken as elastic and dissipation is not fitted\n".to_owned(),
     }

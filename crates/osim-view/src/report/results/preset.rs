@@ -5,7 +5,7 @@ use std::path::Path;
 use contact_scaling::{DimensionlessContact, Preset};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
-use osim_model::messages::readable;
+use osim_model::messages::{four_significant, readable};
 use osim_planning::{DesignQuantity, DesignSheet};
 #[cfg(feature = "schemas")]
 use schemars::JsonSchema;
@@ -93,13 +93,13 @@ impl From<&Preset> for PresetRecord {
     }
 }
 
-/// A preset with its source and its numbers, with dimensions and dimensionless.
-pub fn preset_text(preset: &Preset) -> String {
+/// A preset with its source and its numbers, with dimensions and dimensionless, for a terminal with this many columns.
+pub fn preset_text(preset: &Preset, columns: Option<usize>) -> String {
     let (scale, contact) = (&preset.scale, &preset.contact);
     let dimensionless = DimensionlessContact::of(contact, scale);
     let mut table = table(&["quantity", "value", "unit", "dimensionless"]);
     let mut row = |name: &str, value: f64, unit: &str, pure: Option<f64>| {
-        let pure = pure.map(readable).unwrap_or_default();
+        let pure = pure.map(four_significant).unwrap_or_default();
         table.add_row(vec![name.to_owned(), readable(value), unit.to_owned(), pure]);
     };
     row("mass", scale.mass_kg(), "kg", None);
@@ -118,16 +118,16 @@ pub fn preset_text(preset: &Preset) -> String {
     format!(
         "{}\n{}\n\n{}\n\nrelative indentation at body weight: {}\n",
         preset.name,
-        filled(&format!("source: {}", preset.source), WIDTH),
-        table.trim_fmt(),
-        readable(dimensionless.relative_indentation())
+        filled(&format!("source: {}", preset.source), columns.unwrap_or(WIDTH)),
+        table.within(columns),
+        four_significant(dimensionless.relative_indentation())
     )
 }
 
 // A design without a model, as text.
 
-/// All figures of a design with their equations and limits.
-pub fn design_sheet_text(sheet: &DesignSheet) -> String {
+/// All quantities of a design with their equations and limits, for a terminal with this many columns.
+pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String {
     let mut table = table(&["quantity", "value", "unit", "equation", ""]);
     for figure in &sheet.figures {
         let limit = figure
@@ -143,14 +143,15 @@ pub fn design_sheet_text(sheet: &DesignSheet) -> String {
         };
         table.add_row(vec![
             figure.quantity.info().label.to_owned(),
-            readable(figure.value),
+            four_significant(figure.value),
             figure.unit.to_owned(),
             equation,
             mark,
         ]);
     }
     table.right_aligned(&[1]);
-    let mut text = format!("{}\n", table.trim_fmt());
+    let table = columns.map_or_else(|| table.trim_fmt(), |columns| table.fitted(columns));
+    let mut text = format!("{table}\n");
     for remark in &sheet.remarks {
         text.push_str(&format!("remark: {remark}\n"));
     }
