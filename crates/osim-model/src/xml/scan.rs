@@ -16,6 +16,10 @@ pub enum SyntaxFault {
         "this is not XML, expected an OpenSim model that starts with <?xml ...> or <OpenSimDocument ...>"
     )]
     NotXml,
+    #[error("this is a ZIP archive, expected an OpenSim model: unpack it first")]
+    Zip,
+    #[error("this is a motion or another table of OpenSim, expected a model: to compare the two, ")]
+    Motion,
     #[error("the file is empty, expected an OpenSim model: get it again from where it came")]
     Empty,
     /// The file is UTF-16, or another encoding with two bytes a letter.
@@ -123,6 +127,9 @@ fn refuse_foreign_encodings(bytes: &[u8]) -> Result<(), Fault> {
     let utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF", b"<\0", b"\0<"];
     if utf16.iter().any(|start| bytes.starts_with(start)) {
         return Err((SyntaxFault::Utf16, 0));
+    }
+    if bytes.starts_with(b"PK\x03\x04") {
+        return Err((SyntaxFault::Zip, 0));
     }
     if let Some(at) = memchr::memchr(0, bytes) {
         return Err((SyntaxFault::Nul, at));
@@ -252,7 +259,11 @@ impl<'t> Scanner<'t> {
     }
 
     fn stray_text_fault(&self, at: usize) -> Fault {
-        let kind = if self.elements.is_empty() { SyntaxFault::NotXml } else { SyntaxFault::TextOutsideRoot };
+        let kind = match self.elements.is_empty() {
+            true if self.text.contains("endheader") => SyntaxFault::Motion,
+            true => SyntaxFault::NotXml,
+            false => SyntaxFault::TextOutsideRoot,
+        };
         (kind, at)
     }
 

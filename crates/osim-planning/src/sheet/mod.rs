@@ -61,6 +61,9 @@ impl Sheet {
                     .to_owned(),
             );
         }
+        if bytes.starts_with(b"<") {
+            return Err("this is XML, such as an OpenSim model, expected a table (.csv or .xlsx)".to_owned());
+        }
         let mut reader = csv::ReaderBuilder::new();
         let mut reader = reader.delimiter(delimiter).trim(csv::Trim::All).flexible(true).from_reader(bytes);
         let not_text = |error: &csv::Error| csv_error_text(error, bytes);
@@ -243,7 +246,7 @@ fn probable_cause(unequal: &[(u64, usize, bool)], header: &[String], delimiter: 
     }
     let more = match delimiter {
         b',' => "a number with a decimal comma needs a point instead, or columns that are separated by ;",
-        _ => "a cell that holds the mark between columns needs quotation marks",
+        _ => "a cell that contains the column separator needs quotation marks",
     };
     if unequal.iter().any(|(_, cells, _)| *cells > header.len()) {
         return more.to_owned();

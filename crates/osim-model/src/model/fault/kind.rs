@@ -157,7 +157,9 @@ impl FaultKind {
     /// Stable short name, as in the JSON `code`.
     pub fn code(&self) -> &'static str {
         match self {
-            Self::Syntax(SyntaxFault::NotXml | SyntaxFault::Empty) => "not-xml",
+            Self::Syntax(
+                SyntaxFault::NotXml | SyntaxFault::Empty | SyntaxFault::Zip | SyntaxFault::Motion,
+            ) => "not-xml",
             Self::Syntax(SyntaxFault::Utf16 | SyntaxFault::SecondByteOrderMark) => "encoding",
             Self::Syntax(SyntaxFault::DoctypeSubset) => "doctype",
             Self::Syntax(_) => "malformed-xml",
@@ -190,6 +192,10 @@ impl FaultKind {
         match self {
             Self::Needed(needed) => needed.phrase(),
             Self::NeedsAnswer(asks) => asks.phrase(),
+            Self::Syntax(fault @ SyntaxFault::Motion) => phrase![
+                fault.to_string(),
+                Verb::Check.call_with_model().with_placeholder(Input::Motion, "FILE"),
+            ],
             Self::BadInput { input, value, expected } => {
                 phrase![*input, format!(" is {value}, expected {expected}")]
             }

@@ -76,7 +76,7 @@ const FILE_ERRORS: &[ErrorCode] = &[
     code("no-models", "the folder holds no .osim file", "name a model, or the folder that holds them"),
     code(
         "not-xml",
-        "this is not XML: an empty file, a zip archive, a binary file",
+        "this is not XML: an empty file, a ZIP archive, a motion, a binary file",
         "get the model again from where it came",
     ),
     code(
@@ -131,7 +131,7 @@ const MODEL_ERRORS: &[ErrorCode] = &[
     code(
         "no-mass",
         "a body has no mass, or all bodies together weigh nothing",
-        "give the body a <mass>, or say `mass=KG` or `contacts_mass=KG`",
+        "give the body a <mass>, or use `mass=KG` or `contacts_mass=KG`",
     ),
     code(
         "no-contacts",
@@ -169,47 +169,47 @@ const QUESTION_ERRORS: &[ErrorCode] = &[
     code(
         "implausible-mass",
         "a mass is about 1000 times what the bodies of the model weigh together, or the 1000th part of it (within 15 %), or outside 1 mg to 200 t; or, in a table, 10 or 1000 times above or below the masses of all other rows: it may be in g or tonnes, or have a figure too many or too few",
-        "write it in kg; if it is meant as it is, `yes=implausible-mass`",
+        "write it in kg; if it is correct, confirm it with `yes=implausible-mass`",
     ),
     code(
         "mass-in-pounds",
         "a mass is 2.2 times what the bodies of the model weigh together, or the 2.2nd part of it (within 1 %); or, in a table of at least four rows, about 2.2 times above or below the masses of all other rows: one of them may be in lb",
-        "write it in kg; if it is meant as it is, `yes=mass-in-pounds`",
+        "write it in kg; if it is correct, confirm it with `yes=mass-in-pounds`",
     ),
     code(
         "against-note",
         "one `contacts_mass` was given for several models, and the note of this one says another mass: the others are done",
-        "do this model in a call of its own, or give each model its mass in a table (`batch`); if it is meant, `yes=against-note`",
+        "do this model in a call of its own, or give each model its mass in a table (`batch`); if it is correct, confirm it with `yes=against-note`",
     ),
     code(
         "implausible-radius",
         "a sphere would get a radius above the longest distance between two joints of its body, or of a body next to it: it may be in mm or cm",
-        "write it in m; if it is meant as it is, `yes=implausible-radius`",
+        "write it in m; if it is correct, confirm it with `yes=implausible-radius`",
     ),
     code(
         "implausible-place",
         "a place of a table is farther from the joints of its body than 3 times the longest distance between two joints of that body, or of one next to it; or the sole is farther below the bones than the foot is long: they may be in mm or cm",
-        "write places, and `pad`, in m; if they are meant as they are, `yes=implausible-place`",
+        "write places, and `pad`, in m; if they are correct, confirm them with `yes=implausible-place`",
     ),
     code(
         "implausible-scale",
         "a body would be more than 50 times as large as the reference's, or less than 1/50: between a mouse and a giraffe it is 38 times; the factor may be in percent",
-        "write 0.95 for 95 %; if it is meant as it is, `yes=implausible-scale`",
+        "write 0.95 for 95 %; if it is correct, confirm it with `yes=implausible-scale`",
     ),
     code(
         "tilted-foot",
         "a foot is tilted by more than 10 degrees at the default pose, or bones near the ground cover less than 80 % of its length or width there: spheres would be under its heel or one edge only",
-        "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if it is meant, `yes=tilted-foot`",
+        "give the coordinates that the message names default values at which the foot lies flat, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=tilted-foot`",
     ),
     code(
         "unequal-feet",
         "left and right foot are not posed as mirror images at the default pose (by more than 1 degree): spheres under their bones would differ from side to side",
-        "give the coordinates of both legs the same default values, or the places in a table, `contacts=TABLE`; if it is meant, `yes=unequal-feet`",
+        "give the coordinates of both legs the same default values, or the places in a table, `contacts=TABLE`; if this is intended, confirm it with `yes=unequal-feet`",
     ),
     code(
         "wrong-afterwards",
         "the model that would be written has an error that it does not have now: `check MODEL` says of every model what it says here of the new one",
-        "do what the message says of the error; if it is meant, `yes=wrong-afterwards`",
+        "do what the message says of the error; if this is intended, confirm it with `yes=wrong-afterwards`",
     ),
     code(
         "many-models",
@@ -219,7 +219,7 @@ const QUESTION_ERRORS: &[ErrorCode] = &[
     code(
         "same-operation",
         "the note says that this very factor was applied already (set … `in_place`, `radius=xFACTOR` `in_place`), or that spheres follow their bodies already (`body_scale_file`)",
-        "`force`, if once more is meant; or leave out `body_scale_file`",
+        "apply it once more with `force`, or leave out `body_scale_file`",
     ),
     code(
         "body-scale",
@@ -248,7 +248,7 @@ const QUESTION_ERRORS: &[ErrorCode] = &[
     ),
     code(
         "several-trees",
-        "contact spheres stand on bodies that are joined only through ground (player and ball): which are meant?",
+        "contact spheres are on bodies that are joined only through ground (player and ball): which of them have to be changed?",
         "`select=GLOB`",
     ),
     code(
@@ -302,7 +302,7 @@ const REQUEST_ERRORS: &[ErrorCode] = &[
     code(
         "output",
         "the result cannot be written: the file exists already, it is the input itself, the folder cannot be written to, the disk is full",
-        "another name with `output` or `output_dir`, or `force`; for the input itself `in_place`. After a full disk make room and go on with `resume` (docs/libraries.md)",
+        "another name with `output` or `output_dir`, or `force`; for the input itself `in_place`. After a full disk make room and continue with `resume` (docs/libraries.md)",
     ),
     code(
         "table",
@@ -321,7 +321,7 @@ const REQUEST_ERRORS: &[ErrorCode] = &[
     ),
     code(
         "manifest",
-        "a row of a manifest is wrong: the message names row and column. No row was done",
+        "a row of a manifest is wrong: the message names row and column. No model was changed",
         "correct the cells that are named, and run again; see docs/libraries.md",
     ),
     code(
