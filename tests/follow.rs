@@ -296,7 +296,7 @@ fn level_keeps_the_lowest_points_on_the_scaled_sole() {
     let run_without_follow = dir.run("transfer scaled.osim --from generic.osim --level").usage_error();
     assert_stderr_has(
         &run_without_follow,
-        &["--level says nothing here: radii stay", "--radius isometric", "--follow-bodies"],
+        &["--level has no effect here: radii stay", "--radius isometric", "--follow-bodies"],
     );
 }
 

@@ -178,7 +178,7 @@ class Preset(Answer):
     __slots__ = ()
 
     def frame(self) -> pd.DataFrame:
-        """One row with its numbers; those without dimensions have `dimensionless_` before their names.
+        """One row with its numbers; dimensionless ones have `dimensionless_` before their names.
 
         Examples
         --------
@@ -191,7 +191,7 @@ class Presets(list[Preset]):
     """Presets, as a list; `frame()` is a table of them."""
 
     def frame(self) -> pd.DataFrame:
-        """A row for each preset with its numbers; those without dimensions have `dimensionless_` before their names.
+        """A row for each preset with its numbers; dimensionless ones have `dimensionless_` before their names.
 
         Examples
         --------

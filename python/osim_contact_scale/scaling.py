@@ -1874,7 +1874,7 @@ def smooth_elastic_force(*, composite_modulus: Number, radius: Number, constant_
     constant_contact_force : float or array_like
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     indentation : float or array_like
         x: indentation: how far sphere and ground overlap; in m.
     shape_factor : float or array_like, default 1
@@ -1932,7 +1932,7 @@ def smooth_elastic_stiffness(*, composite_modulus: Number, radius: Number, const
     constant_contact_force : float or array_like
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     indentation : float or array_like
         x: indentation: how far sphere and ground overlap; in m.
     shape_factor : float or array_like, default 1
@@ -1980,7 +1980,7 @@ def contact_state(*, hertz_smoothing: Number, indentation: Number, nan: Literal[
     Parameters
     ----------
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     indentation : float or array_like
         x: indentation: how far sphere and ground overlap; in m.
     nan : {"raise", "propagate"}, default "raise"
@@ -2039,7 +2039,7 @@ def smooth_force(*, composite_modulus: Number, radius: Number, dissipation: Numb
     constant_contact_force : float or array_like
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     hunt_crossley_smoothing : float or array_like
         bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
     indentation : float or array_like
@@ -2195,7 +2195,7 @@ def smooth_rest_force(*, composite_modulus: Number, radius: Number, dissipation:
     constant_contact_force : float or array_like
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     hunt_crossley_smoothing : float or array_like
         bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
     indentation : float or array_like
@@ -2258,7 +2258,7 @@ def smooth_rest_stiffness(*, composite_modulus: Number, radius: Number, dissipat
     constant_contact_force : float or array_like
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     hunt_crossley_smoothing : float or array_like
         bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
     indentation : float or array_like
@@ -2407,7 +2407,7 @@ def hertz_smoothing_for_radius(*, dimensionless_hertz_smoothing: Number, radius:
     Returns
     -------
     float, numpy.ndarray, Series or DataFrame
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
 
     Raises
     ------
@@ -2445,7 +2445,7 @@ def threshold_indentation(*, threshold: Number, hertz_smoothing: Number, radius:
     threshold : float or array_like
         t: threshold on a smoothed step, such as 0.05; without unit.
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     radius : float or array_like
         R: radius of the sphere (OpenSim: radius); in m.
     nan : {"raise", "propagate"}, default "raise"
@@ -2492,7 +2492,7 @@ def transition_width(*, threshold: Number, hertz_smoothing: Number, radius: Numb
     threshold : float or array_like
         t: threshold on a smoothed step, such as 0.05; without unit.
     hertz_smoothing : float or array_like
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     radius : float or array_like
         R: radius of the sphere (OpenSim: radius); in m.
     nan : {"raise", "propagate"}, default "raise"
@@ -2548,7 +2548,7 @@ def hertz_smoothing_for_width(*, threshold: Number, transition_width: Number, ra
     Returns
     -------
     float, numpy.ndarray, Series or DataFrame
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
 
     Raises
     ------
@@ -2941,7 +2941,7 @@ def hertz_smoothing(*, radius_ratio: Number, nan: Literal["raise", "propagate"] 
     Returns
     -------
     float, numpy.ndarray, Series or DataFrame
-        The factor, without unit, of bd: how sharply contact sets in (OpenSim: hertz_smoothing).
+        The factor, without unit, of bd: how sharply contact begins (OpenSim: hertz_smoothing).
 
     Raises
     ------
@@ -3216,7 +3216,7 @@ def smooth_rest_indentation(*, load: float, composite_modulus: float | NumberLis
     constant_contact_force : sequence of float
         cf: a squared indentation, in spite of its name in OpenSim: constant_contact_force; in m².
     hertz_smoothing : sequence of float
-        bd: how sharply contact sets in (OpenSim: hertz_smoothing); in 1/m.
+        bd: how sharply contact begins (OpenSim: hertz_smoothing); in 1/m.
     hunt_crossley_smoothing : sequence of float
         bv: how sharply the force is cut off (OpenSim: hunt_crossley_smoothing); in s/m.
     number_of_spheres : sequence of float, default 1

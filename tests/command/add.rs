@@ -216,7 +216,7 @@ fn planes_that_new_contacts_do_not_touch_are_named() {
     // 1.5707963 - 1.5 rad are 4.05634 degrees.
     run.says(&["ramp (by 4.0563", "the new forces meet floor", "met ramp, which is not a level floor"]);
     let run = dir.run(&format!("{} --dry-run", call.replace("leaning", "with"))).succeeded();
-    assert!(!format!("{}{}", run.out(), run.err()).contains("leans"));
+    assert!(!format!("{}{}", run.out(), run.err()).contains("tilted"));
 }
 
 #[test]

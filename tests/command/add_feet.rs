@@ -52,7 +52,7 @@ fn feet_without_usable_meshes_or_options_are_refused() {
         ("calcn_r --pad 0.01", "--count N is missing"),
         ("calcn_r --pad -0.01 --count 4", "--pad '-0.01': expected"),
         ("calcn_r --count 0 --pad 0.01", "expected a whole number from 1 to 60"),
-        ("calcn_r --count 4 --pad 0.01 --radius follow", "--radius follow says nothing here"),
+        ("calcn_r --count 4 --pad 0.01 --radius follow", "--radius follow has no effect here"),
     ];
     for (call, words) in usage {
         assert_refused(&dir, &format!("{feet} {call}"), true, &[words]);

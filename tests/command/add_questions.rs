@@ -50,7 +50,7 @@ fn add_asks_about_a_foot_that_is_not_flat() {
             "the foot of calcn_r, toes_r does not lie flat at the default pose: its front is 12.1 degrees up",
             "bones near the ground cover 25 % of its length and 40 % of its width, expected at most 10 degrees, and 80 % or more",
             "set default values of its joints at which it does, such as 0 (now calcn_r_angle = 0.2 rad)",
-            "if it is meant, say --yes tilted-foot",
+            "if it is correct, confirm it with --yes tilted-foot",
         ],
     );
     dir.run(&format!("{call} --yes tilted-foot -o meant.osim")).succeeded();
@@ -162,7 +162,7 @@ fn add_asks_about_places_in_another_unit() {
         let far =
             format!("{name}, line 3: ball_r would be {} m from the nearest joint of calcn_r", x * 1.00828);
         let far = far.split_once('.').unwrap().0.to_owned();
-        assert_asks(&dir, &call, &[&far, says, "say --yes implausible-place"]);
+        assert_asks(&dir, &call, &[&far, says, "confirm it with --yes implausible-place"]);
         dir.run(&format!("{call} --yes implausible-place -o out.osim --force")).succeeded();
     }
     table("metres.csv", 0.16);
@@ -191,7 +191,7 @@ fn add_asks_about_a_sole_far_below_the_bones() {
     ] {
         let words =
             [&format!("--pad {pad} is more than the length of the foot of calcn_r, toes_r, 0.25"), says];
-        assert_asks(&dir, &format!("{call} {pad}"), &[words[0], words[1], "say --yes implausible-place"]);
+        assert_asks(&dir, &format!("{call} {pad}"), &[words[0], words[1], "confirm it with --yes implausible-place"]);
     }
     dir.run(&format!("{call} 0.25 --dry-run")).succeeded();
     dir.run(&format!("{call} 5 --yes implausible-place --dry-run")).succeeded();
@@ -204,12 +204,12 @@ fn add_asks_about_implausible_scale_factors() {
     assert_asks(
         &dir,
         &format!("{call} calcn_r=95"),
-        &["--body-scale calcn_r=95,95,95", "if it is in percent, write 0.95", "say --yes implausible-scale"],
+        &["--body-scale calcn_r=95,95,95", "if it is in percent, write 0.95", "confirm it with --yes implausible-scale"],
     );
     assert_asks(
         &dir,
         &format!("{call} calcn_r=1,1,0.019"),
-        &["0.019 times as long as the reference's", "38 times; if it is meant"],
+        &["0.019 times as long as the reference's", "38 times; if it is correct"],
     );
     dir.run(&format!("{call} calcn_r=0.021 --body-scale toes_r=49 --yes implausible-radius --dry-run"))
         .says(&[]);
@@ -229,7 +229,7 @@ fn add_asks_about_feet_with_different_poses() {
         &[
             "calcn_r and calcn_l are not posed as mirror images at the default pose, by 2.9 degrees",
             "give the coordinates of both legs the same default values (now calcn_r_angle = 0.05 rad and 0)",
-            "if it is meant, say --yes unequal-feet",
+            "if it is correct, confirm it with --yes unequal-feet",
         ],
     );
     dir.run(&format!("{call} --yes unequal-feet -o meant.osim")).succeeded();

@@ -357,7 +357,7 @@ fn a_model_without_mass_is_refused() {
             &dir,
             &format!("add zero.osim {call}"),
             false,
-            &["the 9 bodies weigh 0 kg in all: say what the model weighs with --mass KG\n"],
+            &["the 9 bodies weigh 0 kg in all: give the mass of the model with --mass KG\n"],
         );
         dir.run(&format!("add zero.osim {call} --mass 62 -o out.osim --force")).succeeded();
     }

@@ -353,7 +353,7 @@ fn no_command_is_proposed_while_masses_disagree() {
     assert!(codes_of(&scaled).contains("mass-sources-disagree") && codes_of(&scaled).contains("sunk-in"));
     assert_eq!(commands(&scaled), 0);
     assert!(
-        scaled.findings.iter().any(|finding| finding.message.ends_with("for the others say --mass 0.0209"))
+        scaled.findings.iter().any(|finding| finding.message.ends_with("for those under the mass of the contacts give --mass 0.0209"))
     );
     let settled = report_of("human.scaled.osim --mass 0.0209");
     assert!(!codes_of(&settled).contains("sunk-in"));
@@ -373,7 +373,7 @@ fn no_command_is_proposed_while_masses_disagree() {
 fn drop_test_and_plot_report_contacts_for_another_mass() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 0.0209").succeeded();
-    let expected = ["made for 0.0209 kg", "62 kg", "say --mass 0.0209"];
+    let expected = ["made for 0.0209 kg", "62 kg", "give --mass 0.0209"];
     for call in ["drop-test human.scaled.osim", "plot force human.scaled.osim -o figure.svg --force"] {
         dir.run(call).succeeded().says(&expected);
         let run = dir.run(&format!("{call} --mass 0.0209")).succeeded();

@@ -195,7 +195,7 @@ fn convert_reports_names_with_the_old_class() {
     dir.write("named.osim", text);
     dir.run("convert named.osim --to smooth -o out.osim")
         .succeeded()
-        .says(&["remark: names stay, also where they say the other class: HuntCrossleyForce_s1_r"]);
+        .says(&["remark: names stay, also where they contain the name of the other class: HuntCrossleyForce_s1_r"]);
 }
 
 #[test]

@@ -88,8 +88,8 @@ fn each_floor_error_is_named_and_its_proposal_corrects_it() {
             "angle-in-degrees",
             "<orientation>0 0 -1.5707963</orientation>",
         ),
-        (GROUND_FRAME, "<socket_frame>/bodyset/pelvis</socket_frame>", "floor-on-limb", "hangs on pelvis"),
-        (GROUND_FRAME, "<socket_frame>/bodyset/tibia_l</socket_frame>", "floor-on-limb", "hangs on tibia_l"),
+        (GROUND_FRAME, "<socket_frame>/bodyset/pelvis</socket_frame>", "floor-on-limb", "is fixed to pelvis"),
+        (GROUND_FRAME, "<socket_frame>/bodyset/tibia_l</socket_frame>", "floor-on-limb", "is fixed to tibia_l"),
         (GRAVITY, "<gravity>0 9.81 0</gravity>", "gravity-not-down", "out of the floor"),
         (GRAVITY, "<gravity>9.81 0 0</gravity>", "gravity-not-down", "along the floor"),
         (GRAVITY, "<gravity>0 -9810 0</gravity>", "gravity-too-large", "<gravity>0 -9.81 0</gravity>"),
@@ -123,7 +123,7 @@ fn a_slope_is_a_remark_and_carries_part_of_the_weight() {
     let findings = floor_findings(&slope);
     assert_eq!(codes_of(&findings), BTreeSet::from(["floor-slopes"]), "{findings:#?}");
     assert_eq!(findings[0]["severity"], "remark");
-    assert_eq!(findings[0]["message"], "floor leans by 10 degrees: 0.9848 of the weight presses on it");
+    assert_eq!(findings[0]["message"], "floor is tilted by 10 degrees: 0.9848 of the weight presses on it");
     let load = |text: &str| {
         let dir = TestDir::new();
         dir.write("model.osim", text);
@@ -356,8 +356,8 @@ fn no_published_model_has_a_floor_error() {
     // is 20 degrees, and by one of 10 degrees.
     assert_eq!(models, 17);
     let expected = [
-        "PlatformContact leans by 10 degrees: 0.9848 of the weight presses on it",
-        "platform_surface leans by 20 degrees: 0.9397 of the weight presses on it",
+        "PlatformContact is tilted by 10 degrees: 0.9848 of the weight presses on it",
+        "platform_surface is tilted by 20 degrees: 0.9397 of the weight presses on it",
     ];
     assert_eq!(slopes, expected.map(str::to_owned).into());
 }

@@ -80,7 +80,7 @@ fn a_mass_in_pounds_causes_a_question_or_a_remark() {
         let run = dir.run(&format!("human.osim --target-mass {kg} --dry-run")).succeeded();
         assert!(!(run.out() + &run.err()).contains("that the bodies weigh"), "{}", run.err());
     }
-    dir.run("human.osim --target-mass 28.1 --dry-run").failed().says(&["say --yes mass-in-pounds"]);
+    dir.run("human.osim --target-mass 28.1 --dry-run").failed().says(&["confirm it with --yes mass-in-pounds"]);
 }
 
 /// Runs a table in which copies of the 62 kg human have these target masses. Returns the rows about which the run asks.
@@ -155,7 +155,7 @@ fn verbs_that_only_read_ask_about_implausible_masses() {
         dir.run(&format!("{call} --mass 62000"))
             .failed()
             .wrote_nothing()
-            .says(&["say --yes implausible-mass"]);
+            .says(&["confirm it with --yes implausible-mass"]);
     }
     dir.run("inspect human.osim --mass 62000 --yes implausible-mass").succeeded();
 }
@@ -196,7 +196,7 @@ fn a_column_of_a_table_holds_the_answers() {
          human.osim,137,keep,mass-in-pounds,b.osim\n\
          human.osim,137,32,mass-in-pounds;implausible-radius,c.osim\n",
     );
-    dir.run("batch m.csv").failed().wrote(&["b.osim", "c.osim"]).says(&["say --yes mass-in-pounds"]);
+    dir.run("batch m.csv").failed().wrote(&["b.osim", "c.osim"]).says(&["confirm it with --yes mass-in-pounds"]);
     dir.run("batch m.csv --force --yes mass-in-pounds").succeeded().says(&["3 written"]);
 }
 
@@ -214,7 +214,7 @@ fn a_mass_that_is_proposed_comes_with_its_answer() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 137 --yes mass-in-pounds").succeeded();
     let drop_test = dir.run("drop-test human.scaled.osim").succeeded();
-    assert!(drop_test.err().contains("say --mass 137 with --yes mass-in-pounds"), "{}", drop_test.err());
+    assert!(drop_test.err().contains("give --mass 137 with --yes mass-in-pounds"), "{}", drop_test.err());
     dir.run("drop-test human.scaled.osim --mass 137 --yes mass-in-pounds").succeeded();
 }
 

@@ -237,7 +237,7 @@ fn help_lists_only_options_of_the_verb_and_rare_ones_only_in_the_long_form() {
     let dir = TestDir::with_human();
     dir.run("transfer human.osim --from falisse2022 --contacts-mass 62")
         .usage_error()
-        .says(&["says nothing here"]);
+        .says(&["has no effect here"]);
     for verb in VERBS {
         let (short, long) = (options_in_help(verb, "-h"), options_in_help(verb, "--help"));
         assert!(short.iter().all(|option| long.contains(option)), "{verb}: {short:?} {long:?}");

@@ -56,7 +56,7 @@ fn the_page_of_a_transfer_shows_the_reference() {
     let page_of_transfer = read_page(&dir, "page.html");
     assert_page_snapshot("page_transfer", &page_of_transfer.text);
     assert_eq!(page_of_transfer.plots, 4);
-    let verdict = "The contact is now as that of human.osim: without dimensions all numbers are equal.";
+    let verdict = "The contact is now as that of human.osim: all dimensionless numbers are equal.";
     assert!(page_of_transfer.text.contains(verdict), "{}", page_of_transfer.text);
     // x/R 0.3533 by (11) in the reference and after; a third of it to the power 2/3 before, 0.3533 / 3^(2/3) = 0.1698.
     assert!(
@@ -65,7 +65,7 @@ fn the_page_of_a_transfer_shows_the_reference() {
         page_of_transfer.text
     );
     assert!(
-        page_of_transfer.text.contains("lie on each other where the contact without dimensions is the same")
+        page_of_transfer.text.contains("lie on each other where the dimensionless contact is the same")
     );
     // A preset has no figures of spheres, but a contact; and another rule gives another contact.
     dir.run("transfer stiff.osim --from falisse2022 -o b.osim --report preset.html").succeeded();

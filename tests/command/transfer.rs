@@ -85,13 +85,13 @@ fn a_model_without_gravity_needs_a_gravity_option() {
     let call = format!(
         "transfer weightless.osim --from human.osim --reference-spheres 6 --dry-run {OPTION_FOR_QUARTER_GRAVITY}"
     );
-    dir.run(&call).failed().says(&["the model has no gravity: say --target-gravity G"]);
+    dir.run(&call).failed().says(&["the model has no gravity: give --target-gravity G"]);
     assert_scaled_to_fourfold_gravity(
         &dir.run(&format!("{call} --target-gravity 9.81 --format json")).succeeded().out(),
     );
     // A reference without one is named as such.
     let call = "transfer human.osim --from weightless.osim --target-gravity 9.81 --dry-run";
-    dir.run(call).failed().says(&["the reference has no gravity: say --reference-gravity G"]);
+    dir.run(call).failed().says(&["the reference has no gravity: give --reference-gravity G"]);
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn contacts_gravity_is_refused_for_transfer() {
     let dir = TestDir::with_human();
     dir.run(&format!("{TRANSFER_FROM_ITSELF} --contacts-gravity 1.62 --target-gravity 9.81"))
         .usage_error()
-        .says(&["--contacts-gravity says nothing here", "--reference-gravity"]);
+        .says(&["--contacts-gravity has no effect here", "--reference-gravity"]);
 }
 
 #[test]
@@ -188,7 +188,7 @@ fn a_compared_model_needs_gravity_in_its_file() {
     dir.run("drop-test human.osim --compare weightless.osim --gravity 9.81")
         .failed()
         .says(&["weightless.osim", "the model has no gravity: set <gravity> in its file"]);
-    dir.run("drop-test weightless.osim").failed().says(&["the model has no gravity: say --gravity G"]);
+    dir.run("drop-test weightless.osim").failed().says(&["the model has no gravity: give --gravity G"]);
 }
 
 #[test]
@@ -271,7 +271,7 @@ fn level_spheres_get_the_radius_of_a_preset_and_stay_on_the_sole() {
     }
     for radius in ["--radius keep", "--radius isometric --keep radius", "--only stiffness", ""] {
         let call = call.replace("--radius isometric", radius);
-        dir.run(&call).usage_error().says(&["--level says nothing here: radii stay, and bottoms with them"]);
+        dir.run(&call).usage_error().says(&["--level has no effect here: radii stay, and bottoms with them"]);
     }
 }
 

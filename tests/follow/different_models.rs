@@ -156,7 +156,7 @@ fn the_last_body_gets_the_factors_of_its_parent() {
     replace_in_file(&dir, "scaled.osim", ">toes_r.vtp<", ">hoof.vtp<");
     let report = dry_run_plan(&dir, "");
     for (body, foot) in [("toes_r", "calcn_r"), ("toes_l", "calcn_l")] {
-        let remark = format!("{body} takes the factors of {foot}, on which it hangs: 1.0200, 0.9000, 0.9500");
+        let remark = format!("{body} takes the factors of {foot}, its parent body: 1.0200, 0.9000, 0.9500");
         assert!(remarks(&report).contains(&remark), "{}", remarks(&report));
     }
     assert_close(&planned_value(&report, "toe_r", "radius"), 0.030_573_048_163_784_02);
@@ -216,7 +216,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
     for body in ["calcn_r", "calcn_l"] {
         assert!(text.contains(&format!("body {body}: mesh says 1.19")), "{text}");
     }
-    assert!(text.contains("but the distance is 1.019431 of the reference's; took the first"), "{text}");
+    assert!(text.contains("but the distance is 1.019431 of the reference's; the first was used"), "{text}");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.012, -0.036, 0.00475]);
     // A difference of 4 % from the joint is no disagreement.
     for body in ["calcn_r", "calcn_l"] {
@@ -239,7 +239,7 @@ fn a_mesh_of_another_animal_with_the_same_name_is_refused() {
         if asks {
             assert_refused(&dir, CALL_OF_TRANSFER, &words);
         } else {
-            assert!(findings(&dry_run_plan(&dir, "")).contains("took the first"));
+            assert!(findings(&dry_run_plan(&dir, "")).contains("the first was used"));
         }
     }
 }

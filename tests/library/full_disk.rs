@@ -96,7 +96,7 @@ fn no_model_is_written_if_its_summary_line_does_not_fit() {
         "{first_output}"
     );
     assert!(
-        first_output.contains("the summary is missing: make room for it, then go on with --resume"),
+        first_output.contains("the summary is missing: make room for it, then continue with --resume"),
         "{first_output}"
     );
     assert!(

@@ -181,7 +181,7 @@ fn a_file_that_is_not_a_summary_is_refused() {
         let dir = folder_with_models(2);
         dir.write(name, text);
         let call = format!("lib --target-mass 500 -d out --summary {name}");
-        dir.run(&format!("{call} --resume")).usage_error().wrote_nothing().says(&["cannot go on with", name]);
+        dir.run(&format!("{call} --resume")).usage_error().wrote_nothing().says(&["cannot continue with", name]);
         dir.run(&call).usage_error().wrote_nothing().says(&["exists already", "--resume", "--force"]);
     }
 }
@@ -196,7 +196,7 @@ fn a_truncated_or_reformatted_summary_is_refused() {
         &first_summary.replace("written", "writ"),
     ] {
         dir.write("done.csv", damaged);
-        resume(&dir).usage_error().wrote_nothing().says(&["cannot go on with done.csv"]);
+        resume(&dir).usage_error().wrote_nothing().says(&["cannot continue with done.csv"]);
     }
 }
 
@@ -217,7 +217,7 @@ fn a_summary_saved_by_a_spreadsheet_with_commas_is_refused() {
         ];
         for saved in saved {
             dir.write(name, &saved);
-            resume(&dir).usage_error().wrote_nothing().says(&["cannot go on with done.csv", "summary"]);
+            resume(&dir).usage_error().wrote_nothing().says(&["cannot continue with done.csv", "summary"]);
         }
     }
 }
@@ -238,7 +238,7 @@ fn user_columns_may_be_added_but_not_removed() {
     assert!(dir.text("done.csv").lines().next().unwrap().ends_with(",folder,#sex,#age"));
     dir.write("m.csv", &tables[0]);
     let refused = dir.run("batch m.csv --summary done.csv --resume");
-    refused.usage_error().wrote_nothing().says(&["cannot go on with done.csv", "'#sex'"]);
+    refused.usage_error().wrote_nothing().says(&["cannot continue with done.csv", "'#sex'"]);
 }
 
 #[test]

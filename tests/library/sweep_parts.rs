@@ -201,7 +201,7 @@ fn tables_that_another_program_saved_are_kept() {
     let edited_table = dir.text(part).replace(",sha256\n", ",sha256,my notes\n");
     dir.write(part, &edited_table);
     dir.write("out/emu_sweep.notes.csv", "my notes");
-    dir.run(&format!("{CALL} --resume")).usage_error().wrote_nothing().says(&["cannot go on with", part]);
+    dir.run(&format!("{CALL} --resume")).usage_error().wrote_nothing().says(&["cannot continue with", part]);
     dir.run(&format!("{CALL} --force")).succeeded();
     assert_eq!((dir.text(part), dir.text("out/emu_sweep.notes.csv")), (edited_table, "my notes".to_owned()));
     assert!(!dir.has("out/emu_sweep.shard-2-of-2.csv"));

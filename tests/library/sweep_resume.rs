@@ -187,7 +187,7 @@ fn a_table_that_no_sweep_wrote_is_refused() {
         let dir = finished_sweep();
         dir.write(TABLE, damaged);
         let refused = dir.run(&format!("{CALL} --resume"));
-        refused.usage_error().wrote_nothing().says(&["cannot go on with", TABLE, "--force", "-d DIR"]);
+        refused.usage_error().wrote_nothing().says(&["cannot continue with", TABLE, "--force", "-d DIR"]);
         dir.run(&format!("{CALL} --force")).succeeded();
         assert_undisturbed(&dir, CALL);
     }
@@ -205,14 +205,14 @@ fn a_table_saved_by_a_spreadsheet_with_commas_is_refused() {
         let dir = finished_sweep();
         dir.write(TABLE, damaged);
         resume(&dir).usage_error().wrote_nothing().says(&[
-            "cannot go on with",
+            "cannot continue with",
             TABLE,
             "another program saved it",
         ]);
     }
     let dir = finished_sweep();
     dir.write(PARTIAL, "file,sha256,my notes\n");
-    resume(&dir).usage_error().wrote_nothing().says(&["cannot go on with", PARTIAL]);
+    resume(&dir).usage_error().wrote_nothing().says(&["cannot continue with", PARTIAL]);
 }
 
 #[test]
@@ -271,7 +271,7 @@ fn an_interrupted_sweep_can_be_resumed() {
     assert!(status.success());
     let (status, text) = wait_for_output(child);
     assert_eq!(status, Some(130), "{text}");
-    assert!(text.contains("of 600 models are made; go on with the same call and --resume"), "{text}");
+    assert!(text.contains("of 600 models are made; to continue, repeat the command with --resume"), "{text}");
     assert!(dir.has(PARTIAL));
     let written = files(&dir);
     assert!(0 < written && written < 600, "{written}");

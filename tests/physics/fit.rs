@@ -154,10 +154,10 @@ fn fit_reports_the_limits_of_the_laws() {
     // The same curve on a sphere of 10 mm: x̂ = 0.42.
     dir.run("fit curve.csv --radius 0.01 --onset 0.0005")
         .succeeded()
-        .says(&["outside the Hertz law (at most 0.16)"]);
+        .says(&["outside the limit of the Hertz law (at most 0.16)"]);
     dir.run("fit curve.csv --radius 0.032 --onset 0.0005")
         .succeeded()
-        .says(&["within the Hertz law", "no speed is known"]);
+        .says(&["within the limit of the Hertz law", "no speed is known"]);
 }
 
 #[test]

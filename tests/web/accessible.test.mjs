@@ -40,7 +40,7 @@ const SCREENS = {
   "a model along a recording": async (user) => {
     await user.open(...["walker.osim", "walk.mot", "plates.sto", "plates.xml"].map((name) => given(`motion/${name}`)));
     await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
-    await user.page.getByText("The same in words").click();
+    await user.page.getByText("The same as text").click();
   },
   "a remedy that was applied": async (user) => {
     await user.open(given("check/sunk_in.osim"));
@@ -51,7 +51,7 @@ const SCREENS = {
   "several models": async (user) => {
     await user.open(HUMAN, MOUSE, given("bad/truncated.osim"));
     await user.field("Target mass (kg)").fill("80");
-    await user.button("What would change in all").click();
+    await user.button("Show what would change in all models").click();
     await user.announced(/models would change/);
     await user.settled();
   },

@@ -16,7 +16,7 @@ inChromium("models are changed to masses of their own, and the archive has what 
   await library.getByLabel("Target mass of mouse.osim (kg)").fill("0.03");
   await library.getByLabel("Target mass of horse.osim (kg)").fill("600");
   await user.field("Target mass (kg)").fill("80");
-  await user.button("What would change in all", library).click();
+  await user.button("Show what would change in all models", library).click();
   await user.announced("3 of 3 models would change");
   assert.deepEqual((await outcomesOfModels(library)).map((text) => /^stiffness ×/.test(text)), [true, true, true]);
   const [zip] = await user.downloads(user.button("Change all and download a ZIP", library));

@@ -60,7 +60,7 @@ const PICTURES = {
       await user.choose(models);
       await user.announced("40 models opened.");
       await user.field("Target mass (kg)").fill("80");
-      await user.button("What would change in all").click();
+      await user.button("Show what would change in all models").click();
       await user.announced(/would change/);
       await user.page.waitForTimeout(10_500);
       await scrollToTop(user, user.region("40 models"));

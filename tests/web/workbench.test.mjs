@@ -161,7 +161,7 @@ inChromium("what the view shows is in words, too: radii before and after, forces
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("496");
   await user.settled();
-  await user.page.getByText("The same in words").click();
+  await user.page.getByText("The same as text").click();
   const table = user.page.getByRole("group", { name: "Contact spheres in words" }).getByRole("table");
   // The table is filled after it is opened, and `all` does not wait.
   await table.getByRole("cell").first().waitFor();

@@ -235,7 +235,7 @@ impl MassMismatch {
         phrase![
             format!("its contacts are made for {contacts} kg ("),
             &self.contacts_mass.source.describe(),
-            format!(") and carry its body of {body} kg here: say "),
+            format!(") and carry its body of {body} kg here: give "),
             Input::Mass.with_value(contacts),
             &self.answer_to_question(),
             ", or scale the body first",
@@ -246,8 +246,8 @@ impl MassMismatch {
     pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         let other =
-            phrase![": for the others say ", Input::Mass.with_value(contacts), &self.answer_to_question()];
-        phrase![format!("; figures are those under {body} kg"), Input::Mass.either(other, "")]
+            phrase![": for those under the mass of the contacts give ", Input::Mass.with_value(contacts), &self.answer_to_question()];
+        phrase![format!("; the values are those under {body} kg"), Input::Mass.either(other, "")]
     }
 
     /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.

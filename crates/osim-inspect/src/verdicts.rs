@@ -217,7 +217,7 @@ fn describe_floor(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     let plane = main.ok_or_else(|| Phrase::from("no moving sphere meets a half-space"))?;
     let name = shown(&plane.plane.name).to_string();
     let Some(surface) = plane.surface else {
-        return Err(format!("how {name} lies is not known").into());
+        return Err(format!("the orientation of {name} is not known").into());
     };
     let carrier =
         plane.plane.body.as_deref().map_or_else(|| "ground".to_owned(), |body| shown(body).to_string());
@@ -228,7 +228,7 @@ fn describe_floor(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
     };
     let degrees = (surface.tilt_rad.to_degrees() * 100.0).round() / 100.0;
     let name = if name == "floor" { "the floor".to_owned() } else { format!("the floor {name}") };
-    let lies = if degrees == 0.0 { "is level".to_owned() } else { format!("leans by {degrees} degrees") };
+    let lies = if degrees == 0.0 { "is level".to_owned() } else { format!("is tilted by {degrees} degrees") };
     Ok(format!("{name} {lies} and is fixed to {carrier}{others}").into())
 }
 
@@ -242,7 +242,7 @@ fn describe_standing(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         ))
     };
     let first = inspected.inspection.standing.iter().find_map(describe);
-    first.map(Phrase::from).ok_or_else(|| "where its spheres are over a floor is not known".into())
+    first.map(Phrase::from).ok_or_else(|| "the height of its spheres over a floor is not known".into())
 }
 
 /// Describes the mass that the contacts are made for, and how deep the deepest sphere is under the body.
@@ -285,7 +285,7 @@ fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         (0, some) | (some, 0) => format!("there is one side only ({})", spheres(some)),
         (right, left) if right == left => format!("left and right agree ({} each)", spheres(right)),
         (right, left) => format!(
-            "what left and right both have agrees ({} on the right, {} on the left)",
+            "the contacts that both sides have agree ({} on the right, {} on the left)",
             spheres(right),
             spheres(left)
         ),

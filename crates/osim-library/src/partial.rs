@@ -37,7 +37,7 @@ impl PartialFile {
             return Ok(());
         }
         Err(LibraryFault::new(phrase![
-            format!("{} was left by a run that was stopped: go on with it (", path.display()),
+            format!("{} was left by a run that was stopped: continue it (", path.display()),
             Input::Resume,
             "), or start again (",
             Input::Force,

@@ -25,8 +25,8 @@ static ALREADY_AT_TARGET: Rule = Rule {
     verdict: None,
     what: "The contacts are already made for the target mass, so nothing was written.",
     why: "The mass the contacts are made for is taken from the note in the file, else `mass`, else the sum of the bodies. A model that was scaled in OpenSim weighs its new mass already while its contacts are still those of the old one; the file does not show which.",
-    advice: "Say what the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",
-    repair: Repair::OnlyInChange("only you know what the contacts were made for"),
+    advice: "Give the mass that the contacts were made for with `contacts_mass=KG`, or take those of a known model with `transfer from=MODEL`",
+    repair: Repair::OnlyInChange("only you know for which mass the contacts were made"),
     example: Example::Request {
         good: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 90}"#,
         bad: r#"{"verb": "rescale", "models": ["table1/human_62kg_smooth_sphere.osim"], "target_mass": 62}"#,
@@ -37,7 +37,7 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     let message = phrase![
         format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
         &contacts_mass.source.describe(),
-        "); if they were made for another mass, say ",
+        "); if they were made for another mass, give ",
         Input::ContactsMass.with_placeholder("KG"),
         " or ",
         Verb::Transfer.call().with_placeholder(Input::From, "MODEL"),
@@ -52,7 +52,7 @@ static COMPOSITE_SURFACES: Rule = Rule {
     what: "Sphere and half-space of a converted force have parameters of their own.",
     why: "A force of one sphere has one set of parameters. It gets those that both surfaces have together (A.3), which gives the same force; but Simbody moves the point of contact towards the softer surface, so that accelerations can differ by up to 3 %.",
     advice: "Nothing, if 3 % do not matter; otherwise give both surfaces the same parameters first",
-    repair: Repair::OnlyInChange("only you know which parameters are meant"),
+    repair: Repair::OnlyInChange("only you know which parameters are right"),
     example: Example::Request {
         good: r#"{"verb": "convert", "models": ["format/v40000.osim"], "to": "hunt-crossley"}"#,
         bad: r#"{"verb": "convert", "models": ["format/three_materials.osim"], "to": "hunt-crossley"}"#,
@@ -136,9 +136,9 @@ static NOTHING_TO_CHANGE: Rule = Rule {
     code: FindingCode::NothingToChange,
     severity: Severity::Remark,
     verdict: None,
-    what: "Something that was asked for changes nothing.",
+    what: "A part of the request changes nothing.",
     why: "A factor of exactly 1 leaves every byte as it is. With a radius that stays, dissipation and smoothing stay too (14, C.2, C.5, C.10).",
-    advice: "Nothing, if that is meant; else say what should change",
+    advice: "Nothing, if this is intended; else ask for another change",
     repair: Repair::OnlyInChange("nothing is wrong"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["table1/human_62kg_smooth_sphere.osim"], "set": {"stiffness": 2000000}}"#,
@@ -187,7 +187,7 @@ static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {
     what: "The reference has no smoothing parameters to give.",
     why: "A HuntCrossleyForce has no constant_contact_force, hertz_smoothing or hunt_crossley_smoothing, so those of the model stay (or follow its own radii where these change).",
     advice: "Take the contacts from a model with SmoothSphereHalfSpaceForce, or check the smoothing with `inspect`",
-    repair: Repair::OnlyInChange("only you know which smoothing is meant"),
+    repair: Repair::OnlyInChange("only you know which smoothing is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_smooth_sphere.osim"}"#,
         bad: r#"{"verb": "transfer", "models": ["table1/human_62kg_smooth_sphere.osim"], "from": "table1/human_500kg_hunt_crossley.osim"}"#,

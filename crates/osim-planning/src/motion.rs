@@ -212,7 +212,7 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let mut message = Phrase::from(format!("{place}{}", fault.message));
     if fault.needs_angles {
         message.push(&phrase![
-            ": say ",
+            ": give ",
             Input::Angles.with_value("degrees"),
             " or ",
             Input::Angles.with_value("radians")

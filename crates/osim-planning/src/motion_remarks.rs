@@ -115,7 +115,7 @@ impl MotionResult {
         if let Some(plate) = &foot.comparison {
             let times = plate.peak_n / plate.measured_peak_n;
             if plate.measured_peak_n <= ON_BW * self.summary.weight_n {
-                text.push_str(": hardly anything of it is on a plate");
+                text.push_str(": hardly any step of it is on a plate");
             } else if times > TUNABLE_RATIO {
                 text.push_str(": the floor is too high for this recording, or the contacts too stiff");
             } else if times < 1.0 / TUNABLE_RATIO {
@@ -148,11 +148,11 @@ impl MotionResult {
                 "treadmill",
                 phrase![
                     format!(
-                        "in stance the feet move over the floor at {} m/s. On a treadmill, say ",
+                        "in stance the feet move over the floor at {} m/s. On a treadmill, give ",
                         two_digits(speed)
                     ),
                     Input::Belt.with_value(two_digits(-mean.x)),
-                    ", and slip is taken against the belt"
+                    ", and slip is measured against the belt"
                 ],
             );
         }
@@ -229,15 +229,14 @@ impl MotionResult {
             remarks.add(
                 "beside-plates",
                 format!(
-                    "{name}: in {frames} frames it seems to stand beside the plates, as low and as still as on them without a force; \
-                     these frames are not compared"
+                    "{name}: in {frames} frames it seems to stand beside the plates: it is as low and as still as on them, but no force is measured. These frames are not compared"
                 ),
             );
         }
         let lost = |one: &&PlateAssignment| one.by.is_none();
         for plate in measured.uses.iter().filter(lost) {
             remarks.add("plate-of-no-foot", format!(
-                "nothing says which foot the force '{}' is under, so it counts in the total alone: ExternalLoads say it",
+                "it is not known which foot the force '{}' acts on, so it counts only in the total: an ExternalLoads file says which",
                 plate.plate
             ));
         }
@@ -346,7 +345,7 @@ fn answer(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
     let feet = result.summary.feet.iter();
     let compared: Vec<_> = feet.filter_map(|foot| Some((foot, foot.comparison.as_ref()?))).collect();
     let worst = compared.iter().max_by(|a, b| a.1.normal_rms_n.total_cmp(&b.1.normal_rms_n));
-    let (foot, worst) = worst.ok_or("no plate measured under a foot while it was recorded")?;
+    let (foot, worst) = worst.ok_or("no plate measured a force under a foot during the recording")?;
     let rms: Vec<String> = compared
         .iter()
         .map(|(foot, one)| format!("{} {:.2}", foot.foot.name, one.normal_rms_n / weight_n))

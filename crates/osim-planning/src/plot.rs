@@ -322,8 +322,7 @@ impl HeatTable {
                 ([x, y], None) => (*x, Some(*y)),
                 _ => {
                     return Err(format!(
-                        "the table has {} columns that begin with '{GRID_PREFIX}', expected one or two: say which columns are \
-                         the axes; there are {}",
+                        "the table has {} columns that begin with '{GRID_PREFIX}', expected one or two: choose the columns for the axes; there are {}",
                         grid.len(),
                         sheet.listed_columns()
                     ));

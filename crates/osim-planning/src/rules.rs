@@ -39,9 +39,9 @@ static BOTTOMS_MOVED: Rule = Rule {
     code: FindingCode::BottomsMoved,
     severity: Severity::Warning,
     verdict: None,
-    what: "A change moves the bottoms of spheres so far that a body which stood at its default pose starts inside its floor or above it, or that a level foot is uneven.",
+    what: "A change moves the lowest points of spheres so far that the default pose is no longer on the floor, or that the spheres of a level foot become uneven.",
     why: "Radii grow around centres that stay. A simulation that starts from the default pose starts inside the floor then, and lower spheres carry what all should carry. Contacts that are made for a body which is still to be scaled are not judged by the pose of the one that is there, nor are spheres that follow their bodies.",
-    advice: "Give the coordinate its new value, or keep bottoms where they are with `level`; nothing, if simulations start from a pose of their own and the foot is meant to be so",
+    advice: "Give the coordinate its new value, or keep the lowest points of the spheres where they are with `level`; nothing, if simulations start from a pose of their own and the foot should be uneven",
     repair: Repair::OnlyInChange("a change is what it is about, and not a model"),
     example: Example::Request {
         good: r#"{"verb": "set", "models": ["check/within_limits.osim"], "set": {"radius": "x1.05"}}"#,
@@ -67,7 +67,7 @@ pub(crate) fn bottoms_moved_of_limb(limb: &str, before_m: f64, lowest: &Bottom, 
     let millimetres = |metres: f64| readable((metres * 1e4).round() / 10.0);
     let now_m = highest.height_m - lowest.height_m;
     let text = format!(
-        "the bottoms of {} differed by {} mm at the default pose and differ by {} mm now, {} R, from {} to {}",
+        "the lowest points of {} differed by {} mm at the default pose and differ by {} mm now, {} R, from {} to {}",
         shown(limb),
         millimetres(before_m),
         millimetres(now_m),
@@ -85,7 +85,7 @@ static COMPILED_MODEL_BESIDE: Rule = Rule {
     what: "A compiled file, F_ and the name of the model, lies beside the output.",
     why: "PredSim and OpenCap compile a model to F_<name> and reuse it without looking at the model's content: the old contacts would stay in use.",
     advice: "Delete the compiled file, or write the model under a new name",
-    repair: Repair::NotPossible("files of other programs are left alone"),
+    repair: Repair::NotPossible("the program does not change files of other programs"),
     example: Example::InWords {
         good: "`model.osim` is written to a folder of its own",
         bad: "`F_model.dll` lies in the folder that `model.osim` is written to",
@@ -95,7 +95,7 @@ static COMPILED_MODEL_BESIDE: Rule = Rule {
 /// The finding that other programs would use the file `compiled` instead of the output.
 pub fn compiled_model_beside(compiled: &Path) -> Finding {
     let text =
-        format!("{} lies beside the output: PredSim and OpenCap would go on using it", compiled.display());
+        format!("{} lies beside the output: PredSim and OpenCap would continue to use it", compiled.display());
     Finding::new(&COMPILED_MODEL_BESIDE, text)
 }
 
@@ -132,7 +132,7 @@ static ODD_MESH: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "The mesh of a foot does not fit the skeleton.",
     why: "`add MODEL` with `feet` lays spheres under the lowest points of meshes, and factors between models come from them: with a file in millimetres, another animal's bone of the same name, or one broken vertex, spheres are far from where the foot is. Real feet, toes and tali are 0.136 to 0.6 of the longest bone of their limb, the longest distance between two joints of one body.",
-    advice: "Correct the scale factors of the mesh, or put the file that is meant beside the model",
+    advice: "Correct the scale factors of the mesh, or put the right file beside the model",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Models { good: "feet/human_40000.osim", bad: "feet/human_in_millimetres.osim" },
 };
@@ -175,7 +175,7 @@ static MASS_AGAINST_LENGTH: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "The mass of a model does not fit its lengths, compared with the model that was scaled.",
     why: "Bodies of one shape and one density have masses that follow the third power of their lengths. If lengths are multiplied by the ratio of masses, the body is several times as dense, and no contact that fits its mass fits its feet.",
-    advice: "Scale lengths by the third root of the ratio of masses; nothing, if the animal is meant to be so",
+    advice: "Scale lengths by the third root of the ratio of masses; nothing, if the animal really has that density",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Request {
         good: r#"{"verb": "check", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,
@@ -191,7 +191,7 @@ pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
     let density = mass / similar;
     let is_unlike = density >= UNLIKE_DENSITY || density * UNLIKE_DENSITY <= 1.0;
     let text = format!(
-        "lengths are {} and the mass {} times those of the model that was scaled: a similar body has {} of its mass, this one is {} times as dense",
+        "lengths are {} and the mass {} times those of the model that was scaled: a body of the same density would have {} of its mass, so this one is {} times as dense",
         three_significant(length),
         three_significant(mass),
         three_significant(similar),
@@ -205,7 +205,7 @@ static UNLIKE_RECORDING: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Recording),
     what: "Along the recording the contacts give other forces than the force plates measured.",
-    why: "The error of the force (root mean square, for each foot) is more than 0.2 body weights. Three fitted numbers reach that on measured gaits.",
+    why: "The error of the force (root mean square, for each foot) is more than 0.2 body weights. Fits of stiffness, dissipation and floor height reach this on measured gaits.",
     advice: "`fit MODEL motion=MOTION plates=PLATES` finds the contacts, and the height of the floor, that fit",
     repair: Repair::NotPossible("the numbers have to be fitted to the recording"),
     example: Example::Request {

@@ -115,5 +115,5 @@ function confirmButton({ code, fields }: Failure, { values }: Context): HTMLElem
       if (name !== null) values.set("yes", others());
     });
   };
-  return el("p", {}, button("It is meant as it is: go on", say));
+  return el("p", {}, button("This is correct: continue", say));
 }

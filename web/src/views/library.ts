@@ -26,7 +26,7 @@ export class LibraryView {
   readonly #shownRows = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
 
   constructor(readonly session: Session) {
-    this.#changeAll = button("What would change in all", () => void changeAll(session), { class: "primary", id: "change-all" });
+    this.#changeAll = button("Show what would change in all models", () => void changeAll(session), { class: "primary", id: "change-all" });
     this.#zip = button("Change all and download a ZIP", () => void downloadAll(session), { id: "download-all" });
     const box = boxedTable("Models", CAPTION, this.#heads, this.#rows);
     const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#changeAll, this.#zip);

@@ -58,7 +58,7 @@ export class StageView {
       choices("Pose", [["standing", "Standing"], ["default", "Default pose"]], "standing", (pose) => this.#setStanding(pose === "standing")),
     ];
     const words = this.#inWords;
-    words.append(el("summary", {}, "The same in words"), this.#words);
+    words.append(el("summary", {}, "The same as text"), this.#words);
     words.addEventListener("toggle", () => this.#show());
     this.#section.append(el("h2", { id: "stage-title", class: "hidden" }, "The body"));
     if (this.#stage) {

@@ -13,7 +13,7 @@ const COLUMN = 200;
 const BELOW = 64;
 const FALL_MS = 2600;
 const CAPTION = "Feet of three animals fall from a quarter of the radius of their spheres. Hollow: on the contacts of a human, left as they are: \
-the mouse floats, the giraffe sinks. Full: on contacts scaled by mass. Sizes and times are without dimensions.";
+the mouse floats, the giraffe sinks. Full: on contacts scaled by mass. Lengths are in sphere radii, and times in √(R/g).";
 
 /** Shows the animation, after the engine has started. */
 export async function showFalls(session: Session): Promise<void> {

@@ -80,7 +80,7 @@ pub const F_N: Symbol = symbol("f_n", "natural frequency of small oscillations",
 pub const F_N_EQ: Symbol = symbol("f_n,eq", "natural frequency at rest under body weight", "Hz");
 pub const CF: Symbol =
     symbol("cf", "a squared indentation, in spite of its name in OpenSim: constant_contact_force", "m²");
-pub const BD: Symbol = symbol("bd", "how sharply contact sets in (OpenSim: hertz_smoothing)", "1/m");
+pub const BD: Symbol = symbol("bd", "how sharply contact begins (OpenSim: hertz_smoothing)", "1/m");
 pub const BV: Symbol =
     symbol("bv", "how sharply the force is cut off (OpenSim: hunt_crossley_smoothing)", "s/m");
 pub const B_X: Symbol = symbol("b_x̂", "bd without dimension, bd R", "1");

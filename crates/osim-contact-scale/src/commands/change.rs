@@ -244,7 +244,7 @@ fn last_line_of_run(counts: &Counts, options: &RunOptions, words: Words) -> Stri
     let stopped = match (counts.interrupted(), &options.summary) {
         (false, _) => String::new(),
         (true, Some(_)) => {
-            format!("; stopped: go on with the same call and {}", words.input(Input::Resume, None))
+            format!("; stopped: to continue, repeat the command with {}", words.input(Input::Resume, None))
         }
         (true, None) => "; stopped".to_owned(),
     };

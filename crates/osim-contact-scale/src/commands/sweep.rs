@@ -60,7 +60,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     if end.worse > 0 && !request.quiet {
         let (worse, made) = (end.worse, end.made + end.earlier);
         session.terminal.print_beside(&format!(
-            "remark: {worse} of {made} models have errors or warnings that the model itself has not: column worse of the manifest\n"
+            "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the manifest\n"
         ))?;
     }
     if !request.quiet {
@@ -70,7 +70,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);
         session.terminal.print_beside(&format!(
-            "remark: stopped: {made} of {count} models are made; go on with the same call and {resume}\n"
+            "remark: stopped: {made} of {count} models are made; to continue, repeat the command with {resume}\n"
         ))?;
     }
     let record = first_record(&sweep, end.manifest.as_deref());

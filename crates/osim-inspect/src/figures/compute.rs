@@ -48,7 +48,7 @@ impl Figures {
             gravity_m_s2: gravity * weight_share_at_pose(model, sharing.forces(), &pose),
         });
         let mut why: Option<Phrase> = match (mass, gravity) {
-            (None, _) => Some("what the model weighs is not known".into()),
+            (None, _) => Some("the mass of the model is not known".into()),
             (_, None) => Some(Needed::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
         };

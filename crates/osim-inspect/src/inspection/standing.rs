@@ -288,13 +288,13 @@ impl StandingBody {
     /// there is none.
     pub fn describe_way_to_stand(&self) -> String {
         if let Some(why) = &self.why_no_coordinate {
-            return format!("no coordinate puts it on its feet: {why}");
+            return format!("no coordinate brings it to the floor: {why}");
         }
         let carried = self.as_posed.as_ref().filter(|rest| rest.carried).and_then(|rest| rest.value_m);
         match (carried, self.touching_m) {
             (Some(value), _) => self.coordinate_set_to(value, "the spheres then carry the body"),
             (None, Some(value)) => self.coordinate_set_to(value, "its lowest sphere then touches the floor"),
-            (None, None) => "what puts it on its feet is not known".to_owned(),
+            (None, None) => "which coordinate brings it to the floor is not known".to_owned(),
         }
     }
 

@@ -11,7 +11,7 @@ pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
     code: FindingCode::ConnecteeByName,
     severity: Severity::Warning,
     verdict: None,
-    what: "A component was found by its name because the path written leads nowhere.",
+    what: "A component was found by its name, because the path in the file leads nowhere.",
     why: "OpenSim may fail to load such a model, or connect it to something else.",
     advice: "Open the model in OpenSim, check the connection and save it",
     repair: Repair::NotPossible("only OpenSim shows what it connects"),
@@ -29,7 +29,7 @@ pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     what: "A ContactParametersSet has a name OpenSim does not look for.",
     why: "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.",
     advice: "Name the set contact_parameters",
-    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Piece {
         model: "format/v40000.osim",
         good: r#"<HuntCrossleyForce::ContactParametersSet name="contact_parameters">"#,
@@ -59,7 +59,7 @@ pub(super) static MIXED_PAIR: Rule = Rule {
     severity: Severity::Error,
     verdict: None,
     what: "A note of another output file was found that does not belong to this one.",
-    why: "The force set and the geometry set carry notes of different runs: their stiffnesses and radii do not belong together.",
+    why: "The notes in the force set and in the geometry set are from different runs, so their stiffnesses and radii do not fit together.",
     advice: "Write both again in one run",
     repair: Repair::NotPossible("only you know which of the two files is the right one"),
     example: Example::InWords {
@@ -142,7 +142,7 @@ pub(super) static UNKNOWN_CLASS: Rule = Rule {
     severity: Severity::Error,
     verdict: None,
     what: "Contacts are in a component of a class that OpenSim does not know.",
-    why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it; they were left alone. A plugin may know the class.",
+    why: "OpenSim skips a component of a class it does not know, with everything in it, so these contacts do not exist for it. They were not changed. A plugin may know the class.",
     advice: "Move the contacts into the ForceSet, or out of the component of that class",
     repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/components_unknown_class.osim" },
@@ -158,7 +158,7 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
         if text.contains("<HuntCrossleyForce ") || text.contains("<SmoothSphereHalfSpaceForce ") {
             let line = document.line(tree.span(element).start);
             let text = format!(
-                "contacts inside a <{}> are left alone: OpenSim does not know that class",
+                "contacts inside a <{}> are not changed: OpenSim does not know that class",
                 tree.name(element)
             );
             found.push(Finding::at(&UNKNOWN_CLASS, line, text));
@@ -184,10 +184,10 @@ pub(super) static NOT_HERTZ: Rule = Rule {
     code: FindingCode::NotHertz,
     severity: Severity::Remark,
     verdict: None,
-    what: "Contacts of a class that is not Hertz's.",
-    why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here; they are left as they are.",
-    advice: "Scale them by their own theory, or replace them",
-    repair: Repair::NotPossible("the equations are not those of such a force"),
+    what: "Contacts of a class that does not follow the Hertz law.",
+    why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here, so they are not changed.",
+    advice: "Scale them by their own equations, or replace them",
+    repair: Repair::NotPossible("such a force has other equations"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/elastic_foundation.osim" },
 };
 
@@ -199,7 +199,7 @@ fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
     let tag = components.tag(id);
     NOT_HERTZ_CLASSES.contains(&tag).then(|| {
         let path = components.tree.path(id);
-        let text = format!("{path} is of the class {tag}: left as it is");
+        let text = format!("{path} is of the class {tag}: it is not changed");
         Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path)
     })
 }
@@ -211,7 +211,7 @@ pub(super) static DUPLICATE_NAMES: Rule = Rule {
     what: "Two components have the same name.",
     why: "OpenSim renames the second one when it loads the model, so a path or a name means the first one only.",
     advice: "Give each a name of its own",
-    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/same_sphere_name_twice.osim" },
 };
 
@@ -238,7 +238,7 @@ pub(super) static REFUSED_NAME: Rule = Rule {
     what: "An object has a name with which OpenSim refuses the model.",
     why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
     advice: "Give the object another name, and write it wherever the old one is",
-    repair: Repair::NotPossible("names are left alone: only numbers are changed"),
+    repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
 };
 
@@ -259,7 +259,7 @@ pub(super) static LOOP_OF_JOINTS: Rule = Rule {
     verdict: None,
     what: "A body has more than one joint: joints form a loop, or OpenSim ignores some.",
     why: "Of joints inside a body, as documents up to version 3 have them, OpenSim takes the first and ignores the others. Elsewhere it cuts a loop of joints: it divides a body into equal parts that a constraint holds together, and their masses still make the body's. Where a WeldJoint or a FreeJoint between two bodies is in the loop it divides nothing, and counts the mass of a body twice. Left, right and limbs follow the first joint of each body.",
-    advice: "Say what the model weighs with `mass=KG` where it is asked for; in OpenSim, close a loop with a constraint instead of a joint",
+    advice: "Give the mass of the model with `mass=KG` where the program asks for it; in OpenSim, close a loop with a constraint instead of a joint",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/loop_of_joints.osim" },
 };

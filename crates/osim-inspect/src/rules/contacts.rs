@@ -20,7 +20,7 @@ pub(crate) static BARE_MODEL: Rule = Rule {
     what: "The model has no contacts.",
     why: "Nothing carries the model: it has no HuntCrossleyForce or SmoothSphereHalfSpaceForce whose moving spheres meet a half-space.",
     advice: "`add` gives it contacts: those of another model, spheres under its own bones, or places from a table",
-    repair: Repair::NotPossible("only you know whose contacts it is to have"),
+    repair: Repair::NotPossible("only you know which contacts it should have"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/no_contacts.osim" },
 };
 
@@ -34,10 +34,10 @@ pub(crate) static UNMATCHED_PATTERN: Rule = Rule {
     code: FindingCode::UnmatchedPattern,
     severity: Severity::Remark,
     verdict: None,
-    what: "A choice of forces or bodies fits no name in the model.",
-    why: "Nothing is chosen or left out by it. Most often the name has a slip, or is that of another model.",
+    what: "A choice of forces or bodies matches no name in the model.",
+    why: "So it chooses nothing and leaves nothing out. Usually the name has a typing error, or belongs to another model.",
     advice: "Correct the name",
-    repair: Repair::NotPossible("only you know which name was meant"),
+    repair: Repair::NotPossible("only you know which name is right"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_s1_*"]}"#,
         bad: r#"{"verb": "inspect", "models": ["table1/human_62kg_smooth_sphere.osim"], "exclude": ["contact_sl_*"]}"#,
@@ -72,10 +72,10 @@ pub(crate) static MASS_UNKNOWN: Rule = Rule {
     code: FindingCode::MassUnknown,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
-    what: "What the model weighs, or what its contacts are made for, is not known.",
+    what: "The mass of the model, or the mass that its contacts are made for, is not known.",
     why: "Every factor follows from these masses.",
-    advice: "Say `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
-    repair: Repair::NotPossible("only you know what the model weighs"),
+    advice: "Give `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
+    repair: Repair::NotPossible("only you know the mass of the model"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<mass>61.5</mass>",
@@ -95,7 +95,7 @@ pub(crate) static STALE_NOTE: Rule = Rule {
     what: "The note that this program left in the file no longer fits its contacts.",
     why: "The note says which mass the contacts were made for. Contacts were changed after it was written, or only some of them were scaled, or the note is damaged.",
     advice: "Give the mass that the contacts are made for with `contacts_mass=KG`",
-    repair: Repair::NotPossible("only you know what the contacts were made for"),
+    repair: Repair::NotPossible("only you know for which mass the contacts were made"),
     example: Example::Models { good: "check/noted.osim", bad: "check/stale_note.osim" },
 };
 
@@ -109,8 +109,8 @@ pub(crate) static COUNT_UNKNOWN: Rule = Rule {
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "How many spheres share the weight is not known.",
-    why: "Limbs are found by left and right sides below the joint tree. Where that does not work, figures under body weight are absent, and indentations are not judged.",
-    advice: "Say it with `spheres=N`; where spheres of several bodies are there that only ground joins, choose those of one with `select=GLOB`",
+    why: "Limbs are found by left and right sides below the joint tree. Where that does not work, values under body weight are absent, and indentations are not judged.",
+    advice: "Give it with `spheres=N`; where spheres are on several bodies that only ground connects, choose those of one with `select=GLOB`",
     repair: Repair::NotPossible("only you know how many spheres share the weight"),
     example: Example::Models { good: "check/within_limits.osim", bad: "format/no_sides.osim" },
 };

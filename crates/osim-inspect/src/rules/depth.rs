@@ -14,11 +14,11 @@ pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,
     severity: Severity::Error,
     verdict: Some(VerdictOn::Mass),
-    what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper. Where only the default pose makes them sink so deep, it is a remark.",
-    why: "No contact law holds so deep, but OpenSim goes on with the same formula. Nearly always the contacts were made for a lighter body, or the spheres are too small.",
+    what: "The contacts are far too soft: at body weight on one limb, spheres sink into the floor up to their centres or deeper. If only the default pose causes this depth, it is a remark.",
+    why: "No contact law holds at this depth, but OpenSim continues with the same formula. Usually the contacts were made for a lighter body, or the spheres are too small.",
     advice: "If the contacts were made for another body, scale them to this one; else make them stiffer, for a relative indentation of {indentation}",
     repair: Repair::Command(
-        "designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes bottoms level where the lower spheres carry the body alone",
+        "designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes the lowest points level where the lower spheres carry the body alone",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -98,7 +98,7 @@ fn sunk_in_at_own_heights(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> 
     };
     if let Some(affected) = too_deep(true).filter(|_| too_deep(false).is_none()) {
         let text = format!(
-            "at the default pose the foot leans, and at body weight on {} its lower spheres alone carry the body and sink {} R into the \
+            "at the default pose the foot is tilted, and at body weight on {} its lower spheres alone carry the body and sink {} R into the \
              floor",
             carrying_limbs(check),
             four_significant(affected.largest)
@@ -185,8 +185,7 @@ fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
     phrase![
         "If the contacts were made for another body, take those of a known model, as large against this body, with ",
         Input::StanceLimbs.with_value(readable(carrying)),
-        ": scaled by mass alone they are still those of another number of spheres. If they were made for this one, make them stiffer, for \
-         the x/R that is meant with so many limbs",
+        ": scaled by mass alone they are still those of another number of spheres. If they were made for this one, make them stiffer, for the x/R that you want with so many limbs",
     ]
 }
 
@@ -195,9 +194,9 @@ pub(super) static BEYOND_HERTZ: Rule = Rule {
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
-    why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond, the contact is a non-linear spring and no longer a material; most published gait models are there (Falisse et al. 2022: 0.353).",
-    advice: "Nothing, if a spring is meant; else stiffer, larger or more spheres, for a relative indentation of {indentation} at most",
-    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
+    why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond it, the contact acts as a non-linear spring, no longer as a material. Most published gait models are beyond it (Falisse et al. 2022: 0.353).",
+    advice: "Nothing, if a spring is intended; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at most",
+    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<stiffness>4.4876e7</stiffness>",
@@ -222,7 +221,7 @@ pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "Spheres sink in deeper than Hertz' law is accurate for, at two body weights and not at one.",
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
-    advice: "Nothing, if the model only walks; else stiffer, larger or more spheres, for a relative indentation of {indentation} at two body weights",
+    advice: "Nothing, if the model only walks; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at two body weights",
     repair: Repair::NotPossible("walking is within the limit; whether the model runs, only you know"),
     example: Example::Piece {
         model: "check/within_limits.osim",

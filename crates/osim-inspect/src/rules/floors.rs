@@ -44,7 +44,7 @@ pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
     why: "The half-space is solid where the body is, so its spheres begin deep inside it and are pushed down. In OpenSim the solid side of a half-space is where x is above 0 in its own frame.",
     advice: "Turn the half-space: orientation 0 0 -1.5707963267948966 makes it face y, 0 0 1.5707963267948966 makes it face −y",
     repair: Repair::NotPossible(
-        "a floor is turned by hand; the finding names the line and what to write there",
+        "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -61,11 +61,11 @@ pub(super) static FLOOR_UPRIGHT: Rule = Rule {
     code: FindingCode::FloorUpright,
     severity: Severity::Error,
     verdict: Some(VerdictOn::Floor),
-    what: "A floor is upright: it leans by more than 45 degrees.",
-    why: "The spheres of a limb press on it and on no other floor, so the model falls past it for ever, or is inside it from the beginning. No published floor leans by more than 20.5 degrees; walls that no foot presses on, such as the net of a goal, are none.",
+    what: "A floor is upright: it is tilted by more than 45 degrees.",
+    why: "The spheres of a limb press on it and on no other floor, so the model falls past it for ever, or is inside it from the beginning. No published floor is tilted by more than 20.5 degrees. Walls that no foot presses on, such as the net of a goal, do not count as floors.",
     advice: "Turn the half-space: its surface faces along the −x of its own frame, and orientation 0 0 -1.5707963267948966 turns that to y",
     repair: Repair::NotPossible(
-        "a floor is turned by hand; the finding names the line and what to write there",
+        "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -82,11 +82,11 @@ pub(super) static FLOOR_ON_LIMB: Rule = Rule {
     code: FindingCode::FloorOnLimb,
     severity: Severity::Error,
     verdict: Some(VerdictOn::Floor),
-    what: "A floor hangs on a body from which the spheres that press on it cannot be lifted.",
-    why: "A floor on the pelvis moves with the pelvis: joints turn the feet against it and lift nothing, so it carries no weight and the model falls for ever. Published floors hang on ground, on a chair or on a platform, which the body can leave.",
-    advice: "Attach the half-space to ground, or to the platform that is meant, and look at its location and orientation there",
+    what: "A floor is fixed to a body from which the spheres that press on it cannot be lifted.",
+    why: "A floor on the pelvis moves with the pelvis: joints turn the feet against it and lift nothing, so it carries no weight and the model falls for ever. Published floors are fixed to ground, to a chair or to a platform, which the body can leave.",
+    advice: "Attach the half-space to ground, or to the platform that it belongs to, and check its location and orientation there",
     repair: Repair::NotPossible(
-        "a floor is attached by hand; the finding names the line and what to write there",
+        "the floor has to be attached in the file; the finding names the line and what to write",
     ),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/floor_on_limb.osim" },
 };
@@ -100,7 +100,7 @@ fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
     let (body, frame) = (plane.body.as_deref()?, &plane.frame);
     let tag = shown(&frame.tag);
     let text = format!(
-        "{} hangs on {}, and nothing but turning joints is between that and the spheres that press on it; for a floor on ground write \
+        "{} is fixed to {}, and only joints that rotate are between that body and the spheres that press on it; for a floor on ground write \
          <{tag}>{}</{tag}>",
         shown(&plane.name),
         shown(body),
@@ -113,10 +113,10 @@ pub(super) static FLOOR_SLOPES: Rule = Rule {
     code: FindingCode::FloorSlopes,
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Floor),
-    what: "A floor leans by more than 1 degree, and by no more than 45: a slope.",
-    why: "On a slope only the part of gravity along its normal presses spheres into it; figures under body weight use that part. Published slopes have up to 20.5 degrees.",
-    advice: "Nothing, if that is meant; else turn the half-space",
-    repair: Repair::NotPossible("only you know whether a slope is meant"),
+    what: "A floor is tilted by more than 1 degree, and by no more than 45: a slope.",
+    why: "On a slope only the part of gravity along its normal presses spheres into it; values under body weight use that part. Published slopes have up to 20.5 degrees.",
+    advice: "Nothing, if this is intended; else turn the half-space",
+    repair: Repair::NotPossible("only you know whether a slope is intended"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<orientation>0 0 -1.5707963267948966</orientation>",
@@ -131,7 +131,7 @@ pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
 fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
     let (PlaneKind::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let text = format!(
-        "{} leans by {} degrees: {} of the weight presses on it",
+        "{} is tilted by {} degrees: {} of the weight presses on it",
         shown(&plane.name),
         three_significant(degrees),
         readable((1e4 * degrees.to_radians().cos()).round() / 1e4),
@@ -144,7 +144,7 @@ pub(crate) static NO_GRAVITY: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Floor),
     what: "Spheres press on a floor, and the model has no gravity.",
-    why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. None of the published models that we test with is so.",
+    why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. All published models in our tests have gravity.",
     advice: "Set gravity in the model, as a rule to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {
@@ -172,10 +172,10 @@ pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Floor),
     what: "Gravity is more than 100 m/s2: it is probably in mm/s2 or cm/s2.",
-    why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation explodes. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Figures under that weight are not judged.",
+    why: "Under a thousand times its weight every sphere sinks in beyond its centre, and a simulation fails. 100 m/s² are ten times the Earth's gravity, and four times that of Jupiter, the most of all planets; 981 and 9810 are the Earth's in cm/s² and mm/s². Values under that weight are not judged.",
     advice: "Write gravity in m/s²",
     repair: Repair::NotPossible(
-        "gravity is changed by hand; the finding names the line and what to write there",
+        "gravity has to be corrected in the file; the finding names the line and what to write",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -217,7 +217,7 @@ pub(crate) static ODD_GRAVITY: Rule = Rule {
     verdict: Some(VerdictOn::Floor),
     what: "Gravity is not that of the Earth. It is a remark from 0.1 to 9 m/s2, as on the Moon.",
     why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a wrong point or unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
-    advice: "Write gravity in m/s², as a rule 0 -9.80665 0; nothing, if another gravity is meant",
+    advice: "Write gravity in m/s², as a rule 0 -9.80665 0; nothing, if another gravity is intended",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -244,10 +244,10 @@ pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Floor),
     what: "Gravity points out of the floor or along it, not into it.",
-    why: "The body is where the floor faces, and gravity pulls it away from there or along the floor: the model falls for ever.",
+    why: "The body is on the free side of the floor, and gravity pulls it off the floor or along it: the model falls for ever.",
     advice: "Write gravity against the direction in which the floor faces, as a rule 0 -9.80665 0",
     repair: Repair::NotPossible(
-        "gravity is changed by hand; the finding names the line and what to write there",
+        "gravity has to be corrected in the file; the finding names the line and what to write",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -283,9 +283,9 @@ pub(crate) static GRAVITY_SOURCES_DISAGREE: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "The note gives another gravity than the model.",
-    why: "Under another gravity than they were made for, spheres sink in more or less; figures are those under the model's own.",
+    why: "Under another gravity than they were made for, spheres sink in more or less; values are those under the model's own.",
     advice: "Set gravity in OpenSim, or look at the model under the gravity of its contacts with `check MODEL gravity=G`",
-    repair: Repair::NotPossible("only you know which gravity is meant"),
+    repair: Repair::NotPossible("only you know which gravity is right"),
     example: Example::Piece {
         model: "check/noted.osim",
         good: "<gravity>0 -9.81 0</gravity>",
@@ -305,7 +305,7 @@ pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> 
         format!(
             "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {present} m/s2: set <gravity>"
         ),
-        Input::Gravity.either(phrase![", or say ", Input::Gravity.with_value(noted)], ""),
+        Input::Gravity.either(phrase![", or give ", Input::Gravity.with_value(noted)], ""),
     ];
     Some(Finding::new(&GRAVITY_SOURCES_DISAGREE, message))
 }

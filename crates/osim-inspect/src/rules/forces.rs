@@ -17,7 +17,7 @@ pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "One HuntCrossleyForce has several spheres.",
     why: "In Simbody, when one sphere of a HuntCrossleyForce leaves the ground faster than 2/(3 dissipation), the spheres evaluated after it lose their force in that step.",
-    advice: "Nothing, where feet leave the ground slowly: half of the published models have one force for each foot. Else give each sphere a HuntCrossleyForce of its own",
+    advice: "Nothing, if feet leave the ground slowly: half of the published models have one force for each foot. Otherwise give each sphere a HuntCrossleyForce of its own",
     repair: Repair::NotPossible("published models are made so on purpose"),
     example: Example::Models { good: "table1/human_62kg_hunt_crossley.osim", bad: "format/v40000.osim" },
 };
@@ -42,7 +42,7 @@ pub(super) static SPHERE_IN_TWO_FORCES: Rule = Rule {
     what: "One sphere is used by two contact forces.",
     why: "Both forces act, so the sphere is stiffer than either stiffness says, and the sphere count by which parameters scale is not what it seems.",
     advice: "Leave the sphere in one force",
-    repair: Repair::NotPossible("only you know which force is meant"),
+    repair: Repair::NotPossible("only you know which force is right"),
     example: Example::Piece {
         model: "format/unequal_radii.osim",
         good: "<socket_sphere>/contactgeometryset/toe_r</socket_sphere>",
@@ -66,7 +66,7 @@ pub(super) static MOCO_DIALECT: Rule = Rule {
     verdict: None,
     what: "The sphere's radius is inside the force, as in Moco 0.1 to 0.3.",
     why: "OpenSim 4.2 and later cannot read such forces; the model works in OpenSim Moco 0.1 to 0.3 only.",
-    advice: "Take spheres and planes out of the forces; OpenSim 4.2 and later would drop them without a word when they save the model",
+    advice: "Take spheres and planes out of the forces; OpenSim 4.2 and later would lose them without a message when they save the model",
     repair: Repair::Command(
         "makes spheres and planes members of the ContactGeometrySet, with all numbers as they are",
     ),
@@ -110,8 +110,8 @@ pub(super) static DEAD_DERIVATIVE_SMOOTHING: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "The file has a derivative_smoothing element, which OpenSim ignores.",
     why: "derivative_smoothing was the name of constant_contact_force in early Moco. OpenSim ignores it and uses its default of 1e-5 m2 for constant_contact_force.",
-    advice: "Remove the element; set constant_contact_force if another value is meant",
-    repair: Repair::NotPossible("only you know which value was meant"),
+    advice: "Remove the element, and write constant_contact_force if it should have another value",
+    repair: Repair::NotPossible("only you know which value is right"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<constant_contact_force>9e-07</constant_contact_force>",
@@ -138,8 +138,8 @@ pub(super) static TERRAIN: Rule = Rule {
     severity: Severity::Remark,
     verdict: None,
     what: "A sphere stands on ground or a body welded to it, or such a body has mass, or a plate that carries the floor.",
-    why: "Such a sphere or body is scenery: it does not grow with the animal and carries nobody. It counts in no limb, no mass and no figure, and no verb changes it. A body on which others hang is none: a model whose pelvis is held weighs all that it weighs.",
-    advice: "Nothing, if that is meant",
+    why: "Such a sphere or body is scenery: it does not grow with the animal and does not carry it. It counts in no limb, no mass and no other value, and no verb changes it. A body to which others are joined does not count as scenery, so a model whose pelvis is fixed keeps its whole mass.",
+    advice: "Nothing, if this is intended",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/terrain_on_ground.osim" },
 };
@@ -160,12 +160,12 @@ fn terrain_bodies(model: &Model) -> Option<Finding> {
     let kg = readable(*kg);
     let text = match heavy.len() {
         1 => format!(
-            "{} ({kg} kg) {}: it is scenery, which does not count in what the model weighs",
+            "{} ({kg} kg) {}: it is scenery and does not count in the mass of the model",
             first.path,
             if first.fixed { "is welded to ground" } else { "carries the floor" }
         ),
         count => format!(
-            "{} ({kg} kg) and {} more {} are welded to ground or carry the floor: they are scenery, which does not count in what the model weighs",
+            "{} ({kg} kg) and {} more {} are welded to ground or carry the floor: they are scenery and do not count in the mass of the model",
             first.path,
             count - 1,
             if count == 2 { "body" } else { "bodies" }
@@ -183,12 +183,12 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
     let first = fixed.first()?;
     let text = match fixed.len() {
         1 => {
-            format!("{} stands on ground: it is scenery, which counts nowhere and stays as it is", first.path)
+            format!("{} is on ground: it is scenery, so it is not counted and not changed", first.path)
         }
-        2 => format!("{} and one more sphere stand on ground: {SCENERY}", first.path),
-        count => format!("{} and {} more spheres stand on ground: {SCENERY}", first.path, count - 1),
+        2 => format!("{} and one more sphere are on ground: {SCENERY}", first.path),
+        count => format!("{} and {} more spheres are on ground: {SCENERY}", first.path, count - 1),
     };
     about_spheres(&TERRAIN, text, fixed.iter().copied())
 }
 
-const SCENERY: &str = "they are scenery, which counts nowhere and stays as it is";
+const SCENERY: &str = "they are scenery, so they are not counted and not changed";

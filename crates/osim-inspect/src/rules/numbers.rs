@@ -88,9 +88,9 @@ pub(super) static NOT_FINITE: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Sizes),
     what: "A number in the file is not finite.",
-    why: "JSON has no NaN and no infinity: such a number is null there. OpenSim computes nonsense from it.",
+    why: "JSON has no NaN and no infinity: such a number is null there. What OpenSim computes from it is meaningless.",
     advice: "Correct the number in the model",
-    repair: Repair::NotPossible("only you know which number was meant"),
+    repair: Repair::NotPossible("only you know which number is right"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<radius>0.0325</radius>",
@@ -114,7 +114,7 @@ pub(super) static ODD_NUMBER: Rule = Rule {
     what: "A number is written in a way that OpenSim reads differently from what it looks like.",
     why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.",
     advice: "Write the number plainly, like 1.5e6",
-    repair: Repair::NotPossible("only you know which number was meant"),
+    repair: Repair::NotPossible("only you know which number is right"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<radius>0.0325</radius>",
@@ -141,9 +141,9 @@ pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Sizes),
     what: "A number lies outside the domain of the contact laws.",
-    why: "OpenSim accepts it and computes NaN or nonsense; such a model is not changed.",
+    why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
     advice: "Correct the number in the model",
-    repair: Repair::NotPossible("only you know which number was meant"),
+    repair: Repair::NotPossible("only you know which number is right"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<radius>0.0325</radius>",
@@ -165,7 +165,7 @@ pub(super) static MASSLESS_BODY: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Mass),
     what: "A body has an inertia and a mass of 0.",
-    why: "No body is so: OpenSim sets its inertia to 0, too. Then the model weighs less than it should, and contacts that are made for the whole body look too stiff. A frame without mass has no inertia.",
+    why: "A real body with inertia has mass, and OpenSim sets the inertia to 0, too. Then the model weighs less than it should, and contacts that are made for the whole body look too stiff. A frame without mass has no inertia.",
     advice: "Write the mass of the body",
     repair: Repair::NotPossible("only you know what the body weighs"),
     example: Example::Piece {
@@ -274,9 +274,9 @@ pub(super) static LARGE_FRICTION: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
     what: "A coefficient of friction is larger than that of any surface.",
-    why: "Between a foot and a floor it is about 0.3 to 1. More than 10 mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
-    advice: "Write the coefficient that is meant, such as 0.8",
-    repair: Repair::NotPossible("only you know the number that is meant"),
+    why: "Between a foot and a floor it is about 0.3 to 1. More than 10 is usually a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
+    advice: "Write the right coefficient, such as 0.8",
+    repair: Repair::NotPossible("only you know the right number"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<static_friction>0.81</static_friction>",
@@ -310,9 +310,9 @@ pub(super) static NO_FRICTION: Rule = Rule {
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Solver),
     what: "No contact has friction.",
-    why: "With all coefficients of friction 0 the floor is ice: a body that stands slides away at the first push.",
-    advice: "Nothing, if that is meant; else write the coefficients, such as 0.8",
-    repair: Repair::NotPossible("only you know the numbers that are meant"),
+    why: "With all coefficients of friction 0, nothing stops a foot from sliding: a body that stands slides away at the first push.",
+    advice: "Nothing, if this is intended; else write the coefficients, such as 0.8",
+    repair: Repair::NotPossible("only you know the right numbers"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
 };
 
@@ -325,8 +325,8 @@ pub(super) static NO_DISSIPATION: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "No contact has dissipation.",
     why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
-    advice: "Nothing, if that is meant; else write the dissipation, for example for a restitution of {restitution}",
-    repair: Repair::NotPossible("only you know the number that is meant"),
+    advice: "Nothing, if this is intended; else write the dissipation, for example for a restitution of {restitution}",
+    repair: Repair::NotPossible("only you know the right number"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<dissipation>0.4</dissipation>",
@@ -365,7 +365,7 @@ pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
     why: "OpenSim reads orientations in radians: -90 is 14 whole turns and a little more, which looks like a slope of 26.6 degrees.",
     advice: "Write the angles in radians: degrees × π/180",
     repair: Repair::NotPossible(
-        "a floor is turned by hand; the finding names the line and what to write there",
+        "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
     example: Example::Piece {
         model: "check/within_limits.osim",

@@ -211,7 +211,7 @@ pub(super) static SPHERES_LEFT_BEHIND: Rule = Rule {
     code: FindingCode::SpheresLeftBehind,
     severity: Severity::Error,
     verdict: Some(VerdictOn::Sizes),
-    what: "Spheres stand where they were before OpenSim scaled their bodies.",
+    what: "Spheres are where they were before OpenSim scaled their bodies.",
     why: "OpenSim's Scale Tool scales bones, joints and masses. It leaves contact spheres where they were, as large and as stiff as before, so that they hang beyond the foot of a smaller animal and end short of a larger one's.",
     advice: "Compare with the model that was scaled: `check MODEL from=ORIGINAL` gives the command that moves the spheres with their bodies and makes the contacts right for this mass, too",
     repair: Repair::Command(
@@ -341,7 +341,7 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
     Some(
         finding
             .with_severity(Severity::Remark)
-            .with_advice("Nothing, if that is meant; else look at the places of the heel's spheres"),
+            .with_advice("Nothing, if this is intended; else look at the places of the heel's spheres"),
     )
 }
 

@@ -20,7 +20,7 @@ pub(super) static LEFT_RIGHT_DIFFER: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ.",
-    why: "Contacts of a symmetric model are nearly always meant to be symmetric; a difference usually is a slip of the hand. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
+    why: "Contacts of a symmetric model should nearly always be symmetric; a difference is usually a mistake. Contacts are compared with those at the mirrored place, whatever their names are; numbers that follow the sizes of the bones are right.",
     advice: "Compare the two sides with `inspect` and correct the one that is wrong",
     repair: Repair::Command(
         "writes the values of one side into the force of the other, where other forces, known contacts or the original model show which is right",
@@ -105,7 +105,7 @@ pub(crate) fn with_odd_side(
 fn name_odd_side(finding: &mut Finding, sides: &BothSides<'_>, known: Option<&KnownSide>) {
     let left = finding.place.as_deref().and_then(|path| sides.force(path));
     let Some(odd) = left.and_then(|left| odd_side(known, sides, left)) else { return };
-    finding.message.push(format!("; the one on the {} is the odd one", odd.as_str()));
+    finding.message.push(format!("; the one on the {} differs from the others", odd.as_str()));
     if let Some(known) = known {
         let (side, title) = (known.side.as_str(), &known.title);
         finding.message.push(format!(", since the contacts on the {side} are those of {title}"));
@@ -198,8 +198,8 @@ pub(super) static LEFT_RIGHT_CLOSE: Rule = Rule {
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Sides),
     what: "Left and right contacts differ as little as those of published models.",
-    why: "Of 150 published models with contacts on both sides, the radii of five differ by 0.7 to 5.7 %, and the transition velocity of one by 5 %. Up to 10 % in radii and 20 % in transition velocities are taken to be meant.",
-    advice: "Nothing, if that is meant; else write the number of one side into the other",
+    why: "Of 150 published models with contacts on both sides, the radii of five differ by 0.7 to 5.7 %, and the transition velocity of one by 5 %. Up to 10 % in radii and 20 % in transition velocities count as intended.",
+    advice: "Nothing, if this is intended; else write the number of one side into the other",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",
@@ -270,7 +270,7 @@ pub(super) static LEFT_RIGHT_MISSING: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "A sphere has no counterpart on the other side.",
     why: "The other side has the body but fewer spheres, so that each of them carries more of the weight. Of 150 published models with contacts on both sides four have unlike numbers, all with prostheses.",
-    advice: "Add the sphere that is missing, or take the one that is too many out of the file",
+    advice: "Add the sphere that is missing, or remove the extra one from the file",
     repair: Repair::NotPossible("only you know which side is right"),
     example: Example::Piece {
         model: "format/v40000.osim",
@@ -304,7 +304,7 @@ pub(super) static LEFT_RIGHT_OFF: Rule = Rule {
     what: "A contact is switched off on one side alone.",
     why: "The side that is switched off carries nothing there: the body sinks in, or falls to that side.",
     advice: "Switch it on in the file (appliesForce), or switch the other side off, too",
-    repair: Repair::NotPossible("only numbers are changed, and only you know which side is meant"),
+    repair: Repair::NotPossible("only numbers are changed, and only you know which side is right"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",
         good: r#"<SmoothSphereHalfSpaceForce name="contact_s1_r">"#,
@@ -382,7 +382,7 @@ pub(super) static ONE_SIDE_ONLY: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "Spheres are on one side alone: the other one has none, or no body for them. It is a warning if the other side has spheres that no force presses.",
     why: "A model that kicks, hops on one leg or has a prosthesis may need no more; one that walks falls to the other side. Spheres that no force presses do nothing in OpenSim.",
-    advice: "Nothing, if that is meant; else give the other side contacts, too",
+    advice: "Nothing, if this is intended; else give the other side contacts, too",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
         model: "format/v40000.osim",

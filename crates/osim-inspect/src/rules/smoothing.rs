@@ -17,7 +17,7 @@ pub(super) static FLOATS: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Mass),
     what: "The smoothing alone carries body weight: the spheres do not touch the floor.",
-    why: "With constant_contact_force and hertz_smoothing far too large for the spheres, the force before contact holds the body in the air.",
+    why: "constant_contact_force is far too large for the spheres, or hertz_smoothing far too small: the force before contact holds the body in the air.",
     advice: "Make constant_contact_force smaller and hertz_smoothing larger, until the spheres touch the floor",
     repair: Repair::Command("designs constant_contact_force so that the spheres touch the floor"),
     example: Example::Piece {
@@ -62,7 +62,7 @@ pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
     what: "A sphere that only just touches the floor carries a large part of its share of body weight already.",
-    why: "Smoothing lets force through before contact (Fig. C.5): the floor repels the foot, as if the spheres were larger. In Falisse et al. (2022), where that did no harm, it is 0.074 of the share.",
+    why: "Smoothing gives a force before contact (Fig. C.5): the floor pushes the foot away as if the spheres were larger. In Falisse et al. (2022), where this did no harm, the force is 0.074 of the share.",
     advice: "Make constant_contact_force smaller",
     repair: Repair::Command("designs constant_contact_force so that the share comes down to the limit"),
     example: Example::Piece {
@@ -113,9 +113,9 @@ pub(super) static WIDE_TRANSITION: Rule = Rule {
     code: FindingCode::WideTransition,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Solver),
-    what: "Contact sets in over more of the radius than in published models.",
+    what: "Smoothing switches contact on over more of the radius than in published models.",
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
-    advice: "Let contact set in over {suggested_width} of the radius, with a larger hertz_smoothing",
+    advice: "Make hertz_smoothing larger, so that contact switches on over {suggested_width} of the radius",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -145,8 +145,8 @@ pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     verdict: Some(VerdictOn::Solver),
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
-    advice: "Nothing, if that is meant; else a smaller dissipation, for a restitution of {restitution} at least",
-    repair: Repair::NotPossible("a remark: most published contacts are so, and their authors meant it"),
+    advice: "Nothing, if this is intended; else write a smaller dissipation, for a restitution of {restitution} at least",
+    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<dissipation>0.4</dissipation>",

@@ -55,7 +55,7 @@ pub(super) static ODD_PLACE: Rule = Rule {
     what: "A sphere is far from the body that carries it.",
     why: "Spheres of published feet are at most 0.353 of the limb's longest bone from the nearest joint of their body, and at most 2.7 of its radii of gyration from its centre of mass; sideways at most 0.149 of that bone. Much more is a place in millimetres, or one in another frame.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
-    repair: Repair::NotPossible("only you know the place that is meant"),
+    repair: Repair::NotPossible("only you know the right place"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",
         good: "<location>-0.029760000000000002 -0.037199999999999997 -0.048000000000000001</location>",
@@ -182,7 +182,7 @@ pub(super) static ODD_RADIUS: Rule = Rule {
     what: "The radius of a sphere does not fit the length of its limb.",
     why: "Radii of published feet are 0.011 to 0.2 of the limb's longest bone, and in 95 % of them R / M^(1/3) is between 0.0002 and 0.029 m/kg^(1/3). Much more or less is another unit, mostly millimetres, or another animal's sphere.",
     advice: "Write radii in metres; contacts of a model of another size need radii that follow it",
-    repair: Repair::NotPossible("only you know the size that is meant"),
+    repair: Repair::NotPossible("only you know the right size"),
     example: Example::Piece {
         model: "table1/human_62kg_smooth_sphere.osim",
         good: "<radius>0.032000000000000001</radius>",
@@ -295,10 +295,10 @@ pub(super) static CROWDED_SPHERES: Rule = Rule {
     code: FindingCode::CrowdedSpheres,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Sizes),
-    what: "The spheres of a body are all in nearly one place.",
-    why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Mostly places in metres were taken for millimetres.",
+    what: "All spheres of a body are in nearly the same place.",
+    why: "The spheres of a published foot extend over at least 0.077 of the limb's longest bone, and no two are closer than 1.36 radii. Spheres that nearly coincide carry like one that is several times as stiff. Usually places in metres were taken for millimetres.",
     advice: "Look at `plot MODEL output=FILE.svg kind=feet`; write places in metres, in the frame of the body",
-    repair: Repair::NotPossible("only you know the places that are meant"),
+    repair: Repair::NotPossible("only you know the right places"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/crowded_spheres.osim" },
 };
 
@@ -378,9 +378,9 @@ pub(super) static DOUBLED_SPHERES: Rule = Rule {
     severity: Severity::Error,
     verdict: Some(VerdictOn::Sides),
     what: "Two spheres are at the same place of the same body.",
-    why: "Both carry: the contact is twice as stiff as it looks, and figures share the weight among too many spheres. None of 200 published models has such spheres; a copy with another name makes them.",
-    advice: "Take one of the two and its force out of the file",
-    repair: Repair::NotPossible("only you know which of the two is meant"),
+    why: "Both carry weight: the contact is twice as stiff as it looks, and the weight is shared among too many spheres. None of 200 published models has such spheres; they appear when a sphere is copied under another name.",
+    advice: "Remove one of the two, and its force, from the file",
+    repair: Repair::NotPossible("only you know which of the two is right"),
     example: Example::Piece {
         model: "format/v40000.osim",
         good: "<location>0.01 -0.02 0</location>",

@@ -15,7 +15,7 @@ pub(super) static NOT_ON_FLOOR: Rule = Rule {
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Standing),
     what: "At the default pose the spheres are more than half a radius inside the floor and deeper than where they carry the body, or more than 20 mm above it.",
-    why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models are made so, and a simulation of theirs starts from another pose.",
+    why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models have such a default pose, and their simulations start from another one.",
     advice: "Nothing, if simulations start from a pose of their own; else give the coordinate the value that `inspect MODEL` says",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
     example: Example::Piece {
@@ -49,11 +49,11 @@ pub(super) static UNEVEN_BOTTOMS: Rule = Rule {
     code: FindingCode::UnevenBottoms,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Standing),
-    what: "The bottoms of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
-    why: "The lower spheres carry the body, the higher ones little or nothing, so that figures of a level foot do not hold. Of 134 published models with level floors two differ so much.",
-    advice: "If the spheres are meant to be on one sole, make their bottoms level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, a rescaling can keep bottoms where they are",
+    what: "The lowest points of a limb's spheres differ in height by more than half a radius at the default pose, and the foot lies flat there.",
+    why: "The lower spheres carry the body, the higher ones little or nothing, so that the values of a level foot do not hold. Of 134 published models with level floors two differ so much.",
+    advice: "If the spheres should form one flat sole, make their lowest points level, as low as the lowest one; else correct the places that are wrong. `inspect MODEL` says how deep each sphere is. Where radii change, a rescaling can keep the lowest points where they are",
     repair: Repair::Command(
-        "moves the centres of the limb's spheres until their bottoms are as low as its lowest one at the default pose",
+        "moves the centres of the limb's spheres until all are as low as the lowest one at the default pose",
     ),
     example: Example::Models { good: "check/known_contacts.osim", bad: "check/uneven_bottoms.osim" },
 };
@@ -110,11 +110,11 @@ impl<'i> UnevenLimb<'i> {
         let Self { limb, lowest, highest, difference_radii, tilt_rad } = self;
         let millimetres = readable(((highest.height_m - lowest.height_m) * 1e4).round() / 10.0);
         let tilted = match *tilt_rad > MOST_LEAN_RAD {
-            true => format!("; the foot leans by {:.0} degrees there", tilt_rad.to_degrees()),
+            true => format!("; the foot is tilted by {:.0} degrees there", tilt_rad.to_degrees()),
             false => String::new(),
         };
         let text = format!(
-            "the bottoms of {} differ by {millimetres} mm at the default pose, {} R, from {} to {}{}{tilted}",
+            "the lowest points of {} differ by {millimetres} mm at the default pose, {} R, from {} to {}{}{tilted}",
             shown(limb.limb.as_deref().unwrap_or_default()),
             three_significant(*difference_radii),
             shown(&lowest.sphere),
@@ -147,9 +147,9 @@ pub(super) static UNLEVEL_FOOT: Rule = Rule {
     code: FindingCode::UnlevelFoot,
     severity: Severity::Remark,
     verdict: Some(VerdictOn::Standing),
-    what: "The bottoms of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot leans there.",
-    why: "The lower spheres are deeper than the figures of a level foot say. Of 134 published models with level floors 16 differ so much.",
-    advice: "Nothing, if that is meant; `inspect MODEL` says how deep each sphere is at its own height. Where radii change, a rescaling can keep bottoms where they are",
+    what: "The lowest points of a limb's spheres differ in height by more than 0.3 radii at the default pose; by more than half a radius only because the foot is tilted there.",
+    why: "The lower spheres are deeper than the values of a level foot show. Of 134 published models with level floors 16 differ so much.",
+    advice: "Nothing, if this is intended; `inspect MODEL` says how deep each sphere is at its own height. Where radii change, a rescaling can keep the lowest points where they are",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "check/known_contacts.osim", bad: "format/mixed_radii.osim" },
 };

@@ -234,7 +234,7 @@ fn sphere_kinds(model: &Model, forces: &[ForceId]) -> Result<Vec<SphereKind>, Fa
 }
 
 fn fault_of_no_force() -> Fault {
-    Fault::refused("none of the chosen forces applies: there is no contact to work with")
+    Fault::refused("all chosen forces are switched off: there is no contact to work with")
 }
 
 fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stance) -> Result<Weight, Fault> {

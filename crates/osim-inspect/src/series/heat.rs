@@ -78,7 +78,7 @@ fn only_kind(body: &ContactBody) -> Result<&SphereKind, Failure> {
         kinds => {
             let message = phrase![
                 format!(
-                    "its spheres have {} different contacts, and a sweep is about one: choose it with ",
+                    "its spheres have {} different contacts, and a heat map shows one: choose its force with ",
                     kinds.len()
                 ),
                 Input::Select.with_placeholder("GLOB"),

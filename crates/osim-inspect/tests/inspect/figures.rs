@@ -330,7 +330,7 @@ fn why_figures_are_absent(figures: &Figures) -> String {
 #[test]
 fn without_mass_or_gravity_or_count_the_reason_is_given() {
     let no_mass = foot(&[HEEL]).replace("<mass>60</mass>", "<mass>0</mass>");
-    assert_eq!(why_figures_are_absent(&figures(&no_mass)), "what the model weighs is not known");
+    assert_eq!(why_figures_are_absent(&figures(&no_mass)), "the mass of the model is not known");
     let no_gravity = foot(&[HEEL]).replace("0 -10 0", "0 0 0");
     assert!(why_figures_are_absent(&figures(&no_gravity)).contains("gravity"));
     assert_eq!(figures(&no_gravity).gravity_m_s2, None);

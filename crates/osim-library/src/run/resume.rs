@@ -229,7 +229,7 @@ impl PreviousRun {
 
 fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
     let mut message = phrase![
-        format!("cannot go on with {}: give ", path.display()),
+        format!("cannot continue with {}: give ", path.display()),
         Input::Summary,
         " the file of the earlier run: ",
     ];

@@ -196,6 +196,6 @@ impl WritableFolder {
         let folder = if self.folder == Path::new("") { Path::new(".") } else { &self.folder };
         let does = if replaces { "replace files" } else { "write" };
         let where_it_is = format!("{} is outside the folder {}", shown_path(path), shown_path(folder));
-        phrase![format!("{where_it_is}: if rows may {does} there, say "), Input::AllowOutside]
+        phrase![format!("{where_it_is}: if rows may {does} there, allow it with "), Input::AllowOutside]
     }
 }

@@ -55,7 +55,7 @@ impl SummaryWriter {
         let replace = options.resume || force;
         if !replace && path.exists() {
             return Err(LibraryFault::new(phrase![
-                format!("{} exists already: go on with it (", path.display()),
+                format!("{} exists already: continue it (", path.display()),
                 Input::Resume,
                 "), replace it (",
                 Input::Force,
@@ -126,7 +126,7 @@ impl SummaryWriter {
         let written = summary.fault.map_or(kept, Err).and_then(|()| summary.file.commit());
         written.map_err(|fault| {
             let mut message =
-                phrase!["the summary is missing: make room for it, then go on with ", Input::Resume, ": "];
+                phrase!["the summary is missing: make room for it, then continue with ", Input::Resume, ": "];
             message.push(fault.phrase());
             LibraryFault::new(message)
         })?;

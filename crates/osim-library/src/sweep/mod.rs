@@ -228,7 +228,7 @@ impl<'s> SweepRun<'s> {
         match first {
             Some(first) => Err(LibraryFault::new(phrase![
                 format!(
-                    "{existing} of these files exist already, such as {}: go on with them (",
+                    "{existing} of these files exist already, such as {}: continue the sweep (",
                     first.display()
                 ),
                 Input::Resume,

@@ -246,7 +246,7 @@ fn for_each_line(
         return Ok(());
     }
     read_lines(path, may_end_in_a_line, each).map_err(|fault| {
-        let mut message = phrase![format!("cannot go on with {}: ", path.display())];
+        let mut message = phrase![format!("cannot continue with {}: ", path.display())];
         message.push(fault.phrase());
         message.push("; leave out ");
         message.push(Input::Resume);

@@ -138,7 +138,7 @@ pub enum PoseFault {
     NotJoined { body: String },
     /// The joint, or one of its functions, is not supported.
     #[error(
-        "it is not known how joint {joint}, a {class}, stands at the default pose: one of its functions, or the joint itself, is not understood"
+        "the default pose of joint {joint}, a {class}, cannot be computed: one of its functions, or the joint itself, is not understood"
     )]
     Joint { joint: String, class: String },
     #[error("coordinate {coordinate} of joint {joint} has no default value that can be read")]

@@ -139,7 +139,7 @@ inputs! {
     Replace = "replace", "take the model's own contacts out first";
     Report = "report", "report";
     Restitution = "restitution", "coefficient of restitution";
-    Resume = "resume", "go on with an earlier run";
+    Resume = "resume", "continue an earlier run";
     Rule = "rule", "whose scaling";
     Samples = "samples", "points of the series";
     Select = "select", "forces to choose";

@@ -1,6 +1,6 @@
 //! Messages to the user. The inputs and calls in them are data, so that each front end can write them in its own way.
 //!
-//! Many messages end with advice, such as "say what the model weighs with …", followed by an input: `--mass KG` on the command line,
+//! Many messages end with advice, such as "give the mass of the model with …", followed by an input: `--mass KG` on the command line,
 //! `mass=` in Python, a field on a web page. A [`Phrase`] therefore keeps the [`Input`] as data, and the [`Dialect`] of each front end
 //! writes it.
 //!

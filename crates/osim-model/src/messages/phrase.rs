@@ -236,8 +236,8 @@ impl IntoParts for &Phrase {
 /// ```
 /// use osim_model::messages::{Input, phrase};
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
-/// assert_eq!(way_out.to_string(), "say what the model weighs with `mass`");
+/// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
+/// assert_eq!(way_out.to_string(), "give the mass of the model with `mass`");
 /// ```
 #[macro_export]
 macro_rules! phrase {
@@ -273,8 +273,8 @@ macro_rules! phrase {
 ///     }
 /// }
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
-/// assert_eq!(way_out.spelled(&Python), "say what the model weighs with mass=KG");
+/// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
+/// assert_eq!(way_out.spelled(&Python), "give the mass of the model with mass=KG");
 /// ```
 pub trait Dialect {
     /// The text for an input, with an example of its value, as the reader types it.

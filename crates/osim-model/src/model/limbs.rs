@@ -174,7 +174,7 @@ impl Model {
             return Ok(());
         }
         let [top] = tree.tops() else {
-            return Err("spheres stand on bodies that are joined only through ground".to_owned());
+            return Err("spheres are on bodies that are joined only through ground".to_owned());
         };
         let mut groups = vec![*top];
         while let Some(body) = groups.pop() {
@@ -187,7 +187,7 @@ impl Model {
                 at = *only;
             }
             if tree.carries(at) {
-                return Err("spheres stand on a body to which left and right limbs are joined".to_owned());
+                return Err("spheres are on a body to which both left and right limbs are joined".to_owned());
             }
             groups.extend(tree.children(at));
         }

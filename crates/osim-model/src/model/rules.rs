@@ -22,7 +22,7 @@ static MASS_SOURCES_DISAGREE: Rule = Rule {
     verdict: Some(VerdictOn::Mass),
     what: "The note, `mass` and the bodies give different masses.",
     why: "The factor of every change follows from the mass the contacts are made for; a wrong one scales all of them wrongly.",
-    advice: "Check the mass that was taken (the first line of the output) and say `contacts_mass=KG` if it is not the right one",
+    advice: "Check the mass that was taken (the first line of the output) and give `contacts_mass=KG` if it is not the right one",
     repair: Repair::NotPossible("only you know which of the masses is right"),
     example: Example::Models { good: "walks/child.osim", bad: "walks/scaled_noted.osim" },
 };
@@ -77,7 +77,7 @@ static DISABLED_FORCE: Rule = Rule {
     verdict: Some(VerdictOn::Sides),
     what: "A contact force that is switched off is changed with the others. It is a warning if all are switched off.",
     why: "A force that does not apply carries no load, so its spheres are not counted; it is still scaled, so that it is right once it is switched on.",
-    advice: "Nothing, if that is meant; else `skip_disabled`",
+    advice: "Nothing, if this is intended; else `skip_disabled`",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -110,7 +110,7 @@ static MIXED_RADII: Rule = Rule {
     verdict: Some(VerdictOn::Sizes),
     what: "Radii differ within one ContactParameters.",
     why: "One ContactParameters has one modulus for all its spheres. The mean of R squared is used before and after: equal relative indentation, load in proportion to R squared.",
-    advice: "Nothing, if that is meant; else give each sphere its own force",
+    advice: "Nothing, if this is intended; else give each sphere its own force",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/mixed_radii.osim" },
 };
@@ -132,7 +132,7 @@ static SEVERAL_PARAMETER_SETS: Rule = Rule {
     verdict: None,
     what: "A force has several ContactParameters.",
     why: "The surfaces have moduli of their own and the contact uses their composite (A.3); all are multiplied by the same factor.",
-    advice: "Nothing, if that is meant",
+    advice: "Nothing, if this is intended",
     repair: Repair::NotPossible("nothing is wrong"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/three_materials.osim" },
 };
@@ -149,7 +149,7 @@ static FACTORS_DISAGREE: Rule = Rule {
     verdict: None,
     what: "Two sources give different scale factors of a body.",
     why: "A sphere's place and size follow from its body's factors; the first source in the order given, scale file, mesh, joint offset was taken.",
-    advice: "Look at `inspect from`, and say `body_scale=BODY=x,y,z` where another source is right",
+    advice: "Look at `inspect from`, and give `body_scale=BODY=x,y,z` where another source is right",
     repair: Repair::OnlyInChange("only you know which source is right"),
     example: Example::Request {
         good: r#"{"verb": "transfer", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim", "follow_bodies": true}"#,
@@ -167,8 +167,8 @@ static NOT_A_SCALED_COPY: Rule = Rule {
     severity: Severity::Warning,
     verdict: None,
     what: "A model is not a scaled copy of the reference whose contacts follow its bodies.",
-    why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of the body it hangs on.",
-    advice: "Nothing, if another model is meant; else name the generic model that this one was scaled from, or say `body_scale=BODY=x,y,z`",
+    why: "In a scaled copy, joint offsets and meshes give each factor exactly. Between different models offsets are not factors: a body then gets the ratio of the mesh factors of the same bone, else one ratio of distances to a joint below it, and the last body of a limb the factors of its parent body.",
+    advice: "Nothing, if it is another model on purpose; else name the generic model that this one was scaled from, or give `body_scale=BODY=x,y,z`",
     repair: Repair::OnlyInChange("only you know which model this one was scaled from"),
     example: Example::Request {
         good: r#"{"verb": "inspect", "models": ["scale_tool/scaled_smooth.osim"], "from": "scale_tool/generic_smooth.osim"}"#,

@@ -70,7 +70,7 @@ fn a_foot_that_leans_is_not_made_level() {
     assert!(matches!(fault, NotLevelled::Leans { .. }));
     let said = fault.to_string();
     assert!(
-        said.starts_with("the foot of limb foot_r leans by 3.4 degrees at the default pose (heel)"),
+        said.starts_with("the foot of limb foot_r is tilted by 3.4 degrees at the default pose (heel)"),
         "{said}"
     );
 }

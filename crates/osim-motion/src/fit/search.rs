@@ -29,7 +29,7 @@ pub struct FitBounds {
 
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum FitError {
-    #[error("the plates measured no force under a foot while it was recorded: there is nothing to fit to")]
+    #[error("the plates measured no force under a foot during the recording: there is nothing to fit to")]
     NoForce,
     #[error("nothing is fitted: name at least one of stiffness, dissipation and height")]
     NothingToFit,

@@ -278,7 +278,7 @@ fn refuse_ignored_offset(
         None => Ok(()),
         Some((frame, _)) => Err(Fault::refused(format!(
             "{} has a derivative_smoothing, as the first version of its class, which ignored where frame {frame} is on its body: \
-             name the body itself in the force, and the place on it that is meant",
+             name the body itself in the force, and its place on that body",
             force.path
         ))),
     }

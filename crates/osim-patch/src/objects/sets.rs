@@ -168,7 +168,7 @@ pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
     if tree.name(root) != "Model" {
         return Err(Fault::at_span(
             FaultKind::Refused(
-                "this is a set that stands alone: whole contacts are added to, changed in and removed from models only; name the \
+                "this is a set without its model: only in whole models can contacts be added, converted or removed; name the \
                  model that it belongs to"
                     .to_owned(),
             ),

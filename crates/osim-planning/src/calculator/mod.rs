@@ -337,7 +337,7 @@ fn add_smoothing(
 ) -> Result<(), RequestFault> {
     let need = |input: Input| {
         radius.ok_or_else(|| {
-            let message = phrase![input, " needs a radius: say ", Input::Radius.with_placeholder("METRES")];
+            let message = phrase![input, " needs a radius: give ", Input::Radius.with_placeholder("METRES")];
             RequestFault::refused(input, message)
         })
     };

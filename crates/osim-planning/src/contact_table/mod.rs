@@ -244,7 +244,7 @@ impl Columns {
             }
             if let Some((_, first)) = used_columns.iter().find(|(known, _)| *known == column_meaning) {
                 let other = sheet.header.get(*first).map_or("", String::as_str);
-                let message = format!("the columns '{other}' and '{header}' say the same: leave one out");
+                let message = format!("the columns '{other}' and '{header}' mean the same: leave one out");
                 return Err(TableFault::of_header(index, message));
             }
             used_columns.push((column_meaning, index));

@@ -150,7 +150,7 @@ pub(crate) fn remark_on_leaning_planes(base: &Model, rebuilt: &RebuiltModel) -> 
         return None;
     }
     let text = format!(
-        "no half-space of the model is level: {} would be a floor, but it leans; the new forces meet {}, which is level",
+        "no half-space of the model is level: {} would be a floor, but it is tilted; the new forces meet {}, which is level",
         planes.join(", "),
         made.name
     );

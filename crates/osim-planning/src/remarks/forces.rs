@@ -37,7 +37,7 @@ pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec
         remarks.push(format!("{more} more smoothings, at other radii, are in the JSON of this run").into());
     }
     if !given {
-        let text = "smoothing that is not given is that of Falisse et al. (2022) without dimensions, at the radius of each sphere: \
+        let text = "smoothing that is not given is that of Falisse et al. (2022), scaled to the radius of each sphere: \
                     (C.2), (C.5), (C.10)";
         remarks.push(text.into());
     }

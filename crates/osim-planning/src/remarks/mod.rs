@@ -47,7 +47,7 @@ pub(crate) fn refuse_geometry_output(output: &OutputOptions) -> Result<(), Reque
     }
     let why = phrase![
         Input::GeometryOutput,
-        " is for force sets that stand alone: whole objects are changed in whole models, whose geometry is in the same file"
+        " is for a ForceSet without its model: this verb needs a whole model, which has its geometry in the same file"
     ];
     Err(RequestFault::refused(Input::GeometryOutput, why))
 }

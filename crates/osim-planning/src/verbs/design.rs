@@ -56,7 +56,7 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let why = phrase![
             Input::ContactsMass,
-            " says nothing here: a design follows from ",
+            " has no effect here: a design follows from ",
             Input::Mass,
             " and the load"
         ];
@@ -66,14 +66,14 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
         let why = phrase![
             "a load says nothing without ",
             Input::Indentation.with_placeholder("X"),
-            ": leave it out, or say the indentation it should give",
+            ": leave it out, or give the indentation that you want",
         ];
         return Err(RequestFault::general(why));
     }
     if wanted.radius() == Some(RadiusRule::Isometric) {
         let why = phrase![
             Input::Radius.with_value("isometric"),
-            " says nothing here, expected keep, a radius in metres or a factor like x1.5",
+            " is not possible here, expected keep, a radius in metres or a factor like x1.5",
         ];
         return refused(Input::Radius, why);
     }
@@ -104,7 +104,7 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     }
     if !wanted.asks() {
         return Err(RequestFault::general(phrase![
-            "nothing is wanted: say for example ",
+            "nothing is asked for: give for example ",
             Input::Indentation.with_placeholder("X"),
             ", ",
             Input::Restitution.with_placeholder("CR"),

@@ -223,7 +223,7 @@ impl FitPlanner {
         let depth = sphere.value(Figure::Indentation)?;
         let stiffness = sphere.value(Figure::DimensionlessStiffness)?;
         Some(Phrase::from(format!(
-            "without dimensions, at body weight on one limb: x/R {depth:.2} by Hertz, k R n/F {stiffness:.2} ({}); rescaling keeps both at \
+            "in dimensionless form, at body weight on one limb: x/R {depth:.2} by Hertz, k R n/F {stiffness:.2} ({}); rescaling keeps both at \
              other sizes",
             shown(&sphere.sphere)
         )))
@@ -315,7 +315,7 @@ fn other_forces_on(model: &Model, selected: &Selected, planes: &[HalfSpace]) -> 
 fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
     match (error, plate_of_no_foot) {
         (FitError::NoForce, Some(plate)) => Fault::refused(format!(
-            "nothing says which foot the force '{plate}' is under, so there is nothing to fit to: an ExternalLoads file says it"
+            "it is not known which foot the force '{plate}' acts on, so there is nothing to fit to: an ExternalLoads file says which"
         )),
         _ => Fault::refused(error.to_string()),
     }

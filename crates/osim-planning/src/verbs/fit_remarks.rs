@@ -109,12 +109,12 @@ fn remark_if_worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
         return None;
     }
     let mut text = format!(
-        "the force is further from the plates than that of the model as it is ({:.3} body weights, {:.3} before)",
+        "the fitted model is further from the measured force than the model as it is ({:.3} body weights, {:.3} before)",
         fit.after.vertical_rms_bw, fit.before.vertical_rms_bw
     );
     if bounds.most_relative_indentation.is_some() && fit.before.largest_relative_indentation > 1.0 {
         text.push_str(&format!(
-            ": its spheres are up to x/R {:.2} deep, which the bound forbids",
+            ": its spheres are up to x/R {:.2} deep, deeper than the bound allows",
             fit.before.largest_relative_indentation
         ));
     }
@@ -146,7 +146,7 @@ fn remark_on_moved_spheres(down: &FittedParameter) -> Phrase {
     // Adding 0 removes the sign of a negative zero.
     let tenths = |metres: f64| (1e4 * metres).round() / 10.0 + 0.0;
     format!(
-        "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {:.1} to {:.1} mm do nearly the same",
+        "all spheres go {way} by {:.1} mm in their bodies, and the floor stays; {:.1} to {:.1} mm fit nearly as well",
         1e3 * down.value.abs(),
         tenths(low_m),
         tenths(high_m)
@@ -156,7 +156,7 @@ fn remark_on_moved_spheres(down: &FittedParameter) -> Phrase {
 
 fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
     (correlation.abs() > STRONG_CORRELATION).then(|| {
-        format!("stiffness and height trade against each other (correlation {correlation:.2})").into()
+        format!("the data hardly separate the stiffness from the height of the floor (correlation {correlation:.2})").into()
     })
 }
 
@@ -166,7 +166,7 @@ fn remark_on_floor(trial: usize, trials: usize, up: &FittedParameter) -> Phrase 
     let (low_m, high_m) = range_along_direction(up);
     let bound = if up.at_bound { ", the bound of the search" } else { "" };
     format!(
-        "the floor{of_trial} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm do nearly the same",
+        "the floor{of_trial} goes {way} by {:.1} mm{bound}; {:.1} to {:.1} mm fit nearly as well",
         1e3 * up.value.abs(),
         1e3 * low_m,
         1e3 * high_m
@@ -178,7 +178,7 @@ fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
     let (low, high) = factor.nearly_as_good;
     let bound = if factor.at_bound { ", the bound of the search" } else { "" };
     let mut text = format!(
-        "stiffness: {:.3} times that of the model{bound}; {low:.2} to {high:.2} times do nearly the same",
+        "stiffness: {:.3} times that of the model{bound}; {low:.2} to {high:.2} times fit nearly as well",
         factor.value
     );
     if high / low > WIDE_STIFFNESS_RATIO {
@@ -191,7 +191,7 @@ fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
 fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
     let (low, high) = dissipation.nearly_as_good;
     let mut text =
-        format!("dissipation: {:.2} s/m; {low:.2} to {high:.2} s/m do nearly the same", dissipation.value);
+        format!("dissipation: {:.2} s/m; {low:.2} to {high:.2} s/m fit nearly as well", dissipation.value);
     if high - low > WIDE_DISSIPATION_S_M {
         text.push_str(": it is not determined");
     }
@@ -204,7 +204,7 @@ fn remark_on_scatter(before: &Summary) -> Option<Phrase> {
     let radius_m = before.smallest_radius_m?;
     (widest > radius_m).then(|| {
         format!(
-            "in stance the feet's height in the recording scatters by {:.0} mm, more than R ({:.0} mm): stiffness is not determined",
+            "in the recording, the height of the feet in stance varies by {:.0} mm, more than the radius ({:.0} mm): the stiffness cannot be determined",
             1e3 * widest,
             1e3 * radius_m
         )

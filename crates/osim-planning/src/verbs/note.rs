@@ -48,9 +48,9 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
         (None, Some(limbs)) => NewNote::StanceLimbs(limbs.get()),
         (None, None) => {
             return Err(RequestFault::general(phrase![
-                "the mass is missing: say which mass the contacts in the file were made for with ",
+                "the mass is missing: give the mass that the contacts in the file were made for with ",
                 Input::ContactsMass.with_placeholder("KG"),
-                ", or how many limbs share the weight with ",
+                ", or the number of limbs that share the weight with ",
                 Input::StanceLimbs.with_placeholder("N"),
             ]));
         }

@@ -99,7 +99,7 @@ pub(super) fn reference_from_file(
         "incomplete-set" => {
             let mut failure = failure;
             failure.message =
-                "a set that stands alone cannot be a reference: name the model it belongs to".into();
+                "a set without its model cannot be a reference: name the model it belongs to".into();
             failure
         }
         _ => failure,

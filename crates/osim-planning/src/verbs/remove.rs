@@ -61,9 +61,9 @@ impl Planner for RemovePlanner {
 /// The remark that the note stays, because the model still has contacts.
 fn remark_on_kept_note(note: &Note) -> Phrase {
     let mut remark =
-        phrase!["contacts are left, and so is the note in the file, as one about a part of them"];
+        phrase!["some contacts are left, and the note in the file now counts as one about a part of the contacts"];
     if let Some(kg) = note.contacts_mass_kg {
-        remark.push(": for the next change say ");
+        remark.push(": for the next change give ");
         remark.push(Input::ContactsMass.with_value(readable(kg)));
         remark.push(" if these are still made for that mass");
     }

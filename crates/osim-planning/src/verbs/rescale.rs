@@ -58,7 +58,7 @@ pub(crate) fn prepare_with_factors(
         return Err(RequestFault::refused(
             Input::TargetMass,
             phrase![
-                "the target is missing: say which mass the contacts should be made for with ",
+                "the target is missing: give the mass that the contacts should be made for with ",
                 Input::TargetMass.with_placeholder("KG"),
             ],
         ));

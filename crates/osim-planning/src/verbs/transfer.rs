@@ -115,7 +115,7 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let message = phrase![
             Input::ContactsMass,
-            " says nothing here: the reference's mass is ",
+            " has no effect here: the reference's mass is ",
             Input::ReferenceMass,
             ", this model's ",
             Input::Mass,
@@ -125,7 +125,7 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
     if request.scaling.contacts_gravity.is_some() {
         let message = phrase![
             Input::ContactsGravity,
-            " says nothing here: the reference's gravity is ",
+            " has no effect here: the reference's gravity is ",
             Input::ReferenceGravity,
             ", the one to scale to ",
             Input::TargetGravity,
@@ -159,7 +159,7 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     if scaling.level && !follow.follow_bodies && stays {
         let message = phrase![
             Input::Level,
-            " says nothing here: radii stay, and bottoms with them; say other radii with ",
+            " has no effect here: radii stay, and the lowest points with them; give other radii with ",
             Input::Radius.with_value("isometric"),
             " (or metres, or a factor), or move spheres with their bodies by ",
             Input::FollowBodies,

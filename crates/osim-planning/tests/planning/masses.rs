@@ -106,8 +106,7 @@ fn mass_mismatch(text: &str, masses: &MassRequest) -> Option<MassMismatch> {
 fn a_note_of_another_mass_than_the_bodies_is_a_mismatch() {
     let text = with_note(&foot(&[SOLE]), 75.5);
     let found = mass_mismatch(&text, &MassRequest::default()).unwrap();
-    let expected = "its contacts are made for 75.5 kg (note in the file) and carry its body of 60 kg here: \
-                    say `mass` 75.5, or scale the body first";
+    let expected = "its contacts are made for 75.5 kg (note in the file) and carry its body of 60 kg here: give `mass` 75.5, or scale the body first";
     assert_eq!(found.message().to_string(), expected);
 }
 
@@ -124,14 +123,14 @@ fn masses_that_agree_or_that_the_caller_gives_are_not_a_mismatch() {
         assert_eq!(mass_mismatch(&text, &masses), None, "{masses:?}");
     }
     let no_body = text.replace("<mass>60</mass>", "<mass>0</mass>");
-    assert_eq!(mass_mismatch(&no_body, &MassRequest::default()), None, "what the model weighs is not known");
+    assert_eq!(mass_mismatch(&no_body, &MassRequest::default()), None, "the mass of the model is not known");
 }
 
 #[test]
 fn a_mismatch_is_only_reported_after_the_finding_about_masses() {
     let text = with_note(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
     let result = check_text(&text);
-    let aside = "; figures are those under 60 kg: for the others say `mass` 75.5";
+    let aside = "; the values are those under 60 kg: for those under the mass of the contacts give `mass` 75.5";
     for finding in &result.findings {
         let of_masses = finding.code() == FindingCode::MassSourcesDisagree;
         assert_eq!(finding.message.to_string().ends_with(aside), of_masses, "{}", finding.message);

@@ -32,16 +32,16 @@ fn texts_are_spelled_as_the_command_says_it() {
             "even without friction.",
             "Give it a small value, for example for a constant indentation of 0.05 of the radius",
         ),
-        (FindingCode::DisabledForce, "", "Nothing, if that is meant; else --skip-disabled"),
+        (FindingCode::DisabledForce, "", "Nothing, if this is intended; else --skip-disabled"),
         (
             FindingCode::FactorsDisagree,
             "",
-            "Look at inspect --from, and say --body-scale BODY=x,y,z where another source is right",
+            "Look at inspect --from, and give --body-scale BODY=x,y,z where another source is right",
         ),
         (
             FindingCode::BeyondHertzAtTwo,
             "",
-            "Nothing, if the model only walks; else stiffer, larger or more spheres, for a relative indentation of 0.16 at two body weights",
+            "Nothing, if the model only walks; else make the spheres stiffer, larger or more, for a relative indentation of 0.16 at two body weights",
         ),
         (
             FindingCode::SunkIn,

@@ -122,7 +122,7 @@ impl ScalingOptions {
 }
 
 choices! {
-    /// How a radius follows from three factors.
+    /// How the radius of a sphere follows from the three factors of its body.
     RadiusAxisChoice: Geomean {
         X = "x";
         Y = "y";
@@ -192,7 +192,7 @@ impl FollowOptions {
         }
     }
 
-    /// How a radius follows from three factors.
+    /// How the radius of a sphere follows from the three factors of its body.
     pub fn radius_axis(&self) -> RadiusAxis {
         match self.radius_axis {
             RadiusAxisChoice::X => RadiusAxis::X,

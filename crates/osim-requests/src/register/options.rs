@@ -21,7 +21,7 @@ const FORCES: &str = "Which forces";
 const OUTPUT: &str = "Output";
 const SETS: &str = "Standalone sets";
 const WEIGHT: &str = "Spheres that share the weight";
-const FIGURES: &str = "What the figures are made for";
+const FIGURES: &str = "What the values are computed for";
 const REFERENCE: &str = "The reference";
 const SCALED: &str = "A model that OpenSim scaled (`from` is the generic model)";
 const WANTED: &str = "What is wanted or known";
@@ -164,7 +164,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             "Exit with 1 where the result has a finding as bad as this, or worse",
             Check => "Exit with 1 where a finding is as bad as this, or worse";
         Height = value("HEIGHT").under_if(is(&[Plot]), FALL),
-            "Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25";
+            "Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25";
         Duration = value("S").under_if(is(&[Plot]), FALL).rare_if(is(&[Plot])), "How long to follow the body, s",
             Plot => "How long to follow the body, s [default: 20 sqrt(R/g), of the slowest]";
         Samples = value("N").rare(), "Points of the series";
@@ -191,7 +191,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             .refused_if(is(&[Transfer, Add, Design, DropTest])),
             "Mass the contacts are made for now, kg [default: the note, else `mass`]",
             Note => "Mass the contacts in the file were made for, kg";
-        Mass = value("KG").signed(), "What this model weighs, kg [default: the sum of its bodies]";
+        Mass = value("KG").signed(), "Mass of this model, kg [default: the sum of its bodies]";
         ExcludeBody = values("GLOB").rare(), "Leave these bodies out of the sum (props, platforms); may be repeated";
     }
     CHANGES => {
@@ -244,8 +244,8 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Check => "Replace existing files";
         NoNote = flag().rare(), "Leave no note (in the credits) in the model",
             Sweep => "Leave no note (in the credits) in the models";
-        DryRun = flag().of_run(), "Write nothing, only say what would change",
-            Sweep => "Write nothing, only say what would be made";
+        DryRun = flag().of_run(), "Write nothing, only show what would change",
+            Sweep => "Write nothing, only show what would be made";
         Diff = flag().rare_if(!is(&[Remove, Convert, Note])).about(FieldGroup::Shown).of_run(), "Show the changes as a unified diff too";
         Format = choice(format_words(verb)).under_if(is(&[Inspect, Check, DropTest, Motion, Reproduce, Presets, Explain]), OF_VERB_ALONE)
             .rare_if(is(&[Rescale, Fit])).about(FieldGroup::Shown).of_run(),
@@ -257,11 +257,11 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             Sweep => "Models to make at once [default: one per processor]";
         Summary = written("FILE").rare().about(FieldGroup::Many).of_run(), "Keep a line per model in this file (.csv or .ndjson)";
         Resume = flag().rare().about(FieldGroup::Many).of_run(), "Skip models that `summary` says are done, if nothing has changed since",
-            Sweep => "Go on with a sweep that was stopped or changed: make what is not there as it should be, leave what was edited";
+            Sweep => "Continue a sweep that was stopped or changed: make the models that are missing or out of date, and leave edited ones";
         Shard = value("I/N").under_if(is(&[Sweep]), OF_VERB_ALONE).rare().about(FieldGroup::Many).of_run(), "Only share I of N of the models, for \
                        job arrays",
             Sweep => "Only share I of N of the points, for job arrays";
-        Yes = values("CODE").rare(), "Go on where a number looks like a slip: the code of the error that asks; may be repeated";
+        Yes = values("CODE").rare(), "Confirm what looks like a mistake: the code of the error that asks; may be repeated";
         Again = flag(), "Apply it once more";
         AllowOutside = flag(), "Let rows name files to write outside the folder of the results, or of the table";
     }
@@ -291,7 +291,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         BodyScale = values("BODY=x,y,z").under_if(is(&[Add]), OF_VERB_ALONE).rare_if(is(&[Transfer])),
             "Factors of a body (or one, BODY=f); may be repeated",
             Add => "Factors of a body against the reference's (or one, BODY=f); may be repeated";
-        RadiusAxis = choice(RadiusAxisChoice::WORDS).rare(), "How a radius follows from three factors";
+        RadiusAxis = choice(RadiusAxisChoice::WORDS).rare(), "How the radius of a sphere follows from the three factors of its body";
         MovedSpheres = choice(MovedChoice::WORDS).rare(), "Spheres that were moved or resized already: keep them, or place them again";
         Strict = flag().under_if(is(&[Convert]), OF_VERB_ALONE).rare(), "Refuse where spheres of one force follow bodies with different factors",
             Convert => "Refuse where sphere and half-space have parameters of their own that differ";

@@ -147,7 +147,7 @@ choices! {
 choices! {
     /// How a motion is shown.
     MotionFormat: Table {
-        Table = "table", "In words, and figures of each foot and sphere";
+        Table = "table", "In sentences, and with the values of each foot and sphere";
         Json = "json", "One JSON object";
         Csv = "csv", "One row per frame, sphere and force";
     }

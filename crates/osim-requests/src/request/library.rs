@@ -140,7 +140,7 @@ impl SweepRequest {
         if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
         {
             let message = phrase![
-                format!("{count} models would be made, more than 10,000: say "),
+                format!("{count} models would be made, more than 10,000: confirm it with "),
                 &Question::ManyModels.answer(),
                 ", or give fewer values",
             ];

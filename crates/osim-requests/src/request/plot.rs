@@ -112,7 +112,7 @@ choices! {
 choices! {
     /// Units of indentation and force.
     AxesChoice {
-        Dimensionless = "dimensionless", "x/R, and force over the weight's share of one sphere";
+        Dimensionless = "dimensionless", "x/R, and force over the sphere's share of the weight";
         Real = "real", "mm and N";
     }
 }
@@ -198,7 +198,7 @@ impl PlotRequest {
         }
         if (self.kind == Some(PlotKind::Motion)) != self.motion.is_some() {
             return Err(RequestFault::general(phrase![
-                "a figure of motion, and no other, has a recording: say ",
+                "only the plot of motion takes a recording: give ",
                 Input::Motion.with_placeholder("FILE"),
             ]));
         }

@@ -237,29 +237,27 @@ verbs! {
                   file; without one, `body_scale_file` takes the ScaleSet that was applied.")
         .title("Scale the contacts")
         .purpose("Contacts that are made for one body mass, rescaled to another: each parameter is multiplied by the factor that its \
-                  equation gives, so that the contact without dimensions stays the same.");
+                  equation gives, so that the dimensionless contact stays the same.");
     Transfer(TransferRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Give a model the contacts of another model or of a preset, at its own size")
         .details("After OpenSim's Scale Tool: check SCALED `from=GENERIC` says where each sphere belongs, and transfer SCALED \
                   `from=GENERIC` `follow_bodies` `output=OUT` puts it there and makes the contacts right for the new mass.")
         .title("Take the contacts of another model")
-        .purpose("The contacts of another model, given to this one at its own mass, radii and number of spheres, so that the contact \
-                  without dimensions is the reference's.");
+        .purpose("The contacts of another model, given to this one at its own mass, radii and number of spheres, so that the dimensionless contact is the reference's.");
     Add(AddRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Give a model contacts: of another model, a table, or under its bones")
         .details("Spheres are placed by the size of this model's own bones, and their numbers made for its mass. remove takes them out \
                   again.")
         .title("Add contacts")
-        .purpose("Contacts for a model that had none, at its own size, with numbers made for its mass: those of a reference without \
-                  dimensions, or those that were asked for.");
+        .purpose("Contacts for a model that had none, at its own size, with numbers made for its mass: equal to a reference's in dimensionless form, or as asked for.");
     Remove(RemoveRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Take the foot contacts out of a model")
-        .details("After add, also with a rescale in between, the first file is there again, byte for byte.")
+        .details("After add, and also after a later rescale, remove restores the original file byte for byte.")
         .title("Remove the contacts")
         .purpose("Contacts taken out of the model. Nothing else was changed.");
     Convert(ConvertRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],
         "Make forces of one class from those of the other, one for each sphere")
-        .details("Divides a HuntCrossleyForce with several spheres, too, also into its own class.")
+        .details("It also divides a HuntCrossleyForce with several spheres into one force for each sphere, of either class.")
         .title("Convert the forces")
         .purpose("Forces of another class, one for each sphere, with the same stiffness, dissipation and friction.");
     Design(DesignRequest) change = VerbEntry::new(VerbGroup::Change, &["models"],

@@ -17,8 +17,8 @@ const PROGRAM: &str = "osim-contact-scale";
 /// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::CommandLine;
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
-/// assert_eq!(way_out.spelled(&CommandLine), "say what the model weighs with --mass KG");
+/// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
+/// assert_eq!(way_out.spelled(&CommandLine), "give the mass of the model with --mass KG");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct CommandLine;

@@ -13,8 +13,8 @@ use crate::spell::speller::{FrontEnd, Speller, is_assignment};
 /// use osim_model::messages::{Dialect, Input, Verb, phrase};
 /// use osim_requests::spell::JsonRequest;
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
-/// assert_eq!(way_out.spelled(&JsonRequest), "say what the model weighs with \"mass\": KG");
+/// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
+/// assert_eq!(way_out.spelled(&JsonRequest), "give the mass of the model with \"mass\": KG");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct JsonRequest;

@@ -6,7 +6,7 @@ use crate::request::{Request, verb_title};
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
 
 /// Text of the button with which a user answers a question.
-const ANSWER_BUTTON: &str = "“It is meant as it is: go on”";
+const ANSWER_BUTTON: &str = "“This is correct: continue”";
 
 /// A page: the field “mass of the model”.
 ///
@@ -14,8 +14,8 @@ const ANSWER_BUTTON: &str = "“It is meant as it is: go on”";
 /// use osim_model::messages::{Input, phrase};
 /// use osim_requests::spell::Page;
 ///
-/// let way_out = phrase!["say what the model weighs with ", Input::Mass.with_placeholder("KG")];
-/// assert_eq!(way_out.spelled(&Page), "say what the model weighs with the field “mass of the model”");
+/// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
+/// assert_eq!(way_out.spelled(&Page), "give the mass of the model with the field “mass of the model”");
 /// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Page;

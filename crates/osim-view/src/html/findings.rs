@@ -16,7 +16,7 @@ pub(super) fn add_findings_of_model(fragment: &mut Fragment, check: &CheckResult
     let list = list_of_items(&items_of_findings(fragment, &findings, LineOf::Only, CommandDisplay::Shown));
     let body = html! {
         (verdicts_of_model(&check.verdicts))
-        @if check.findings.is_empty() { p { "Nothing to say: all figures are within the limits." } }
+        @if check.findings.is_empty() { p { "No findings: all values are within the limits." } }
         (list)
     };
     fragment.add_section(SECTION.0, SECTION.1, &body);

@@ -118,7 +118,7 @@ fn sentences_on_standing(inspected: &Inspection) -> Markup {
                 @for (number, sentence) in sentences(body, Extent::Brief).iter().enumerate() { @if number > 0 { "; " } (sentence) } "."
             }
         }
-        @if let Some(why) = &inspected.why_no_standing { p.aside { "Where it stands is not known: " (why) "." } }
+        @if let Some(why) = &inspected.why_no_standing { p.aside { "Its height over the floor is not known: " (why) "." } }
     }
 }
 

@@ -40,8 +40,7 @@ pub(super) fn contact_section(
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
     let svg = fragment.is_named(STATE.0).then(|| state_svg(bodies).ok()).flatten();
     if let Some(svg) = svg {
-        let what = "How softly contact sets in: from 0, no contact, to 1. Where curves lie on each other, the smoothing without \
-                    dimensions is the same.";
+        let what = "How softly contact begins: from 0, no contact, to 1. Where curves lie on each other, the dimensionless smoothing is the same.";
         fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot_with_caption(what, &svg)) } });
     }
 }
@@ -50,11 +49,10 @@ pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
 pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn Dialect) -> Markup {
     let pressed = if has_reference {
         "Force of a sphere that is pressed into the ground, before and after the change, and of the reference. The curve \
-         after the change and that of the reference lie on each other where the contact without dimensions is the same; the \
+         after the change and that of the reference lie on each other where the dimensionless contact is the same; the \
          curve before it is that of other contacts."
     } else if bodies.len() > 1 {
-        "Force of a sphere that is pressed into the ground. Where curves lie on each other, the \
-         contact without dimensions is the same."
+        "Force of a sphere that is pressed into the ground. Where curves lie on each other, the dimensionless contact is the same."
     } else {
         "Force of a sphere that is pressed into the ground."
     };
@@ -65,7 +63,7 @@ pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn
             loops_svg(bodies),
         ),
         (
-            "A fall from a quarter of the radius, against time in seconds (A) and without dimensions (B).",
+            "A fall from a quarter of the radius, against time in seconds (A) and in dimensionless form (B).",
             drops_svg(bodies),
         ),
     ];

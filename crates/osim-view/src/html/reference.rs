@@ -41,7 +41,7 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
         Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
         None => reference.name.clone(),
     };
-    let caption = "Contacts without dimensions, each under its own weight: x/R by (11), damping, constant indentation, and \
+    let caption = "Dimensionless numbers of the contacts, each under its own weight: x/R by (11), damping, constant indentation, and \
                    smoothing.";
     let headers = ["contact", " spheres", "R in m", "x/R", "α √(gR)", "√cf/R", "bd R", "bv √(gR)"];
     let body = html! {
@@ -141,7 +141,7 @@ fn verdict_on_contact(name: &str, equal: bool, changed: bool) -> String {
     let is = if changed { "The contact is now" } else { "The contact is" };
     if equal {
         return format!(
-            "{is} as that of {name}: without dimensions all numbers are equal. What is outside a limit here is outside it in \
+            "{is} as that of {name}: all dimensionless numbers are equal. What is outside a limit here is outside it in \
              the reference, too."
         );
     }

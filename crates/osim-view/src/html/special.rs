@@ -205,7 +205,7 @@ impl ChosenModels {
         if let Some((contact, (count, one))) = common {
             reasons.push((
                 one,
-                format!("the first of {count} with the most common contact without dimensions ({contact})"),
+                format!("the first of {count} with the most common dimensionless contact ({contact})"),
             ));
         }
         reasons
@@ -271,7 +271,7 @@ mod tests {
         let expected = [
             (
                 1,
-                "heaviest (99 kg); the first of 40 with the most common contact without dimensions (x/R = 0.1)",
+                "heaviest (99 kg); the first of 40 with the most common dimensionless contact (x/R = 0.1)",
             ),
             (40, "lightest (60 kg)"),
             (30, "the only one with the finding floats"),

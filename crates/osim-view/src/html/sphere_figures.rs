@@ -75,7 +75,7 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
     let why =
         states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
     let mut body = html! {
-        @if let Some(why) = why { p.aside { "No figures under body weight: " (why) "." } }
+        @if let Some(why) = why { p.aside { "No values under body weight: " (why) "." } }
         @if groups.is_empty() { p { "No sphere of a chosen force touches a half-space." } }
         @else { p { "BW: body weight, on one limb unless the call says otherwise. Restitution is that of a fall from a quarter of the radius, √(gR/2), unless the call says otherwise." } }
     };

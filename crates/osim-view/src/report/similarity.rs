@@ -95,7 +95,7 @@ fn spread_in_words(SizeSpread { median, min, max, .. }: &SizeSpread, extent: Ext
 fn ratios_in_words(list: &SizeList, extent: Extent) -> String {
     let three = |value| extent.number(value, three_significant);
     let (Some(mass), Some(length)) = (list.mass_ratio, list.length_ratio) else {
-        return "masses are not known: what similarity would give is not known".to_owned();
+        return "masses are not known, so the factors of similarity cannot be computed".to_owned();
     };
     let kg =
         |mass: Option<f64>| mass.map_or_else(|| "?".to_owned(), |mass| extent.number(mass, four_significant));

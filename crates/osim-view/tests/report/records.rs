@@ -53,7 +53,7 @@ fn a_failure_is_told_in_the_words_of_its_front_end() {
     assert_eq!(
         text(&CommandLine),
         "{\"schema_version\":1,\"model\":\"walker.osim\",\"error\":{\"code\":\"refused\",\"message\":\"the model has no \
-         gravity: say --gravity G\",\"line\":null,\"column\":null}}\n"
+         gravity: give --gravity G\",\"line\":null,\"column\":null}}\n"
     );
     assert!(text(&Python).contains("say gravity=G"));
 }

@@ -85,7 +85,7 @@ impl<'a> BodyFactorSources<'a> {
             for (other, value) in others.filter_map(|(other, values)| Some((other, values[axis]?))) {
                 if (value - factor).abs() > limit * factor {
                     messages.push(format!(
-                        "body {}, {name}: {} says {factor:.6}, {} says {value:.6}; took the first",
+                        "body {}, {name}: {} gives {factor:.6}, {} gives {value:.6}; the first was used",
                         self.body,
                         source.as_str(),
                         other.as_str()
@@ -103,8 +103,7 @@ impl<'a> BodyFactorSources<'a> {
         let (distance, source, [along, ratio]) = self.distance_ratios(taken)?;
         ((ratio - along).abs() > TOLERANCE_OF_DIFFERENT_MODELS * along).then(|| {
             format!(
-                "body {}: {} says {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; took the \
-                 first",
+                "body {}: {} gives {along:.6} for the distance to joint {}, but the distance is {ratio:.6} of the reference's; the first was used",
                 self.body,
                 source.as_str(),
                 distance.joint
@@ -247,7 +246,7 @@ pub(super) fn inherit_from_body_above(
         };
         let [x, y, z] = axes.map(|axis| axis.factor);
         remarks.push(
-            format!("{body} takes the factors of {above}, on which it hangs: {x:.4}, {y:.4}, {z:.4}").into(),
+            format!("{body} takes the factors of {above}, its parent body: {x:.4}, {y:.4}, {z:.4}").into(),
         );
         inherited.insert(body);
         let Some(found) = by_name.index_of(body).and_then(|at| factors.get_mut(at)) else { continue };

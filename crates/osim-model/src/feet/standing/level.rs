@@ -25,22 +25,21 @@ pub struct LevelledSphere {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NotLevelled {
     /// It is not known which spheres belong to one foot.
-    #[error("the bottoms of a foot cannot be made level, because limbs are not known: {why}")]
+    #[error("the spheres of a foot cannot be made level, because limbs are not known: {why}")]
     NoLimbs { why: String },
     /// None of the spheres presses on a floor.
     #[error(
-        "the bottoms of a foot cannot be made level, because no sphere presses on a floor that leans by less than 45 degrees"
+        "the spheres of a foot cannot be made level, because no sphere presses on a floor that is tilted by less than 45 degrees"
     )]
     NoFloor,
     /// The foot leans at the default pose.
     #[error(
-        "the foot of limb {} leans by {} degrees at the default pose ({}): there the pose decides which of its spheres is low, and not \
-         the foot; expected at most 3 degrees: set default values of its joints at which it lies flat",
+        "the foot of limb {} is tilted by {} degrees at the default pose ({}): there the lowest sphere depends on the pose, not on the shape of the foot; expected at most 3 degrees: set default values of its joints at which it lies flat",
         shown(limb), readable((degrees * 10.0).round() / 10.0), shown(sphere)
     )]
     Leans { limb: String, sphere: String, degrees: f64 },
     /// The places of bodies at the default pose are not known.
-    #[error("the bottoms of a foot cannot be made level: {0}")]
+    #[error("the spheres of a foot cannot be made level: {0}")]
     Pose(#[from] PoseFault),
     #[error("{0}")]
     Frame(Box<Fault>),

@@ -28,13 +28,13 @@ pub struct Lift {
 /// Why no coordinate lifts the spheres of a joint tree from their floor.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum NotLifted {
-    #[error("it is welded to what its floor is on")]
+    #[error("it is welded to the body that carries its floor")]
     Welded,
     /// The coordinates between the joint tree and ground only rotate.
-    #[error("it only turns about what its floor is on")]
+    #[error("it can only rotate about the body that carries its floor")]
     Pinned,
     /// The coordinates between the joint tree and ground move only along the floor.
-    #[error("it only slides along its floor")]
+    #[error("it can only slide along its floor")]
     Slides,
     #[error("{coordinate}, which would lift it, is locked")]
     Locked { coordinate: String },

@@ -195,7 +195,7 @@ impl Needed {
             Self::BodyMass { body } => phrase![
                 format!("body '{body}' has no mass (OpenSim reads NaN): give it a <mass>"),
                 Input::Mass.either(
-                    phrase![", or say what the model weighs with ", Input::Mass.with_placeholder("KG")],
+                    phrase![", or give the mass of the model with ", Input::Mass.with_placeholder("KG")],
                     ""
                 ),
             ],
@@ -206,9 +206,9 @@ impl Needed {
                 },
                 Input::Mass.either(
                     phrase![
-                        ": say what the model weighs with ",
+                        ": give the mass of the model with ",
                         Input::Mass.with_placeholder("KG"),
-                        ", or which mass its contacts are made for with ",
+                        ", or the mass that its contacts are made for with ",
                         Input::ContactsMass.with_placeholder("KG"),
                     ],
                     ": give them masses",
@@ -217,7 +217,7 @@ impl Needed {
             Self::MassOfLoop => phrase![
                 "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice",
                 Input::Mass.either(
-                    phrase![": say what the model weighs with ", Input::Mass.with_placeholder("KG")],
+                    phrase![": give the mass of the model with ", Input::Mass.with_placeholder("KG")],
                     ""
                 ),
             ],
@@ -235,10 +235,10 @@ impl Needed {
                 let each: Vec<_> =
                     trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
                 phrase![
-                    "contact spheres stand on bodies that are joined only through ground: ",
+                    "contact spheres are on bodies that are joined only through ground: ",
                     each.join("; "),
                     input.either(
-                        phrase![": say which forces are meant with ", input.with_placeholder("GLOB")],
+                        phrase![": choose the forces with ", input.with_placeholder("GLOB")],
                         ""
                     ),
                 ]
@@ -271,12 +271,12 @@ impl Needed {
                     "the contacts of {reference} differ from each other, and it has no spheres with these names: {}",
                     unmatched.join(", ")
                 ),
-                ": say whose contact to take with ",
+                ": choose the contact to take with ",
                 Input::ReferenceSphere.with_placeholder("NAME"),
             ],
             Self::ReferenceContactOfForce { force } => phrase![
                 format!("the spheres of {force} have different contacts in the reference"),
-                ": say whose contact to take with ",
+                ": choose the contact to take with ",
                 Input::ReferenceSphere.with_placeholder("NAME"),
             ],
             Self::ReferenceRadius { reference, unmatched } => phrase![
@@ -343,7 +343,7 @@ impl Needed {
                 Input::BodyScaleFile,
             ],
             Self::Geometry => phrase![
-                "this is a ForceSet that stands alone: its spheres are in another file, ",
+                "this is a ForceSet without its model: its spheres are in another file, ",
                 Input::Geometry
                     .either(phrase!["name it with ", Input::Geometry.with_placeholder("FILE")], WHOLE_MODELS),
             ],
@@ -358,13 +358,13 @@ impl Needed {
                 ),
             ],
             Self::Load => phrase![
-                "an indentation needs a load: say ",
+                "an indentation needs a load: give ",
                 Input::Load.with_placeholder("N"),
                 " or ",
                 Input::BodyWeights.with_placeholder("B"),
             ],
             Self::NotedSizes => phrase![
-                "the note in the file does not say how bodies were scaled since (there is none, or spheres were moved): take \
+                "the file does not show how its bodies were scaled (it has no note, or spheres were moved since): take \
                  the contacts of the model that was scaled (transfer), or name the Scale Tool's file with ",
                 Input::BodyScaleFile.with_placeholder("FILE"),
             ],
@@ -372,7 +372,7 @@ impl Needed {
             // `HeightRatio`; the others were answered before.
             _ => phrase![
                 Input::Rule.with_value("predsim"),
-                " needs the ratio of heights: say ",
+                " needs the ratio of heights: give ",
                 Input::HeightRatio.with_placeholder("RATIO"),
                 ", or ",
                 Input::FollowBodies,

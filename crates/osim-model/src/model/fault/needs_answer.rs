@@ -236,7 +236,7 @@ impl NeedsAnswer {
     /// The doubt, and the answer with which the caller confirms the number.
     pub fn phrase(&self) -> Phrase {
         let mut text = self.doubt();
-        text.push("; if it is meant, say ");
+        text.push("; if it is correct, confirm it with ");
         text.push(&self.question().answer());
         text
     }

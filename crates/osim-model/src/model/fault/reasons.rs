@@ -49,7 +49,7 @@ impl GravityFor {
         let whose = if self == Self::Reference { "the reference" } else { "the model" };
         let mut text = phrase![whose, NO_GRAVITY];
         for (index, &(input, unit)) in self.answers().iter().enumerate() {
-            text.push(if index == 0 { ": say " } else { " or " });
+            text.push(if index == 0 { ": give " } else { " or " });
             text.push(input.with_placeholder(unit));
         }
         if self.answers().is_empty() {
@@ -221,7 +221,7 @@ impl FactorQuestion {
         match self {
             Self::Meshes { body, meshes: [(one, by_one), (other, by_other)] } => phrase![
                 format!(
-                    "the meshes of body {body} say different factors: {one} says {}, {other} says {}",
+                    "the meshes of body {body} give different factors: {one} gives {}, {other} gives {}",
                     three(by_one),
                     three(by_other)
                 ),

@@ -184,7 +184,7 @@ impl VerdictOn {
             Self::Mass => "Do the contacts fit the mass?",
             Self::Sides => "Do left and right agree?",
             Self::Sizes => "Are sizes and places believable?",
-            Self::Solver => "Can a solver live with it?",
+            Self::Solver => "Can a solver handle it?",
             Self::Recording => "Does it fit the recording?",
         }
     }

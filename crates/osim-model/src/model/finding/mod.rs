@@ -20,7 +20,7 @@ pub use code::{FindingCode, Severity, VerdictOn};
 /// assert_eq!(finding.place.as_deref(), Some("/forceset/contact_heel_r"));
 /// // The rule is shared by all findings of one code.
 /// assert_eq!(finding.rule.severity, Severity::Remark);
-/// assert!(finding.advice.to_string().starts_with("Nothing, if that is meant"));
+/// assert!(finding.advice.to_string().starts_with("Nothing, if this is intended"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -65,7 +65,7 @@ impl From<Fault> for AddFault {
         // The usual advice names the mass that old contacts were made for. New contacts were made for none.
         if let FaultKind::Needed(Needed::ModelMass { bodies, kg }) = fault.kind {
             let text = format!(
-                "the {bodies} bodies weigh {} kg in all: say what the model weighs with ",
+                "the {bodies} bodies weigh {} kg in all: give the mass of the model with ",
                 readable(kg)
             );
             return Self::OutsideModel("no-mass", phrase![text, Input::Mass.with_placeholder("KG")]);

@@ -141,7 +141,7 @@ impl TablePlaces {
         }
         if !moved.is_empty() {
             let text = format!(
-                "the table has these in ground only; they are where they stand there at the default pose: {}",
+                "the table gives these places in ground only; they were converted to their bodies at the default pose: {}",
                 moved.join(", ")
             );
             remarks.push(text.into());
@@ -183,7 +183,7 @@ impl TablePlaces {
                         row.body
                     ),
                     format!(
-                        "{} (columns x, y, z, or pos_x_in_local and so on), or, if it was measured at the default pose, say ",
+                        "{} (columns x, y, z, or pos_x_in_local and so on), or, if it was measured at the default pose, give ",
                         row.body
                     ),
                     Input::DefaultPose,
@@ -191,7 +191,7 @@ impl TablePlaces {
             ),
             PlaceFault::Disagree(apart_m) => {
                 let text = format!(
-                    "{name} has two places, and in this model they are {:.1} mm apart: remove the columns that are not meant (those in \
+                    "{name} has two places, and in this model they are {:.1} mm apart: remove the wrong columns (those in \
                      global, or those in local)",
                     1e3 * apart_m
                 );

@@ -24,7 +24,7 @@ use crate::verbs::reference::{MassOfPublished, reference_of_opened};
 /// The largest accepted distance between the bones and the sole below them, m.
 const LARGEST_PAD: f64 = 1e9;
 /// Advice in messages that ask for the distance between bones and sole: how far published spheres reach below the bones.
-const PAD_HINT: &str = "bones have no skin, so say how far below their lowest point the sole is, in metres: 0.033 under a human heel in \
+const PAD_HINT: &str = "bones have no skin, so give the distance from their lowest point down to the sole, in metres: 0.033 under a human heel in \
                     the contacts of Falisse et al. (2022), 0 to 0.013 in others";
 
 /// Checks the request and reads the reference or the table once for all models.
@@ -87,13 +87,13 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
         let message = match request.from {
             Some(_) => phrase![
                 Input::ContactsMass,
-                " says nothing here: the reference's mass is ",
+                " has no effect here: the reference's mass is ",
                 Input::ReferenceMass,
                 ", this model's ",
                 Input::Mass,
             ],
             None => {
-                phrase![Input::ContactsMass, " says nothing here: contacts are made for ", Input::Mass]
+                phrase![Input::ContactsMass, " has no effect here: contacts are made for ", Input::Mass]
             }
         };
         return Err(RequestFault::refused(Input::ContactsMass, message));
@@ -101,7 +101,7 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     if request.has_places() && request.radius == NewRadius::Follow {
         let message = phrase![
             Input::Radius.with_value("follow"),
-            " says nothing here: nothing is scaled where places are given; expected metres",
+            " has no effect here: nothing is scaled where places are given; expected metres",
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
@@ -220,9 +220,9 @@ fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFaul
     let numbers = &request.numbers;
     if numbers.indentation.is_none() && numbers.young.is_none() {
         return Err(RequestFault::general(phrase![
-            "nothing says how stiff the contacts are: say whose numbers they get with ",
+            "the stiffness of the contacts is not known: name the model whose numbers they get with ",
             Input::From.with_placeholder("MODEL|PRESET"),
-            ", or what is wanted of them with ",
+            ", or give the behaviour that you want with ",
             Input::Indentation.with_placeholder("X"),
             " (and ",
             Input::Restitution.with_placeholder("CR"),
@@ -235,7 +235,7 @@ fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFaul
     let Some(class) = request.class else {
         let message = phrase![
             Input::Class.with_placeholder("smooth|hunt-crossley"),
-            " is missing: only a reference would say which class the forces have",
+            " is missing: without a reference, the class of the forces is not known",
         ];
         return Err(RequestFault::refused(Input::Class, message));
     };
@@ -278,7 +278,7 @@ fn remarks_on_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
         numbers.speed_width.is_some(),
     ];
     if kind == ForceKind::SmoothSphereHalfSpace && smoothing.contains(&false) {
-        let text = "smoothing that is not given is that of Falisse et al. (2022), without dimensions, at these radii";
+        let text = "smoothing that is not given is that of Falisse et al. (2022), scaled to these radii";
         remarks.push(text.into());
     }
     remarks

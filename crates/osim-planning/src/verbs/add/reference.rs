@@ -68,7 +68,7 @@ impl Numbers {
         let reference = &numbers.reference;
         numbers.radius(name)?.ok_or_else(|| {
             let message = phrase![
-                format!("radii differ in {}: say the radius with ", reference.name),
+                format!("the spheres of {} have different radii: give the radius with ", reference.name),
                 Input::Radius.with_placeholder("METRES"),
                 ", or whose with ",
                 Input::ReferenceSphere.with_placeholder("NAME"),
@@ -298,7 +298,7 @@ pub(super) fn check_maps(
                 carriers.join(", ")
             )
         } else if request.body_map.iter().take(index).any(|other| other.reference == map.reference) {
-            format!(": {} was put on another body before", map.reference)
+            format!(": {} is already assigned to another body", map.reference)
         } else {
             continue;
         };
@@ -344,8 +344,7 @@ fn with_mapped_body(
     for contact in contacts_of_body {
         let place = anatomy.point_seen_from(body, reference, contact.location_m).ok_or_else(|| {
             Fault::refused(format!(
-                "{reference} does not hang on {body} in the reference, or a joint between them is not understood: its spheres can be \
-                 taken by a body above it only"
+                "no joints lead from {body} down to {reference} in the reference, or a joint between them is not understood: only a body above {reference} can take its spheres"
             ))
         })?;
         contact.location_m = place.into();

@@ -55,12 +55,12 @@ const RULES: &[Equation] = &[
             symbol("s_x", "scale factor of the body along its axis x, likewise s_y and s_z", "1"),
             symbol("x", "location of the centre along the body's axis x, likewise y and z", "m"),
         ],
-        source: "docs/scaling.md: what the Scale Tool did to the body. `radius_axis` takes one factor for the radius instead of the mean; with `level` the bottom is scaled, and the centre stands one new radius above it",
+        source: "docs/scaling.md: what the Scale Tool did to the body. `radius_axis` takes one factor for the radius instead of the mean; with `level` the lowest point is scaled, and the centre is one new radius above it",
     },
     Equation {
         label: "level",
         aliases: &[],
-        title: "The bottom stays on the sole, or comes down to the lowest of its foot",
+        title: "The lowest point stays on the sole, or moves down to the lowest one of its foot",
         forms: &[
             Form { variant: "rescale, transfer", ..rule("new centre = centre + (R_b − R_a) up") },
             Form { variant: "set, add", ..rule("new centre = centre − (h − h_min) n") },
@@ -71,7 +71,7 @@ const RULES: &[Equation] = &[
             symbol("up", "the axis of the sphere's frame that points up (`level_axis`)", "1"),
             symbol(
                 "h",
-                "height of the sphere's bottom over its floor at the default pose, with its new radius",
+                "height of the sphere's lowest point over its floor at the default pose, with its new radius",
                 "m",
             ),
             symbol("h_min", "the least h of the spheres of its limb", "m"),

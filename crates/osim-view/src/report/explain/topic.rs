@@ -256,7 +256,7 @@ const fn equation_and_meaning(property: Property) -> (&'static str, &'static str
         ),
         Property::HertzSmoothing => (
             "C.5",
-            "bd of SmoothSphereHalfSpaceForce: how sharply the force sets in with the indentation (C.4)",
+            "bd of SmoothSphereHalfSpaceForce: how sharply the force begins with the indentation (C.4)",
         ),
         Property::HuntCrossleySmoothing => (
             "C.10",

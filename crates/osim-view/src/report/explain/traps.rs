@@ -58,7 +58,7 @@ pub(super) const ALL: &[Trap] = &[
     trap(
         "radius",
         &["R"],
-        "it is in m, and as an input may be a factor: 30 is 30 m, x1.5 is one and a half times as large. If it changes, the stiffness for the same relative indentation changes with 1/R², and the bottom of the sphere moves unless `level` says that it stays",
+        "it is in m, and as an input may be a factor: 30 is 30 m, x1.5 is one and a half times as large. If it changes, the stiffness for the same relative indentation changes with 1/R², and the lowest point of the sphere moves, unless `level` keeps it",
     ),
     trap(
         "mass",
@@ -98,17 +98,17 @@ pub(super) const ALL: &[Trap] = &[
     trap(
         "relative_indentation_hertz_standing",
         &[],
-        "it belongs to the default pose: in another one the bottoms have other heights. Below 0 a sphere does not touch",
+        "it belongs to the default pose: in another pose the spheres have other heights. Below 0 a sphere does not touch",
     ),
     trap(
         "relative_indentation_model_law_standing",
         &[],
-        "it belongs to the default pose: in another one the bottoms have other heights. Below 0 the sphere is above the floor",
+        "it belongs to the default pose: in another pose the spheres have other heights. Below 0 the sphere is above the floor",
     ),
     trap(
         "relative_indentation_hertz_level",
         &[],
-        "the bottoms of the limb's spheres are level in it: large spheres carry more than small ones",
+        "it takes the limb's spheres as level: large spheres carry more than small ones",
     ),
     trap(
         "relative_indentation_model_law_level",
@@ -225,7 +225,7 @@ pub(super) const ALL: &[Trap] = &[
         &["g", "gravity"],
         "it is the size of the model's gravity; the paper's table is for 9.81, OpenSim's default is 9.80665",
     ),
-    trap("height_m", &["h"], "it is that of the bottoms of the spheres above the ground, not of the body"),
+    trap("height_m", &["h"], "it is the height of the spheres' lowest points above the ground, not that of the body"),
     trap("duration_s", &[], "a large body needs longer to come to rest: compare times over sqrt(R/g)"),
     trap(
         "reference_radius_m",

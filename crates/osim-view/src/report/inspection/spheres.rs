@@ -101,7 +101,7 @@ pub struct EquallyDeep<'f> {
 
 /// Caption of the table of figures.
 pub(crate) const CAPTION: &str =
-    "The bottoms of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
+    "The spheres of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
 /// The spheres of limbs that stand on all their spheres, if these are at different heights, grouped by depth.
 pub(crate) fn equally_deep(figures: &Figures, extent: Extent) -> Vec<EquallyDeep<'_>> {
@@ -164,7 +164,7 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout
     let groups = groups(inspected, extent);
     let mut text = String::new();
     if let Some(why) = &inspected.figures.why_no_body_weight {
-        text.push_str(&layout.wrapped(&format!("no figures under body weight: {why}"), ""));
+        text.push_str(&layout.wrapped(&format!("no values under body weight: {why}"), ""));
     }
     if !groups.is_empty() {
         text.push_str("What the spheres do (BW: body weight, on one limb unless you say otherwise):\n");

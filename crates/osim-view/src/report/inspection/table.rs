@@ -49,7 +49,7 @@ fn head_of_model(inspected: &Inspection, layout: Layout) -> String {
     let mut text = format!("{}\n", one_line(title));
     let weighs = match inspected.mass_kg {
         Some(mass) => format!("model weighs {} kg ({})", number(mass), inspected.mass_source),
-        None => "what the model weighs is not known".to_owned(),
+        None => "the mass of the model is not known".to_owned(),
     };
     let contacts = match &inspected.contacts_mass_kg {
         Some(mass) => format!("contacts made for: {}", mass.in_words()),
@@ -148,7 +148,7 @@ fn sentences_on_standing(inspected: &Inspection, layout: Layout) -> String {
         }
     }
     if let Some(why) = &inspected.why_no_standing {
-        text.push_str(&layout.wrapped(&format!("where it stands is not known: {why}"), ""));
+        text.push_str(&layout.wrapped(&format!("its height over the floor is not known: {why}"), ""));
     }
     text
 }
@@ -180,7 +180,7 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
     let mut sentence =
         format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
     if let Some(why) = &body.why_no_coordinate {
-        sentence.push_str(&format!("; no coordinate puts the body on its feet: {why}"));
+        sentence.push_str(&format!("; no coordinate brings the body to the floor: {why}"));
     }
     let mut sentences = vec![sentence];
     let rests = [("on all feet", body.as_posed.as_ref()), ("on one limb", other_than_all(body))];
@@ -191,7 +191,7 @@ pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
             None => "a mass or gravity is missing",
             Some(_) => "a contact cannot be read, or no depth carries the weight",
         };
-        sentences.push(format!("what puts the body on its feet is not known: {why}"));
+        sentences.push(format!("which coordinate brings the body to the floor is not known: {why}"));
     }
     sentences
 }
