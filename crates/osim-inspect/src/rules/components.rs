@@ -26,8 +26,8 @@ pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     code: FindingCode::MisnamedParameterSet,
     severity: Severity::Error,
     verdict: None,
-    what: "A ContactParametersSet has a name OpenSim does not look for.",
-    why: "OpenSim finds the set by its name: with another one the force has no parameters and never pushes.",
+    what: "A ContactParametersSet has a name under which OpenSim does not find it.",
+    why: "OpenSim finds the set by its name: with another name the force has no parameters and never pushes.",
     advice: "Name the set contact_parameters",
     repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Piece {
@@ -237,7 +237,7 @@ pub(super) static REFUSED_NAME: Rule = Rule {
     verdict: None,
     what: "An object has a name with which OpenSim refuses the model.",
     why: "OpenSim finds objects by paths, in which a name must be one step: it has no blank and none of / * + and the backslash in it, and is neither . nor ..",
-    advice: "Give the object another name, and write it wherever the old one is",
+    advice: "Give the object another name, and replace the old name everywhere in the file",
     repair: Repair::NotPossible("the program changes numbers, not names"),
     example: Example::Models { good: "format/v40000.osim", bad: "bad/name_with_blank.osim" },
 };
@@ -280,9 +280,9 @@ pub(super) fn find_loop_of_joints(model: &Model) -> Vec<Finding> {
         let joints: Vec<_> = loops.joints.iter().map(|&joint| components.name(joint).into_owned()).collect();
         let names = listed(&joints, MOST_JOINTS_NAMED);
         let what = if loops.mass_is_in_doubt {
-            "counts the mass of a body in it twice"
+            "counts the mass of one of their bodies twice"
         } else {
-            "divides a body in it, whose parts weigh together what the body weighs"
+            "divides one of their bodies into parts, which together have the mass of the body"
         };
         finding(first, format!("joints form a loop ({names}): OpenSim {what}"))
     });

@@ -145,7 +145,7 @@ pub(crate) static NO_GRAVITY: Rule = Rule {
     verdict: Some(VerdictOn::Floor),
     what: "Spheres press on a floor, and the model has no gravity.",
     why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. All published models in our tests have gravity.",
-    advice: "Set gravity in the model, as a rule to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
+    advice: "Set gravity in the model, usually to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -216,8 +216,8 @@ pub(crate) static ODD_GRAVITY: Rule = Rule {
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Floor),
     what: "Gravity is not that of the Earth. It is a remark from 0.1 to 9 m/s2, as on the Moon.",
-    why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a wrong point or unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
-    advice: "Write gravity in m/s², as a rule 0 -9.80665 0; nothing, if another gravity is intended",
+    why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a misplaced decimal point or another unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
+    advice: "Write gravity in m/s², usually 0 -9.80665 0; nothing, if another gravity is intended",
     repair: Repair::NotPossible("only you know the gravity"),
     example: Example::Piece {
         model: "check/within_limits.osim",
@@ -245,7 +245,7 @@ pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     verdict: Some(VerdictOn::Floor),
     what: "Gravity points out of the floor or along it, not into it.",
     why: "The body is on the free side of the floor, and gravity pulls it off the floor or along it: the model falls for ever.",
-    advice: "Write gravity against the direction in which the floor faces, as a rule 0 -9.80665 0",
+    advice: "Write gravity against the direction in which the floor faces, usually 0 -9.80665 0",
     repair: Repair::NotPossible(
         "gravity has to be corrected in the file; the finding names the line and what to write",
     ),

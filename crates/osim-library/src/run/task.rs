@@ -224,8 +224,7 @@ impl<'p> PathConflicts<'p> {
         let real = self.digest_without_case(path);
         if self.inputs.get(&real).is_some_and(|(_, models)| *models > 1) {
             return Err(LibraryFault::new(format!(
-                "{owner} would change {} itself, and another one reads it: give it an output of its own, or do one \
-                 after the other",
+                "{owner} would change {} in place, and another one reads it: write the result to another file, or run one after the other",
                 path.display()
             )));
         }

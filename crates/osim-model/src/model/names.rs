@@ -28,7 +28,7 @@ pub fn refuse_name(name: &str) -> Result<(), Fault> {
     refuse_name_in_paths(name)?;
     match name.chars().find(|&letter| !is_visible(letter)) {
         Some(letter) => Err(Fault::refused(format!(
-            "the name '{name}' has a letter in it that is not seen (U+{:04X}), perhaps from copying: {NAME_ADVICE}",
+            "the name '{name}' has an invisible letter in it (U+{:04X}), perhaps from copying: {NAME_ADVICE}",
             u32::from(letter)
         ))),
         None => Ok(()),

@@ -225,7 +225,7 @@ impl BoneSurfaces {
                 Ok(surface) => {
                     count += surface.triangles.len();
                     if count > MOST_TRIANGLES {
-                        bones.broken.push(format!("{mesh}: left out, there are too many triangles to turn"));
+                        bones.broken.push(format!("{mesh}: not drawn, because it has too many triangles"));
                         continue;
                     }
                     let points = surface.points.iter().flatten().map(|&value| in_view_units(value)).collect();

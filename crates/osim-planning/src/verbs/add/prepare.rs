@@ -138,7 +138,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
         if table.has_radii && radius_m.is_some() {
             let message = phrase![
                 Input::Radius.with_placeholder("METRES"),
-                " and the table's column radius say different things: leave one out",
+                " and the table's column radius give different values: leave one out",
             ];
             return Err(RequestFault::refused(Input::Radius, message).into());
         }
@@ -287,14 +287,14 @@ fn remarks_on_defaults(request: &AddRequest, kind: ForceKind) -> Vec<Phrase> {
 fn missing_radius() -> RequestFault {
     let message = phrase![
         Input::Radius.with_placeholder("METRES"),
-        " is missing: without a reference, and without a column radius in a table, nothing says how large the spheres are",
+        " is missing: without a reference, and without a column radius in a table, the radius of the spheres is not known",
     ];
     RequestFault::refused(Input::Radius, message)
 }
 
 fn missing_source() -> RequestFault {
     RequestFault::general(phrase![
-        "nothing says where the contacts are: ",
+        "the places of the contacts are not given: ",
         Input::From.with_placeholder("MODEL|PRESET"),
         " takes those of another model at this one's size, ",
         Input::Contacts.with_placeholder("TABLE"),

@@ -81,7 +81,7 @@ impl Numbers {
         match self {
             Self::Reference(reference) => Ok(reference),
             // Without a reference, radii have to be given: this was checked before.
-            Self::Designed(_) => Err(Fault::refused("nothing says how large the spheres are")),
+            Self::Designed(_) => Err(Fault::refused("the radius of the spheres is not known")),
         }
     }
 

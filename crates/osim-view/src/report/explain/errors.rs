@@ -223,7 +223,7 @@ const QUESTION_ERRORS: &[ErrorCode] = &[
     ),
     code(
         "body-scale",
-        "how a body was scaled is not in the files, or meshes, or left and right, say different things (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",
+        "how a body was scaled is not in the files, or meshes, or left and right, contradict each other (`transfer follow_bodies`); or `body_scale_file` belongs to another generic model than `from`",
         "`body_scale=BODY=x,y,z` (or one factor, `body_scale=BODY=f`), or `body_scale_file=FILE`; see docs/scaling.md",
     ),
     code(
