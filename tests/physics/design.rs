@@ -366,7 +366,7 @@ fn wrong_options_for_a_design_of_a_model_are_refused() {
         ("format/no_gravity.osim", "g.osim"),
     ]);
     for (options, words) in [
-        ("", "nothing is wanted"),
+        ("", "nothing is asked for"),
         ("--stiffness 1e6", "set MODEL stiffness=VALUE"),
         ("--young 1e5 --poisson 0.3 --indentation 0.2", "leave one out"),
         ("--contact-stiffness 1e4", "--contact-stiffness needs --indentation"),

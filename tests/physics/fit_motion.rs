@@ -294,7 +294,7 @@ fn fit_of_a_measured_gait_reaches_the_documented_error() {
     );
     let remarks = plan["remarks"].to_string();
     assert!(
-        remarks.contains("scatters by 36 mm, more than R (34 mm): stiffness is not determined"),
+        remarks.contains("varies by 36 mm, more than the radius (34 mm): the stiffness cannot be determined"),
         "{remarks}"
     );
     assert!(remarks.contains("--unbounded"), "{remarks}");

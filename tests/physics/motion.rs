@@ -182,7 +182,7 @@ fn a_plate_without_a_foot_counts_only_in_the_total() {
     assert_refused(
         &dir,
         "fit walker.osim --motion walk.mot --plates forces.sto --dry-run",
-        "an ExternalLoads file says it",
+        "an ExternalLoads file says which",
     );
 }
 

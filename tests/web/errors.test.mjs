@@ -78,9 +78,9 @@ inChromium("a number that is unlikely is asked about, and can be meant", async (
   await user.field("Target mass (kg)").fill("62000");
   const question = user.result.getByRole("group", { name: /answer/ });
   await question.getByLabel("Target mass (kg)").waitFor();
-  await user.button("It is meant as it is: go on", question).click();
+  await user.button("This is correct: continue", question).click();
   await user.result.getByRole("alert").filter({ hasText: /^error the radius of/i }).waitFor();
-  await user.button("It is meant as it is: go on", question).click();
+  await user.button("This is correct: continue", question).click();
   await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
   assert.match(await user.spelled(), /--yes implausible-mass.*--yes implausible-radius|--yes implausible-mass,implausible-radius/);
   await user.field("Target mass (kg)").fill("70000");

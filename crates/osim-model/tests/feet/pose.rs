@@ -59,7 +59,7 @@ fn an_unknown_joint_makes_the_bodies_that_it_moves_unknown() {
     ];
     let found = default_pose(&joints.concat(), "");
     assert_eq!(x_in_ground(&found, "a"), Ok(0.5));
-    let unknown = "it is not known how joint k, a PluginJoint, stands at the default pose: one of its functions, or the joint itself, \
+    let unknown = "the default pose of joint k, a PluginJoint, cannot be computed: one of its functions, or the joint itself, \
                    is not understood";
     assert_eq!(
         (x_in_ground(&found, "b"), x_in_ground(&found, "c")),
