@@ -13,7 +13,7 @@ inChromium("what the form says is in the address", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("500");
   await user.more();
-  await user.field("Level bottoms").check();
+  await user.field("Soles stay level").check();
   await user.tick("Properties that change", "radius", "stiffness");
   await user.settled();
   assert.equal(fragmentOfAddress(user), "#rescale?target_mass=500&only=radius&only=stiffness&level=true");
@@ -27,7 +27,7 @@ inChromium("an address fills the form in, before a model is there", { hash: "#re
   async (user) => {
     await user.open(HUMAN);
     assert.equal(await user.field("Target mass (kg)").inputValue(), "500");
-    assert.equal(await user.field("Level bottoms").isChecked(), true);
+    assert.equal(await user.field("Soles stay level").isChecked(), true);
     const button = await user.done("a_patients_name.scaled.osim");
     const [{ bytes }] = await user.downloads(button);
     assert.ok(bytes.length > 1000);
@@ -54,7 +54,7 @@ inChromium("no file's name is ever in the address", async (user) => {
   await user.page.evaluate(() => setInterval(() => window.seen(location.href), 20));
   await user.open(HUMAN, MOUSE);
   await user.verb("Transfer");
-  await user.field("Where the contacts come from").selectOption(MOUSE.name);
+  await user.field("Source of the contacts").selectOption(MOUSE.name);
   await user.field("Spheres follow their bodies").check();
   await user.settled();
   await user.verb("Rescale");

@@ -21,7 +21,7 @@ testWith({ browser: FIREFOX }, "Firefox: open, rescale, download what the comman
     await user.click("Download human.scaled.osim");
     const bytes = await user.downloaded("human.scaled.osim");
     await makesTheSame("osim-contact-scale rescale human.osim --target-mass 500", [HUMAN], [{ name: "human.scaled.osim", bytes }]);
-    await user.click("Keep and go on");
+    await user.click("Keep and continue");
     await user.find("heading", "human.scaled.osim");
     await user.click("Undo");
     await user.find("heading", "human.osim");

@@ -45,7 +45,7 @@ inChromium("a model that fails is a row with an error, and not in the archive", 
 inChromium("where nothing can be changed there is no archive", async (user) => {
   await user.open(...MODELS);
   await user.verb("Add");
-  await user.field("Where the contacts come from").selectOption("falisse2022");
+  await user.field("Source of the contacts").selectOption("falisse2022");
   await user.button("Change all and download a ZIP").click();
   await user.announced("No model could be changed; there is no archive.");
 });

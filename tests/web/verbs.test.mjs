@@ -55,14 +55,14 @@ inChromium("transfer: from a second file", async (user) => {
   await user.button("mouse.osim").click();
   await user.opened("mouse.osim");
   await user.verb("Transfer");
-  await user.field("Where the contacts come from").selectOption("human.osim");
+  await user.field("Source of the contacts").selectOption("human.osim");
   await downloadsWhatTheCommandMakes(user, [HUMAN, MOUSE], "mouse.scaled.osim");
 });
 
 inChromium("transfer: from a file that is added in the form", async (user) => {
   await user.open(MOUSE);
   await user.verb("Transfer");
-  await user.choose([HUMAN], user.button(/^Add a file… for “Where the contacts come from”/));
+  await user.choose([HUMAN], user.button(/^Add a file… for “Source of the contacts”/));
   await downloadsWhatTheCommandMakes(user, [HUMAN, MOUSE], "mouse.scaled.osim");
 });
 
@@ -70,9 +70,9 @@ inChromium("transfer: from a preset, also one of the user's file", async (user) 
   const lab = given("presets/lab.toml");
   await user.open(MOUSE, lab);
   await user.verb("Transfer");
-  await user.field("Where the contacts come from").selectOption("falisse2022");
+  await user.field("Source of the contacts").selectOption("falisse2022");
   await downloadsWhatTheCommandMakes(user, [MOUSE, lab], "mouse.scaled.osim");
-  await user.field("Where the contacts come from").selectOption("heel_pad");
+  await user.field("Source of the contacts").selectOption("heel_pad");
   await downloadsWhatTheCommandMakes(user, [MOUSE, lab], "mouse.scaled.osim");
   assert.match(await user.spelled(), /--presets lab\.toml/);
 });
@@ -86,7 +86,7 @@ inChromium("transfer: spheres follow bodies that the Scale Tool scaled", async (
   await user.button("scaled.osim").click();
   await user.opened("scaled.osim");
   await user.verb("Transfer");
-  await user.field("Where the contacts come from").selectOption("generic.osim");
+  await user.field("Source of the contacts").selectOption("generic.osim");
   await user.field("Spheres follow their bodies").check();
   await user.field("The Scale Tool's ScaleSet").selectOption("applied.xml");
   await downloadsWhatTheCommandMakes(user, files, "scaled.scaled.osim");
@@ -95,7 +95,7 @@ inChromium("transfer: spheres follow bodies that the Scale Tool scaled", async (
 inChromium("add: a preset's spheres, once the size of the bodies is said", async (user) => {
   await user.open(BARE);
   await user.verb("Add");
-  await user.field("Where the contacts come from").selectOption("falisse2022");
+  await user.field("Source of the contacts").selectOption("falisse2022");
   const question = user.result.getByRole("group", { name: /answer/ });
   const factors = ["calcn_r=1", "calcn_l=1", "toes_r=1", "toes_l=1"].join("\n");
   await question.getByLabel("Scale factors of a body").fill(factors);
@@ -122,7 +122,7 @@ inChromium("add: spheres where a table has them", async (user) => {
   await user.open(BARE, table);
   await user.verb("Add");
   await user.field("Table of contacts").selectOption("places.csv");
-  await user.field("Where the contacts come from").selectOption("falisse2022");
+  await user.field("Source of the contacts").selectOption("falisse2022");
   await downloadsWhatTheCommandMakes(user, [BARE, table], "bare.scaled.osim");
 });
 

@@ -123,7 +123,7 @@ export class User {
 
   /** Keeps the result, and waits until the page shows the changed model and its name has the focus. */
   async keep(name) {
-    await this.button("Keep and go on", this.acts).click();
+    await this.button("Keep and continue", this.acts).click();
     await this.opened(name);
     await this.page.waitForFunction((one) => document.activeElement.textContent === one, name);
   }

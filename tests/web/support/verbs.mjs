@@ -15,7 +15,7 @@ export const VERBS = [
 ].map((verb) => ({ ...verb, name: verb.title.toLowerCase() }));
 
 function preset(user) {
-  return user.field("Where the contacts come from").selectOption("falisse2022");
+  return user.field("Source of the contacts").selectOption("falisse2022");
 }
 
 /** Empties the form and fills it in again, for another model or a second use of the verb. */

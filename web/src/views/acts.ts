@@ -28,7 +28,7 @@ export function actionBar(session: Session): void {
     if (change) void downloadResult(session, change.request).then(fail);
     else if (model) void downloadModel(session, model).then(fail);
   }, { class: "primary", id: "download" });
-  const keep = button("Keep and go on", () => void keepResult(session).then(fail), { id: "keep" });
+  const keep = button("Keep and continue", () => void keepResult(session).then(fail), { id: "keep" });
   const back = button("Undo", () => keepFocus(back, () => undo(session)), { id: "undo", "aria-keyshortcuts": "Control+Z" });
   const forward = button("Redo", () => keepFocus(forward, () => redo(session)), { id: "redo", "aria-keyshortcuts": "Control+Shift+Z" });
   const report = button("Report", () => {

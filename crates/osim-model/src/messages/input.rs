@@ -82,7 +82,7 @@ inputs! {
     ForceUnit = "force_unit", "unit of the force";
     Format = "format", "how to print";
     Friction = "friction", "scale friction speeds too";
-    From = "from", "where the contacts come from";
+    From = "from", "source of the contacts";
     FromMocoSetup = "from_moco_setup", "Moco setup of the original";
     Full = "full", "everything in full";
     Geometry = "geometry", "file of the contact geometry set";
@@ -105,7 +105,7 @@ inputs! {
     Kind = "kind", "what to draw";
     Label = "label", "name of a curve";
     Ladder = "ladder", "steps of a ladder";
-    Level = "level", "level bottoms";
+    Level = "level", "soles stay level";
     LevelAxis = "level_axis", "axis that points up";
     Load = "load", "total load";
     Loads = "loads", "OpenSim's ExternalLoads";
@@ -175,7 +175,7 @@ inputs! {
     XRange = "x_range", "limits of the horizontal axis";
     YColumn = "y_column", "column of the vertical axis";
     YRange = "y_range", "limits of the vertical axis";
-    Yes = "yes", "questions answered with yes";
+    Yes = "yes", "questions that you confirm";
     Young = "young", "Young's modulus";
 }
 

@@ -101,7 +101,7 @@ mod tests {
             ),
             (
                 json!({"verb": "transfer", "models": "a.osim", "from": "g.osim", "follow_bodies": true, "body_scale": {"toes": [1, 2, 3]}}),
-                "Take the contacts of another model: where the contacts come from g.osim, spheres follow their bodies, \
+                "Take the contacts of another model: source of the contacts g.osim, spheres follow their bodies, \
              scale factors of a body toes 1 and 2 and 3.",
             ),
             (json!({"verb": "remove", "models": "a.osim"}), "Remove the contacts."),
