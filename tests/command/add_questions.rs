@@ -191,7 +191,11 @@ fn add_asks_about_a_sole_far_below_the_bones() {
     ] {
         let words =
             [&format!("--pad {pad} is more than the length of the foot of calcn_r, toes_r, 0.25"), says];
-        assert_asks(&dir, &format!("{call} {pad}"), &[words[0], words[1], "confirm it with --yes implausible-place"]);
+        assert_asks(
+            &dir,
+            &format!("{call} {pad}"),
+            &[words[0], words[1], "confirm it with --yes implausible-place"],
+        );
     }
     dir.run(&format!("{call} 0.25 --dry-run")).succeeded();
     dir.run(&format!("{call} 5 --yes implausible-place --dry-run")).succeeded();
@@ -204,7 +208,11 @@ fn add_asks_about_implausible_scale_factors() {
     assert_asks(
         &dir,
         &format!("{call} calcn_r=95"),
-        &["--body-scale calcn_r=95,95,95", "if it is in percent, write 0.95", "confirm it with --yes implausible-scale"],
+        &[
+            "--body-scale calcn_r=95,95,95",
+            "if it is in percent, write 0.95",
+            "confirm it with --yes implausible-scale",
+        ],
     );
     assert_asks(
         &dir,

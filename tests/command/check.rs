@@ -352,9 +352,9 @@ fn no_command_is_proposed_while_masses_disagree() {
     let scaled = report_of("human.scaled.osim");
     assert!(codes_of(&scaled).contains("mass-sources-disagree") && codes_of(&scaled).contains("sunk-in"));
     assert_eq!(commands(&scaled), 0);
-    assert!(
-        scaled.findings.iter().any(|finding| finding.message.ends_with("for those under the mass of the contacts give --mass 0.0209"))
-    );
+    assert!(scaled.findings.iter().any(|finding| {
+        finding.message.ends_with("for those under the mass of the contacts give --mass 0.0209")
+    }));
     let settled = report_of("human.scaled.osim --mass 0.0209");
     assert!(!codes_of(&settled).contains("sunk-in"));
     // For contacts of a preset under another body, only the scaling is proposed.

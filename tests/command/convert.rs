@@ -193,9 +193,9 @@ fn convert_reports_names_with_the_old_class() {
     let dir = TestDir::with(&[HUNT]);
     let text = dir.text("hunt.osim").replace("\"contact_s1_r\"", "\"HuntCrossleyForce_s1_r\"");
     dir.write("named.osim", text);
-    dir.run("convert named.osim --to smooth -o out.osim")
-        .succeeded()
-        .says(&["remark: names stay, also where they contain the name of the other class: HuntCrossleyForce_s1_r"]);
+    dir.run("convert named.osim --to smooth -o out.osim").succeeded().says(&[
+        "remark: names stay, also where they contain the name of the other class: HuntCrossleyForce_s1_r",
+    ]);
 }
 
 #[test]

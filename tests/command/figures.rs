@@ -232,7 +232,10 @@ fn drop_test_and_check_judge_restitution_alike() {
     let dir = TestDir::with_human();
     dir.run("set human.osim dissipation=0.53 -o soft.osim").succeeded();
     let drop = dir.run("drop-test soft.osim").succeeded().out();
-    assert!(drop.contains("restitution by (13) is outside the limit of the Hunt-Crossley law (at least 0.8)"), "{drop}");
+    assert!(
+        drop.contains("restitution by (13) is outside the limit of the Hunt-Crossley law (at least 0.8)"),
+        "{drop}"
+    );
     let check = dir.run("check soft.osim").out();
     assert!(check.contains("[beyond-hunt-crossley]"), "{check}");
 }

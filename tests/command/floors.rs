@@ -89,7 +89,12 @@ fn each_floor_error_is_named_and_its_proposal_corrects_it() {
             "<orientation>0 0 -1.5707963</orientation>",
         ),
         (GROUND_FRAME, "<socket_frame>/bodyset/pelvis</socket_frame>", "floor-on-limb", "is fixed to pelvis"),
-        (GROUND_FRAME, "<socket_frame>/bodyset/tibia_l</socket_frame>", "floor-on-limb", "is fixed to tibia_l"),
+        (
+            GROUND_FRAME,
+            "<socket_frame>/bodyset/tibia_l</socket_frame>",
+            "floor-on-limb",
+            "is fixed to tibia_l",
+        ),
         (GRAVITY, "<gravity>0 9.81 0</gravity>", "gravity-not-down", "out of the floor"),
         (GRAVITY, "<gravity>9.81 0 0</gravity>", "gravity-not-down", "along the floor"),
         (GRAVITY, "<gravity>0 -9810 0</gravity>", "gravity-too-large", "<gravity>0 -9.81 0</gravity>"),

@@ -80,7 +80,9 @@ fn a_mass_in_pounds_causes_a_question_or_a_remark() {
         let run = dir.run(&format!("human.osim --target-mass {kg} --dry-run")).succeeded();
         assert!(!(run.out() + &run.err()).contains("that the bodies weigh"), "{}", run.err());
     }
-    dir.run("human.osim --target-mass 28.1 --dry-run").failed().says(&["confirm it with --yes mass-in-pounds"]);
+    dir.run("human.osim --target-mass 28.1 --dry-run")
+        .failed()
+        .says(&["confirm it with --yes mass-in-pounds"]);
 }
 
 /// Runs a table in which copies of the 62 kg human have these target masses. Returns the rows about which the run asks.
@@ -196,7 +198,10 @@ fn a_column_of_a_table_holds_the_answers() {
          human.osim,137,keep,mass-in-pounds,b.osim\n\
          human.osim,137,32,mass-in-pounds;implausible-radius,c.osim\n",
     );
-    dir.run("batch m.csv").failed().wrote(&["b.osim", "c.osim"]).says(&["confirm it with --yes mass-in-pounds"]);
+    dir.run("batch m.csv")
+        .failed()
+        .wrote(&["b.osim", "c.osim"])
+        .says(&["confirm it with --yes mass-in-pounds"]);
     dir.run("batch m.csv --force --yes mass-in-pounds").succeeded().says(&["3 written"]);
 }
 

@@ -64,9 +64,7 @@ fn the_page_of_a_transfer_shows_the_reference() {
         "{}",
         page_of_transfer.text
     );
-    assert!(
-        page_of_transfer.text.contains("lie on each other where the dimensionless contact is the same")
-    );
+    assert!(page_of_transfer.text.contains("lie on each other where the dimensionless contact is the same"));
     // A preset has no figures of spheres, but a contact; and another rule gives another contact.
     dir.run("transfer stiff.osim --from falisse2022 -o b.osim --report preset.html").succeeded();
     assert!(read_page(&dir, "preset.html").text.contains("The contact is now as that of falisse2022"));

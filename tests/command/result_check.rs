@@ -10,7 +10,8 @@ fn a_change_that_makes_the_model_wrong_needs_the_answer_yes() {
     let refused = dir.run(call).failed().wrote_nothing().err();
     let question = "the model would be wrong afterwards [floats]: body weight is carried ";
     assert!(
-        refused.contains(question) && refused.contains("if it is correct, confirm it with --yes wrong-afterwards"),
+        refused.contains(question)
+            && refused.contains("if it is correct, confirm it with --yes wrong-afterwards"),
         "{refused}"
     );
     let out =

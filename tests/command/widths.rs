@@ -18,7 +18,10 @@ const OUTPUTS: [(&str, &str); 16] = [
     ("inspect", "inspect scaled.osim"),
     ("motion", "motion walker.osim walk.mot --plates plates.sto"),
     ("design", "design human.osim --indentation 0.16 --constant-indentation 0.05 --dry-run"),
-    ("design_sheet", "design --mass 62 --spheres 6 --indentation 0.16 --restitution 0.8 --constant-indentation 0.05"),
+    (
+        "design_sheet",
+        "design --mass 62 --spheres 6 --indentation 0.16 --restitution 0.8 --constant-indentation 0.05",
+    ),
     ("drop_test", "drop-test falisse2022 --compare moco-2d-gait"),
     ("explain", "explain C.8 spheres-left-behind stiffness output"),
     ("fit", "fit heel_pad.csv --radius 0.03 --indentation-unit mm --time-column time --onset fit"),
@@ -66,7 +69,10 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
         assert_snapshot(&format!("width_{name}"), &all);
     }
     let (topics, _) = terminal_output(dir.command("explain"), 60);
-    assert!(topics.lines().count() > 200 && topics.lines().all(|line| line.chars().count() <= 62), "{topics}");
+    assert!(
+        topics.lines().count() > 200 && topics.lines().all(|line| line.chars().count() <= 62),
+        "{topics}"
+    );
 }
 
 #[test]

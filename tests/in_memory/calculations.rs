@@ -5,6 +5,7 @@ use osim_requests::RequestError;
 use osim_requests::spell::CommandLine;
 use osim_view::report::explain::{Letters, answer};
 use osim_view::report::json::{FailureRecord, line};
+use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
 use osim_view::report::results::{
@@ -28,7 +29,7 @@ fn a_compared_drop_test_equals_the_command() {
     let drop = run_drop_test(&request, &files_in_memory(&dir)).unwrap();
     let words = "drop-test human.osim --compare heavier.osim --height x0.25 --samples 21";
     let run = dir.run(words).succeeded();
-    assert_eq!(drop_text(&drop), run.out());
+    assert_eq!(drop_text(&drop, None), run.out());
     let remarks = drop.mismatches.iter().map(|(name, mismatch)| mass_mismatch(name, mismatch, &CommandLine));
     assert_eq!(remarks.collect::<String>(), run.err());
     assert_eq!(line(&DropRecord::from(&drop)), dir.run(&format!("{words} --format json")).succeeded().out());
@@ -40,7 +41,7 @@ fn a_drop_test_of_a_user_preset_equals_the_command() {
     let dir = TestDir::with(&[("presets/lab.toml", "lab.toml")]);
     let request = request!(DropTest, {"verb": "drop-test", "subject": "heel_pad", "presets": "lab.toml"});
     let drop = run_drop_test(&request, &files_in_memory(&dir)).unwrap();
-    assert_eq!(drop_text(&drop), dir.run("drop-test heel_pad --presets lab.toml").succeeded().out());
+    assert_eq!(drop_text(&drop, None), dir.run("drop-test heel_pad --presets lab.toml").succeeded().out());
 }
 
 #[test]
@@ -61,7 +62,7 @@ fn fit_equals_the_command() {
     let words = "fit pad.csv --radius 0.01 --indentation-column Eindringtiefe --indentation-unit mm \
                  --force-column Kraft --force-unit kN --time-column Zeit";
     let fit_equals_the_command = run_fit(&request, &files).unwrap();
-    assert_eq!(fit_text(&fit_equals_the_command, &CommandLine), dir.run(words).succeeded().out());
+    assert_eq!(fit_text(&fit_equals_the_command, &CommandLine, None), dir.run(words).succeeded().out());
     assert_eq!(
         line(&FitRecord::from(&fit_equals_the_command)),
         dir.run(&format!("{words} --format json")).succeeded().out()
@@ -80,7 +81,7 @@ fn a_design_sheet_equals_the_command() {
         request!(Design, {"verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.16});
     let sheet = design_sheet(&request).unwrap();
     let words = "design --mass 62 --spheres 6 --radius 0.032 --indentation 0.16";
-    assert_eq!(design_sheet_text(&sheet), dir.run(words).succeeded().out());
+    assert_eq!(design_sheet_text(&sheet, None), dir.run(words).succeeded().out());
     assert_eq!(line(&sheet), dir.run(&format!("{words} --format json")).succeeded().out());
 
     let request = request!(Design, {"verb": "design", "mass": 62});
@@ -94,7 +95,8 @@ fn presets_equal_the_command() {
     let presets_equal_the_command =
         find_presets(&request!(Presets, {"verb": "presets", "presets": "lab.toml"}), &files_in_memory(&dir))
             .unwrap();
-    let texts: Vec<String> = presets_equal_the_command.iter().map(preset_text).collect();
+    let texts: Vec<String> =
+        presets_equal_the_command.iter().map(|preset| preset_text(preset, None)).collect();
     assert_eq!(texts.join("\n"), dir.run("presets --presets lab.toml").succeeded().out());
     let lines: String =
         presets_equal_the_command.iter().map(|preset| line(&PresetRecord::from(preset))).collect();
@@ -106,7 +108,7 @@ fn reproduce_equals_the_command() {
     let dir = TestDir::new();
     let _ = request!(Reproduce, {"verb": "reproduce"});
     let record = ReproductionRecord::new(&CommandLine).unwrap();
-    let text = format!("{}\n{}", reproduction_text(&record), fig1_text(&record));
+    let text = format!("{}\n{}", reproduction_text(&record, None), fig1_text(&record, None));
     assert_eq!(text, dir.run("reproduce").succeeded().out());
     assert_eq!(line(&record), dir.run("reproduce --format json").succeeded().out());
 }
@@ -123,11 +125,15 @@ fn explain_equals_the_command() {
         ("explain 10 --format json", json!({"verb": "explain", "topics": "10", "format": "json"})),
     ] {
         let request = request!(Explain, json);
-        let text = answer(&request, Letters::Unicode, &CommandLine).unwrap();
+        let text = answer(&request, Letters::Unicode, &CommandLine, WIDTH).unwrap();
         assert_eq!(text, dir.run(words).succeeded().out(), "{words}");
     }
-    let unknown =
-        answer(&request!(Explain, {"verb": "explain", "topics": "flots"}), Letters::Unicode, &CommandLine);
+    let unknown = answer(
+        &request!(Explain, {"verb": "explain", "topics": "flots"}),
+        Letters::Unicode,
+        &CommandLine,
+        WIDTH,
+    );
     let message = unknown.unwrap_err().message(&CommandLine);
     assert_eq!(format!("error: {message}\n"), dir.run("explain flots").usage_error().err());
 }

@@ -37,7 +37,9 @@ fn the_current_model_is_finished_and_the_others_are_listed() {
     let (status, text) = run_and_interrupt(&dir, &format!("{CALL} --summary done.csv"));
     assert_eq!(status, Some(130), "{text}");
     assert!(
-        text.contains("6 models: 1 written, 5 not begun; stopped: to continue, repeat the command with --resume"),
+        text.contains(
+            "6 models: 1 written, 5 not begun; stopped: to continue, repeat the command with --resume"
+        ),
         "{text}"
     );
     let statuses = column_by_model(&dir.text("done.csv"), "status");

@@ -181,7 +181,10 @@ fn a_file_that_is_not_a_summary_is_refused() {
         let dir = folder_with_models(2);
         dir.write(name, text);
         let call = format!("lib --target-mass 500 -d out --summary {name}");
-        dir.run(&format!("{call} --resume")).usage_error().wrote_nothing().says(&["cannot continue with", name]);
+        dir.run(&format!("{call} --resume"))
+            .usage_error()
+            .wrote_nothing()
+            .says(&["cannot continue with", name]);
         dir.run(&call).usage_error().wrote_nothing().says(&["exists already", "--resume", "--force"]);
     }
 }

@@ -245,8 +245,11 @@ impl MassMismatch {
     /// A clause about the two masses, to add to the message of a finding.
     pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
-        let other =
-            phrase![": for those under the mass of the contacts give ", Input::Mass.with_value(contacts), &self.answer_to_question()];
+        let other = phrase![
+            ": for those under the mass of the contacts give ",
+            Input::Mass.with_value(contacts),
+            &self.answer_to_question()
+        ];
         phrase![format!("; the values are those under {body} kg"), Input::Mass.either(other, "")]
     }
 

@@ -54,7 +54,8 @@ impl PreparedChange {
         if self.output.no_note {
             plan.drop_note();
             if model.note.is_some() && !plan.is_empty() {
-                let text = "the note is removed: the next run cannot read the mass that the contacts are made for";
+                let text =
+                    "the note is removed: the next run cannot read the mass that the contacts are made for";
                 plan.remarks.push(text.into());
             }
         } else {

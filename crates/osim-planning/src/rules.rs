@@ -94,8 +94,10 @@ static COMPILED_MODEL_BESIDE: Rule = Rule {
 
 /// The finding that other programs would use the file `compiled` instead of the output.
 pub fn compiled_model_beside(compiled: &Path) -> Finding {
-    let text =
-        format!("{} lies beside the output: PredSim and OpenCap would continue to use it", compiled.display());
+    let text = format!(
+        "{} lies beside the output: PredSim and OpenCap would continue to use it",
+        compiled.display()
+    );
     Finding::new(&COMPILED_MODEL_BESIDE, text)
 }
 

@@ -49,7 +49,8 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields = [("verb", "explain"), ("topics", topic)];
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };
-    answer(&request, Letters::Unicode, &Page, WIDTH).map_err(|unknown| Problem::question(unknown.message(&Page)))
+    answer(&request, Letters::Unicode, &Page, WIDTH)
+        .map_err(|unknown| Problem::question(unknown.message(&Page)))
 }
 
 // A request as calls that people can copy: of the command, of Python, of MATLAB.

@@ -62,7 +62,7 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
         // A terminal can draw.
         _ if std::io::stdout().is_terminal() => {
             format!("{}{}", drop_text(&drop, columns), drop_chart(&drop, columns))
-        },
+        }
         _ => drop_text(&drop, columns),
     };
     let is_for_programs = matches!(request.format, SeriesFormat::Json | SeriesFormat::Csv);
@@ -93,7 +93,11 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
     let json = request.run.is_json();
     match run_fit(request, &Disk) {
         Ok(fit) => {
-            let text = if json { line(&FitRecord::from(&fit)) } else { fit_text(&fit, session.words, session.terminal.columns()) };
+            let text = if json {
+                line(&FitRecord::from(&fit))
+            } else {
+                fit_text(&fit, session.words, session.terminal.columns())
+            };
             session.terminal.print_as(&text, json)?;
             Ok(Exit::Done)
         }

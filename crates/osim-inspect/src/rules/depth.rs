@@ -196,7 +196,9 @@ pub(super) static BEYOND_HERTZ: Rule = Rule {
     what: "Spheres sink in deeper than Hertz' law is accurate for, at body weight on one limb.",
     why: "Hertz' law was found accurate up to a relative indentation of {indentation}, a contact patch of 0.4 R. Beyond it, the contact acts as a non-linear spring, no longer as a material. Most published gait models are beyond it (Falisse et al. 2022: 0.353).",
     advice: "Nothing, if a spring is intended; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at most",
-    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
+    repair: Repair::NotPossible(
+        "a remark: most published contacts are outside this limit, and their authors chose that",
+    ),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<stiffness>4.4876e7</stiffness>",

@@ -146,7 +146,9 @@ pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     what: "Restitution by (13) is so low that the Hunt-Crossley law is not accurate.",
     why: "The Hunt-Crossley law describes materials that give back most of the impact speed. Below a restitution of {restitution} at the impact speed, dissipation is a damper that makes a simulation calm; energies lost in contact are not those of a material.",
     advice: "Nothing, if this is intended; else write a smaller dissipation, for a restitution of {restitution} at least",
-    repair: Repair::NotPossible("a remark: most published contacts are outside this limit, and their authors chose that"),
+    repair: Repair::NotPossible(
+        "a remark: most published contacts are outside this limit, and their authors chose that",
+    ),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<dissipation>0.4</dissipation>",

@@ -138,7 +138,10 @@ fn remark_on_names_of_old_class(plan: &Plan, class: &str) -> Option<Phrase> {
     let new = plan.objects().iter().filter(|object| object.action == ObjectAction::Added);
     let names: Vec<String> =
         new.filter(|object| object.name.contains(other)).map(|object| object.name.clone()).collect();
-    let text = format!("names stay, also where they contain the name of the other class: {}", listed(&names, NAMES_LISTED));
+    let text = format!(
+        "names stay, also where they contain the name of the other class: {}",
+        listed(&names, NAMES_LISTED)
+    );
     (!names.is_empty()).then(|| text.into())
 }
 

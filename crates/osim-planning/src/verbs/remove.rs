@@ -60,8 +60,9 @@ impl Planner for RemovePlanner {
 
 /// The remark that the note stays, because the model still has contacts.
 fn remark_on_kept_note(note: &Note) -> Phrase {
-    let mut remark =
-        phrase!["some contacts are left, and the note in the file now counts as one about a part of the contacts"];
+    let mut remark = phrase![
+        "some contacts are left, and the note in the file now counts as one about a part of the contacts"
+    ];
     if let Some(kg) = note.contacts_mass_kg {
         remark.push(": for the next change give ");
         remark.push(Input::ContactsMass.with_value(readable(kg)));

@@ -269,10 +269,7 @@ mod tests {
         let drawn: Vec<(usize, String)> =
             chosen.choice().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();
         let expected = [
-            (
-                1,
-                "heaviest (99 kg); the first of 40 with the most common dimensionless contact (x/R = 0.1)",
-            ),
+            (1, "heaviest (99 kg); the first of 40 with the most common dimensionless contact (x/R = 0.1)"),
             (40, "lightest (60 kg)"),
             (30, "the only one with the finding floats"),
         ];

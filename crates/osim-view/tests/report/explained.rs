@@ -2,8 +2,8 @@
 
 use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
 use osim_view::report::explain::{self, Letters, Topic, TopicRecord};
-use osim_view::report::layout::WIDTH;
 use osim_view::report::json::line;
+use osim_view::report::layout::WIDTH;
 
 /// The width of a line in columns. The hat of x̂ needs no column.
 fn columns(line: &str) -> usize {
@@ -18,9 +18,10 @@ fn every_topic_is_explained_in_the_words_of_each_front_end() {
             assert!(!text.contains('`'), "{text}");
             assert!(text.lines().all(|line| columns(line) <= 80), "{text}");
         }
-        for text in
-            [explain::text(topic, &Python, Letters::Unicode, WIDTH), explain::text(topic, &Page, Letters::Unicode, WIDTH)]
-        {
+        for text in [
+            explain::text(topic, &Python, Letters::Unicode, WIDTH),
+            explain::text(topic, &Page, Letters::Unicode, WIDTH),
+        ] {
             assert!(!text.contains(" --") && !text.contains("(--"), "{text}");
         }
     }

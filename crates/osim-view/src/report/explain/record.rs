@@ -221,7 +221,8 @@ pub fn answer(
         Format::Json => topics.into_iter().map(|topic| line(&TopicRecord::new(topic, front_end))).collect(),
         _ if named.is_empty() => list(&topics, front_end, letters, width),
         _ => {
-            let each: Vec<String> = topics.into_iter().map(|topic| text(topic, front_end, letters, width)).collect();
+            let each: Vec<String> =
+                topics.into_iter().map(|topic| text(topic, front_end, letters, width)).collect();
             each.join("\n")
         }
     })

@@ -225,7 +225,11 @@ pub(super) const ALL: &[Trap] = &[
         &["g", "gravity"],
         "it is the size of the model's gravity; the paper's table is for 9.81, OpenSim's default is 9.80665",
     ),
-    trap("height_m", &["h"], "it is the height of the spheres' lowest points above the ground, not that of the body"),
+    trap(
+        "height_m",
+        &["h"],
+        "it is the height of the spheres' lowest points above the ground, not that of the body",
+    ),
     trap("duration_s", &[], "a large body needs longer to come to rest: compare times over sqrt(R/g)"),
     trap(
         "reference_radius_m",

@@ -90,9 +90,15 @@ fn limits_in_words(drop: &DropResult) -> String {
     }
     let restitution = admits(DropFigure::RestitutionApproximate).zip(DropFigure::ImpactSpeed.value(drop));
     if let Some(((within, limit), speed)) = restitution {
-        text.push_str(&format!("restitution by (13) is {} the limit of the Hunt-Crossley law ({limit})\n", word(within)));
+        text.push_str(&format!(
+            "restitution by (13) is {} the limit of the Hunt-Crossley law ({limit})\n",
+            word(within)
+        ));
         if DropFigure::RestitutionApproximate.value(drop).is_none() {
-            text.push_str(&format!("(13) would be below 0 at {} m/s, outside its domain\n", four_significant(speed)));
+            text.push_str(&format!(
+                "(13) would be below 0 at {} m/s, outside its domain\n",
+                four_significant(speed)
+            ));
         }
     }
     text

@@ -83,7 +83,8 @@ fn word(within: bool) -> &'static str {
 fn parameters(fit: &Fit, columns: Option<usize>) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
-        let cells = [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
+        let cells =
+            [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");

@@ -150,8 +150,7 @@ pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String 
         ]);
     }
     table.right_aligned(&[1]);
-    let table = columns.map_or_else(|| table.trim_fmt(), |columns| table.fitted(columns));
-    let mut text = format!("{table}\n");
+    let mut text = format!("{}\n", table.fitted(columns.unwrap_or(usize::MAX)));
     for remark in &sheet.remarks {
         text.push_str(&format!("remark: {remark}\n"));
     }
