@@ -64,7 +64,7 @@ fn records_say_their_kind_first() {
 #[test]
 fn the_list_of_topics_names_every_topic() {
     let all = Topic::all();
-    let list = explain::list(&all, &CommandLine, Letters::Ascii);
+    let list = explain::list(&all, &CommandLine, Letters::Ascii, WIDTH);
     assert!(list.is_ascii() && list.lines().all(|line| line.chars().count() <= 80), "{list}");
     for topic in all {
         assert!(list.contains(topic.name()), "{}", topic.name());

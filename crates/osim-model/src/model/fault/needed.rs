@@ -237,10 +237,7 @@ impl Needed {
                 phrase![
                     "contact spheres are on bodies that are joined only through ground: ",
                     each.join("; "),
-                    input.either(
-                        phrase![": choose the forces with ", input.with_placeholder("GLOB")],
-                        ""
-                    ),
+                    input.either(phrase![": choose the forces with ", input.with_placeholder("GLOB")], ""),
                 ]
             }
             other => other.about_spheres(),
