@@ -216,7 +216,7 @@ def test_what_simbody_drops_of_several_spheres_is_there(path, converted_models, 
 
 
 # Surfaces with parameters of their own: materials of the half-space and of the spheres.
-OWN_SURFACES = [models.FIXTURES / f"format/{name}.osim" for name in ("three_materials", "floor_of_its_own", "shared_by_materials")]
+OWN_SURFACES = [models.FIXTURES / f"format/{name}.osim" for name in ("three_materials", "floor_of_its_own")]
 
 
 @pytest.fixture(scope="module")
@@ -270,6 +270,23 @@ def test_each_half_space_has_its_own_material(kind, tmp_path):
     for one, two in zip(*shifted([(own, states), (output, states)]), strict=True):
         assert on_floor(one) == pytest.approx(on_floor(two), rel=TOLERANCE, abs=1e-12)
     assert on_floor(two) > 1
+
+
+def test_a_pair_that_a_force_presses_several_times_is_refused(tmp_path):
+    """With n equal parameter sets OpenSim presses the pair n² times; one that only the sphere is in doubles the force."""
+    shared = models.FIXTURES / "format/shared_by_materials.osim"
+    sets = re.findall(r"\s*<HuntCrossleyForce::ContactParameters>.*?</HuntCrossleyForce::ContactParameters>", shared.read_text(), re.DOTALL)
+    paths = {count: tmp_path / f"{count}.osim" for count in (1, 2, 3)}
+    for count, path in paths.items():
+        path.write_text(shared.read_text().replace("".join(sets), count * sets[0]))
+    anatomy = anatomies([shared])[str(shared)]
+    states = at([-min(one["centre"][1] - one["radius"] for one in anatomy["spheres"]) - 0.01])
+    pressed = [on_floor(found[0]) for found in shifted([(path, states) for path in paths.values()])]
+    assert pressed[0] > 1 and pressed == pytest.approx([pressed[0], 4 * pressed[0], 9 * pressed[0]], rel=TOLERANCE)
+    for path, times in ((paths[2], 4), (paths[3], 9), (shared, 2)):
+        outcome = command.run("convert", path, "--to", "smooth", "-o", tmp_path / "out.osim")
+        assert outcome.status == 1 and f"this pair {times} times" in outcome.error["message"], outcome
+    converted(paths[1], "smooth", tmp_path / "one.osim")
 
 
 @pytest.mark.parametrize("off", ["<appliesForce>false</appliesForce>", "<isDisabled>true</isDisabled>"])

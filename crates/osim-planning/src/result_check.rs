@@ -1,6 +1,6 @@
 //! Judges a plan by the model after the change: how this model is inspected, and what is worse in it than in the model before.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use osim_inspect::{
     Bottom, Figure, FindingIndex, FindingWithRemedy, InspectOptions, Inspection, LoadSharing, Stance,
@@ -102,7 +102,8 @@ impl PreparedChange {
         judged.iter_mut().for_each(|one| self.keep_ways_out(&mut one.message));
         // Conversion has advice of its own on what it makes.
         if self.verb == Verb::Convert {
-            judged.retain(|one| !plan.findings.iter().any(|own| is_same_case(own, one)));
+            let own: HashSet<_> = plan.findings.iter().map(case_of).collect();
+            judged.retain(|one| !own.contains(&case_of(one)));
         }
         let is_sunk_in = |one: &&Finding| !one.had_before && one.code() == FindingCode::SunkIn;
         let awaits = self.bodies_await_scaling(plan, weighs_kg);
@@ -131,7 +132,8 @@ impl PreparedChange {
             self.keep_ways_out(&mut question.message);
             return Err(question);
         }
-        plan.findings.retain(|own| !judged.iter().any(|one| is_same_case(own, one)));
+        let cases: HashSet<_> = judged.iter().map(case_of).collect();
+        plan.findings.retain(|own| !cases.contains(&case_of(own)));
         if awaits {
             // Nobody knows the default pose of the scaled bodies yet.
             moved = MovedBottoms::default();
@@ -228,9 +230,9 @@ fn findings_of_result(
     after.unwrap_or(before).iter().map(judged).collect()
 }
 
-/// Whether two findings are about the same fault at the same place.
-fn is_same_case(one: &Finding, other: &Finding) -> bool {
-    (one.code(), &one.place, one.severity) == (other.code(), &other.place, other.severity)
+/// What is equal if two findings are about the same fault at the same place.
+fn case_of(finding: &Finding) -> (FindingCode, Option<&str>, Severity) {
+    (finding.code(), finding.place.as_deref(), finding.severity)
 }
 
 /// Whether a sphere sinks in up to its centre when all spheres carry their share of the weight.

@@ -210,7 +210,8 @@ impl Document {
         self.by_class.get(class)
     }
 
-    fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
+    /// The element of the property `tag` of `class` in `<defaults>`, if there is one.
+    pub fn default_property(&self, class: &str, tag: &str) -> Option<ElementId> {
         self.default_object(class)?.properties.get(tag).copied()
     }
 

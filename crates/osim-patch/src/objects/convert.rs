@@ -1,11 +1,11 @@
 //! Converts forces to the other class, one force for each sphere.
 
 use contact_scaling::{RatioValues, Ratios, SmoothingValues, falisse2022};
-use foldhash::HashSet;
-use osim_model::messages::readable;
+use foldhash::{HashMap, HashSet};
+use osim_model::messages::{readable, shown};
 use osim_model::{
-    Class, ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, Property, Selected, Sphere, Tree,
-    moving_spheres,
+    Class, ElementId, Fault, FaultKind, Finding, Force, ForceKind, Model, PieceKind, Property, Selected,
+    Sphere, Tree, moving_spheres,
 };
 
 use crate::edit::{Edit, edited};
@@ -55,6 +55,8 @@ pub struct Converted {
     pub renamed: Vec<(String, Vec<String>)>,
     /// Paths of forces without a moving sphere; these forces stay as they are.
     pub without_sphere: Vec<String>,
+    /// Paths of forces with comments and elements that their new forces do not have, and a description of these.
+    pub dropped: Vec<(String, String)>,
 }
 
 /// `model` with the forces `selected` converted to the wanted class: one force for each pair of a sphere and a half-space.
@@ -62,7 +64,7 @@ pub struct Converted {
 ///
 /// # Errors
 /// - A file that is a set and no model, or a model with a set in another file.
-/// - A force without a half-space, or a sphere on the half-space's own body: by name.
+/// - A force without a half-space, a sphere on the half-space's own body, or a pair that is pressed several times: by name.
 /// - Values that are not plain numbers.
 /// - Surfaces with different parameters, if [`Convert::strict`] is set.
 pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<Converted, Fault> {
@@ -75,6 +77,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         findings: Vec::new(),
         renamed: Vec::new(),
         without_sphere: Vec::new(),
+        dropped: Vec::new(),
     };
     let (mut edits, mut objects, mut inside) = (Vec::new(), Vec::new(), SurfacesInsideForces::default());
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
@@ -87,6 +90,10 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         let is_one = pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1;
         if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
+        }
+        let dropped = dropped_content(tree, force.element());
+        if !dropped.is_empty() {
+            made.dropped.push((force.path.clone(), dropped.join(", ")));
         }
         if let Some(pair) = pairs.iter().find(|pair| pair.is_composite) {
             made.findings.push(composite_finding(model, force, pair, wanted)?);
@@ -147,6 +154,40 @@ fn checked_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, F
         return Err(leave_out(text, "take the sphere out of it in OpenSim first"));
     }
     Ok(pairs)
+}
+
+/// Beginnings of the comments that OpenSim itself writes into contact forces.
+const COMMENTS_OF_OPENSIM: &str = "Path to a Component that satisfies|Flag indicating whether the force is|All properties of this object|\
+     Material properties.|Names of geometry objects affected|Slip velocity (creep) at which|The stiffness constant (i.e.|\
+     The dissipation coefficient, default|The coefficient of |The transition velocity, default|The constant that enforces|\
+     The parameter that determines the smoothness|List of components that this component owns";
+
+/// Adds the comments and elements inside a force that its new forces do not have, except comments that OpenSim writes.
+fn add_dropped_content(tree: &Tree, parent: ElementId, dropped: &mut Vec<String>) {
+    for child in tree.children(parent) {
+        match tree.name(child) {
+            "objects"
+            | "contact_parameters"
+            | "HuntCrossleyForce::ContactParametersSet"
+            | "HuntCrossleyForce::ContactParameters" => add_dropped_content(tree, child, dropped),
+            tag @ ("groups" | "components") => {
+                dropped.extend(tree.children(child).next().map(|_| format!("<{tag}>")));
+            }
+            "appliesForce" | "isDisabled" | "geometry" | "connectors" | "derivative_smoothing" => {}
+            tag if tag.starts_with("socket_") || tag.starts_with("contact_") => {}
+            tag if tag.parse::<Property>().is_ok() => {}
+            tag => dropped.push(format!("<{tag}>")),
+        }
+    }
+}
+
+fn dropped_content(tree: &Tree, force: ElementId) -> Vec<String> {
+    let comments = tree.content(force).filter(|piece| piece.kind == PieceKind::Comment);
+    let texts = comments.map(|piece| piece.text.trim_start_matches("<!--").trim_end_matches("-->").trim());
+    let own = texts.filter(|text| !COMMENTS_OF_OPENSIM.split('|').any(|start| text.starts_with(start)));
+    let mut dropped: Vec<String> = own.map(|text| format!("the comment '{}'", shown(text))).collect();
+    add_dropped_content(tree, force, &mut dropped);
+    dropped
 }
 
 /// Whether `force` contains its sphere as an element, as in Moco 0.1 to 0.3.
@@ -290,18 +331,18 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
         .into_iter()
         .flat_map(|groups| tree.children(groups))
         .filter_map(|group| tree.child(group, "members"));
+    let new_names: HashMap<&str, &[String]> =
+        renamed.iter().rev().map(|(old, new)| (old.as_str(), new.as_slice())).collect();
     let edit = |members: ElementId| {
         let raw = tree.raw_text(members);
         let text = tree.text_of(members);
         let mut changed = false;
-        let words = osim_model::opensim_text::list_words(&text).flat_map(|word| {
-            match renamed.iter().find(|(old, _)| old == word) {
-                Some((_, new)) => {
-                    changed = true;
-                    new.clone()
-                }
-                None => vec![word.to_owned()],
+        let words = osim_model::opensim_text::list_words(&text).flat_map(|word| match new_names.get(word) {
+            Some(new) => {
+                changed = true;
+                new.to_vec()
             }
+            None => vec![word.to_owned()],
         });
         let words = words.collect::<Vec<_>>().join(" ");
         changed.then(|| Edit { span: raw.span, text: crate::insert::escaped(&words) })

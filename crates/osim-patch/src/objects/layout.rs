@@ -1,10 +1,10 @@
 //! Layouts of new contacts: spheres on bodies with their places and parameters, from a preset, from a model, or mirrored.
 
 use contact_scaling::modulus::SurfaceValues;
-use foldhash::HashSet;
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{
     Anatomy, AnatomyJoint, AnatomySphere, Fault, FaultKind, Force, ForceKind, HalfSpace, Model, ParameterSet,
-    Property, Rotation, Selected, SetId, Side, SphereId, Surfaces,
+    Property, Rotation, Selected, SetId, Side, Sphere, SphereId, Surfaces,
 };
 
 /// A contact to add to a model: a sphere, and the force between the sphere and the floor.
@@ -232,8 +232,10 @@ pub(crate) struct SpherePlanePair {
 /// The sphere and half-space pairs of `force`, in the order of the force; a sphere never touches a half-space on its own body.
 ///
 /// # Errors
-/// A value that is not a plain number or outside its domain, with its place.
+/// - A value that is not a plain number or outside its domain, with its place.
+/// - A pair that the force presses several times: by name.
 pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, Fault> {
+    refuse_repeated_pair(model, force)?;
     let surfaces = Surfaces::of(force)?;
     let planes: Vec<(&ParameterSet, HalfSpace)> = force
         .sets
@@ -245,7 +247,7 @@ pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<Sph
         for &sphere in &set.spheres {
             let Some(own) = model.sphere(sphere).filter(|sphere| !sphere.fixed) else { continue };
             for (plane_set, plane) in &planes {
-                if plane.body.is_some() && plane.body == own.body {
+                if !can_meet(own, plane) {
                     continue;
                 }
                 let of = |id| values_of_set(force, id);
@@ -261,6 +263,52 @@ pub(crate) fn sphere_plane_pairs(model: &Model, force: &Force) -> Result<Vec<Sph
         }
     }
     Ok(pairs)
+}
+
+fn can_meet(sphere: &Sphere, plane: &HalfSpace) -> bool {
+    plane.body.is_none() || plane.body != sphere.body
+}
+
+/// Refuses a force that names a sphere or a half-space several times: OpenSim presses each sphere on each half-space every time, which
+/// forces of one sphere do not do. Nothing here grows with the number of pairs.
+fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<(), Fault> {
+    let mut times_of_sphere: HashMap<SphereId, usize> = HashMap::new();
+    for &sphere in force.sets.iter().flat_map(|set| &set.spheres) {
+        *times_of_sphere.entry(sphere).or_default() += 1;
+    }
+    let mut at_path: HashMap<String, usize> = HashMap::new();
+    let mut planes: Vec<(HalfSpace, usize)> = Vec::new();
+    for plane in force.sets.iter().flat_map(|set| model.planes_of_set(set)) {
+        let at = *at_path.entry(plane.path.clone()).or_insert(planes.len());
+        match planes.get_mut(at) {
+            Some((_, times)) => *times += 1,
+            None => planes.push((plane, 1)),
+        }
+    }
+    planes.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
+    let most = planes.first().map_or(0, |(_, times)| *times);
+    for sphere in force.spheres().into_iter().filter_map(|id| model.sphere(id)) {
+        let times = times_of_sphere.get(&sphere.id).copied().unwrap_or_default();
+        if sphere.fixed || times * most <= 1 {
+            continue;
+        }
+        let Some((plane, of_plane)) = planes.iter().find(|(plane, _)| can_meet(sphere, plane)) else {
+            continue;
+        };
+        if times * of_plane > 1 {
+            let text = format!(
+                "{} names {} {times} and {} {of_plane} times, so that OpenSim presses this pair {} times, which forces of one sphere do not",
+                force.path,
+                sphere.name,
+                plane.name,
+                times * of_plane
+            );
+            let otherwise = "name each of its surfaces once in OpenSim";
+            let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
+            return Err(Fault::new(kind).at_element(force.path.clone()));
+        }
+    }
+    Ok(())
 }
 
 fn values_of_set(force: &Force, set: SetId) -> Result<Vec<(Property, f64)>, Fault> {

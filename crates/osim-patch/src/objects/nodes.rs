@@ -1,7 +1,7 @@
 //! Makes the elements of contact objects for each document version, also from the spheres and half-spaces inside forces of Moco
 //! 0.1 to 0.3.
 
-use foldhash::HashSet;
+use foldhash::{HashMap, HashSet};
 use osim_model::{
     Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Sphere,
 };
@@ -145,9 +145,7 @@ pub(super) fn force(
 
 /// Whether the `<defaults>` give objects of `class` a value for the element `tag`.
 fn has_default(document: &Document, class: Class, tag: &str) -> bool {
-    let tree = document.tree();
-    let object = document.defaults().and_then(|defaults| tree.child(defaults, class.tag()));
-    object.is_some_and(|object| tree.child(object, tag).is_some())
+    document.default_property(class.tag(), tag).is_some()
 }
 
 /// The names by which the list of a `HuntCrossleyForce` refers to geometry. It uses the name of a member of the geometry set; if
@@ -182,8 +180,10 @@ pub(super) struct SurfacesInsideForces {
     /// New elements of the contact geometry set.
     pub(super) geometry: Vec<Node>,
     pub(super) objects: Vec<ObjectChange>,
-    /// Half-spaces that are already new elements: frame, location and angles of each, and its new path.
-    planes: Vec<(String, [[u64; 3]; 2], String)>,
+    /// The new path of each half-space that is already a new element, by its frame, location and angles.
+    planes: HashMap<(String, [[u64; 3]; 2]), String>,
+    /// The paths of all bodies, after they were needed.
+    body_paths: HashSet<String>,
 }
 
 impl SurfacesInsideForces {
@@ -199,7 +199,7 @@ impl SurfacesInsideForces {
         (sphere, plane): (&Sphere, &HalfSpace),
         names: &mut TakenNames,
     ) -> Result<(String, String), Fault> {
-        refuse_ignored_offset(model, force, sphere, plane)
+        self.refuse_ignored_offset(model, force, [&sphere.frame, &plane.frame_path])
             .map_err(|fault| fault.at_element(force.path.clone()))?;
         for frame in [&sphere.frame, &plane.frame_path] {
             refuse_non_utf8_name(model, frame).map_err(|fault| fault.at_element(force.path.clone()))?;
@@ -236,8 +236,8 @@ impl SurfacesInsideForces {
         let place = [plane.location_m, plane.orientations.first().and_then(|own| own.angles_rad)];
         let [Some(location_m), Some(angles_rad)] = place else { return Err(unread()) };
         let bits = [location_m, angles_rad].map(|values| values.map(f64::to_bits));
-        let known = self.planes.iter().find(|(frame, place, _)| (frame, place) == (&plane.frame_path, &bits));
-        if let Some((_, _, path)) = known {
+        let key = (plane.frame_path.clone(), bits);
+        if let Some(path) = self.planes.get(&key) {
             return Ok(path.clone());
         }
         let name = names.reserve(if plane.on_ground { "floor" } else { "half_space" })?;
@@ -246,7 +246,7 @@ impl SurfacesInsideForces {
         let version = model.document().version();
         self.geometry.push(half_space_node(version, &parent_frame, &name, [location_m, angles_rad])?);
         let path = self.record_added("ContactHalfSpace", name, plane.body.clone());
-        self.planes.push((plane.frame_path.clone(), bits, path.clone()));
+        self.planes.insert(key, path.clone());
         Ok(path)
     }
 
@@ -257,29 +257,30 @@ impl SurfacesInsideForces {
         self.objects.push(ObjectChange { action, class, name, path: path.clone(), body, parameters });
         path
     }
-}
 
-/// Refuses an offset frame: the first version of the class, which had a `derivative_smoothing`, used a location in the frame as
-/// if it were one in the body.
-fn refuse_ignored_offset(
-    model: &Model,
-    force: &Force,
-    sphere: &Sphere,
-    plane: &HalfSpace,
-) -> Result<(), Fault> {
-    let tree = model.file(FileId::MAIN).tree();
-    let is_first = tree.child(force.element(), "derivative_smoothing").is_some();
-    let is_body = |frame: &str, body: Option<&str>| {
-        frame == "/ground"
-            || model.bodies().iter().any(|own| own.path == frame && Some(own.name.as_str()) == body)
-    };
-    let ends = [(&sphere.frame, sphere.body.as_deref()), (&plane.frame_path, plane.body.as_deref())];
-    match ends.into_iter().find(|(frame, body)| is_first && !is_body(frame, *body)) {
-        None => Ok(()),
-        Some((frame, _)) => Err(Fault::refused(format!(
-            "{} has a derivative_smoothing, as the first version of its class, which ignored where frame {frame} is on its body: \
-             name the body itself in the force, and its place on that body",
-            force.path
-        ))),
+    /// Refuses an offset frame: the first version of the class, which had a `derivative_smoothing`, used a location in the frame as
+    /// if it were one in the body.
+    fn refuse_ignored_offset(
+        &mut self,
+        model: &Model,
+        force: &Force,
+        frames: [&String; 2],
+    ) -> Result<(), Fault> {
+        let tree = model.file(FileId::MAIN).tree();
+        if tree.child(force.element(), "derivative_smoothing").is_none() {
+            return Ok(());
+        }
+        if self.body_paths.is_empty() {
+            self.body_paths.extend(model.bodies().iter().map(|body| body.path.clone()));
+        }
+        let is_offset = |frame: &&String| *frame != "/ground" && !self.body_paths.contains(*frame);
+        match frames.into_iter().find(is_offset) {
+            None => Ok(()),
+            Some(frame) => Err(Fault::refused(format!(
+                "{} has a derivative_smoothing, as the first version of its class, which ignored where frame {frame} is on its body: \
+                 name the body itself in the force, and its place on that body",
+                force.path
+            ))),
+        }
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use foldhash::HashSet;
+use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::{
     Document, ElementId, Fault, FileId, ForceKind, Model, Property, opensim_text, refuse_name_in_paths,
 };
@@ -94,7 +94,11 @@ impl PartialEq for RebuiltModel {
 // Names for new objects, and elements of a file that refer to contact geometry by name.
 
 /// Names that are used in a model or reserved for new objects.
-pub(super) struct TakenNames(HashSet<String>);
+pub(super) struct TakenNames {
+    names: HashSet<String>,
+    /// The first number that is not tried yet after a name.
+    numbers: HashMap<String, u64>,
+}
 
 impl TakenNames {
     /// Names of contact geometry and forces of `model`: OpenSim silently renames a second object with the same name. Also
@@ -108,16 +112,18 @@ impl TakenNames {
         for element in geometry_references(document) {
             taken.extend(geometry_names(&document.tree().text_of(element)).map(str::to_owned));
         }
-        Self(taken)
+        Self { names: taken, numbers: HashMap::new() }
     }
 
     /// Reserves `name`, with a number after it if it is taken.
     pub(super) fn reserve(&mut self, name: &str) -> Result<String, Fault> {
         refuse_name_in_paths(name)?;
-        let free = |name: &String| !self.0.contains(name);
-        let numbered = (2_u64..).map(|number| format!("{name}_{number}"));
-        let taken = std::iter::once(name.to_owned()).chain(numbered).find(free).unwrap_or_default();
-        self.0.insert(taken.clone());
+        let mut taken = name.to_owned();
+        let number = self.numbers.entry(taken.clone()).or_insert(2);
+        while !self.names.insert(taken.clone()) {
+            taken = format!("{name}_{number}");
+            *number += 1;
+        }
         Ok(taken)
     }
 }

@@ -106,8 +106,9 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
 pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     let note = model.note.as_ref()?;
     let all = note.added_to_file.contains(Note::ALL_ADDED);
+    let is_named = note.is_added_force();
     let is_added = |force: &&Force| {
-        if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { note.has_added_force(&force.name) }
+        if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { is_named(&force.name) }
     };
     let forces: Vec<ForceId> = model.forces().iter().filter(is_added).map(|force| force.id).collect();
     (!forces.is_empty()).then_some(forces)

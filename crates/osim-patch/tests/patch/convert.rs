@@ -216,3 +216,40 @@ fn a_force_without_a_half_space_is_refused_with_the_way_out() {
     let said = fault.to_string();
     assert!(said.contains("/forceset/kick has no half-space") && said.contains("kick"), "{said}");
 }
+
+#[test]
+fn a_pair_that_is_pressed_several_times_is_refused_by_name() {
+    let heel = material_xml("heel", "1e6", "2", "0.8");
+    let [floor, both] = ["floor", "heel floor"].map(|geometry| material_xml(geometry, "1e6", "2", "0.8"));
+    let spellings: [(&[String], &str); 3] = [
+        (&[both.clone(), both.clone()], "this pair 4 times"),
+        (&[heel.clone(), floor.clone(), floor.clone()], "this pair 2 times"),
+        (&[material_xml("heel heel wall floor", "1e6", "2", "0.8")], "this pair 2 times"),
+    ];
+    for (materials, says) in spellings {
+        let text = foot_document(&hunt_crossley_force("foot", "", materials));
+        let model = Model::parse(text).unwrap();
+        let selected = Selection::default().apply_to_all(&model).unwrap();
+        for to in BOTH_CLASSES {
+            let said = convert(&model, &selected, &Convert::new(to)).unwrap_err().to_string();
+            assert!(said.contains("/forceset/foot names heel") && said.contains(says), "{said}");
+        }
+    }
+    // Each pair once.
+    let once = foot_document(&hunt_crossley_force(
+        "foot",
+        "",
+        &[heel, floor, material_xml("wall", "1e6", "2", "0.8")],
+    ));
+    assert_eq!(convert_text(&once, ForceKind::SmoothSphereHalfSpace).renamed[0].1.len(), 2);
+}
+
+#[test]
+fn content_that_new_forces_do_not_have_is_described() {
+    let own = "<!-- mine --><!--Material properties.--><components><A/></components><appliesForce>true</appliesForce><odd>7</odd>";
+    let text =
+        foot_document(&hunt_crossley_force("foot", own, &[material_xml("heel floor", "1e6", "2", "0.8")]));
+    let made = convert_text(&text, ForceKind::SmoothSphereHalfSpace);
+    let described = "the comment 'mine', <components>, <odd>";
+    assert_eq!(made.dropped, [("/forceset/foot".to_owned(), described.to_owned())]);
+}

@@ -1,5 +1,7 @@
 //! Remarks about forces that a change makes or removes: smoothing, friction, names that other objects use, contacts between spheres.
 
+use std::collections::HashMap;
+
 use contact_scaling::{Ratios, SmoothingValues};
 use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
 use osim_model::feet::{DefaultPose, SpherePair, sphere_pairs};
@@ -20,10 +22,12 @@ const FRICTION_COEFFICIENTS: [Property; 3] =
 /// Remarks on the smoothing values of new forces and on their effects. `given` says that the caller gave all these values.
 pub(crate) fn remarks_on_smoothing(objects: &[ObjectChange], given: bool) -> Vec<Phrase> {
     let mut groups: Vec<([f64; 3], usize)> = Vec::new();
+    let mut index_of: HashMap<[u64; 3], usize> = HashMap::new();
     for values in
         objects.iter().filter(|object| object.action == ObjectAction::Added).filter_map(smoothing_values)
     {
-        match groups.iter_mut().find(|(known, _)| *known == values) {
+        let index = *index_of.entry(values.map(f64::to_bits)).or_insert(groups.len());
+        match groups.get_mut(index) {
             Some((_, count)) => *count += 1,
             None => groups.push((values, 1)),
         }

@@ -72,7 +72,7 @@ impl Planner for ConvertPlanner {
     fn plan(&self, model: &Model) -> Result<Plan, Fault> {
         let selected = self.selection.apply_to_all(model)?;
         let dropped_pairs = remarks_on_dropped_pairs(model, &selected)?;
-        let Converted { rebuilt, findings, renamed, without_sphere, .. } =
+        let Converted { rebuilt, findings, renamed, without_sphere, dropped } =
             convert(model, &selected, &self.wanted)?;
         // Spheres and planes that forces had inside themselves are new objects, too.
         let is_force = |object: &&ObjectChange| !object.class.starts_with("Contact");
@@ -113,6 +113,7 @@ impl Planner for ConvertPlanner {
         plan.remarks.extend(dropped_pairs);
         let stays = |path: &String| format!("{path} holds no sphere that moves, and stays as it is").into();
         plan.remarks.extend(without_sphere.iter().map(stays));
+        plan.remarks.extend(remarks_on_dropped_content(&dropped));
         Ok(plan)
     }
 }
@@ -130,6 +131,20 @@ fn remarks_on_renamed_forces(renamed: &[(String, Vec<String>)]) -> Vec<Phrase> {
 
 /// The largest number of names that a remark lists.
 const NAMES_LISTED: usize = 3;
+
+/// Remarks on comments and elements of forces that the new forces do not have.
+fn remarks_on_dropped_content(dropped: &[(String, String)]) -> Vec<Phrase> {
+    let one = |(path, what): &(String, String)| {
+        Phrase::from(format!(
+            "{path} contained {what}: not in what replaces it, copy it from the old model if it matters"
+        ))
+    };
+    let mut remarks: Vec<Phrase> = dropped.iter().take(NAMES_LISTED).map(one).collect();
+    if let Some(more) = dropped.len().checked_sub(NAMES_LISTED).filter(|more| *more > 0) {
+        remarks.push(format!("so did {more} more forces").into());
+    }
+    remarks
+}
 
 /// A remark on names of forces which contain the name of the old class.
 fn remark_on_names_of_old_class(plan: &Plan, class: &str) -> Option<Phrase> {

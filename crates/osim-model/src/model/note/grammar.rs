@@ -7,6 +7,8 @@
 //! Each step has its own `by`, the oldest step first. Facts that nobody gave are left out. The record is for programs: digests of all
 //! numbers, of radii, of places, of the names of spheres and forces, and of each property.
 
+use foldhash::HashSet;
+
 use crate::messages::{readable, shortest};
 use crate::model::note::content::{
     BodySize, DIGEST_DIGITS, NO_ENTRY, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
@@ -127,9 +129,10 @@ impl Note {
     /// The letter in `made` which says that all contacts of the model were added.
     pub const ALL_ADDED: char = 'n';
 
-    /// Whether the force called `force` was added by a change.
-    pub fn has_added_force(&self, force: &str) -> bool {
-        self.added_forces.contains(&in_note_letters(force))
+    /// Says of the name of a force whether a change added the force.
+    pub fn is_added_force(&self) -> impl Fn(&str) -> bool + use<'_> {
+        let names: HashSet<&String> = self.added_forces.iter().collect();
+        move |force| names.contains(&in_note_letters(force))
     }
 
     pub fn nothing_added() -> String {
