@@ -265,3 +265,54 @@ fn a_place_that_the_run_corrects_causes_no_warning() {
     assert!(!(run.out() + &run.err()).contains("odd-place"));
     assert!(!codes_of_severity(&check_json(&dir, "out.osim"), "warning").contains("odd-place"));
 }
+
+#[test]
+fn a_pair_that_is_pressed_many_times_is_refused_at_once() {
+    let Some(dir) = dir_of_case("convert_out_of_memory") else { return };
+    let run = dir.run("convert model.osim --to smooth -o out.osim").failed().wrote_nothing();
+    run.says(&["/forceset/", "floor", "s0", "this pair 62500 times", "--exclude"]);
+}
+
+#[test]
+fn content_of_forces_that_convert_drops_is_named() {
+    let Some(dir) = dir_of_case("convert_loses_content") else { return };
+    dir.run("convert --to hunt-crossley model.osim -o out.osim")
+        .succeeded()
+        .says(&["the comment 'tuned by hand in 2023: do not touch', <components>, <my_property>"]);
+}
+
+#[test]
+fn an_error_has_nothing_of_an_included_file() {
+    let Some(dir) = dir_of_case("include_prints_first_line") else { return };
+    dir.write("inside/model.osim", dir.read("model.osim"));
+    for secret in [
+        "secret: 1234\n".to_owned(),
+        "<secret>1234</secret>".to_owned(),
+        "<a><secret></a>".to_owned(),
+        "<OpenSimDocument Version=\"secret\"><ForceSet/></OpenSimDocument>".to_owned(),
+        "<OpenSimDocument Version=\"40000\"><secret/></OpenSimDocument>".to_owned(),
+    ] {
+        dir.write("README.md", &secret);
+        let run = dir.run("check inside/model.osim").failed();
+        assert!(!(run.out() + &run.err()).contains("secret"), "{secret}: {}", run.err());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn a_printed_command_works_for_a_name_with_a_line_end_or_a_tab() {
+    let Some(dir) = dir_of_case("remedy_name_with_newline") else { return };
+    for name in ["a\nb.osim", "a\tb's.osim"] {
+        dir.write(name, dir.read("model.osim"));
+        let out = String::from_utf8(dir.run_words(&["check", name]).stdout).unwrap();
+        let line = out.lines().find_map(|line| line.trim_start().strip_prefix("$ ")).unwrap();
+        let script = format!("osim-contact-scale() {{ \"$COMMAND\" \"$@\"; }}; {line}");
+        let output = std::process::Command::new("bash")
+            .args(["-c", &script])
+            .current_dir(dir.path(""))
+            .env("COMMAND", env!("CARGO_BIN_EXE_osim-contact-scale"))
+            .output();
+        let Ok(output) = output else { return report_skip("a printed command", "there is no bash") };
+        assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}

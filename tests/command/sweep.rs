@@ -244,6 +244,13 @@ fn wrong_calls_are_refused_before_anything_is_written() {
     }
     dir.run("sweep nowhere.osim --grid stiffness=x2").failed().says(&["no such file"]);
     dir.run("sweep bare.osim --grid stiffness=x2").failed().wrote_nothing().says(&["bare.osim"]);
+    for bad in ["stiffness_zero", "number_word", "number_nan", "number_comment_inside"] {
+        dir.write("bad.osim", fixture(&format!("bad/{bad}.osim")));
+        dir.run("sweep bad.osim --grid stiffness=x1,x2 -d out")
+            .failed()
+            .wrote_nothing()
+            .says(&["bad.osim:", "stiffness is"]);
+    }
     // A value that cannot be shows before the first file, in a dry run, too.
     for grid in ["indentation=0.1,2", "stiffness=1e5,0,x2", "dissipation=1,2 --grid restitution=1.5"] {
         for dry in ["", " --dry-run"] {

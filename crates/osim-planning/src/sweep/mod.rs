@@ -175,10 +175,11 @@ impl<'s> SweepPlan<'s> {
             let job = self.job(index)?;
             self.variant(&job).map_err(|mut failure| {
                 failure.message = message_with_point(&failure, &job);
-                // A question stays a failure, because its code answers it.
+                // A question stays a failure, because its code answers it; so does a number of the model that is wrong whatever is asked.
+                let is_of_model = failure.line.is_some() && self.original.has_wrong_number();
                 match failure.code.parse::<Question>() {
-                    Ok(_) => RequestError::Failure(failure),
-                    Err(_) => RequestFault::general(failure.message).into(),
+                    Err(_) if !is_of_model => RequestFault::general(failure.message).into(),
+                    _ => RequestError::Failure(failure),
                 }
             })?;
         }

@@ -93,6 +93,13 @@ impl Variant {
         self.wrong.difference(&original.wrong).map(|code| code.as_str()).collect()
     }
 
+    /// Whether a number of the model cannot be read or computed with.
+    pub(super) fn has_wrong_number(&self) -> bool {
+        [FindingCode::OddNumber, FindingCode::NotFinite, FindingCode::OutOfDomain]
+            .iter()
+            .any(|code| self.wrong.contains(code))
+    }
+
     /// The values of `property` in all contacts.
     pub(super) fn values_of(&self, property: Property) -> impl Iterator<Item = f64> {
         self.values.iter().filter(move |(known, _)| *known == property).map(|(_, value)| *value)

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use osim_model::messages::{Call, Dialect, Example, Input, Verb};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb, is_visible};
 
 use crate::register::{List, option_named};
 use crate::request::Request;
@@ -131,12 +131,15 @@ fn option_name(field: &str) -> String {
 // Words as shells take them.
 
 /// `word` quoted for shells: without quotation marks if no shell needs them, else in double ones, which cmd and PowerShell also
-/// know; in single ones if a POSIX shell would expand something. cmd replaces `%NAME%` within any quotation marks.
+/// know; in single ones if a POSIX shell would expand something. cmd replaces `%NAME%` within any quotation marks. Line ends, tabs and
+/// other letters that cannot be seen, which no name has on Windows, are escaped as in bash and zsh: `$'a\nb'`.
 pub fn shell_quoted(word: &str) -> String {
     // PowerShell makes a list of what has commas, and zsh looks for a program after an equals sign.
     let plain = |letter: char| letter.is_alphanumeric() || "_-./:+=%".contains(letter);
     if !word.is_empty() && !word.starts_with('=') && word.chars().all(plain) {
         word.to_owned()
+    } else if !word.chars().all(is_visible) {
+        format!("$'{}'", word.chars().map(escaped_for_shell).collect::<String>())
     } else if !expands_in_double_quotes(word) {
         format!("\"{word}\"")
     } else {
@@ -144,10 +147,20 @@ pub fn shell_quoted(word: &str) -> String {
     }
 }
 
+fn escaped_for_shell(letter: char) -> String {
+    match letter {
+        '\n' => r"\n".to_owned(),
+        '\t' => r"\t".to_owned(),
+        '\'' | '\\' => format!("\\{letter}"),
+        visible if is_visible(visible) => visible.to_string(),
+        other => other.to_string().bytes().map(|byte| format!(r"\{byte:03o}")).collect(),
+    }
+}
+
 /// Whether a shell changes a part of `word` between double quotation marks. PowerShell takes curly quotation marks for straight
 /// ones.
 fn expands_in_double_quotes(word: &str) -> bool {
-    let is_special = |letter: char| "$`\"!\u{201c}\u{201d}\u{201e}".contains(letter) || letter.is_control();
+    let is_special = |letter: char| "$`\"!\u{201c}\u{201d}\u{201e}".contains(letter);
     word.contains(is_special) || word.contains(r"\\") || word.ends_with('\\')
 }
 
@@ -232,6 +245,7 @@ mod tests {
             (r"a\", r"'a\'"),
             (r"\\server\a", r"'\\server\a'"),
             ("it's $5", r"'it'\''s $5'"),
+            ("it's\t5\n\\$\u{202e}", r"$'it\'s\t5\n\\$\342\200\256'"),
         ] {
             assert_eq!(shell_quoted(word), expected);
         }

@@ -199,30 +199,40 @@ impl ModelFiles {
 
     /// Parses all files and reads the model.
     pub fn open(self) -> Result<OpenModel, Failure> {
-        let names = self.companions.iter().map(|companion| companion.path.as_path().into()).collect();
+        let name_of =
+            |companion: &CompanionFile| (companion.path.as_path().into(), companion.included_by.is_some());
+        let companions_with_names = self.companions.iter().map(name_of).collect();
+        let names = FileNames { main: self.name, companions: companions_with_names };
         let document = match self.main {
             MainFile::Bytes(bytes) => {
-                Document::parse(bytes).map_err(|fault| Failure::from_fault(&self.name, fault))?
+                Document::parse(bytes).map_err(|fault| Failure::from_fault(&names.main, fault))?
             }
             MainFile::WithoutIncludes(bytes) => Document::parse(bytes)
-                .map_err(|fault| Failure::from_fault(&self.name, fault))?
+                .map_err(|fault| Failure::from_fault(&names.main, fault))?
                 .known_to_include_nothing(),
             MainFile::Parsed(document) => *document,
         };
         let mut companions = Vec::new();
-        for companion in self.companions {
+        for (index, companion) in self.companions.into_iter().enumerate() {
             let included_by = companion.included_by;
-            let document = Document::parse(companion.bytes)
-                .map_err(|fault| Failure::from_fault(companion.path.as_path(), fault))?;
+            let document = Document::parse(companion.bytes).map_err(|fault| {
+                let mut failure = names.failure(Fault { file: FileId::companion(index), ..fault });
+                if included_by.is_some() {
+                    failure.message = NOT_INCLUDABLE.into();
+                }
+                failure
+            })?;
             companions.push(Companion { document, included_by });
         }
-        let names = FileNames { main: self.name, companions: names };
         match Model::read_with(document, companions) {
             Ok(model) => Ok(OpenModel { model, names }),
-            Err(fault) => Err(Failure::from_fault(names.name(fault.file), fault)),
+            Err(fault) => Err(names.failure(fault)),
         }
     }
 }
+
+/// The message about an included file that cannot be read. It has nothing of the file: a model from elsewhere could name any file.
+const NOT_INCLUDABLE: &str = "a model includes this file, and it is not an OpenSim document that can be read: get it again from where the model came";
 
 fn read_companion(
     path: PathBuf,
@@ -249,13 +259,24 @@ pub struct OpenModel {
 #[derive(Debug)]
 struct FileNames {
     main: FileName,
-    companions: Vec<FileName>,
+    /// The name of each file, and whether the model includes it.
+    companions: Vec<(FileName, bool)>,
 }
 
 impl FileNames {
     fn name(&self, file: FileId) -> &FileName {
-        let companion = file.companion_index().and_then(|index| self.companions.get(index));
-        companion.unwrap_or(&self.main)
+        self.companion(file).map_or(&self.main, |(name, _)| name)
+    }
+
+    fn companion(&self, file: FileId) -> Option<&(FileName, bool)> {
+        file.companion_index().and_then(|index| self.companions.get(index))
+    }
+
+    /// The failure for `fault`, whose file has no excerpt if the model names that file, because it could name any.
+    fn failure(&self, fault: Fault) -> Failure {
+        let is_included = self.companion(fault.file).is_some_and(|(_, is_included)| *is_included);
+        let failure = Failure::from_fault(self.name(fault.file), fault);
+        Failure { excerpt: failure.excerpt.filter(|_| !is_included), ..failure }
     }
 }
 
@@ -278,6 +299,6 @@ impl OpenModel {
     /// A failure for `fault` in this model, with the name of its file and its place.
     pub fn failure(&self, fault: Fault) -> Failure {
         let located = fault.located_in(|file| self.model.file(file).bytes());
-        Failure::from_fault(self.names.name(located.file), located)
+        self.names.failure(located)
     }
 }
