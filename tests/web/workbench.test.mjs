@@ -214,6 +214,13 @@ inChromium("a ZIP is opened like the folder in it; a damaged one is said to be s
   await user.announced(/bad\.zip: this ZIP is damaged, a name in it leads out of its folder/);
   await user.drop({ name: "noise.zip", bytes: Buffer.from("no archive") });
   await user.announced(/noise\.zip: this ZIP is damaged/);
+  const stored = Buffer.from(zipSync({ "a.osim": [new Uint8Array(HUMAN.bytes), { level: 0 }], "b.osim": new Uint8Array(9) }));
+  const changed = Buffer.from(stored);
+  changed[1000] ^= 1;
+  await user.drop({ name: "changed.zip", bytes: changed });
+  await user.announced(/changed\.zip: this ZIP is damaged, a\.osim in it is not what was packed/);
+  await user.drop({ name: "twice.zip", bytes: Buffer.from(stored.toString("latin1").replaceAll("b.osim", "a.osim"), "latin1") });
+  await user.announced(/twice\.zip: this ZIP has two files called a\.osim/);
 });
 
 inChromium("1,500 is asked about: it may be either", async (user) => {

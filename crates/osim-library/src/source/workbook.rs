@@ -1,11 +1,13 @@
 //! Converts Excel's .xlsx to CSV: the first sheet, whose first row names the columns.
 
 use std::collections::BTreeMap;
-use std::io::Cursor;
+use std::io::{BufReader, Cursor};
 
 use calamine::{CellErrorType, Data, Reader, Xlsx};
 use osim_model::files::FileError;
-use osim_model::messages::shortest;
+use osim_model::messages::{shortest, shown};
+use quick_xml::events::Event;
+use zip::ZipArchive;
 
 /// The first bytes of an .xlsx file, as of every ZIP archive.
 const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
@@ -13,6 +15,9 @@ const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 /// Most rows of a sheet in Excel.
 const MOST_ROWS: u32 = 1_048_576;
 const MOST_COLUMNS: u32 = 16_384;
+/// Most digits and letters in the reference of a cell.
+const MOST_DIGITS: usize = 7;
+const MOST_LETTERS: usize = 3;
 /// Most cells in the smallest rectangle around all filled cells of a sheet.
 const MOST_CELLS: usize = 10_000_000;
 
@@ -20,13 +25,50 @@ const MOST_CELLS: usize = 10_000_000;
 ///
 /// # Errors
 /// A cell is neither a number nor a text, or is a broken formula.
-pub(super) fn workbook_as_csv(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
+pub fn workbook_as_csv(bytes: Vec<u8>) -> Result<Vec<u8>, FileError> {
     if !bytes.starts_with(ZIP_SIGNATURE) {
         return Ok(bytes);
     }
     // Bytes that are not a workbook are refused later, by the reader of the table.
     let Ok(mut book) = Xlsx::new(Cursor::new(bytes.as_slice())) else { return Ok(bytes) };
+    refuse_overflowing_references(&bytes)?;
     csv_of_rows(&rows_of_first_sheet(&mut book)?)
+}
+
+/// Refuses references of rows and cells with more letters or digits than any sheet has: calamine computes them modulo 2^32, so that a
+/// cell would count as another one.
+fn refuse_overflowing_references(bytes: &[u8]) -> Result<(), FileError> {
+    let Ok(mut archive) = ZipArchive::new(Cursor::new(bytes)) else { return Ok(()) };
+    for index in 0..archive.len() {
+        let Ok(file) = archive.by_index(index) else { continue };
+        if !file.name().is_ok_and(|name| name.starts_with("xl/worksheets/")) {
+            continue;
+        }
+        let (mut reader, mut buffer) = (quick_xml::Reader::from_reader(BufReader::new(file)), Vec::new());
+        // A sheet that is not XML is refused where its cells are read.
+        while let Ok(event) = reader.read_event_into(&mut buffer) {
+            match event {
+                Event::Start(tag) | Event::Empty(tag)
+                    if ["c", "row"].contains(&tag.local_name().as_ref()) =>
+                {
+                    let reference = tag.try_get_attribute("r").ok().flatten();
+                    let reference = reference.map(|found| found.value).unwrap_or_default();
+                    let digits = reference.bytes().filter(u8::is_ascii_digit).count();
+                    if digits > MOST_DIGITS || reference.len() - digits > MOST_LETTERS {
+                        return Err(FileError::new(format!(
+                            "a sheet of this workbook has a cell or row '{}', and the last cell of a sheet is XFD1048576: save it \
+                             again in a spreadsheet program",
+                            shown(&reference)
+                        )));
+                    }
+                }
+                Event::Eof => break,
+                _ => {}
+            }
+            buffer.clear();
+        }
+    }
+    Ok(())
 }
 
 /// The texts of each row by the numbers of their columns. Cells are read one by one, because a broken file may claim any size.
