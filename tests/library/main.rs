@@ -28,3 +28,4 @@ mod shares;
 mod support;
 mod sweep_parts;
 mod sweep_resume;
+mod two_runs;

@@ -98,8 +98,14 @@ impl PartialFile {
     /// Removes the file, after the complete file was written.
     pub(crate) fn remove(self) -> Result<(), LibraryFault> {
         let Self { path, file, .. } = self;
-        drop(file);
-        std::fs::remove_file(&path).context(|| format!("cannot remove {}", path.display()))
+        // While the file is open, no other run begins with a file that is about to be removed. Windows cannot remove an open file.
+        let open = cfg!(unix).then_some(file);
+        let removed = std::fs::remove_file(&path);
+        drop(open);
+        match removed {
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(()),
+            removed => removed.context(|| format!("cannot remove {}", path.display())),
+        }
     }
 }
 

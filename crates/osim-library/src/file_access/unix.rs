@@ -5,7 +5,7 @@
 )]
 
 use std::fs::{File, FileType, Metadata, OpenOptions, TryLockError};
-use std::os::unix::fs::{FileTypeExt, OpenOptionsExt};
+use std::os::unix::fs::{FileTypeExt, MetadataExt, OpenOptionsExt};
 use std::path::Path;
 
 use rustix::fs::OFlags;
@@ -15,12 +15,28 @@ pub(super) fn without_waiting(options: &mut OpenOptions) -> &mut OpenOptions {
     options.custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
 }
 
+/// How often a file is opened again that another run removed before it was locked. On some file systems a file has another number each
+/// time it is looked at.
+const MOST_TRIES: usize = 8;
+
 /// Opens a file with a lock. Bytes are appended, so that lines stay whole also on a file system without locks.
 pub(super) fn open_exclusively(path: &Path) -> std::io::Result<Option<File>> {
-    let mut options = File::options();
-    let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
-    let is_taken = file.try_lock().is_err_and(|error| matches!(error, TryLockError::WouldBlock));
-    Ok((!is_taken).then_some(file))
+    let mut tries = 0;
+    loop {
+        let mut options = File::options();
+        let file = without_waiting(options.read(true).append(true).create(true)).open(path)?;
+        if file.try_lock().is_err_and(|error| matches!(error, TryLockError::WouldBlock)) {
+            return Ok(None);
+        }
+        let number = |metadata: Metadata| (metadata.dev(), metadata.ino());
+        let has_name = std::fs::metadata(path)
+            .map(number)
+            .is_ok_and(|there| file.metadata().map(number).is_ok_and(|own| own == there));
+        tries += 1;
+        if has_name || tries == MOST_TRIES {
+            return Ok(Some(file));
+        }
+    }
 }
 
 /// Tries a shared lock, for which network file systems need only the right to read.

@@ -93,6 +93,8 @@ impl<'r> Run<'r> {
     /// The summary cannot be written, or exists already.
     pub fn begin(&mut self) -> Result<(), LibraryFault> {
         self.context.summary = SummaryWriter::begin(self.context.run, self.request.force)?;
+        // Another run that wrote the same summary may have ended since it was read.
+        self.read_previous()?;
         self.context.folders = self.list_folders();
         self.kept_files = self.context.folders.keep_displaced_files();
         if let Some(summary) = &self.context.summary {

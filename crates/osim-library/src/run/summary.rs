@@ -53,14 +53,17 @@ impl SummaryWriter {
         let format = SummaryFormat::of_path(path)?;
         make_folder_of(path)?;
         let replace = options.resume || force;
-        if !replace && path.exists() {
-            return Err(LibraryFault::new(phrase![
+        let exists = || {
+            LibraryFault::new(phrase![
                 format!("{} exists already: continue it (", path.display()),
                 Input::Resume,
                 "), replace it (",
                 Input::Force,
                 "), or choose another name",
-            ]));
+            ])
+        };
+        if !replace && path.exists() {
+            return Err(exists());
         }
         if !replace {
             PartialFile::refuse_leftover(path)?;
@@ -69,7 +72,13 @@ impl SummaryWriter {
         let summary =
             OrderedLines { file: PendingFile::begin(path, None, mode)?, user_columns: None, fault: None };
         let way_out = "give each run a summary of its own".into();
-        let partial = Mutex::new(PartialFile::open(path, options.resume, &way_out)?);
+        let partial = PartialFile::open(path, options.resume, &way_out)?;
+        if !replace && path.exists() {
+            // Another run has ended in the meantime.
+            partial.remove()?;
+            return Err(exists());
+        }
+        let partial = Mutex::new(partial);
         let folder = relative_path(&resolved(folder_of(path)), &resolved(Path::new(".")));
         Ok(Some(Self {
             format,

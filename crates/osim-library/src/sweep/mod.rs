@@ -159,7 +159,11 @@ impl<'s> SweepRun<'s> {
         let files = WrittenFiles::begin(&tables, self.request.resume)?;
         // Removes temporary files of a run that was killed.
         OutputFolders::list(std::iter::once(tables.table_of_run()), true);
-        let mut table = PendingFile::begin(tables.table_of_run(), None, self.table_mode())?;
+        let mut table = match PendingFile::begin(tables.table_of_run(), None, self.table_mode()) {
+            Ok(table) => table,
+            // Another run has ended in the meantime.
+            Err(fault) => return files.finish(false).and(Err(fault)),
+        };
         table.add_bytes(&csv_line(&self.plan.table_header())?)?;
         let work = |&index: &usize| {
             let made = self.make_variant(index, &files, front_end);

@@ -21,6 +21,7 @@ pub struct PendingFile {
     /// The target itself, if `shown` is a link.
     target: PathBuf,
     replaces: bool,
+    mode: WriteMode,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -108,7 +109,7 @@ impl PendingFile {
             super::access_list::keep_access_list(&temporary, &target);
         }
         keep_permissions(&temporary, like, existing.is_some()).context(cannot)?;
-        Ok(Self { temporary, shown, target, replaces: existing.is_some() })
+        Ok(Self { temporary, shown, target, replaces: existing.is_some(), mode })
     }
 
     /// Adds bytes to the new file.
@@ -139,10 +140,10 @@ impl PendingFile {
         self.temporary.as_file().sync_all().context(|| self.cannot_write())
     }
 
-    /// Gives the new file the name of its target, in one step.
+    /// Gives the new file the name of its target, in one step. If another run wrote the same bytes in the meantime, nothing has to be done.
     ///
     /// # Errors
-    /// Another program made a file of this name in the meantime, or the folder cannot be changed.
+    /// Another program made a file of this name in the meantime, which may not be replaced, or the folder cannot be changed.
     pub fn commit(self) -> Result<(), LibraryFault> {
         let durable = self.replaces;
         let (target, shown) = (self.target, self.shown.display());
@@ -158,6 +159,19 @@ impl PendingFile {
                 }
                 Ok(())
             }
+            Err(error)
+                if error.error.kind() == ErrorKind::AlreadyExists && self.mode == WriteMode::Replace =>
+            {
+                let file = error.file;
+                file.as_file().sync_all().context(|| format!("cannot write {shown}"))?;
+                file.persist(&target).map(drop).context(|| format!("cannot write {shown}"))
+            }
+            Err(error)
+                if error.error.kind() == ErrorKind::AlreadyExists
+                    && has_same_bytes(error.file.path(), &target) =>
+            {
+                Ok(())
+            }
             Err(error) if error.error.kind() == ErrorKind::AlreadyExists => {
                 let message = format!("{shown} appeared while it was being written: nothing was replaced");
                 Err(LibraryFault::new(message))
@@ -165,6 +179,11 @@ impl PendingFile {
             Err(error) => Err(LibraryFault::system(format!("cannot write {shown}"), error.error)),
         }
     }
+}
+
+fn has_same_bytes(one: &Path, other: &Path) -> bool {
+    let bytes = file_access::read_ordinary;
+    bytes(one).is_ok_and(|one| bytes(other).is_ok_and(|other| one == other))
 }
 
 /// The file that is replaced: if `target` is a symlink, the file that it leads to.

@@ -1,0 +1,71 @@
+//! Two runs that write the same files at the same time: each ends with 0 if its work is complete, or says why not, and all files are
+//! complete.
+
+use crate::model_folder::{
+    assert_no_temporary_files, files_below, folder_with_models, start, wait_for_output,
+};
+use crate::support::TestDir;
+use crate::sweep_resume::{BUSY, CALL, assert_undisturbed, dir_with_emu};
+
+const ROUNDS: usize = 25;
+const RESCALE: &str = "lib --target-mass 500 -d out --quiet";
+
+/// The exit status and the messages of two runs of `call` that are started together.
+fn run_twice_at_once(dir: &TestDir, call: &str) -> [(Option<i32>, String); 2] {
+    [start(dir, call), start(dir, call)].map(wait_for_output)
+}
+
+/// Runs `call` twice at once in many folders from `new_dir`. A run that does not end with 0 has the exit status and the message `why_not`.
+#[track_caller]
+fn race(new_dir: impl Fn() -> TestDir, call: &str, why_not: Option<(i32, &str)>, check: impl Fn(&TestDir)) {
+    for round in 0..ROUNDS {
+        let dir = new_dir();
+        let ends = run_twice_at_once(&dir, call);
+        for (status, text) in &ends {
+            let is_explained =
+                why_not.is_some_and(|(expected, says)| *status == Some(expected) && text.contains(says));
+            assert!(*status == Some(0) || is_explained, "{call}, round {round}: {status:?}: {text}");
+        }
+        assert_no_temporary_files(&dir);
+        check(&dir);
+    }
+}
+
+#[track_caller]
+fn assert_all_rescaled(dir: &TestDir) {
+    let undisturbed = folder_with_models(4);
+    undisturbed.run(RESCALE).succeeded();
+    assert!(files_below(&dir.files(), "out/") == files_below(&undisturbed.files(), "out/"));
+}
+
+#[test]
+fn two_runs_that_may_replace_files_both_succeed() {
+    race(|| folder_with_models(4), &format!("{RESCALE} --force"), None, assert_all_rescaled);
+}
+
+#[test]
+fn of_two_runs_that_may_not_replace_files_each_is_complete_or_says_why() {
+    race(|| folder_with_models(4), RESCALE, Some((1, "exists already")), assert_all_rescaled);
+}
+
+#[test]
+fn two_resumed_runs_with_one_summary_succeed_or_one_is_busy() {
+    let call = format!("{RESCALE} --summary done.csv --resume");
+    race(
+        || folder_with_models(4),
+        &call,
+        Some((BUSY, "being written by another run")),
+        |dir| {
+            assert_all_rescaled(dir);
+            assert!(dir.has("done.csv") && !dir.has("done.csv.partial"));
+            dir.run(&call).succeeded();
+        },
+    );
+}
+
+#[test]
+fn two_resumed_sweeps_succeed_or_one_is_busy() {
+    let call = format!("{CALL} --resume");
+    let busy = Some((BUSY, "being written by another run"));
+    race(dir_with_emu, &call, busy, |dir| assert_undisturbed(dir, CALL));
+}
