@@ -6,11 +6,13 @@
 mod checks;
 mod mesh;
 mod mutate;
+mod page;
 mod request;
 
 pub use checks::{edits, inspect, no_edit, roundtrip, scan};
 pub use mesh::mesh;
 pub use mutate::mutate;
+pub use page::{files, verbs};
 
 use osim_model::Fault;
 

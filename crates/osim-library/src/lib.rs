@@ -21,7 +21,7 @@ mod write;
 pub use fault::{Cause, LibraryFault};
 pub use file_access::{reason, sha256};
 pub use paths::{folder_of, make_folder_of, resolved};
-pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp};
+pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName, Stamp, workbook_as_csv};
 pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::work_in_order;

@@ -8,3 +8,4 @@ pub(crate) use disk::MemoryFirst;
 pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
 pub(crate) use find_models::SWEEP_FOLDER_ENDING;
 pub use find_models::{Source, Sources, SplitName};
+pub use workbook::workbook_as_csv;
