@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use contact_scaling::fit::{Fit, FitError, FitValues, Measurement, Rate, fit};
 use osim_model::files::{Failure, Files};
-use osim_requests::options::ColumnOptions;
+use osim_requests::ColumnOptions;
 use osim_requests::{FitRequest, RequestError, RequestFault};
 
 use crate::sheet::Sheet;

@@ -83,8 +83,8 @@ fn possible_value((word, meaning): &(&'static str, &'static str)) -> PossibleVal
 /// The argument with its conditions: options that it requires or excludes.
 fn with_conditions(argument: Arg, verb: Verb) -> Arg {
     let name = argument.get_id().clone();
-    let relations = relations_of(verb).iter().copied().flatten().filter(|relation| name == relation.field());
-    relations.fold(argument, |argument, relation| match *relation {
+    let relations = relations_of(verb).into_iter().filter(|relation| name == relation.field());
+    relations.fold(argument, |argument, relation| match relation {
         Relation::Required(_) => argument.required(true),
         Relation::Expected(_) | Relation::ExpectedUnless(..) | Relation::Needs(..) => argument,
         Relation::RequiredUnless(_, other) => argument.required_unless_present(other),

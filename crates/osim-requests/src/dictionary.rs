@@ -18,7 +18,7 @@ const MOST_WRONG_LETTERS: usize = 2;
 /// An unknown field, a value of the wrong form, or fields that contradict or need each other.
 pub(crate) fn read<T>(
     fields: Map<String, Value>,
-    relations: &[&[Relation]],
+    relations: &[Relation],
     checked: fn(&Relation) -> bool,
 ) -> Result<T, RequestFault>
 where
@@ -41,10 +41,7 @@ where
 ///
 /// # Errors
 /// The first violated relation.
-pub(crate) fn check<T: Default + Serialize>(
-    request: &T,
-    relations: &[&[Relation]],
-) -> Result<(), RequestFault> {
+pub(crate) fn check<T: Default + Serialize>(request: &T, relations: &[Relation]) -> Result<(), RequestFault> {
     check_fields(&given_fields(request), relations, |_| true)
 }
 
@@ -65,7 +62,7 @@ pub(crate) fn all_fields(request: &impl Serialize) -> Map<String, Value> {
 
 fn check_fields(
     fields: &Map<String, Value>,
-    relations: &[&[Relation]],
+    relations: &[Relation],
     checked: fn(&Relation) -> bool,
 ) -> Result<(), RequestFault> {
     let says = |name: &str| match fields.get(name) {
@@ -74,7 +71,7 @@ fn check_fields(
         Some(Value::Object(items)) => !items.is_empty(),
         Some(_) => true,
     };
-    for relation in relations.iter().copied().flatten().filter(|relation| checked(relation)) {
+    for relation in relations.iter().filter(|relation| checked(relation)) {
         match *relation {
             Relation::Required(field) | Relation::Expected(field) if !says(field) => {
                 return Err(RequestFault::Missing { field });

@@ -46,8 +46,8 @@ pub fn schema_of(verb: Verb) -> Schema {
         definitions.extend(of_types);
     }
     let mut given = |field| is_given(field, &mut definitions);
-    for relation in relations_of(verb).iter().copied().flatten() {
-        match *relation {
+    for relation in relations_of(verb) {
+        match relation {
             Relation::Required(field) | Relation::Expected(field) => {
                 required.push(field.into());
                 all.push(given(field));

@@ -4,7 +4,7 @@ use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::{Contact, ContactValues, DomainError, Law, Spheres, equilibrium, limits, restitution};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
-use osim_requests::{DropHeight, HeatQuantity, PlotRequest, Positive};
+use osim_requests::{DropHeight, PlotRequest, Positive, QuantityChoice};
 
 use crate::series::body::{ContactBody, SphereKind};
 use crate::series::curves::impact_speed;
@@ -12,7 +12,7 @@ use crate::series::sampling::Point;
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatRequest {
-    pub quantity: HeatQuantity,
+    pub quantity: QuantityChoice,
     /// The height from which the body falls.
     pub height: DropHeight,
     /// How long the fall is computed, s; `None`: until well after the impact.
@@ -22,8 +22,8 @@ pub struct HeatRequest {
 impl From<&PlotRequest> for HeatRequest {
     fn from(request: &PlotRequest) -> Self {
         Self {
-            quantity: request.heat.quantity.quantity(),
-            height: request.fall.height.get(),
+            quantity: request.heat.quantity,
+            height: request.fall.height,
             duration_s: request.fall.duration.map(Positive::get),
         }
     }
@@ -144,7 +144,7 @@ fn refined_values(values: &[f64]) -> Vec<f64> {
 /// Computes the quantity for any stiffness and dissipation of the contact.
 struct HeatSweep<'s> {
     kind: &'s SphereKind,
-    quantity: HeatQuantity,
+    quantity: QuantityChoice,
     /// The number n of spheres that carry the weight.
     sphere_count: f64,
     values: DropValues,
@@ -183,14 +183,14 @@ impl<'s> HeatSweep<'s> {
     fn value(&self, stiffness: f64, dissipation: f64) -> Option<f64> {
         let spheres = self.spheres(stiffness, dissipation).ok()?;
         match self.quantity {
-            HeatQuantity::Indentation => {
+            QuantityChoice::Indentation => {
                 let load = self.values.mass_kg * self.values.gravity_m_s2;
                 // By the Hertz law, which the limit is about; `check` and the manifest of a sweep also use it.
                 let indentation = equilibrium::hertz_indentation(&[spheres], load).ok()?;
                 Some(indentation / self.kind.radius_m)
             }
-            HeatQuantity::Restitution => restitution::exact(dissipation, self.impact_speed_m_s).ok(),
-            HeatQuantity::PeakForce => {
+            QuantityChoice::Restitution => restitution::exact(dissipation, self.impact_speed_m_s).ok(),
+            QuantityChoice::PeakForce => {
                 let report = DropTest::new([spheres], self.values).ok()?.run().ok()?;
                 Some(report.peak_force_bw())
             }
@@ -214,13 +214,13 @@ impl<'s> HeatSweep<'s> {
     fn limit(&self) -> Option<f64> {
         let speed = self.impact_speed_m_s;
         match self.quantity {
-            HeatQuantity::Indentation => Some(limits::INDENTATION.value),
-            HeatQuantity::Restitution => {
+            QuantityChoice::Indentation => Some(limits::INDENTATION.value),
+            QuantityChoice::Restitution => {
                 // The limit is about (13), as in `check`; the values are exact. So convert it.
                 let dissipation = restitution::dissipation(limits::RESTITUTION.value, speed).ok()?;
                 restitution::exact(dissipation, speed).ok()
             }
-            HeatQuantity::PeakForce => None,
+            QuantityChoice::PeakForce => None,
         }
     }
 }

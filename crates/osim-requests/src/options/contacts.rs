@@ -3,42 +3,73 @@
 use contact_scaling::SmoothingValues;
 use osim_model::messages::{Input, phrase};
 use osim_model::{Property, RadiusRule};
-use serde::{Deserialize, Serialize};
 
-use crate::fault::{Relation, RequestFault};
+use crate::fault::RequestFault;
+use crate::values::serial::fields;
 use crate::values::{
-    Acceleration, ConstantIndentation, Height, NotNegative, PoissonRatio, Positive, Radius,
+    Acceleration, ConstantIndentation, DropHeight, NotNegative, PoissonRatio, Positive, Radius,
     RelativeIndentation, RestitutionCoefficient, Threshold,
 };
 
-/// Options for the contact that is wanted, or for what is known of it.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct WantedOptions {
-    pub radius: Option<Radius>,
-    pub indentation: Option<RelativeIndentation>,
-    pub contact_stiffness: Option<Positive>,
-    pub young: Option<Positive>,
-    pub poisson: Option<PoissonRatio>,
-    pub stiffness: Option<Positive>,
-    pub restitution: Option<RestitutionCoefficient>,
-    pub impact_speed: Option<Positive>,
-    pub constant_indentation: Option<ConstantIndentation>,
-    pub state_width: Option<Positive>,
-    pub speed_width: Option<Positive>,
-    pub threshold: Threshold,
+fields! {
+    /// Options for the contact that is wanted, or for what is known of it.
+    struct WantedOptions {
+        radius: Option<Radius>,
+        indentation: Option<RelativeIndentation>,
+        contact_stiffness: Option<Positive>,
+        young: Option<Positive>,
+        poisson: Option<PoissonRatio>,
+        stiffness: Option<Positive>,
+        restitution: Option<RestitutionCoefficient>,
+        impact_speed: Option<Positive>,
+        constant_indentation: Option<ConstantIndentation>,
+        state_width: Option<Positive>,
+        speed_width: Option<Positive>,
+        threshold: Threshold,
+    } where
+        Needs("young", "poisson"), Needs("poisson", "young"), Excludes("stiffness", "young"),
+        Needs("impact_speed", "restitution");
+
+    /// Options for the numbers of new contacts.
+    struct NumberOptions {
+        indentation: Option<RelativeIndentation>,
+        young: Option<Positive>,
+        poisson: Option<PoissonRatio>,
+        restitution: Option<RestitutionCoefficient>,
+        impact_speed: Option<Positive>,
+        constant_indentation: Option<ConstantIndentation>,
+        state_width: Option<Positive>,
+        speed_width: Option<Positive>,
+        threshold: Threshold,
+        static_friction: Option<NotNegative>,
+        dynamic_friction: Option<NotNegative>,
+        viscous_friction: Option<NotNegative>,
+        transition_velocity: Option<Positive>,
+    } where
+        Needs("young", "poisson"), Needs("poisson", "young"), Excludes("indentation", "young"),
+        Needs("impact_speed", "restitution"), Excludes("indentation", "from"), Excludes("young", "from"),
+        Excludes("restitution", "from"), Excludes("constant_indentation", "from"),
+        Excludes("state_width", "from"), Excludes("speed_width", "from");
+
+    /// A contact given by its numbers.
+    struct ContactNumbers {
+        radius: Option<Positive>,
+        stiffness: Option<Positive>,
+        dissipation: Option<NotNegative>,
+        constant_contact_force: Option<NotNegative>,
+        hertz_smoothing: Option<Positive>,
+        hunt_crossley_smoothing: Option<Positive>,
+        gravity: Option<Acceleration>,
+    }
+
+    /// The fall that drops and heat maps are about.
+    struct FallOptions {
+        height: DropHeight,
+        duration: Option<Positive>,
+    }
 }
 
 impl WantedOptions {
-    /// Conditions between the options for a wanted contact.
-    pub(crate) const RELATIONS: &'static [Relation] = &[
-        Relation::Needs("young", "poisson"),
-        Relation::Needs("poisson", "young"),
-        Relation::Excludes("stiffness", "young"),
-        Relation::Needs("impact_speed", "restitution"),
-    ];
-
     /// The rule for the radius, if given.
     pub fn radius(&self) -> Option<RadiusRule> {
         self.radius.map(Radius::rule)
@@ -56,44 +87,7 @@ impl WantedOptions {
     }
 }
 
-// Numbers of contacts that are new, where no reference gives them.
-
-/// Options for the numbers of new contacts.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct NumberOptions {
-    pub indentation: Option<RelativeIndentation>,
-    pub young: Option<Positive>,
-    pub poisson: Option<PoissonRatio>,
-    pub restitution: Option<RestitutionCoefficient>,
-    pub impact_speed: Option<Positive>,
-    pub constant_indentation: Option<ConstantIndentation>,
-    pub state_width: Option<Positive>,
-    pub speed_width: Option<Positive>,
-    pub threshold: Threshold,
-    pub static_friction: Option<NotNegative>,
-    pub dynamic_friction: Option<NotNegative>,
-    pub viscous_friction: Option<NotNegative>,
-    pub transition_velocity: Option<Positive>,
-}
-
 impl NumberOptions {
-    /// Conditions between the options for the numbers of new contacts.
-    pub(crate) const RELATIONS: &'static [Relation] = &[
-        Relation::Needs("young", "poisson"),
-        Relation::Needs("poisson", "young"),
-        Relation::Excludes("indentation", "young"),
-        Relation::Needs("impact_speed", "restitution"),
-        // A reference has numbers of its own.
-        Relation::Excludes("indentation", "from"),
-        Relation::Excludes("young", "from"),
-        Relation::Excludes("restitution", "from"),
-        Relation::Excludes("constant_indentation", "from"),
-        Relation::Excludes("state_width", "from"),
-        Relation::Excludes("speed_width", "from"),
-    ];
-
     pub fn wanted(&self) -> WantedOptions {
         WantedOptions {
             indentation: self.indentation,
@@ -118,22 +112,6 @@ impl NumberOptions {
             (Property::TransitionVelocity, self.transition_velocity.map(Positive::get)),
         ]
     }
-}
-
-// A fall, and a contact that is given by its numbers.
-
-/// A contact given by its numbers.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ContactNumbers {
-    pub radius: Option<Positive>,
-    pub stiffness: Option<Positive>,
-    pub dissipation: Option<NotNegative>,
-    pub constant_contact_force: Option<NotNegative>,
-    pub hertz_smoothing: Option<Positive>,
-    pub hunt_crossley_smoothing: Option<Positive>,
-    pub gravity: Option<Acceleration>,
 }
 
 impl ContactNumbers {
@@ -177,13 +155,4 @@ impl ContactNumbers {
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }
-}
-
-/// The fall that drops and heat maps are about.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct FallOptions {
-    pub height: Height,
-    pub duration: Option<Positive>,
 }

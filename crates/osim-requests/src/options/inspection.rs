@@ -6,41 +6,65 @@ use std::path::PathBuf;
 use osim_model::files::CompanionPaths;
 use osim_model::messages::Input;
 use osim_model::{MassRequest, MassesOfOtherRows, Pattern, Selection};
-use serde::{Deserialize, Serialize};
 
-use crate::fault::Relation;
 use crate::options::run::AnswerOptions;
-use crate::values::{Acceleration, Count, Kilograms, Positive, path, serial};
+use crate::values::serial::{self, fields};
+use crate::values::{Acceleration, Count, Kilograms, Positive, path};
 
-/// How a model is inspected.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct InspectionOptions {
-    #[serde(flatten)]
-    pub stance: StanceOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-}
+fields! {
+    /// How a model is inspected.
+    struct InspectionOptions {
+        stance: ..StanceOptions,
+        masses: ..MassOptions,
+        choice: ..ForceOptions,
+        set_files: ..SetFiles,
+        answers: ..AnswerOptions,
+    }
 
-/// Options for the choice of forces.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ForceOptions {
-    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub select: Vec<Pattern>,
-    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub exclude: Vec<Pattern>,
-    pub skip_disabled: bool,
+    /// Options for the choice of forces.
+    struct ForceOptions {
+        select: Vec<Pattern> as "serial::Texts",
+        exclude: Vec<Pattern> as "serial::Texts",
+        skip_disabled: bool,
+    }
+
+    /// Masses: which one is meant.
+    struct MassOptions {
+        contacts_mass: Option<Kilograms>,
+        mass: Option<Kilograms>,
+        exclude_body: Vec<Pattern> as "serial::Texts",
+        /// Of a row of a table: what its other rows say of the same masses. No caller gives it.
+        #[serde(skip)]
+        #[cfg_attr(feature = "schemas", schemars(skip))]
+        other_rows: BTreeMap<Input, MassesOfOtherRows>,
+    }
+
+    /// How many spheres share the body weight.
+    struct CountOptions {
+        spheres: Option<Count>,
+        stance_limbs: Option<Count>,
+    }
+
+    /// Options for the load and the speed of figures.
+    struct StanceOptions {
+        spheres: Option<Count>,
+        stance_limbs: Option<Count>,
+        impact_speed: Option<Positive>,
+        gravity: Option<Acceleration>,
+    }
+
+    /// The load on the spheres.
+    struct LoadOptions {
+        load: Option<Positive>,
+        body_weights: Option<Positive>,
+        gravity: Option<Acceleration>,
+    } where Excludes("load", "body_weights");
+
+    /// Files that belong to a standalone set.
+    struct SetFiles {
+        geometry: Option<PathBuf> as "path::Optional",
+        model: Option<PathBuf> as "path::Optional",
+    }
 }
 
 impl ForceOptions {
@@ -53,22 +77,6 @@ impl ForceOptions {
     }
 }
 
-/// Masses: which one is meant.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct MassOptions {
-    pub contacts_mass: Option<Kilograms>,
-    pub mass: Option<Kilograms>,
-    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub exclude_body: Vec<Pattern>,
-    /// Of a row of a table: what its other rows say of the same masses. No caller gives it.
-    #[serde(skip)]
-    #[cfg_attr(feature = "schemas", schemars(skip))]
-    pub other_rows: BTreeMap<Input, MassesOfOtherRows>,
-}
-
 impl MassOptions {
     pub fn request(&self) -> MassRequest {
         MassRequest {
@@ -79,17 +87,6 @@ impl MassOptions {
             other_rows: self.other_rows.clone(),
         }
     }
-}
-
-// How many spheres share which load.
-
-/// How many spheres share the body weight.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct CountOptions {
-    pub spheres: Option<Count>,
-    pub stance_limbs: Option<Count>,
 }
 
 impl CountOptions {
@@ -113,31 +110,7 @@ impl CountOptions {
     }
 }
 
-/// Options for the load and the speed of figures.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct StanceOptions {
-    pub spheres: Option<Count>,
-    pub stance_limbs: Option<Count>,
-    pub impact_speed: Option<Positive>,
-    pub gravity: Option<Acceleration>,
-}
-
-/// The load on the spheres.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct LoadOptions {
-    pub load: Option<Positive>,
-    pub body_weights: Option<Positive>,
-    pub gravity: Option<Acceleration>,
-}
-
 impl LoadOptions {
-    /// Conditions between the options for the load.
-    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Excludes("load", "body_weights")];
-
     /// The load in body weights, for a load that is not given in newtons.
     pub fn body_weights(&self) -> f64 {
         self.body_weights.map_or(1.0, Positive::get)
@@ -147,17 +120,6 @@ impl LoadOptions {
     pub fn gravity(&self) -> Option<f64> {
         self.gravity.map(Acceleration::get)
     }
-}
-
-/// Files that belong to a standalone set.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct SetFiles {
-    #[serde(with = "path::Optional")]
-    pub geometry: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub model: Option<PathBuf>,
 }
 
 impl SetFiles {

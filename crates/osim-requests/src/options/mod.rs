@@ -1,12 +1,10 @@
 //! Groups of options that several verbs share; the help has a heading for each group.
 
-mod columns;
 mod contacts;
 mod inspection;
 mod run;
 mod scaling;
 
-pub use columns::{ColumnOptions, ForceUnit, LengthUnit, SpeedUnit, TimeUnit};
 pub use contacts::{ContactNumbers, FallOptions, NumberOptions, WantedOptions};
 pub use inspection::{
     CountOptions, ForceOptions, InspectionOptions, LoadOptions, MassOptions, SetFiles, StanceOptions,

@@ -4,17 +4,9 @@ use std::path::{Path, PathBuf};
 
 use osim_model::{FaultKind, NeedsAnswer, Question, Severity};
 #[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
-use serde::{Deserialize, Serialize};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
-use crate::fault::Relation;
-use crate::values::serial::{self, choices};
+use crate::values::serial::{self, choices, fields};
 use crate::values::{Jobs, Shard, path};
 
 choices! {
@@ -24,26 +16,20 @@ choices! {
         Lines = "lines", "One line per model";
         Json = "json", "One JSON object per model and line";
     }
-}
 
-choices! {
     /// How results are shown.
     Format: Table {
         Table = "table", "For people";
         Json = "json", "One JSON object per model and line";
     }
-}
 
-choices! {
     /// How models that were inspected are shown.
     SheetFormat: Table {
         Table = "table", "For people";
         Json = "json", "One JSON object per model and line";
         Csv = "csv", "One table for spreadsheets, one header for all models";
     }
-}
 
-choices! {
     /// The severity from which on a finding is a failure.
     Deny: Error {
         Warning = "warning", "Limits of the paper and traps, too";
@@ -69,79 +55,56 @@ impl From<Format> for SheetFormat {
     }
 }
 
-/// How a run works and what it reports.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[serde(default)]
-pub struct RunOptions {
-    pub dry_run: bool,
-    pub diff: bool,
-    pub format: Option<RunFormat>,
-    pub quiet: bool,
-    pub deny: Option<Deny>,
-    #[serde(with = "path::Optional")]
-    pub report: Option<PathBuf>,
-    pub jobs: Option<Jobs>,
-    #[serde(with = "path::Optional")]
-    pub summary: Option<PathBuf>,
-    pub resume: bool,
-    pub shard: Option<Shard>,
+fields! {
+    /// How a run works and what it reports.
+    struct RunOptions {
+        dry_run: bool,
+        diff: bool,
+        format: Option<RunFormat>,
+        quiet: bool,
+        deny: Option<Deny>,
+        report: Option<PathBuf> as "path::Optional",
+        jobs: Option<Jobs>,
+        summary: Option<PathBuf> as "path::Optional",
+        resume: bool,
+        shard: Option<Shard>,
+    } where Needs("resume", "summary"), Excludes("resume", "dry_run");
+
+    /// The page that verbs write which change nothing.
+    struct ReportOptions {
+        report: Option<PathBuf> as "path::Optional",
+        force: bool,
+    }
+
+    /// Options for the places of results.
+    struct OutputOptions {
+        output: Option<PathBuf> as "path::Optional",
+        geometry_output: Option<PathBuf> as "path::Optional",
+        output_dir: Option<PathBuf> as "path::Optional",
+        in_place: bool,
+        no_backup: bool,
+        force: bool,
+        no_note: bool,
+    } where
+        Excludes("output_dir", "output"), Excludes("in_place", "output"), Excludes("in_place", "output_dir"),
+        Excludes("in_place", "geometry_output"), Needs("no_backup", "in_place");
+
+    /// Options for answers to questions.
+    struct AnswerOptions {
+        #[cfg_attr(feature = "schemas", schemars(with = "Vec<QuestionSchema>"))]
+        yes: Vec<Question> as "serial::Texts",
+    }
 }
 
 impl RunOptions {
-    /// Conditions between the options for a run.
-    pub(crate) const RELATIONS: &'static [Relation] =
-        &[Relation::Needs("resume", "summary"), Relation::Excludes("resume", "dry_run")];
-
     pub fn is_json(&self) -> bool {
         self.format == Some(RunFormat::Json)
     }
 }
 
-/// The page that verbs write which change nothing.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[serde(default)]
-pub struct ReportOptions {
-    #[serde(with = "path::Optional")]
-    pub report: Option<PathBuf>,
-    pub force: bool,
-}
-
-impl ReportOptions {
-    /// Conditions between the options for a report.
-    pub(crate) const RELATIONS: &'static [Relation] = &[Relation::Needs("force", "report")];
-}
-
-/// Options for the places of results.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[serde(default)]
-pub struct OutputOptions {
-    #[serde(with = "path::Optional")]
-    pub output: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub geometry_output: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub output_dir: Option<PathBuf>,
-    pub in_place: bool,
-    pub no_backup: bool,
-    pub force: bool,
-    pub no_note: bool,
-}
-
 impl OutputOptions {
     /// The default suffix of result names, before their extension.
     pub const MARK: &'static str = ".scaled";
-
-    /// Conditions between the options for results.
-    pub(crate) const RELATIONS: &'static [Relation] = &[
-        Relation::Excludes("output_dir", "output"),
-        Relation::Excludes("in_place", "output"),
-        Relation::Excludes("in_place", "output_dir"),
-        Relation::Excludes("in_place", "geometry_output"),
-        Relation::Needs("no_backup", "in_place"),
-    ];
 
     /// Whether a factor may be applied again to a model whose note says that it was applied already: true if the model itself
     /// is not overwritten, or with `force`.
@@ -169,16 +132,6 @@ impl OutputOptions {
             (None, None) => Self::beside(geometry),
         }
     }
-}
-
-/// Options for answers to questions.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
-#[serde(default)]
-pub struct AnswerOptions {
-    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<QuestionSchema>"))]
-    pub yes: Vec<Question>,
 }
 
 impl AnswerOptions {

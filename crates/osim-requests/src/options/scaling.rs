@@ -7,10 +7,9 @@ use osim_model::messages::{Input, phrase};
 use osim_model::{
     Axis, DissipationBy, ForceKind, LevelAxis, MovedSpheres, Pattern, Property, PropertySet, RadiusAxis,
 };
-use serde::{Deserialize, Serialize};
 
-use crate::fault::{Relation, RequestFault};
-use crate::values::serial::{self, choices};
+use crate::fault::RequestFault;
+use crate::values::serial::{self, choices, fields};
 use crate::values::{Acceleration, BodyScale, Count, Kilograms, Positive, Radius, assignment, bodies, path};
 
 choices! {
@@ -19,9 +18,7 @@ choices! {
         Radius = "radius";
         Mass = "mass";
     }
-}
 
-choices! {
     /// The axis of a sphere's frame that points away from the ground.
     AxisChoice {
         X = "x";
@@ -30,6 +27,39 @@ choices! {
         MinusX = "-x";
         MinusY = "-y";
         MinusZ = "-z";
+    }
+
+    /// How the radius of a sphere follows from the three factors of its body.
+    RadiusAxisChoice: Geomean {
+        X = "x";
+        Y = "y";
+        Z = "z";
+        Geomean = "geomean";
+        Min = "min";
+        Max = "max";
+    }
+
+    /// The rule for spheres that were moved already.
+    MovedChoice {
+        Keep = "keep";
+        Replace = "replace";
+    }
+
+    /// The rule of scaling.
+    RuleChoice: Paper {
+        Paper = "paper";
+        Predsim = "predsim";
+    }
+
+    /// A class of contact forces.
+    ClassChoice {
+        Smooth = "smooth";
+        HuntCrossley = "hunt-crossley";
+    }
+
+    /// The axis of a mirror.
+    MirrorChoice {
+        Z = "z";
     }
 }
 
@@ -47,31 +77,49 @@ impl AxisChoice {
     }
 }
 
-/// Options for the properties that change, and how.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ScalingOptions {
-    pub radius: Option<Radius>,
-    pub level: bool,
-    pub level_axis: Option<AxisChoice>,
-    #[serde(with = "assignment")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub only: Vec<Property>,
-    #[serde(with = "assignment")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub keep: Vec<Property>,
-    pub dissipation_by: DissipationChoice,
-    pub friction: bool,
-    pub contacts_gravity: Option<Acceleration>,
-    pub target_gravity: Option<Acceleration>,
+fields! {
+    /// Options for the properties that change, and how.
+    struct ScalingOptions {
+        radius: Option<Radius>,
+        level: bool,
+        level_axis: Option<AxisChoice>,
+        #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
+        only: Vec<Property> as "assignment",
+        #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
+        keep: Vec<Property> as "assignment",
+        dissipation_by: DissipationChoice,
+        friction: bool,
+        contacts_gravity: Option<Acceleration>,
+        target_gravity: Option<Acceleration>,
+    } where Needs("level_axis", "level"), Needs("contacts_gravity", "target_gravity");
+
+    /// Spheres follow their bodies.
+    struct FollowOptions {
+        follow_bodies: bool,
+        body_scale_file: Option<PathBuf> as "path::Optional",
+        #[cfg_attr(feature = "schemas", schemars(schema_with = "bodies::body_scale_schema"))]
+        body_scale: Vec<BodyScale> as "bodies",
+        radius_axis: RadiusAxisChoice,
+        moved_spheres: Option<MovedChoice>,
+        strict: bool,
+        rule: RuleChoice,
+        height_ratio: Option<Positive>,
+    } where
+        Needs("body_scale_file", "follow_bodies"), Needs("body_scale", "follow_bodies"),
+        Needs("radius_axis", "follow_bodies"), Needs("moved_spheres", "follow_bodies"),
+        Needs("strict", "follow_bodies"), Needs("height_ratio", "rule");
+
+    /// Options for facts about the reference that its file does not say.
+    struct ReferenceOptions {
+        reference_mass: Option<Kilograms>,
+        reference_spheres: Option<Count>,
+        reference_gravity: Option<Acceleration>,
+        reference_select: Vec<Pattern> as "serial::Texts",
+        reference_sphere: Option<String>,
+    }
 }
 
 impl ScalingOptions {
-    /// Conditions between the options for scaling.
-    pub(crate) const RELATIONS: &'static [Relation] =
-        &[Relation::Needs("level_axis", "level"), Relation::Needs("contacts_gravity", "target_gravity")];
-
     /// Refuses a choice of properties that contains no property.
     pub fn check(&self) -> Result<(), RequestFault> {
         let never =
@@ -121,63 +169,7 @@ impl ScalingOptions {
     }
 }
 
-choices! {
-    /// How the radius of a sphere follows from the three factors of its body.
-    RadiusAxisChoice: Geomean {
-        X = "x";
-        Y = "y";
-        Z = "z";
-        Geomean = "geomean";
-        Min = "min";
-        Max = "max";
-    }
-}
-
-choices! {
-    /// The rule for spheres that were moved already.
-    MovedChoice {
-        Keep = "keep";
-        Replace = "replace";
-    }
-}
-
-choices! {
-    /// The rule of scaling.
-    RuleChoice: Paper {
-        Paper = "paper";
-        Predsim = "predsim";
-    }
-}
-
-/// Spheres follow their bodies.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct FollowOptions {
-    pub follow_bodies: bool,
-    #[serde(with = "path::Optional")]
-    pub body_scale_file: Option<PathBuf>,
-    #[serde(with = "bodies")]
-    #[cfg_attr(feature = "schemas", schemars(schema_with = "bodies::body_scale_schema"))]
-    pub body_scale: Vec<BodyScale>,
-    pub radius_axis: RadiusAxisChoice,
-    pub moved_spheres: Option<MovedChoice>,
-    pub strict: bool,
-    pub rule: RuleChoice,
-    pub height_ratio: Option<Positive>,
-}
-
 impl FollowOptions {
-    /// Conditions between the options for spheres that follow their bodies.
-    pub(crate) const RELATIONS: &'static [Relation] = &[
-        Relation::Needs("body_scale_file", "follow_bodies"),
-        Relation::Needs("body_scale", "follow_bodies"),
-        Relation::Needs("radius_axis", "follow_bodies"),
-        Relation::Needs("moved_spheres", "follow_bodies"),
-        Relation::Needs("strict", "follow_bodies"),
-        Relation::Needs("height_ratio", "rule"),
-    ];
-
     /// The scale factors given by the caller, by names of bodies.
     pub fn given(&self) -> BTreeMap<String, [f64; 3]> {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
@@ -205,21 +197,6 @@ impl FollowOptions {
     }
 }
 
-choices! {
-    /// A class of contact forces.
-    ClassChoice {
-        Smooth = "smooth";
-        HuntCrossley = "hunt-crossley";
-    }
-}
-
-choices! {
-    /// The axis of a mirror.
-    MirrorChoice {
-        Z = "z";
-    }
-}
-
 impl ClassChoice {
     /// The choice that means OpenSim's class `kind`.
     pub const fn of(kind: ForceKind) -> Self {
@@ -236,18 +213,4 @@ impl ClassChoice {
             Self::HuntCrossley => ForceKind::HuntCrossley,
         }
     }
-}
-
-/// Options for facts about the reference that its file does not say.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ReferenceOptions {
-    pub reference_mass: Option<Kilograms>,
-    pub reference_spheres: Option<Count>,
-    pub reference_gravity: Option<Acceleration>,
-    #[serde(deserialize_with = "serial::from_texts", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<String>"))]
-    pub reference_select: Vec<Pattern>,
-    pub reference_sphere: Option<String>,
 }

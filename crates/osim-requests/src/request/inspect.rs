@@ -2,98 +2,104 @@
 
 use std::path::PathBuf;
 
-use serde::{Deserialize, Serialize};
-
-use crate::fault::Relation;
 use crate::options::{
     AnswerOptions, ContactNumbers, CountOptions, Deny, ForceOptions, InspectionOptions, MassOptions,
     OutputOptions, ReportOptions, RunOptions, SetFiles, SheetFormat,
 };
-use crate::values::serial::choices;
-use crate::values::{Acceleration, Count, Height, Kilograms, Positive, Samples, Speed, path};
+use crate::values::serial::{choices, fields};
+use crate::values::{Acceleration, Count, DropHeight, Kilograms, Positive, Samples, Speed, path};
 
-/// Shows what contacts models have.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct InspectRequest {
-    #[serde(with = "path::List")]
-    pub models: Vec<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub from: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub body_scale_file: Option<PathBuf>,
-    pub target_mass: Option<Kilograms>,
-    pub full: bool,
-    pub format: SheetFormat,
-    #[serde(flatten)]
-    pub report: ReportOptions,
-    #[serde(flatten)]
-    pub options: InspectionOptions,
-}
+fields! {
+    /// Shows what contacts models have.
+    struct InspectRequest {
+        models: Vec<PathBuf> as "path::List",
+        from: Option<PathBuf> as "path::Optional",
+        body_scale_file: Option<PathBuf> as "path::Optional",
+        target_mass: Option<Kilograms>,
+        full: bool,
+        format: SheetFormat,
+        report: ..ReportOptions,
+        options: ..InspectionOptions,
+    } where Required("models"), Needs("body_scale_file", "from"), Needs("force", "report");
 
-impl InspectRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Required("models"), Relation::Needs("body_scale_file", "from")],
-        ReportOptions::RELATIONS,
-    ];
-}
+    /// Compares models with the limits of the paper and the traps of the format.
+    struct CheckRequest {
+        models: Vec<PathBuf> as "path::List",
+        from: Option<PathBuf> as "path::Optional",
+        body_scale_file: Option<PathBuf> as "path::Optional",
+        moco_setup: Option<PathBuf> as "path::Optional",
+        from_moco_setup: Option<PathBuf> as "path::Optional",
+        motion: Option<PathBuf> as "path::Optional",
+        plates: Option<PathBuf> as "path::Optional",
+        loads: Option<PathBuf> as "path::Optional",
+        angles: Option<AngleChoice>,
+        full: bool,
+        deny: Deny,
+        format: SheetFormat,
+        fix: bool,
+        output: Option<PathBuf> as "path::Optional",
+        output_dir: Option<PathBuf> as "path::Optional",
+        in_place: bool,
+        report: ..ReportOptions,
+        options: ..InspectionOptions,
+    } where
+        Required("models"), Needs("body_scale_file", "from"), Needs("moco_setup", "from"),
+        Needs("from_moco_setup", "moco_setup"), Needs("motion", "plates"), Needs("plates", "motion"),
+        Needs("loads", "motion"), Needs("angles", "motion"), Needs("output", "fix"),
+        Needs("output_dir", "fix"), Needs("in_place", "fix"), Excludes("output_dir", "output"),
+        Excludes("in_place", "output"), Excludes("in_place", "output_dir");
 
-/// Compares models with the limits of the paper and the traps of the format.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct CheckRequest {
-    #[serde(with = "path::List")]
-    pub models: Vec<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub from: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub body_scale_file: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub moco_setup: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub from_moco_setup: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub motion: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub plates: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub loads: Option<PathBuf>,
-    pub angles: Option<AngleChoice>,
-    pub full: bool,
-    pub deny: Deny,
-    pub format: SheetFormat,
-    pub fix: bool,
-    #[serde(with = "path::Optional")]
-    pub output: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub output_dir: Option<PathBuf>,
-    pub in_place: bool,
-    #[serde(flatten)]
-    pub report: ReportOptions,
-    #[serde(flatten)]
-    pub options: InspectionOptions,
+    /// Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
+    struct NoteRequest {
+        models: Vec<PathBuf> as "path::List",
+        contacts_mass: Option<Kilograms>,
+        contacts_gravity: Option<Acceleration>,
+        stance_limbs: Option<Count>,
+        output: ..OutputOptions,
+        run: ..RunOptions,
+        answers: ..AnswerOptions,
+        set_files: ..SetFiles,
+    } where Expected("models"), ExpectedUnless("contacts_mass", "stance_limbs");
+
+    /// Shows what contacts do along a recorded motion, beside what force plates measured.
+    struct MotionRequest {
+        subject: Option<PathBuf> as "path::Optional",
+        motion: Option<PathBuf> as "path::Optional",
+        plates: Option<PathBuf> as "path::Optional",
+        loads: Option<PathBuf> as "path::Optional",
+        angles: Option<AngleChoice>,
+        low_pass: Option<Positive>,
+        belt: Option<Speed>,
+        belt_column: Option<String>,
+        output: Option<PathBuf> as "path::Optional",
+        force: bool,
+        format: MotionFormat,
+        masses: ..MassOptions,
+        choice: ..ForceOptions,
+        set_files: ..SetFiles,
+    } where
+        Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column");
+
+    /// Lets a model fall on its contacts and shows what they do.
+    struct DropTestRequest {
+        subject: Option<PathBuf> as "path::Optional",
+        height: DropHeight,
+        duration: Positive = Positive::DROP_DURATION_S,
+        samples: Samples,
+        compare: Option<PathBuf> as "path::Optional",
+        compare_spheres: Option<Count>,
+        presets: Option<PathBuf> as "path::Optional",
+        format: SeriesFormat,
+        numbers: ..ContactNumbers,
+        counts: ..CountOptions,
+        masses: ..MassOptions,
+        choice: ..ForceOptions,
+        set_files: ..SetFiles,
+        answers: ..AnswerOptions,
+    } where Needs("compare_spheres", "compare");
 }
 
 impl CheckRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
-        Relation::Required("models"),
-        Relation::Needs("body_scale_file", "from"),
-        Relation::Needs("moco_setup", "from"),
-        Relation::Needs("from_moco_setup", "moco_setup"),
-        Relation::Needs("motion", "plates"),
-        Relation::Needs("plates", "motion"),
-        Relation::Needs("loads", "motion"),
-        Relation::Needs("angles", "motion"),
-        Relation::Needs("output", "fix"),
-        Relation::Needs("output_dir", "fix"),
-        Relation::Needs("in_place", "fix"),
-        Relation::Excludes("output_dir", "output"),
-        Relation::Excludes("in_place", "output"),
-        Relation::Excludes("in_place", "output_dir"),
-    ]];
-
     /// The options for the results of `fix`.
     pub fn output(&self) -> OutputOptions {
         OutputOptions {
@@ -106,152 +112,24 @@ impl CheckRequest {
     }
 }
 
-// Writing down what the user knows of contacts: the mass they were made for, the limbs that share the weight.
-
-/// Writes into models which mass their contacts were made for, or how many limbs share the weight; no number changes.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct NoteRequest {
-    #[serde(with = "path::List")]
-    pub models: Vec<PathBuf>,
-    pub contacts_mass: Option<Kilograms>,
-    pub contacts_gravity: Option<Acceleration>,
-    pub stance_limbs: Option<Count>,
-    #[serde(flatten)]
-    pub output: OutputOptions,
-    #[serde(flatten)]
-    pub run: RunOptions,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-}
-
-impl NoteRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[Relation::Expected("models"), Relation::ExpectedUnless("contacts_mass", "stance_limbs")],
-        OutputOptions::RELATIONS,
-        RunOptions::RELATIONS,
-    ];
-}
-
 choices! {
     /// The unit of the angles of a motion.
     AngleChoice {
         Degrees = "degrees";
         Radians = "radians";
     }
-}
 
-choices! {
     /// How a motion is shown.
     MotionFormat: Table {
         Table = "table", "In sentences, and with the values of each foot and sphere";
         Json = "json", "One JSON object";
         Csv = "csv", "One row per frame, sphere and force";
     }
-}
 
-/// Shows what contacts do along a recorded motion, beside what force plates measured.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct MotionRequest {
-    #[serde(with = "path::Optional")]
-    pub subject: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub motion: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub plates: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub loads: Option<PathBuf>,
-    pub angles: Option<AngleChoice>,
-    pub low_pass: Option<Positive>,
-    pub belt: Option<Speed>,
-    pub belt_column: Option<String>,
-    #[serde(with = "path::Optional")]
-    pub output: Option<PathBuf>,
-    pub force: bool,
-    pub format: MotionFormat,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-}
-
-impl MotionRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
-        Relation::Required("subject"),
-        Relation::Required("motion"),
-        Relation::Needs("loads", "plates"),
-        Relation::Excludes("belt", "belt_column"),
-    ]];
-}
-
-choices! {
     /// How a drop is shown.
     SeriesFormat: Table {
         Table = "table", "Figures (and a chart on a terminal)";
         Json = "json", "One JSON object";
         Csv = "csv", "The series, one row per moment";
     }
-}
-
-/// Lets a model fall on its contacts and shows what they do.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct DropTestRequest {
-    #[serde(with = "path::Optional")]
-    pub subject: Option<PathBuf>,
-    pub height: Height,
-    pub duration: Positive,
-    pub samples: Samples,
-    #[serde(with = "path::Optional")]
-    pub compare: Option<PathBuf>,
-    pub compare_spheres: Option<Count>,
-    #[serde(with = "path::Optional")]
-    pub presets: Option<PathBuf>,
-    pub format: SeriesFormat,
-    #[serde(flatten)]
-    pub numbers: ContactNumbers,
-    #[serde(flatten)]
-    pub counts: CountOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-}
-
-impl Default for DropTestRequest {
-    fn default() -> Self {
-        Self {
-            subject: None,
-            height: Height::default(),
-            duration: Positive::DROP_DURATION_S,
-            samples: Samples::default(),
-            compare: None,
-            compare_spheres: None,
-            presets: None,
-            format: SeriesFormat::Table,
-            numbers: ContactNumbers::default(),
-            counts: CountOptions::default(),
-            masses: MassOptions::default(),
-            choice: ForceOptions::default(),
-            set_files: SetFiles::default(),
-            answers: AnswerOptions::default(),
-        }
-    }
-}
-
-impl DropTestRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Needs("compare_spheres", "compare")]];
 }

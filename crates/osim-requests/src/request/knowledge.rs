@@ -3,57 +3,32 @@
 use std::path::PathBuf;
 
 use osim_model::messages::Phrase;
-use serde::{Deserialize, Serialize};
 
-use crate::fault::Relation;
 use crate::options::Format;
-use crate::values::{path, serial};
+use crate::values::path;
+use crate::values::serial::{self, fields};
 
-/// Lists presets, or shows one.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct PresetsRequest {
-    pub name: Option<String>,
-    #[serde(with = "path::Optional")]
-    pub presets: Option<PathBuf>,
-    pub format: Format,
-}
+fields! {
+    /// Lists presets, or shows one.
+    struct PresetsRequest {
+        name: Option<String>,
+        presets: Option<PathBuf> as "path::Optional",
+        format: Format,
+    }
 
-/// Explains equations, quantities, and the codes of findings and errors.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ExplainRequest {
-    #[serde(deserialize_with = "serial::from_texts")]
-    pub topics: Vec<String>,
-    pub format: Format,
-    pub ascii: bool,
-}
+    /// Explains equations, quantities, and the codes of findings and errors.
+    struct ExplainRequest {
+        topics: Vec<String> as "serial::Texts",
+        format: Format,
+        ascii: bool,
+    }
 
-impl PresetsRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[];
-}
-
-impl ExplainRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[];
-}
-
-// What the paper prints and draws, computed again.
-
-/// Compares Table 1 of the paper with what its equations give, and draws its figures 4 and C.5.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct ReproduceRequest {
-    #[serde(with = "path::Optional")]
-    pub output_dir: Option<PathBuf>,
-    pub force: bool,
-    pub format: Format,
-}
-
-impl ReproduceRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[Relation::Needs("force", "output_dir")]];
+    /// Compares Table 1 of the paper with what its equations give, and draws its figures 4 and C.5.
+    struct ReproduceRequest {
+        output_dir: Option<PathBuf> as "path::Optional",
+        force: bool,
+        format: Format,
+    } where Needs("force", "output_dir");
 }
 
 // Fig. 1 of the paper, which no equation gives: what it shows and what it needs.

@@ -4,115 +4,54 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{Property, Question};
-use serde::{Deserialize, Serialize};
 
-use crate::fault::{Relation, RequestFault};
+use crate::fault::RequestFault;
 use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, Format, LoadOptions, MassOptions, OutputOptions, RunOptions,
     WantedOptions,
 };
-use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, grid, path, serial, shard};
+use crate::values::serial::{self, fields};
+use crate::values::{Axis, AxisName, Jobs, Positive, Shard, Steps, grid, path, shard};
 
-/// One row per model; columns are named like the long options of rescale, transfer, design and set.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct BatchRequest {
-    #[serde(with = "path::Optional")]
-    pub manifest: Option<PathBuf>,
-    #[serde(flatten)]
-    pub output: OutputOptions,
-    pub allow_outside: bool,
-    #[serde(flatten)]
-    pub run: RunOptions,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-}
+fields! {
+    /// One row per model; columns are named like the long options of rescale, transfer, design and set.
+    struct BatchRequest {
+        manifest: Option<PathBuf> as "path::Optional",
+        output: ..OutputOptions,
+        allow_outside: bool,
+        run: ..RunOptions,
+        answers: ..AnswerOptions,
+    } where Required("manifest");
 
-impl BatchRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[&[Relation::Required("manifest")], OutputOptions::RELATIONS, RunOptions::RELATIONS];
-}
-
-/// One file per point of a grid, or per step of a ladder, and a table that says what is in which.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct SweepRequest {
-    #[serde(with = "path::Optional")]
-    pub model: Option<PathBuf>,
-    #[serde(deserialize_with = "grid::deserialize", serialize_with = "serial::as_texts")]
-    #[cfg_attr(feature = "schemas", schemars(schema_with = "grid::axes_schema"))]
-    pub grid: Vec<Axis>,
-    pub ladder: Option<Steps>,
-    pub soft: Positive,
-    #[serde(deserialize_with = "shard::point_of_json")]
-    pub point: Option<usize>,
-    pub shard: Option<Shard>,
-    #[serde(with = "path::Optional")]
-    pub output_dir: Option<PathBuf>,
-    pub force: bool,
-    pub resume: bool,
-    pub no_note: bool,
-    pub dry_run: bool,
-    pub format: Format,
-    pub quiet: bool,
-    pub jobs: Option<Jobs>,
-    #[serde(flatten)]
-    pub wanted: WantedOptions,
-    #[serde(flatten)]
-    pub load: LoadOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub counts: CountOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-}
-
-impl Default for SweepRequest {
-    fn default() -> Self {
-        Self {
-            model: None,
-            grid: Vec::new(),
-            ladder: None,
-            soft: Positive::SOFT_STIFFNESS,
-            point: None,
-            shard: None,
-            output_dir: None,
-            force: false,
-            resume: false,
-            no_note: false,
-            dry_run: false,
-            format: Format::Table,
-            quiet: false,
-            jobs: None,
-            wanted: WantedOptions::default(),
-            load: LoadOptions::default(),
-            masses: MassOptions::default(),
-            counts: CountOptions::default(),
-            choice: ForceOptions::default(),
-            answers: AnswerOptions::default(),
-        }
-    }
-}
-
-impl SweepRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[
-            Relation::Required("model"),
-            Relation::RequiredUnless("grid", "ladder"),
-            Relation::Excludes("ladder", "grid"),
-            Relation::Needs("ladder", "indentation"),
-            Relation::Needs("soft", "ladder"),
-            Relation::Excludes("point", "shard"),
-            Relation::Excludes("resume", "dry_run"),
-        ],
-        WantedOptions::RELATIONS,
-        LoadOptions::RELATIONS,
-    ];
+    /// One file per point of a grid, or per step of a ladder, and a table that says what is in which.
+    struct SweepRequest {
+        model: Option<PathBuf> as "path::Optional",
+        #[serde(deserialize_with = "grid::deserialize", serialize_with = "serial::Texts::serialize")]
+        #[cfg_attr(feature = "schemas", schemars(schema_with = "grid::axes_schema"))]
+        grid: Vec<Axis>,
+        ladder: Option<Steps>,
+        soft: Positive = Positive::SOFT_STIFFNESS,
+        #[serde(deserialize_with = "shard::point_of_json")]
+        point: Option<usize>,
+        shard: Option<Shard>,
+        output_dir: Option<PathBuf> as "path::Optional",
+        force: bool,
+        resume: bool,
+        no_note: bool,
+        dry_run: bool,
+        format: Format,
+        quiet: bool,
+        jobs: Option<Jobs>,
+        wanted: ..WantedOptions,
+        load: ..LoadOptions,
+        masses: ..MassOptions,
+        counts: ..CountOptions,
+        choice: ..ForceOptions,
+        answers: ..AnswerOptions,
+    } where
+        Required("model"), RequiredUnless("grid", "ladder"), Excludes("ladder", "grid"),
+        Needs("ladder", "indentation"), Needs("soft", "ladder"), Excludes("point", "shard"),
+        Excludes("resume", "dry_run");
 }
 
 // How many models a sweep makes, and whether its axes go together: what can be known without the model.

@@ -3,50 +3,79 @@
 use std::path::PathBuf;
 
 use contact_scaling::fit::Branch;
-use serde::{Deserialize, Serialize};
 
-use crate::fault::Relation;
 use crate::options::{
-    AnswerOptions, ColumnOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions,
-    RunOptions, SetFiles, WantedOptions,
+    AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
+    WantedOptions,
 };
 use crate::request::inspect::AngleChoice;
-use crate::values::serial::choices;
+use crate::values::serial::{choices, fields};
 use crate::values::{ContactOnset, Count, Positive, Speed, path};
 
-/// Finds parameters from what is wanted: indentation, stiffness, restitution.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct DesignRequest {
-    #[serde(with = "path::List")]
-    pub models: Vec<PathBuf>,
-    #[serde(flatten)]
-    pub wanted: WantedOptions,
-    #[serde(flatten)]
-    pub load: LoadOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub counts: CountOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub output: OutputOptions,
-    #[serde(flatten)]
-    pub run: RunOptions,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-}
+fields! {
+    /// Finds parameters from what is wanted: indentation, stiffness, restitution.
+    struct DesignRequest {
+        models: Vec<PathBuf> as "path::List",
+        wanted: ..WantedOptions,
+        load: ..LoadOptions,
+        masses: ..MassOptions,
+        counts: ..CountOptions,
+        choice: ..ForceOptions,
+        output: ..OutputOptions,
+        run: ..RunOptions,
+        answers: ..AnswerOptions,
+        set_files: ..SetFiles,
+    }
 
-impl DesignRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] =
-        &[WantedOptions::RELATIONS, LoadOptions::RELATIONS, OutputOptions::RELATIONS, RunOptions::RELATIONS];
-}
+    /// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
+    struct FitRequest {
+        file: Option<PathBuf> as "path::Optional",
+        motion: Vec<PathBuf> as "path::List",
+        plates: Vec<PathBuf> as "path::List",
+        loads: Vec<PathBuf> as "path::List",
+        fit: Vec<FittedChoice>,
+        unbounded: bool,
+        height_in: HeightChoice,
+        belt: Option<Speed>,
+        belt_column: Option<String>,
+        angles: Option<AngleChoice>,
+        low_pass: Option<Positive>,
+        radius: Option<Positive>,
+        spheres: Count,
+        onset: ContactOnset,
+        branch: BranchChoice,
+        columns: ..ColumnOptions,
+        masses: ..MassOptions,
+        choice: ..ForceOptions,
+        output: ..OutputOptions,
+        run: ..RunOptions,
+        answers: ..AnswerOptions,
+        set_files: ..SetFiles,
+    } where
+        Required("file"), RequiredUnless("radius", "motion"), Needs("motion", "plates"),
+        Needs("plates", "motion"), Needs("loads", "motion"), Needs("fit", "motion"),
+        Needs("unbounded", "motion"), Needs("height_in", "motion"), Needs("belt", "motion"),
+        Needs("belt_column", "motion"), Excludes("belt", "belt_column"), Needs("angles", "motion"),
+        Needs("low_pass", "motion"), Needs("output", "motion"), Needs("output_dir", "motion"),
+        Needs("in_place", "motion"), Needs("report", "motion"), Needs("summary", "motion"),
+        Excludes("radius", "motion"), Excludes("spheres", "motion"), Excludes("onset", "motion"),
+        Excludes("branch", "motion"), Excludes("indentation_column", "motion"),
+        Excludes("force_column", "motion"), Excludes("speed_column", "motion"),
+        Excludes("time_column", "motion"), Excludes("indentation_unit", "motion"),
+        Excludes("force_unit", "motion"), Excludes("speed_unit", "motion"), Excludes("time_unit", "motion");
 
-// Contact parameters from a measurement: of one contact, or of a gait.
+    /// Columns of the file and their units.
+    struct ColumnOptions {
+        indentation_column: String = "indentation".to_owned(),
+        force_column: String = "force".to_owned(),
+        speed_column: Option<String>,
+        time_column: Option<String>,
+        indentation_unit: LengthUnit,
+        force_unit: ForceUnit,
+        speed_unit: SpeedUnit,
+        time_unit: TimeUnit,
+    } where Excludes("speed_column", "time_column");
+}
 
 choices! {
     /// Which part of a measurement.
@@ -55,22 +84,44 @@ choices! {
         Loading = "loading";
         Unloading = "unloading";
     }
-}
 
-choices! {
     /// A parameter that is fitted to a recording.
     FittedChoice {
         Stiffness = "stiffness", "All stiffnesses, by one factor";
         Dissipation = "dissipation", "The dissipation of all forces";
         Height = "height", "How high the floor is";
     }
-}
 
-choices! {
     /// The object that a fitted height moves.
     HeightChoice: Floor {
         Floor = "floor", "The floor, along its normal: spheres stay on the sole";
         Spheres = "spheres", "All spheres, in their bodies: the floor stays";
+    }
+
+    /// Unit of a length.
+    LengthUnit: M {
+        M = "m";
+        Mm = "mm";
+        Um = "um";
+    }
+
+    /// Unit of a force.
+    ForceUnit: Newton {
+        Newton = "N";
+        Kilonewton = "kN";
+        Millinewton = "mN";
+    }
+
+    /// Unit of a speed.
+    SpeedUnit: MetresPerSecond {
+        MetresPerSecond = "m/s";
+        MillimetresPerSecond = "mm/s";
+    }
+
+    /// Unit of a time.
+    TimeUnit: S {
+        S = "s";
+        Ms = "ms";
     }
 }
 
@@ -84,85 +135,49 @@ impl BranchChoice {
     }
 }
 
-/// Finds contact parameters from a measured indentation and force, or those of a model from recordings of its gait.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct FitRequest {
-    #[serde(with = "path::Optional")]
-    pub file: Option<PathBuf>,
-    #[serde(with = "path::List")]
-    pub motion: Vec<PathBuf>,
-    #[serde(with = "path::List")]
-    pub plates: Vec<PathBuf>,
-    #[serde(with = "path::List")]
-    pub loads: Vec<PathBuf>,
-    pub fit: Vec<FittedChoice>,
-    pub unbounded: bool,
-    pub height_in: HeightChoice,
-    pub belt: Option<Speed>,
-    pub belt_column: Option<String>,
-    pub angles: Option<AngleChoice>,
-    pub low_pass: Option<Positive>,
-    pub radius: Option<Positive>,
-    pub spheres: Count,
-    pub onset: ContactOnset,
-    pub branch: BranchChoice,
-    #[serde(flatten)]
-    pub columns: ColumnOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub output: OutputOptions,
-    #[serde(flatten)]
-    pub run: RunOptions,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
+impl LengthUnit {
+    /// Length of the unit in m.
+    pub const fn metres(self) -> f64 {
+        match self {
+            Self::M => 1.0,
+            Self::Mm => 1e-3,
+            Self::Um => 1e-6,
+        }
+    }
+}
+
+impl ForceUnit {
+    /// Size of the unit in N.
+    pub const fn newtons(self) -> f64 {
+        match self {
+            Self::Newton => 1.0,
+            Self::Kilonewton => 1e3,
+            Self::Millinewton => 1e-3,
+        }
+    }
+}
+
+impl SpeedUnit {
+    /// Size of the unit in m/s.
+    pub const fn metres_per_second(self) -> f64 {
+        match self {
+            Self::MetresPerSecond => 1.0,
+            Self::MillimetresPerSecond => 1e-3,
+        }
+    }
+}
+
+impl TimeUnit {
+    /// Size of the unit in s.
+    pub const fn seconds(self) -> f64 {
+        match self {
+            Self::S => 1.0,
+            Self::Ms => 1e-3,
+        }
+    }
 }
 
 impl FitRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[
-        &[
-            Relation::Required("file"),
-            Relation::RequiredUnless("radius", "motion"),
-            Relation::Needs("motion", "plates"),
-            Relation::Needs("plates", "motion"),
-            Relation::Needs("loads", "motion"),
-            Relation::Needs("fit", "motion"),
-            Relation::Needs("unbounded", "motion"),
-            Relation::Needs("height_in", "motion"),
-            Relation::Needs("belt", "motion"),
-            Relation::Needs("belt_column", "motion"),
-            Relation::Excludes("belt", "belt_column"),
-            Relation::Needs("angles", "motion"),
-            Relation::Needs("low_pass", "motion"),
-            Relation::Needs("output", "motion"),
-            Relation::Needs("output_dir", "motion"),
-            Relation::Needs("in_place", "motion"),
-            Relation::Needs("report", "motion"),
-            Relation::Needs("summary", "motion"),
-            Relation::Excludes("radius", "motion"),
-            Relation::Excludes("spheres", "motion"),
-            Relation::Excludes("onset", "motion"),
-            Relation::Excludes("branch", "motion"),
-            Relation::Excludes("indentation_column", "motion"),
-            Relation::Excludes("force_column", "motion"),
-            Relation::Excludes("speed_column", "motion"),
-            Relation::Excludes("time_column", "motion"),
-            Relation::Excludes("indentation_unit", "motion"),
-            Relation::Excludes("force_unit", "motion"),
-            Relation::Excludes("speed_unit", "motion"),
-            Relation::Excludes("time_unit", "motion"),
-        ],
-        ColumnOptions::RELATIONS,
-        OutputOptions::RELATIONS,
-        RunOptions::RELATIONS,
-    ];
-
     /// Whether a model is fitted to recorded motions, and not a contact to one measured curve.
     pub fn is_of_motion(&self) -> bool {
         !self.motion.is_empty()

@@ -3,28 +3,66 @@
 use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase};
-use serde::{Deserialize, Serialize};
 
-use crate::fault::{Relation, RequestFault};
+use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, CountOptions, FallOptions, ForceOptions, MassOptions, SetFiles};
 use crate::request::inspect::AngleChoice;
 use crate::request::knowledge::no_fig1;
-use crate::values::serial::{self, choices};
+use crate::values::serial::{self, choices, fields};
 use crate::values::{Acceleration, Dpi, FigureWidth, FontSize, Grid, Kilograms, Span, path};
 
-/// How a figure looks.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct FigureOptions {
-    pub title: Option<String>,
-    #[serde(deserialize_with = "serial::from_texts")]
-    pub label: Vec<String>,
-    pub width: Option<FigureWidth>,
-    pub font_size: FontSize,
-    pub x_range: Option<Span>,
-    pub y_range: Option<Span>,
-    pub dpi: Dpi,
+fields! {
+    /// How a figure looks.
+    struct FigureOptions {
+        title: Option<String>,
+        label: Vec<String> as "serial::Texts",
+        width: Option<FigureWidth>,
+        font_size: FontSize,
+        x_range: Option<Span>,
+        y_range: Option<Span>,
+        dpi: Dpi,
+    }
+
+    /// The grid of a heat map.
+    struct HeatOptions {
+        quantity: QuantityChoice,
+        stiffness: Grid = Grid::factors(0.1, 10.0, 25),
+        dissipation: Grid = Grid::factors(0.1, 4.0, 25),
+        table: Option<PathBuf> as "path::Optional",
+        value_column: Option<String>,
+        x_column: Option<String>,
+        y_column: Option<String>,
+        value_range: Option<Span>,
+    }
+
+    /// Draws what contacts do.
+    struct PlotRequest {
+        kind: Option<PlotKind>,
+        models: Vec<PathBuf> as "path::List",
+        output: Option<PathBuf> as "path::Optional",
+        data: Option<PathBuf> as "path::Optional",
+        force: bool,
+        target_mass: Option<Kilograms>,
+        axes: Option<AxesChoice>,
+        geometry_dir: Option<PathBuf> as "path::Optional",
+        motion: Option<PathBuf> as "path::Optional",
+        plates: Option<PathBuf> as "path::Optional",
+        loads: Option<PathBuf> as "path::Optional",
+        angles: Option<AngleChoice>,
+        presets: Option<PathBuf> as "path::Optional",
+        gravity: Option<Acceleration>,
+        fall: ..FallOptions,
+        heat: ..HeatOptions,
+        looks: ..FigureOptions,
+        counts: ..CountOptions,
+        masses: ..MassOptions,
+        choice: ..ForceOptions,
+        set_files: ..SetFiles,
+        answers: ..AnswerOptions,
+    } where
+        Required("kind"), Required("output"), Needs("plates", "motion"), Needs("loads", "plates"),
+        Needs("angles", "motion"), Needs("table", "value_column"), Needs("value_column", "table"),
+        Needs("x_column", "table"), Needs("y_column", "table");
 }
 
 choices! {
@@ -34,66 +72,7 @@ choices! {
         Restitution = "restitution", "Coefficient of restitution at the impact speed of the fall, exact";
         PeakForce = "peak-force", "Peak force over body weight in the fall";
     }
-}
 
-/// The quantity of a heat map.
-///
-/// The enum is exhaustive, because each quantity needs a title and a scale in the code that draws it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum HeatQuantity {
-    /// Relative indentation at equilibrium under body weight, by the Hertz law.
-    Indentation,
-    /// Coefficient of restitution at the impact speed of the fall, by the exact equation.
-    Restitution,
-    /// Peak force over body weight in the fall.
-    PeakForce,
-}
-
-impl QuantityChoice {
-    pub const fn quantity(self) -> HeatQuantity {
-        match self {
-            Self::Indentation => HeatQuantity::Indentation,
-            Self::Restitution => HeatQuantity::Restitution,
-            Self::PeakForce => HeatQuantity::PeakForce,
-        }
-    }
-}
-
-/// The grid of a heat map.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct HeatOptions {
-    pub quantity: QuantityChoice,
-    pub stiffness: Grid,
-    pub dissipation: Grid,
-    #[serde(with = "path::Optional")]
-    pub table: Option<PathBuf>,
-    pub value_column: Option<String>,
-    pub x_column: Option<String>,
-    pub y_column: Option<String>,
-    pub value_range: Option<Span>,
-}
-
-const STIFFNESS: Grid = Grid::factors(0.1, 10.0, 25);
-const DISSIPATION: Grid = Grid::factors(0.1, 4.0, 25);
-
-impl Default for HeatOptions {
-    fn default() -> Self {
-        Self {
-            quantity: QuantityChoice::Indentation,
-            stiffness: STIFFNESS,
-            dissipation: DISSIPATION,
-            table: None,
-            value_column: None,
-            x_column: None,
-            y_column: None,
-            value_range: None,
-        }
-    }
-}
-
-choices! {
     /// The kind of plot.
     PlotKind {
         Force = "force", "Force against indentation: Hertz, with cf, smoothed";
@@ -107,73 +86,12 @@ choices! {
         Fig4 = "fig4", "The paper's Fig. 4";
         FigC5 = "fig-c5", "The paper's Fig. C.5";
     }
-}
 
-choices! {
     /// Units of indentation and force.
     AxesChoice {
         Dimensionless = "dimensionless", "x/R, and force over the sphere's share of the weight";
         Real = "real", "mm and N";
     }
-}
-
-/// Draws what contacts do.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
-#[serde(default)]
-pub struct PlotRequest {
-    pub kind: Option<PlotKind>,
-    #[serde(with = "path::List")]
-    pub models: Vec<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub output: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub data: Option<PathBuf>,
-    pub force: bool,
-    pub target_mass: Option<Kilograms>,
-    pub axes: Option<AxesChoice>,
-    #[serde(with = "path::Optional")]
-    pub geometry_dir: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub motion: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub plates: Option<PathBuf>,
-    #[serde(with = "path::Optional")]
-    pub loads: Option<PathBuf>,
-    pub angles: Option<AngleChoice>,
-    #[serde(with = "path::Optional")]
-    pub presets: Option<PathBuf>,
-    pub gravity: Option<Acceleration>,
-    #[serde(flatten)]
-    pub fall: FallOptions,
-    #[serde(flatten)]
-    pub heat: HeatOptions,
-    #[serde(flatten)]
-    pub looks: FigureOptions,
-    #[serde(flatten)]
-    pub counts: CountOptions,
-    #[serde(flatten)]
-    pub masses: MassOptions,
-    #[serde(flatten)]
-    pub choice: ForceOptions,
-    #[serde(flatten)]
-    pub set_files: SetFiles,
-    #[serde(flatten)]
-    pub answers: AnswerOptions,
-}
-
-impl PlotRequest {
-    pub(crate) const RELATIONS: &'static [&'static [Relation]] = &[&[
-        Relation::Required("kind"),
-        Relation::Required("output"),
-        Relation::Needs("plates", "motion"),
-        Relation::Needs("loads", "plates"),
-        Relation::Needs("angles", "motion"),
-        Relation::Needs("table", "value_column"),
-        Relation::Needs("value_column", "table"),
-        Relation::Needs("x_column", "table"),
-        Relation::Needs("y_column", "table"),
-    ]];
 }
 
 impl PlotRequest {

@@ -131,7 +131,7 @@ macro_rules! verbs {
                 checked: fn(&Relation) -> bool,
             ) -> Result<Self, RequestFault> {
                 match verb {
-                    $(Verb::$variant => dictionary::read::<$type>(fields, <$type>::RELATIONS, checked)
+                    $(Verb::$variant => dictionary::read::<$type>(fields, &<$type>::relations(), checked)
                         .map(|request| Self::$variant(Box::new(request))),)+
                 }
             }
@@ -148,7 +148,7 @@ macro_rules! verbs {
             /// The first violated relation.
             pub fn check(&self) -> Result<(), RequestFault> {
                 match self {
-                    $(Self::$variant(request) => dictionary::check(request.as_ref(), <$type>::RELATIONS),)+
+                    $(Self::$variant(request) => dictionary::check(request.as_ref(), &<$type>::relations()),)+
                 }
             }
 
@@ -212,8 +212,8 @@ macro_rules! verbs {
 
         /// The relations between the fields of requests for `verb`.
         #[cfg(any(feature = "clap", feature = "schemas"))]
-        pub(crate) const fn relations_of(verb: Verb) -> &'static [&'static [Relation]] {
-            match verb { $(Verb::$variant => <$type>::RELATIONS),+ }
+        pub(crate) fn relations_of(verb: Verb) -> Vec<Relation> {
+            match verb { $(Verb::$variant => <$type>::relations()),+ }
         }
 
         $(impl From<$type> for Request {

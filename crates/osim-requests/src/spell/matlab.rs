@@ -90,28 +90,8 @@ fn example_value(example: &Example) -> String {
 }
 
 /// Words that MATLAB does not allow as names of struct fields.
-const RESERVED_NAMES: [&str; 20] = [
-    "break",
-    "case",
-    "catch",
-    "classdef",
-    "continue",
-    "else",
-    "elseif",
-    "end",
-    "for",
-    "function",
-    "global",
-    "if",
-    "otherwise",
-    "parfor",
-    "persistent",
-    "return",
-    "spmd",
-    "switch",
-    "try",
-    "while",
-];
+const RESERVED_NAMES: &str = "break case catch classdef continue else elseif end for function global if otherwise parfor \
+    persistent return spmd switch try while";
 
 /// The largest number of letters in the name of a struct field in MATLAB.
 const LONGEST_NAME: usize = 63;
@@ -153,7 +133,10 @@ fn literal(value: &FieldValue) -> String {
 fn is_field_name(name: &str) -> bool {
     let is_word = name.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
-    is_word && is_name && name.len() <= LONGEST_NAME && !RESERVED_NAMES.contains(&name)
+    is_word
+        && is_name
+        && name.len() <= LONGEST_NAME
+        && !RESERVED_NAMES.split(' ').any(|reserved| reserved == name)
 }
 
 fn cell_array(items: impl Iterator<Item = String>) -> String {

@@ -1,18 +1,7 @@
 //! Assignments to properties, such as `stiffness=x2 dissipation=1`, and lists of properties, by OpenSim's names.
 
-#[cfg(feature = "schemas")]
-use std::borrow::Cow;
-
 use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
 use serde::de::Error;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -25,14 +14,14 @@ use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
 pub struct Assignments(Vec<(Property, Assignment)>);
 
 #[cfg(feature = "schemas")]
-impl JsonSchema for Assignments {
-    fn schema_name() -> Cow<'static, str> {
+impl schemars::JsonSchema for Assignments {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
         "Assignments".into()
     }
 
     /// Properties with a value or a factor each, or the text that [`Assignments::read`] takes.
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({"anyOf": [
+    fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"anyOf": [
             {
                 "type": "object",
                 "additionalProperties": {"anyOf": [

@@ -5,11 +5,7 @@ use std::str::FromStr;
 
 use osim_model::messages::shortest;
 #[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
+use schemars::{Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::Value;

@@ -7,19 +7,13 @@ use std::str::FromStr;
 use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
 #[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
+use schemars::{Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 
 use crate::values::assignment::assignment;
-use crate::values::serial::{from_text, from_texts};
+use crate::values::serial::{from_texts, values_as_text};
 use crate::values::typed::{
     Range, factor, plain_number, positive_number, respelled, spaced, trimmed, with_colons,
 };
@@ -230,7 +224,6 @@ pub(crate) fn axes_schema(_generator: &mut SchemaGenerator) -> Schema {
 /// Values equally spaced on a logarithmic axis, as numbers or as factors of what is there: `FROM..TO/COUNT`, both ends with
 /// an `x` for factors.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Grid {
     from: f64,
     to: f64,
@@ -286,21 +279,8 @@ impl fmt::Display for Grid {
     }
 }
 
-impl Serialize for Grid {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl<'d> Deserialize<'d> for Grid {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
-}
-
 /// A range from one number to a larger one: `FROM..TO`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Span {
     from: f64,
     to: f64,
@@ -333,16 +313,9 @@ impl fmt::Display for Span {
     }
 }
 
-impl Serialize for Span {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl<'d> Deserialize<'d> for Span {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
+values_as_text! {
+    Grid = {"type": "string"};
+    Span = {"type": "string"};
 }
 
 #[cfg(test)]

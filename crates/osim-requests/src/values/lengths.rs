@@ -1,38 +1,18 @@
 //! Radii, heights of a fall, and the indentation at the begin of contact, as texts.
 
-#[cfg(feature = "schemas")]
-use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use contact_scaling::fit::Onset;
 use osim_model::RadiusRule;
 use osim_model::messages::{readable, shortest};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::values::serial::from_text;
+use crate::values::serial::values_as_text;
 use crate::values::typed::{LENGTHS, factor, not_negative, positive, trimmed};
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
-pub struct Radius(#[cfg_attr(feature = "schemas", schemars(schema_with = "radius_schema"))] RadiusRule);
-
-#[cfg(feature = "schemas")]
-fn radius_schema(_generator: &mut SchemaGenerator) -> Schema {
-    schemars::json_schema!({"anyOf": [
-        {"type": "number", "exclusiveMinimum": 0, "description": "metres"},
-        {"type": "string", "pattern": "^(isometric|keep|[xX][0-9.eE+-]+)$"},
-    ]})
-}
+pub struct Radius(RadiusRule);
 
 impl Radius {
     /// The rule that gives the new radii.
@@ -73,21 +53,6 @@ impl fmt::Display for Radius {
     }
 }
 
-impl Serialize for Radius {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            RadiusRule::Metres(metres) => serializer.serialize_f64(metres),
-            _ => serializer.collect_str(self),
-        }
-    }
-}
-
-impl<'d> Deserialize<'d> for Radius {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
-}
-
 /// The expected form of a radius, for messages.
 const EXPECTED: &str = "isometric, follow or a radius in metres";
 /// The largest accepted radius, m.
@@ -103,24 +68,6 @@ pub enum NewRadius {
     Follow,
     /// One radius for all spheres, m.
     Metres(f64),
-}
-
-#[cfg(feature = "schemas")]
-impl JsonSchema for NewRadius {
-    fn schema_name() -> Cow<'static, str> {
-        "NewRadius".into()
-    }
-
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({"anyOf": [
-            {"type": "number", "exclusiveMinimum": 0, "maximum": 1e9, "description": "metres"},
-            {"type": "string", "pattern": "^(isometric|follow)$"},
-        ]})
-    }
-
-    fn inline_schema() -> bool {
-        true
-    }
 }
 
 impl FromStr for NewRadius {
@@ -148,22 +95,7 @@ impl fmt::Display for NewRadius {
     }
 }
 
-impl Serialize for NewRadius {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Metres(metres) => serializer.serialize_f64(*metres),
-            _ => serializer.collect_str(self),
-        }
-    }
-}
-
-impl<'d> Deserialize<'d> for NewRadius {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
-}
-
-/// Height of the sphere bottoms at the start of a fall.
+/// Height of the sphere bottoms at the start of a fall: metres, or a multiple of the radius such as `x0.25`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DropHeight {
     Metres(f64),
@@ -189,79 +121,38 @@ impl DropHeight {
     }
 }
 
-/// Metres, or a multiple of the radius such as `x0.25`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
-pub struct Height(#[cfg_attr(feature = "schemas", schemars(schema_with = "height_schema"))] DropHeight);
-
-#[cfg(feature = "schemas")]
-fn height_schema(_generator: &mut SchemaGenerator) -> Schema {
-    schemars::json_schema!({"anyOf": [
-        {"type": "number", "minimum": 0, "description": "metres"},
-        {"type": "string", "pattern": "^[xX][0-9.eE+-]+$"},
-    ]})
-}
-
-impl Height {
-    pub const fn get(self) -> DropHeight {
-        self.0
-    }
-}
-
-impl Default for Height {
+impl Default for DropHeight {
     /// A quarter of the radius, as in the paper's drop tests.
     fn default() -> Self {
-        Self(DropHeight::Radii(0.25))
+        Self::Radii(0.25)
     }
 }
 
-impl FromStr for Height {
+impl FromStr for DropHeight {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "a length in metres, or a multiple of the radius like x0.25";
         let parse = |text: &str| not_negative(text, expected, LENGTHS);
-        let height = match factor(text) {
-            Some(number) => parse(number).map(DropHeight::Radii),
-            None => parse(text).map(DropHeight::Metres),
-        };
-        height.map(Self)
+        match factor(text) {
+            Some(number) => parse(number).map(Self::Radii),
+            None => parse(text).map(Self::Metres),
+        }
     }
 }
 
-impl fmt::Display for Height {
+impl fmt::Display for DropHeight {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.0 {
-            DropHeight::Metres(metres) => f.write_str(&shortest(metres)),
-            DropHeight::Radii(radii) => write!(f, "x{}", shortest(radii)),
+        match self {
+            Self::Metres(metres) => f.write_str(&shortest(*metres)),
+            Self::Radii(radii) => write!(f, "x{}", shortest(*radii)),
         }
-    }
-}
-
-impl Serialize for Height {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            DropHeight::Metres(metres) => serializer.serialize_f64(metres),
-            DropHeight::Radii(_) => serializer.collect_str(self),
-        }
-    }
-}
-
-impl<'d> Deserialize<'d> for Height {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
     }
 }
 
 /// An indentation in m at which contact begins, or `fit` to find it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline))]
-pub struct ContactOnset(#[cfg_attr(feature = "schemas", schemars(schema_with = "number_or_word"))] Onset);
-
-#[cfg(feature = "schemas")]
-fn number_or_word(_generator: &mut SchemaGenerator) -> Schema {
-    schemars::json_schema!({"anyOf": [{"type": "number", "description": "metres"}, {"const": "fit"}]})
-}
+pub struct ContactOnset(Onset);
 
 impl ContactOnset {
     pub const fn get(self) -> Onset {
@@ -298,19 +189,23 @@ impl fmt::Display for ContactOnset {
     }
 }
 
-impl Serialize for ContactOnset {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.0 {
-            Onset::At(metres) => serializer.serialize_f64(metres),
-            Onset::Fitted => serializer.serialize_str("fit"),
-        }
-    }
-}
-
-impl<'d> Deserialize<'d> for ContactOnset {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
+values_as_text! {
+    Radius = {
+        "description": "`isometric`, `keep`, metres, or a factor such as `x1.5`.",
+        "anyOf": [
+            {"type": "number", "exclusiveMinimum": 0, "description": "metres"},
+            {"type": "string", "pattern": "^(isometric|keep|[xX][0-9.eE+-]+)$"},
+        ],
+    };
+    NewRadius = {"anyOf": [
+        {"type": "number", "exclusiveMinimum": 0, "maximum": 1e9, "description": "metres"},
+        {"type": "string", "pattern": "^(isometric|follow)$"},
+    ]};
+    DropHeight = {"anyOf": [
+        {"type": "number", "minimum": 0, "description": "metres"},
+        {"type": "string", "pattern": "^[xX][0-9.eE+-]+$"},
+    ]};
+    ContactOnset = {"anyOf": [{"type": "number", "description": "metres"}, {"const": "fit"}]};
 }
 
 #[cfg(test)]

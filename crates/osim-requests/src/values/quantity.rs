@@ -1,22 +1,12 @@
 //! Numbers with a domain; each is checked once, when it is read.
 
-#[cfg(feature = "schemas")]
-use std::borrow::Cow;
 use std::fmt;
 use std::str::FromStr;
 
 use osim_model::messages::shortest;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
-#[cfg(feature = "schemas")]
-use schemars::json_schema;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::Serialize;
 
-use crate::values::serial::from_text;
+use crate::values::serial::{values_as_text, values_from_text};
 use crate::values::typed::{
     LENGTHS, MASSES, converted, not_negative, plain_number, positive, positive_number, trimmed,
 };
@@ -58,32 +48,7 @@ macro_rules! quantities {
             }
         }
 
-        impl Serialize for $name {
-            fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.serialize_f64(self.0)
-            }
-        }
-
-        impl<'d> Deserialize<'d> for $name {
-            fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-                from_text(deserializer)
-            }
-        }
-
-        #[cfg(feature = "schemas")]
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-                json_schema!($schema)
-            }
-
-            fn inline_schema() -> bool {
-                true
-            }
-        }
+        values_as_text! { $name = $schema; }
     )+};
 }
 
@@ -242,26 +207,7 @@ macro_rules! whole_numbers {
             }
         }
 
-        impl<'d> Deserialize<'d> for $name {
-            fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-                from_text(deserializer)
-            }
-        }
-
-        #[cfg(feature = "schemas")]
-        impl JsonSchema for $name {
-            fn schema_name() -> Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-                json_schema!({"type": "integer", "minimum": $least, "maximum": $most})
-            }
-
-            fn inline_schema() -> bool {
-                true
-            }
-        }
+        values_from_text! { $name = {"type": "integer", "minimum": $least, "maximum": $most}; }
     )+};
 }
 

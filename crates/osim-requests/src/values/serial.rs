@@ -91,21 +91,79 @@ where
     }
 }
 
-/// Writes a list of values as their texts.
-///
-/// # Errors
-/// The errors of the serialiser.
-pub(crate) fn as_texts<T: Display, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_seq(values.iter().map(ToString::to_string))
+/// How fields write and read lists of values: as their texts. A single value is read as a list of one.
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(inline, with = "Vec<String>"))]
+pub(crate) struct Texts;
+
+impl Texts {
+    pub(crate) fn serialize<T: Display, S: Serializer>(
+        values: &[T],
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(values.iter().map(ToString::to_string))
+    }
+
+    pub(crate) fn deserialize<'d, T, D>(deserializer: D) -> Result<Vec<T>, D::Error>
+    where
+        T: FromStr<Err: Display>,
+        D: Deserializer<'d>,
+    {
+        from_texts(deserializer)
+    }
 }
 
-/// The words of a choice, each with its meaning; the meaning is empty if the word is clear.
+/// The values that a choice can have, as they are typed, each with its meaning; the meaning is empty if the value is clear.
 pub type Words = &'static [(&'static str, &'static str)];
 
-/// Declares an enum whose variants are words: for a command line, for JSON and in messages. After the name of the enum comes the
+/// Lets types be read from JSON by [`FromStr`], as a text or a number, and gives them these schemas.
+macro_rules! values_from_text {
+    ($($name:ident = $schema:tt;)+) => {$(
+        impl<'d> serde::Deserialize<'d> for $name {
+            fn deserialize<D: serde::Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
+                $crate::values::serial::from_text(deserializer)
+            }
+        }
+
+        #[cfg(feature = "schemas")]
+        impl schemars::JsonSchema for $name {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($name).into()
+            }
+
+            fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                schemars::json_schema!($schema)
+            }
+
+            fn inline_schema() -> bool {
+                true
+            }
+        }
+    )+};
+}
+pub(crate) use values_from_text;
+
+/// Lets types, as [`values_from_text`] does, be read from JSON, and written by [`Display`]: as a number where the text is one.
+macro_rules! values_as_text {
+    ($($name:ident = $schema:tt;)+) => {
+        $crate::values::serial::values_from_text! { $($name = $schema;)+ }
+
+        $(impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let text = self.to_string();
+                match text.parse() {
+                    Ok(number) => serializer.serialize_f64(number),
+                    Err(_) => serializer.serialize_str(&text),
+                }
+            }
+        })+
+    };
+}
+pub(crate) use values_as_text;
+
+/// Declares enums whose variants are words: for a command line, for JSON and in messages. After the name of an enum comes its
 /// default word, if there is one.
 macro_rules! choices {
-    ($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($variant:ident = $word:literal $(, $help:literal)?;)+ }) => {
+    ($($(#[doc = $doc:literal])+ $name:ident $(: $default:ident)? { $($variant:ident = $word:literal $(, $help:literal)?;)+ })+) => {$(
         $(#[doc = $doc])+
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum $name {
@@ -147,32 +205,45 @@ macro_rules! choices {
             }
         }
 
-        impl serde::Serialize for $name {
-            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.serialize_str(self.as_str())
-            }
-        }
-
-        impl<'d> serde::Deserialize<'d> for $name {
-            fn deserialize<D: serde::Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-                crate::values::serial::from_text(deserializer)
-            }
-        }
-
-        #[cfg(feature = "schemas")]
-        impl schemars::JsonSchema for $name {
-            fn schema_name() -> std::borrow::Cow<'static, str> {
-                stringify!($name).into()
-            }
-
-            fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-                schemars::json_schema!({"type": "string", "enum": [$($word),+]})
-            }
-
-            fn inline_schema() -> bool {
-                true
-            }
-        }
-    };
+        $crate::values::serial::values_as_text! { $name = {"type": "string", "enum": [$($word),+]}; }
+    )+};
 }
 pub(crate) use choices;
+
+/// Declares structs whose fields are the options of a request, under the names that JSON has for them. `field: ..Group` has
+/// the options of another such struct. After `as` comes the type that reads and writes the field, after `=` its value in a request
+/// that does not name it, and after `where` the relations between options.
+macro_rules! fields {
+    ($($(#[$about:meta])* struct $name:ident {
+        $($(#[$of_field:meta])* $field:ident: $(..$group:ident)? $($type:ty $(as $with:tt)? $(= $default:expr)?)?),+ $(,)?
+    } $(where $($relation:ident($($option:literal),+)),+;)?)+) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+        #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
+        #[serde(default)]
+        pub struct $name {
+            $(
+                $(#[$of_field])*
+                $(#[serde(flatten)] pub $field: $group,)?
+                $($(#[serde(with = $with)])? pub $field: $type,)?
+            )+
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $crate::values::serial::fields!(@value $($($default)?)?)),+ }
+            }
+        }
+
+        impl $name {
+            /// The relations between the options: its own, then those of its groups.
+            pub(crate) fn relations() -> Vec<$crate::fault::Relation> {
+                let own: Vec<$crate::fault::Relation> = vec![$($($crate::fault::Relation::$relation($($option),+)),+)?];
+                [own, $($($group::relations(),)?)+].concat()
+            }
+        }
+    )+};
+    (@value) => { Default::default() };
+    (@value $value:expr) => { $value };
+}
+pub(crate) use fields;

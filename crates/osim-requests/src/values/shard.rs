@@ -6,12 +6,10 @@ use std::ops::Range;
 use std::path::Path;
 use std::str::FromStr;
 
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::Deserializer;
 use sha2::{Digest, Sha256};
 
-use crate::values::serial::{self, from_text};
+use crate::values::serial::{self, values_as_text};
 use crate::values::typed::trimmed;
 
 /// The largest number of shares; no cluster runs more jobs.
@@ -19,7 +17,6 @@ const MOST_JOBS: u64 = 1_000_000_000;
 
 /// Share `i` (from 1) of `n`: `i/n`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(inline, with = "String"))]
 pub struct Shard {
     index: u64,
     count: u64,
@@ -83,16 +80,8 @@ impl fmt::Display for Shard {
     }
 }
 
-impl Serialize for Shard {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl<'d> Deserialize<'d> for Shard {
-    fn deserialize<D: Deserializer<'d>>(deserializer: D) -> Result<Self, D::Error> {
-        from_text(deserializer)
-    }
+values_as_text! {
+    Shard = {"type": "string"};
 }
 
 /// The number of one grid point, from 1, or a number that is too large to count.

@@ -214,7 +214,7 @@ impl ColonRange {
 }
 
 /// `count` numbers from `first` to `last`, at equal distances of their logarithms; both ends are exact.
-pub fn spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
+pub(super) fn spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
     let steps = f64::from(count - 1);
     (0..count).map(move |index| match index {
         0 => first,

@@ -6,7 +6,7 @@ use osim_inspect::series::{self, ContactBody, HeatRequest, Parameter, Profile};
 use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_planning::HeatTable;
-use osim_requests::HeatQuantity;
+use osim_requests::QuantityChoice;
 
 use crate::figures::axes::plot_failure;
 
@@ -117,21 +117,21 @@ struct QuantityWords {
 }
 
 impl QuantityWords {
-    fn of_quantity(quantity: HeatQuantity) -> Self {
+    fn of_quantity(quantity: QuantityChoice) -> Self {
         match quantity {
-            HeatQuantity::Indentation => Self {
+            QuantityChoice::Indentation => Self {
                 title: "Indentation at rest",
                 label: "x̂ under body weight, Hertz (–)",
                 curve: "at rest, by (11)",
                 limit: format!("x̂ = {}, limit of the Hertz law", limits::INDENTATION.value),
             },
-            HeatQuantity::Restitution => Self {
+            QuantityChoice::Restitution => Self {
                 title: "Restitution",
                 label: "coefficient of restitution (–)",
                 curve: "exact, at the impact speed",
                 limit: format!("{} by (13), limit of the Hunt–Crossley law", limits::RESTITUTION.value),
             },
-            HeatQuantity::PeakForce => Self {
+            QuantityChoice::PeakForce => Self {
                 title: "Peak force of the drop",
                 label: "peak force / body weight (–)",
                 curve: "in the drop",

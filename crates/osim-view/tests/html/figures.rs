@@ -4,7 +4,7 @@ use contact_plots::{Drawing, Figure, Paper, figure};
 use osim_inspect::InspectOptions;
 use osim_inspect::series::{ContactBody, HeatRequest};
 use osim_requests::spell::{CommandLine, Python};
-use osim_requests::{DropHeight, HeatQuantity};
+use osim_requests::{DropHeight, QuantityChoice};
 use osim_view::figures::{self as figures, AxisUnits};
 
 use crate::support::open;
@@ -120,7 +120,7 @@ fn drops_stand_over_seconds_and_over_time_without_dimensions() {
 
 #[test]
 fn a_heat_map_is_about_one_body() {
-    let request = HeatRequest { quantity: HeatQuantity::Restitution, height: HEIGHT, duration_s: None };
+    let request = HeatRequest { quantity: QuantityChoice::Restitution, height: HEIGHT, duration_s: None };
     let axis = |now: f64| vec![0.5 * now, now, 2.0 * now];
     let one = [body("mouse_smooth_sphere")];
     // Stiffness does not change the restitution of an impact without gravity: a curve over the dissipation.
@@ -128,7 +128,7 @@ fn a_heat_map_is_about_one_body() {
     assert_eq!(curve.title, "Restitution: mouse_smooth_sphere");
     assert_eq!(curve.panels[0].x.label, "dissipation α (s/m)");
     assert_eq!(curve.panels[0].limits[0].label, "0.8 by (13), limit of the Hunt–Crossley law");
-    let peak = HeatRequest { quantity: HeatQuantity::PeakForce, ..request.clone() };
+    let peak = HeatRequest { quantity: QuantityChoice::PeakForce, ..request.clone() };
     let Ok(Drawing::HeatMap(map)) = figures::heat(&one, &peak, axis, axis, None) else { panic!() };
     assert_eq!((map.x.len(), map.values.len()), (3, 3));
     let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
