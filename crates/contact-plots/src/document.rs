@@ -64,31 +64,20 @@ impl Paper {
 
 // The SVG document around what the plotting library drew: size on paper, title and description.
 
-/// The title of a document, and a description for readers who cannot see it.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct TitleAndDescription<'n> {
-    pub(crate) title: &'n str,
-    pub(crate) description: &'n str,
-}
-
-impl<'n> TitleAndDescription<'n> {
-    /// The title of the document. If the figure has no title, the first sentence of its description, because every picture
-    /// needs a name.
-    fn title(self) -> &'n str {
-        if self.title.chars().any(|letter| !letter.is_ascii_whitespace()) {
-            return self.title;
-        }
-        let first = self.description.split_inclusive(". ").next().unwrap_or_default();
-        first.trim_end_matches(' ')
+/// The title of the document. If the figure has no title, the first sentence of its description, because every picture needs a
+/// name.
+fn name_of_document<'n>(title: &'n str, description: &'n str) -> &'n str {
+    if title.chars().any(|letter| !letter.is_ascii_whitespace()) {
+        return title;
     }
+    description.split_inclusive(". ").next().unwrap_or_default().trim_end_matches(' ')
 }
 
 /// Gives the SVG document of the library its width in millimetres, a role, a title and a description.
 fn with_size_and_title(
     drawn: &str,
     (width, height): (u32, u32),
-    width_mm: f64,
-    names: TitleAndDescription<'_>,
+    sheet: &Sheet<'_>,
 ) -> Result<String, PlotError> {
     let body = drawn
         .find('>')
@@ -97,14 +86,15 @@ fn with_size_and_title(
     // An opacity of 1 is what SVG takes anyway; half the size of a figure is attributes.
     let body = join_polylines(&body.replace(" opacity=\"1\"", "").replace(" \"/>", "\"/>"));
     // As high as its units are wide: nothing is stretched.
+    let width_mm = sheet.paper.width_mm(sheet.width);
     let height_mm = width_mm * f64::from(height) / f64::from(width.max(1));
     Ok(format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{}mm\" height=\"{}mm\" \
          viewBox=\"0 0 {width} {height}\">\n<title>{}</title>\n<desc>{}</desc>{body}",
         rounded_to_thousandth(width_mm),
         rounded_to_thousandth(height_mm),
-        escaped(names.title()),
-        escaped(names.description),
+        escaped(name_of_document(sheet.name, sheet.description)),
+        escaped(sheet.description),
     ))
 }
 
@@ -217,7 +207,10 @@ pub(crate) struct Sheet<'s> {
     /// The height of the layout, in points for letters of 7 points.
     pub(crate) height_pt: f64,
     pub(crate) title: &'s Title,
-    pub(crate) names: TitleAndDescription<'s>,
+    /// The title before it was broken into lines.
+    pub(crate) name: &'s str,
+    /// What the figure shows, for readers who cannot see it.
+    pub(crate) description: &'s str,
 }
 
 /// An SVG document with its title at the top; `draw` draws the content below the title.
@@ -235,7 +228,7 @@ pub(crate) fn document(
         draw(&root)?;
         root.present().map_err(PlotError::drawing)?;
     }
-    with_size_and_title(&drawn, size, sheet.paper.width_mm(sheet.width), sheet.names)
+    with_size_and_title(&drawn, size, sheet)
 }
 
 #[cfg(test)]

@@ -6,11 +6,11 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, TitleAndDescription, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
 use crate::error::PlotError;
 use crate::figure::{Point, Width};
 use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
-use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, minor_ticks};
+use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 
 const PLOT_HEIGHT_PT: f64 = 140.0;
@@ -70,7 +70,8 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.legend_top() + layout.legend.height_pt() + MARGIN_PT,
         title: &layout.title,
-        names: TitleAndDescription { title: &map.title, description: &map.description },
+        name: &map.title,
+        description: &map.description,
     };
     document(&sheet, |root| {
         layout.draw_cells(root, map)?;
@@ -160,27 +161,13 @@ impl HeatLayout {
             let lines = border.iter().map(|line| PathElement::new(line.clone(), style));
             chart.draw_series(lines).map_err(PlotError::drawing)?;
         }
-        chart
-            .configure_mesh()
-            .disable_mesh()
-            .axis_style(stroke(INK, 0.6))
-            .set_all_tick_mark_size(units(TICK_PT))
-            .label_style(text(TEXT_PT))
-            .axis_desc_style(text(TEXT_PT))
-            .x_desc(printable(&map.x_axis.label))
-            .y_desc(printable(&map.y_axis.label))
-            .x_label_formatter(&|at| x_ticks.label(*at).to_owned())
-            .y_label_formatter(&|at| y_ticks.label(*at).to_owned())
-            .draw()
-            .map_err(PlotError::drawing)?;
-        let corner = |x: f64, y: f64| chart.backend_coord(&(x, y));
         let origin = (first_edge(&self.x_edges), first_edge(&self.y_edges));
-        minor_ticks(root, (&x_ticks.minor, &y_ticks.minor), origin, &corner)?;
+        draw_axes(root, &mut chart, (&map.x_axis, &map.y_axis), (&x_ticks, &y_ticks), origin)?;
         let inside = |at: f64, edges: &[f64]| (first_edge(edges)..=last_edge(edges)).contains(&at);
         let mark = map.mark.as_ref().map(|(_, (x, y))| (map.x_axis.place(*x), map.y_axis.place(*y)));
         match mark {
             Some((x, y)) if inside(x, &self.x_edges) && inside(y, &self.y_edges) => {
-                draw_cross(root, corner(x, y))
+                draw_cross(root, chart.backend_coord(&(x, y)))
             }
             _ => Ok(()),
         }

@@ -33,15 +33,10 @@ pub(crate) enum Sample {
 /// The entries of a legend, and their arrangement in columns.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Legend {
-    entries: Vec<LegendEntry>,
+    /// Each entry with the lines of its name.
+    entries: Vec<(Sample, Vec<String>)>,
     columns: usize,
     column_pt: f64,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct LegendEntry {
-    sample: Sample,
-    lines: Vec<String>,
 }
 
 impl Legend {
@@ -74,11 +69,9 @@ impl Legend {
         let columns = (1..=entries.len().max(1)).rev().find(|&n| room_pt >= widest * float(n)).unwrap_or(1);
         let column_pt = room_pt / float(columns);
         let room = column_pt - SAMPLE_PT - 2.0 * ENTRY_GAP_PT;
-        let entry = |(sample, label): (Sample, String)| LegendEntry {
-            sample,
-            lines: lines(&printable(&label), TEXT_PT, room),
-        };
-        Self { entries: entries.into_iter().map(entry).collect(), columns, column_pt }
+        let entries = entries.into_iter();
+        let entries = entries.map(|(sample, label)| (sample, lines(&printable(&label), TEXT_PT, room)));
+        Self { entries: entries.collect(), columns, column_pt }
     }
 
     /// Number of entries in a column; the last column may have fewer.
@@ -89,8 +82,9 @@ impl Legend {
     /// Height of the legend below the panels, pt.
     pub(crate) fn height_pt(&self) -> f64 {
         let columns = self.entries.chunks(self.rows().max(1));
-        let highest =
-            columns.map(|column| column.iter().map(LegendEntry::height_pt).sum()).fold(0.0, f64::max);
+        let height =
+            |column: &[(Sample, Vec<String>)]| column.iter().map(|(_, lines)| height_pt(lines)).sum();
+        let highest = columns.map(height).fold(0.0, f64::max);
         if self.entries.is_empty() { 0.0 } else { highest + ENTRY_GAP_PT }
     }
 
@@ -101,7 +95,7 @@ impl Legend {
         at_pt: (f64, f64),
     ) -> Result<(), PlotError> {
         self.draw_with_samples(area, at_pt, &|index, left, middle| match self.entries.get(index) {
-            Some(entry) => draw_legend_sample(area, entry.sample, left, middle),
+            Some((sample, _)) => draw_legend_sample(area, *sample, left, middle),
             None => Ok(()),
         })
     }
@@ -115,27 +109,26 @@ impl Legend {
     ) -> Result<(), PlotError> {
         // Down the first column, then down the next.
         let (mut left, mut top) = (left_pt, top_pt + ENTRY_GAP_PT);
-        for (index, entry) in self.entries.iter().enumerate() {
+        for (index, (_, lines)) in self.entries.iter().enumerate() {
             if index > 0 && index % self.rows() == 0 {
                 (left, top) = (left + self.column_pt, top_pt + ENTRY_GAP_PT);
             }
             sample(index, left, top + 0.5 * ROW_PT)?;
-            for (row, line) in entry.lines.iter().enumerate() {
+            for (row, line) in lines.iter().enumerate() {
                 let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
                 let middle = top + 0.5 * ROW_PT + LINE_PT * float(row);
                 let at = (units(left + SAMPLE_PT + ENTRY_GAP_PT), units(middle));
                 area.draw_text(line, &style, at).map_err(PlotError::drawing)?;
             }
-            top += entry.height_pt();
+            top += height_pt(lines);
         }
         Ok(())
     }
 }
 
-impl LegendEntry {
-    fn height_pt(&self) -> f64 {
-        ROW_PT + LINE_PT * float(self.lines.len().saturating_sub(1))
-    }
+/// Height of an entry whose name has these lines, pt.
+fn height_pt(lines: &[String]) -> f64 {
+    ROW_PT + LINE_PT * float(lines.len().saturating_sub(1))
 }
 
 fn draw_legend_sample(

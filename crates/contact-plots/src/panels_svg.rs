@@ -7,8 +7,8 @@ use plotters::prelude::SVGBackend;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, RGBColor};
 
-use crate::axis::Scale;
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, TitleAndDescription, document, printable};
+use crate::axis::{Axis, Scale, Ticks};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
 use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
@@ -50,7 +50,8 @@ pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.height_pt(),
         title: &layout.title,
-        names: TitleAndDescription { title: &figure.title, description: &figure.description },
+        name: &figure.title,
+        description: &figure.description,
     };
     document(&sheet, |root| {
         for (index, panel) in figure.panels.iter().enumerate() {
@@ -134,8 +135,8 @@ impl Layout {
             )
             .map_err(PlotError::drawing)?;
         draw_areas(&mut chart, panel, &frame)?;
-        draw_axes(&mut chart, panel, &frame)?;
-        draw_minor_ticks(root, &chart, &frame)?;
+        let ticks = (&frame.x_ticks, &frame.y_ticks);
+        draw_axes(root, &mut chart, (&panel.x, &panel.y), ticks, (frame.x.0, frame.y.0))?;
         for limit in &panel.limits {
             draw_limit(&mut chart, &frame, limit)?;
         }
@@ -178,7 +179,14 @@ pub(crate) fn letter(index: usize) -> String {
     letter.map(String::from).unwrap_or_default()
 }
 
-fn draw_axes(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Result<(), PlotError> {
+/// Draws the axes with their labels and ticks; `(left, bottom)` is where they meet. The library draws no ticks without labels.
+pub(crate) fn draw_axes(
+    root: &Area<'_>,
+    chart: &mut Chart<'_, '_>,
+    (x_axis, y_axis): (&Axis, &Axis),
+    (x_ticks, y_ticks): (&Ticks, &Ticks),
+    (left, bottom): (f64, f64),
+) -> Result<(), PlotError> {
     chart
         .configure_mesh()
         .disable_mesh()
@@ -186,38 +194,22 @@ fn draw_axes(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Res
         .set_all_tick_mark_size(units(TICK_PT))
         .label_style(text(TEXT_PT))
         .axis_desc_style(text(TEXT_PT))
-        .x_desc(printable(&panel.x.label))
-        .y_desc(printable(&panel.y.label))
-        .x_label_formatter(&|at| frame.x_ticks.label(*at).to_owned())
-        .y_label_formatter(&|at| frame.y_ticks.label(*at).to_owned())
+        .x_desc(printable(&x_axis.label))
+        .y_desc(printable(&y_axis.label))
+        .x_label_formatter(&|at| x_ticks.label(*at).to_owned())
+        .y_label_formatter(&|at| y_ticks.label(*at).to_owned())
         .draw()
-        .map_err(PlotError::drawing)
-}
-
-/// Draws the ticks without labels, because the library draws only ticks with labels.
-fn draw_minor_ticks(root: &Area<'_>, chart: &Chart<'_, '_>, frame: &Frame<'_>) -> Result<(), PlotError> {
-    let corner = |x: f64, y: f64| chart.backend_coord(&(x, y));
-    minor_ticks(root, (&frame.x_ticks.minor, &frame.y_ticks.minor), (frame.x.0, frame.y.0), &corner)
-}
-
-/// Draws ticks at the given positions along both axes from their common corner.
-pub(crate) fn minor_ticks(
-    root: &Area<'_>,
-    (along_x, along_y): (&[f64], &[f64]),
-    (left, bottom): (f64, f64),
-    corner: &dyn Fn(f64, f64) -> (i32, i32),
-) -> Result<(), PlotError> {
+        .map_err(PlotError::drawing)?;
     let tick = units(0.55 * TICK_PT);
-    let mut lines = Vec::new();
-    for &at in along_x {
-        let (x, y) = corner(at, bottom);
-        lines.push(vec![(x, y), (x, y + tick)]);
-    }
-    for &at in along_y {
-        let (x, y) = corner(left, at);
-        lines.push(vec![(x - tick, y), (x, y)]);
-    }
-    for line in lines {
+    let along_x = x_ticks.minor.iter().map(|&at| {
+        let (x, y) = chart.backend_coord(&(at, bottom));
+        vec![(x, y), (x, y + tick)]
+    });
+    let along_y = y_ticks.minor.iter().map(|&at| {
+        let (x, y) = chart.backend_coord(&(left, at));
+        vec![(x - tick, y), (x, y)]
+    });
+    for line in along_x.chain(along_y) {
         root.draw(&PathElement::new(line, stroke(INK, 0.4))).map_err(PlotError::drawing)?;
     }
     Ok(())

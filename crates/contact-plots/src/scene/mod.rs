@@ -8,7 +8,7 @@ use plotters::element::{Circle, DashedPathElement, PathElement, Polygon, Rectang
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color, FontTransform, RGBColor};
 
-use crate::document::{Area, MARGIN_PT, Paper, Sheet, TitleAndDescription, document, printable};
+use crate::document::{Area, MARGIN_PT, Paper, Sheet, document, printable};
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, SAMPLE_PT, Sample};
@@ -33,7 +33,8 @@ pub fn scene(scene: &Scene, paper: Paper) -> Result<String, PlotError> {
         paper,
         height_pt: layout.height_pt,
         title: &layout.title,
-        names: TitleAndDescription { title: &scene.title, description: &scene.description },
+        name: &scene.title,
+        description: &scene.description,
     };
     document(&sheet, |root| {
         for block in &layout.blocks {
