@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{ArgMatches, Args, Command, FromArgMatches, Subcommand};
+use clap::{ArgMatches, Command, FromArgMatches, Subcommand};
 use osim_model::messages::{Phrase, Verb, shown};
 use osim_requests::command_line::{read, with_options};
 use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
@@ -37,17 +37,62 @@ pub(crate) enum Call {
     WithoutVerb(Request),
 }
 
+/// The end of the help of `completions`.
+const COMPLETIONS_HELP: &str = "\
+Where to put it (NAME is osim-contact-scale):
+  bash        NAME completions bash > ~/.local/share/bash-completion/completions/NAME
+              (the folder must be there: mkdir -p; needs the package bash-completion)
+  zsh         NAME completions zsh > FOLDER/_NAME, with FOLDER a folder of $fpath
+  fish        NAME completions fish > ~/.config/fish/completions/NAME.fish
+  PowerShell  add this line to the file that $PROFILE names:
+              NAME completions powershell | Out-String | Invoke-Expression
+  elvish      NAME completions elvish > ~/.config/elvish/lib/NAME.elv,
+              and the line 'use NAME' in ~/.config/elvish/rc.elv
+Then open a new terminal.";
+
+/// The end of the help of `man`.
+const MANUAL_HELP: &str = "\
+On macOS and Linux (NAME is osim-contact-scale):
+  to read one   NAME man transfer > page.1; man ./page.1
+  to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer";
+
 /// Verbs of the command alone.
 #[derive(Debug, Subcommand)]
 pub(crate) enum OwnVerb {
     /// Do what a request says: a verb with its options, as JSON
-    Request(RequestArgs),
+    Request {
+        /// A JSON object; - is standard input
+        #[arg(value_name = "FILE")]
+        file: PathBuf,
+        /// Whose names messages have for options: those of requests, or of the functions for MATLAB and GNU Octave
+        #[arg(long, value_name = "LANGUAGE", default_value = "json")]
+        words: Language,
+    },
     /// Let the shell complete verbs, options and files
-    Completions(CompletionsArgs),
+    #[command(after_help = COMPLETIONS_HELP)]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
     /// Print the manual page, or write all of them
-    Man(ManArgs),
+    #[command(after_help = MANUAL_HELP)]
+    Man {
+        /// The verb [default: the page of the command]
+        #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
+        verb: Option<String>,
+        /// Write all pages into this folder
+        #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]
+        output_dir: Option<PathBuf>,
+        /// Replace existing files
+        #[arg(long, requires = "output_dir")]
+        force: bool,
+    },
     /// Print help, or that of one verb
-    Help(HelpArgs),
+    Help {
+        /// The verb [default: the help of the program]
+        #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
+        verb: Option<String>,
+    },
     /// Print the version
     Version,
 }
@@ -57,10 +102,8 @@ impl OwnVerb {
     /// `version`.
     pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
         match self {
-            Self::Help(args) => Some(match args.verb.as_deref() {
-                Some(verb) => vec![PROGRAM_NAME, verb, "--help"],
-                None => vec![PROGRAM_NAME, "-h"],
-            }),
+            Self::Help { verb: Some(verb) } => Some(vec![PROGRAM_NAME, verb, "--help"]),
+            Self::Help { verb: None } => Some(vec![PROGRAM_NAME, "-h"]),
             Self::Version => Some(vec![PROGRAM_NAME, "--version"]),
             _ => None,
         }
@@ -154,59 +197,6 @@ fn with_models(request: Request) -> Result<Request, RequestFault> {
         )),
         request => Ok(request),
     }
-}
-
-// Arguments of the command alone.
-
-#[derive(Debug, Args)]
-pub(crate) struct RequestArgs {
-    /// A JSON object; - is standard input
-    #[arg(value_name = "FILE")]
-    pub file: PathBuf,
-    /// Whose names messages have for options: those of requests, or of the functions for MATLAB and GNU Octave
-    #[arg(long, value_name = "LANGUAGE", default_value = "json")]
-    pub words: Language,
-}
-
-#[derive(Debug, Args)]
-#[command(after_help = "\
-Where to put it (NAME is osim-contact-scale):
-  bash        NAME completions bash > ~/.local/share/bash-completion/completions/NAME
-              (the folder must be there: mkdir -p; needs the package bash-completion)
-  zsh         NAME completions zsh > FOLDER/_NAME, with FOLDER a folder of $fpath
-  fish        NAME completions fish > ~/.config/fish/completions/NAME.fish
-  PowerShell  add this line to the file that $PROFILE names:
-              NAME completions powershell | Out-String | Invoke-Expression
-  elvish      NAME completions elvish > ~/.config/elvish/lib/NAME.elv,
-              and the line 'use NAME' in ~/.config/elvish/rc.elv
-Then open a new terminal.")]
-pub(crate) struct CompletionsArgs {
-    /// The shell
-    pub shell: clap_complete::Shell,
-}
-
-#[derive(Debug, Args)]
-pub(crate) struct HelpArgs {
-    /// The verb [default: the help of the program]
-    #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
-    pub verb: Option<String>,
-}
-
-#[derive(Debug, Args)]
-#[command(after_help = "\
-On macOS and Linux (NAME is osim-contact-scale):
-  to read one   NAME man transfer > page.1; man ./page.1
-  to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer")]
-pub(crate) struct ManArgs {
-    /// The verb [default: the page of the command]
-    #[arg(value_parser = verb_names_as_values(), hide_possible_values = true)]
-    pub verb: Option<String>,
-    /// Write all pages into this folder
-    #[arg(short = 'd', long, value_name = "DIR", conflicts_with = "verb")]
-    pub output_dir: Option<PathBuf>,
-    /// Replace existing files
-    #[arg(long, requires = "output_dir")]
-    pub force: bool,
 }
 
 // A usage error in one line.

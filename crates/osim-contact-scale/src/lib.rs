@@ -34,7 +34,10 @@ pub fn main() -> ExitCode {
                 Err(fault) => Err(session.usage(&fault)),
             };
             done.unwrap_or_else(|error| {
-                session.terminal.error_line(&text_of(&error));
+                let text = text_of(&error);
+                if !text.is_empty() {
+                    session.terminal.error_line(&text);
+                }
                 exit_of(&error)
             })
         }

@@ -42,14 +42,15 @@ impl Session {
         Ok(Exit::Failed)
     }
 
-    /// Reports a request that cannot be begun, because of wrong usage or of a file that it needs.
-    ///
-    /// # Errors
-    /// Wrong usage.
-    pub(crate) fn refuse(&mut self, error: RequestError, json: bool) -> Result<Exit> {
-        match error {
-            RequestError::Fault(fault) => Err(self.usage(&fault)),
-            RequestError::Failure(failure) => self.fail(&failure, json),
+    /// The error of a request that cannot be done, because of wrong usage or of a file that it needs. What is wrong with a file is
+    /// reported at once, and the error has no text any more.
+    pub(crate) fn refuse(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
+        match error.into() {
+            RequestError::Fault(fault) => self.usage(&fault),
+            RequestError::Failure(failure) => match self.fail(&failure, json) {
+                Ok(exit) => ExitError { text: String::new(), exit }.into(),
+                Err(error) => error,
+            },
         }
     }
 

@@ -25,4 +25,4 @@ pub use source::{Disk, Loaded, OrdinaryFiles, Origin, Source, Sources, SplitName
 pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::work_in_order;
-pub use write::{OutputFolders, PendingFile, WriteMode};
+pub use write::{OutputFolders, PendingFile, WriteMode, write_files};

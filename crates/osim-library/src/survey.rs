@@ -9,7 +9,7 @@ use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::ReportOptions;
 use osim_requests::{CheckRequest, Jobs};
-use osim_view::html::{About, Columns, DetailLevel, Entry, InspectedAndChecked, NamedDigest, Section};
+use osim_view::html::{About, Columns, DetailLevel, Entry, NamedDigest, Section};
 use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
@@ -225,7 +225,7 @@ impl Survey<'_> {
         let shown = osim_view::html::InspectedModelOnPage {
             options: self.inspector.options(),
             model: opened,
-            examined: InspectedAndChecked { inspection, check },
+            examined: (inspection, check),
             files: &files,
             feet: detail.has_feet().then(|| self.feet_with_bones(opened)).flatten(),
             recording: self.section_of_recording(opened),

@@ -5,8 +5,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow, bail};
 use contact_plots::Paper;
-use osim_library::{Disk, PendingFile, WriteMode, make_folder_of};
-use osim_model::files::Failure;
+use osim_library::{Disk, WriteMode, make_folder_of, write_files};
 use osim_model::messages::{Input, Verb};
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_requests::options::Format;
@@ -51,10 +50,8 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
     if let Some(folder) = request.subject.iter().chain(&request.compare).find(|path| path.is_dir()) {
         bail!("{}", refusal_of_folder(&folder.display().to_string(), session));
     }
-    let drop = match run_drop_test(request, &Disk) {
-        Ok(drop) => drop,
-        Err(error) => return session.refuse(error, request.format == SeriesFormat::Json),
-    };
+    let drop = run_drop_test(request, &Disk)
+        .map_err(|error| session.refuse(error, request.format == SeriesFormat::Json))?;
     let columns = session.terminal.columns();
     let text = match request.format {
         SeriesFormat::Json => line(&DropRecord::from(&drop)),
@@ -121,16 +118,10 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
 /// A file exists already, or the folder cannot be written.
 pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    let record = match ReproductionRecord::new(session.words) {
-        Ok(record) => record,
-        Err(failure) => return session.fail(&failure, json),
-    };
+    let record = ReproductionRecord::new(session.words).map_err(|failure| session.refuse(failure, json))?;
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
-        let files = match output_files(folder, &record)? {
-            Ok(files) => files,
-            Err(failure) => return session.fail(&failure, json),
-        };
+        let files = output_files(folder, &record, json, session)?;
         write(&files, request.force, session)?;
         for (path, _) in &files {
             written.push_str(&format!("written to {}\n", path.display()));
@@ -153,17 +144,17 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
 fn output_files(
     folder: &Path,
     record: &ReproductionRecord,
-) -> Result<Result<Vec<(PathBuf, String)>, Failure>> {
+    json: bool,
+    session: &mut Session,
+) -> Result<Vec<(PathBuf, String)>> {
     let mut files = vec![(folder.join("table1.csv"), reproduction_csv(record)?)];
     for (name, kind) in [("fig4.svg", PlotKind::Fig4), ("fig-c5.svg", PlotKind::FigC5)] {
         let request = PlotRequest { kind: Some(kind), ..PlotRequest::default() };
         let drawing = figures::draw(&request, &[], None);
-        match drawing.and_then(|drawing| figures::svg(&drawing, Paper::default(), &[])) {
-            Ok(svg) => files.push((folder.join(name), svg)),
-            Err(failure) => return Ok(Err(failure)),
-        }
+        let svg = drawing.and_then(|drawing| figures::svg(&drawing, Paper::default(), &[]));
+        files.push((folder.join(name), svg.map_err(|failure| session.refuse(failure, json))?));
     }
-    Ok(Ok(files))
+    Ok(files)
 }
 
 /// Writes all files. If a file exists and may not be replaced, writes none.
@@ -177,12 +168,10 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
     }
     let refused = |fault| session.refused(&fault);
     let mode = if force { WriteMode::Replace } else { WriteMode::New };
-    let mut prepared = Vec::new();
-    for (path, text) in files {
+    for (path, _) in files {
         make_folder_of(path).map_err(refused)?;
-        prepared.push(PendingFile::new(path, text.as_bytes(), None, mode).map_err(refused)?);
     }
-    prepared.into_iter().try_for_each(PendingFile::commit).map_err(refused)
+    write_files(files.iter().map(|(path, text)| (path.as_path(), text.as_bytes())), mode).map_err(refused)
 }
 
 // `explain`: equations, quantities, and the codes of findings and errors.

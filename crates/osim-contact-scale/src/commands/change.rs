@@ -41,10 +41,8 @@ pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut
 /// Wrong usage.
 pub(crate) fn change_models(request: Request, session: &mut Session) -> Result<Exit> {
     let options = request.run_options().cloned().unwrap_or_default();
-    match prepare(request, &Disk) {
-        Ok(prepared) => change(prepared, &options, session),
-        Err(error) => session.refuse(error, options.is_json()),
-    }
+    let prepared = prepare(request, &Disk).map_err(|error| session.refuse(error, options.is_json()))?;
+    change(prepared, &options, session)
 }
 
 // `rescale`, and a model alone.
@@ -73,7 +71,7 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
             Err(RequestError::Fault(fault)) if missing => {
                 bail!("{}{}", fault.spelled(session.words), session.words.see_also())
             }
-            Err(error) => session.refuse(error, run.is_json()),
+            Err(error) => Err(session.refuse(error, run.is_json())),
         };
     }
     // A model alone, perhaps dropped on the program: show something useful.
@@ -106,7 +104,8 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     let format = options.format.unwrap_or(few);
     let mut exit = Exit::Done;
     for failure in &run.request().failures {
-        exit = exit.and(tell_failure(failure, format, session));
+        let reported = session.fail(failure, format == RunFormat::Json);
+        exit = exit.and(reported.unwrap_or(Exit::Failed));
     }
     for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
         session.terminal.remark(remark)?;
@@ -168,7 +167,7 @@ fn do_tasks(
         }
         // Results that cannot be shown are no reason to leave the other models undone.
         let reported = printer.progress.suspended(|| match &failure {
-            Some(failure) => print_failure(failure, format, session),
+            Some(failure) => session.fail(failure, format == RunFormat::Json).map(drop),
             None => print_outputs(&outputs, session),
         });
         if let Err(error) = reported {
@@ -182,27 +181,6 @@ fn do_tasks(
         Ok(counts) => Ok((counts, untold, worst)),
         Err(fault) => Err(session.refused(&fault)),
     }
-}
-
-fn tell_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Exit {
-    // Scripts read one object per model, also of those that failed.
-    let record = || line(&FailureRecord::new(failure, session.words));
-    if format == RunFormat::Json {
-        let record = record();
-        if session.terminal.print_records(&record).is_err() {
-            return Exit::Failed;
-        }
-    }
-    exit::report(failure, session.words, &mut session.terminal);
-    Exit::Failed
-}
-
-fn print_failure(failure: &Failure, format: RunFormat, session: &mut Session) -> Result<()> {
-    if format == RunFormat::Json {
-        session.terminal.print_records(&line(&FailureRecord::new(failure, session.words)))?;
-    }
-    exit::report(failure, session.words, &mut session.terminal);
-    Ok(())
 }
 
 fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {

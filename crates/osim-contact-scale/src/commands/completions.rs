@@ -1,7 +1,7 @@
 //! `completions` prints scripts for shells; `man` prints or writes the manual pages.
 
 use std::fmt::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
 use clap::builder::PossibleValue;
@@ -9,22 +9,22 @@ use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use osim_library::report_page::Words;
-use osim_library::{PendingFile, WriteMode};
+use osim_library::{WriteMode, write_files};
 
-use crate::args::{CompletionsArgs, ManArgs, whole_command};
+use crate::args::whole_command;
 use crate::exit::Exit;
 use crate::session::Session;
 
-/// Prints the script for the shell that `args` names.
+/// Prints the script for a shell.
 ///
 /// # Errors
 /// Standard output cannot be written.
-pub(crate) fn run(args: &CompletionsArgs, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
     let mut command = whole_command();
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, name.as_str(), &mut script);
-    match args.shell {
+    clap_complete::generate(shell, &mut command, name.as_str(), &mut script);
+    match shell {
         Shell::Bash => script = with_one_name(&String::from_utf8(script)?, &name).into_bytes(),
         Shell::Fish => script = with_missing_completions(&String::from_utf8(script)?, &command).into_bytes(),
         _ => {}
@@ -99,23 +99,25 @@ fn fish_completion(value: &PossibleValue) -> String {
 
 const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
-/// Prints one manual page, or writes all of them.
+/// Writes all manual pages into a folder.
+pub(crate) fn manuals(folder: &Path, force: bool, session: &mut Session) -> Exit {
+    let mode = if force { WriteMode::Replace } else { WriteMode::New };
+    match write(&pages(), folder, mode, session.words) {
+        Ok(()) => Exit::Done,
+        Err(error) => {
+            session.terminal.error_line(&format!("{error:#}"));
+            Exit::Failed
+        }
+    }
+}
+
+/// Prints the manual page of a verb, or of the command.
 ///
 /// # Errors
 /// An unknown verb.
-pub(crate) fn manual(args: &ManArgs, session: &mut Session) -> Result<Exit> {
+pub(crate) fn manual(verb: Option<&str>, session: &mut Session) -> Result<Exit> {
     let pages = pages();
-    if let Some(folder) = &args.output_dir {
-        let mode = if args.force { WriteMode::Replace } else { WriteMode::New };
-        return Ok(match write(&pages, folder, mode, session.words) {
-            Ok(()) => Exit::Done,
-            Err(error) => {
-                session.terminal.error_line(&format!("{error:#}"));
-                Exit::Failed
-            }
-        });
-    }
-    let page = match &args.verb {
+    let page = match verb {
         None => pages.last(),
         Some(verb) => pages.iter().find(|page| page.get_filename() == format!("{PROGRAM_NAME}-{verb}.1")),
     };
@@ -150,12 +152,9 @@ fn rendered(page: &Man) -> Result<Vec<u8>> {
 
 /// Writes all manual pages. If a file exists and may not be replaced, writes none.
 fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
-    let refused = |fault: osim_library::LibraryFault| anyhow!(fault.spelled(words));
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
-    let mut prepared = Vec::new();
-    for page in pages {
-        let path = folder.join(page.get_filename());
-        prepared.push(PendingFile::new(&path, &rendered(page)?, None, mode).map_err(refused)?);
-    }
-    prepared.into_iter().try_for_each(PendingFile::commit).map_err(refused)
+    let file = |page: &Man| Ok((folder.join(page.get_filename()), rendered(page)?));
+    let files: Vec<(PathBuf, Vec<u8>)> = pages.iter().map(file).collect::<Result<_>>()?;
+    write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())), mode)
+        .map_err(|fault| anyhow!(fault.spelled(words)))
 }

@@ -15,7 +15,7 @@ use osim_library::Disk;
 use osim_model::files::{CompanionPaths, Files};
 use osim_requests::{DropTestRequest, PlotRequest, Request, SweepRequest};
 
-use crate::args::{Call, OwnVerb, RequestArgs};
+use crate::args::{Call, OwnVerb};
 use crate::exit::Exit;
 use crate::session::{self, Language, Session};
 
@@ -27,11 +27,16 @@ pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
     match call {
         Call::WithoutVerb(Request::Rescale(request)) => change::rescale(*request, true, session),
         Call::WithoutVerb(request) | Call::Request(request) => ask(request, session),
-        Call::Own(OwnVerb::Request(args)) => ask(read_request(&args, session)?, session),
-        Call::Own(OwnVerb::Completions(args)) => completions::run(&args, session),
-        Call::Own(OwnVerb::Man(args)) => completions::manual(&args, session),
+        Call::Own(OwnVerb::Request { file, words }) => ask(read_request(&file, words, session)?, session),
+        Call::Own(OwnVerb::Completions { shell }) => completions::run(shell, session),
+        Call::Own(OwnVerb::Man { verb, output_dir: None, .. }) => {
+            completions::manual(verb.as_deref(), session)
+        }
+        Call::Own(OwnVerb::Man { output_dir: Some(folder), force, .. }) => {
+            Ok(completions::manuals(&folder, force, session))
+        }
         // Answered by clap.
-        Call::Own(OwnVerb::Help(_) | OwnVerb::Version) => Ok(Exit::Done),
+        Call::Own(OwnVerb::Help { .. } | OwnVerb::Version) => Ok(Exit::Done),
     }
 }
 
@@ -94,16 +99,16 @@ const STDIN: &str = "-";
 ///
 /// # Errors
 /// The file cannot be read, or has no valid request.
-fn read_request(args: &RequestArgs, session: &mut Session) -> Result<Request> {
-    session.words = session::of_request(args.words);
+fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<Request> {
+    session.words = session::of_request(words);
     session.terminal.never_break();
-    let is_stdin = args.file == Path::new(STDIN);
-    let shown = if is_stdin { "standard input".into() } else { args.file.to_string_lossy().into_owned() };
-    let bytes = Disk.read(&args.file).with_context(|| shown.clone())?;
+    let is_stdin = file == Path::new(STDIN);
+    let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };
+    let bytes = Disk.read(file).with_context(|| shown.clone())?;
     let request = Request::from_json(&bytes).map_err(|fault| session.usage(&fault));
     // Who called a function knows of no file.
-    let request = if args.words == Language::Matlab { request? } else { request.with_context(|| shown)? };
-    if is_stdin && let Some(field) = request.option_that_reads(&args.file) {
+    let request = if words == Language::Matlab { request? } else { request.with_context(|| shown)? };
+    if is_stdin && let Some(field) = request.option_that_reads(file) {
         bail!("`{field}` is standard input, where the request itself was: put the request into a file");
     }
     Ok(request)

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use anyhow::{Result, bail};
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, PendingFile, WriteMode};
+use osim_library::{Disk, WriteMode, write_files};
 use osim_model::messages::Input;
 use osim_planning::{MotionResult, run_motion};
 use osim_requests::{MotionFormat, MotionRequest};
@@ -25,10 +25,8 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
         bail!("'{}' is a folder, and a motion is that of one model: name a model in it", folder.display());
     }
     let output = MotionOutput::of(request, session)?;
-    let result = match run_motion(request, &Disk) {
-        Ok(result) => result,
-        Err(error) => return session.refuse(error, request.format == MotionFormat::Json),
-    };
+    let result = run_motion(request, &Disk)
+        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
     let remarks = result.remarks(request);
     let text = match request.format {
         MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
@@ -93,16 +91,8 @@ impl<'o> MotionOutput<'o> {
             (self.loads.as_path(), external_loads_xml(result, &name)),
         ];
         // Both are complete before the first gets its name.
-        let mut prepared = Vec::new();
-        for (path, text) in &files {
-            prepared.push(
-                PendingFile::new(path, text.as_bytes(), None, mode)
-                    .map_err(|fault| session.refused(&fault))?,
-            );
-        }
-        for one in prepared {
-            one.commit().map_err(|fault| session.refused(&fault))?;
-        }
+        write_files(files.iter().map(|(path, text)| (*path, text.as_bytes())), mode)
+            .map_err(|fault| session.refused(&fault))?;
         Ok(files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect())
     }
 }

@@ -6,7 +6,7 @@ use anyhow::{Result, bail};
 use contact_plots::Drawing;
 use osim_inspect::series::ContactBody;
 use osim_library::run::PathConflicts;
-use osim_library::{Disk, PendingFile, WriteMode};
+use osim_library::{Disk, WriteMode, write_files};
 use osim_model::messages::Input;
 use osim_planning::{plot_bodies, plot_feet, plot_motion, plot_table};
 use osim_requests::PlotRequest;
@@ -42,18 +42,10 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     if request.is_of_motion() {
         return motion(request, &output, session);
     }
-    let table = match plot_table(request, &Disk) {
-        Ok(table) => table,
-        Err(error) => return session.refuse(error, false),
-    };
-    let bodies = match plot_bodies(request, &Disk) {
-        Ok(bodies) => bodies,
-        Err(error) => return session.refuse(error, false),
-    };
-    let drawing = match figures::draw(request, &bodies, table.as_ref()) {
-        Ok(drawing) => drawing,
-        Err(failure) => return session.fail(&failure, false),
-    };
+    let table = plot_table(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let bodies = plot_bodies(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let drawing =
+        figures::draw(request, &bodies, table.as_ref()).map_err(|failure| session.refuse(failure, false))?;
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
             session.terminal.print_beside(&mass_mismatch(&body.name, mismatch, session.words))?;
@@ -68,17 +60,10 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
 /// # Errors
 /// As [`run`].
 fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let states = match plot_feet(request, &Disk) {
-        Ok(states) => states,
-        Err(error) => return session.refuse(error, false),
-    };
-    match figures::draw_feet(request, &states) {
-        Ok(drawing) => {
-            let remarks = figures::feet_remarks(&states, session.words);
-            output.write(&drawing, &[], &remarks, request, session)
-        }
-        Err(failure) => session.fail(&failure, false),
-    }
+    let states = plot_feet(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let drawing = figures::draw_feet(request, &states).map_err(|failure| session.refuse(failure, false))?;
+    let remarks = figures::feet_remarks(&states, session.words);
+    output.write(&drawing, &[], &remarks, request, session)
 }
 
 /// Draws and writes a figure of a motion.
@@ -86,14 +71,9 @@ fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -
 /// # Errors
 /// As [`run`].
 fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let result = match plot_motion(request, &Disk) {
-        Ok(result) => result,
-        Err(error) => return session.refuse(error, false),
-    };
-    match figures::draw_motion(request, &result) {
-        Ok(drawing) => output.write(&drawing, &[], "", request, session),
-        Err(failure) => session.fail(&failure, false),
-    }
+    let result = plot_motion(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let drawing = figures::draw_motion(request, &result).map_err(|failure| session.refuse(failure, false))?;
+    output.write(&drawing, &[], "", request, session)
 }
 
 /// The outputs of a plot: a picture in a file or on standard output, and perhaps a table of the numbers.
@@ -162,10 +142,8 @@ impl<'o> PlotOutput<'o> {
         request: &PlotRequest,
         session: &mut Session,
     ) -> Result<Exit> {
-        let svg = match figures::svg(drawing, figures::paper_of(&request.looks), bodies) {
-            Ok(svg) => svg,
-            Err(failure) => return session.fail(&failure, false),
-        };
+        let svg = figures::svg(drawing, figures::paper_of(&request.looks), bodies)
+            .map_err(|failure| session.refuse(failure, false))?;
         let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
         if let Some(path) = self.path {
@@ -180,14 +158,8 @@ impl<'o> PlotOutput<'o> {
             files.push((path, figures::data_csv(drawing)?));
         }
         // All are complete before the first gets its name.
-        let mut prepared = Vec::new();
-        for (path, bytes) in &files {
-            prepared
-                .push(PendingFile::new(path, bytes, None, mode).map_err(|fault| session.refused(&fault))?);
-        }
-        for one in prepared {
-            one.commit().map_err(|fault| session.refused(&fault))?;
-        }
+        write_files(files.iter().map(|(path, bytes)| (*path, bytes.as_slice())), mode)
+            .map_err(|fault| session.refused(&fault))?;
         let written: String =
             files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect();
         if self.path.is_some() {

@@ -18,16 +18,13 @@ use crate::exit::{self, Exit};
 use crate::session::Session;
 use crate::terminal::Progress;
 
-/// Shows the progress of a sweep.
-struct SweepProgress(Progress);
-
-impl SweepFrontEnd for SweepProgress {
+impl SweepFrontEnd for Progress {
     fn is_interrupted(&self) -> bool {
         exit::came()
     }
 
     fn variant_done(&self, failed: bool) {
-        self.0.done(failed);
+        self.done(failed);
     }
 }
 
@@ -37,13 +34,8 @@ impl SweepFrontEnd for SweepProgress {
 /// Wrong usage, found before anything is written.
 pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    let sweep = match SweepRun::new(request) {
-        Ok(sweep) => sweep,
-        Err(error) => return session.refuse(error, json),
-    };
-    if let Err(error) = sweep.check_ends() {
-        return session.refuse(error, json);
-    }
+    let sweep = SweepRun::new(request).map_err(|error| session.refuse(error, json))?;
+    sweep.check_ends().map_err(|error| session.refuse(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
         let record = first_record(&sweep, None).counted(sweep.count(), 0);
@@ -115,18 +107,18 @@ fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
 
 fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     exit::listen();
-    let watch = SweepProgress(Progress::begin(sweep.count(), request.quiet));
+    let watch = Progress::begin(sweep.count(), request.quiet);
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.
     let mut untold = None;
     let report = |failure: Option<Failure>| {
-        let reported = failure.map(|failure| watch.0.suspended(|| session.fail(&failure, json)));
+        let reported = failure.map(|failure| watch.suspended(|| session.fail(&failure, json)));
         if let Some(Err(error)) = reported {
             untold.get_or_insert(error);
         }
     };
     let end = sweep.run(&watch, report);
-    watch.0.end();
+    watch.end();
     let end = end.map_err(|fault| session.refused(&fault))?;
     untold.map_or(Ok(end), Err)
 }

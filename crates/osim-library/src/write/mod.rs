@@ -13,11 +13,25 @@ use std::path::{Path, PathBuf};
 use osim_model::Finding;
 use osim_planning::rules::compiled_model_beside;
 
+use crate::LibraryFault;
 use crate::paths::{folder_of, resolved};
 
 pub(crate) use in_place::{ExchangedModel, Successor, hard_link_finding};
 pub(crate) use replace::backup;
 pub use replace::{PendingFile, WriteMode};
+
+/// Writes several files. None gets its name before all are complete.
+///
+/// # Errors
+/// A file exists and may not be replaced, or cannot be written.
+pub fn write_files<'f>(
+    files: impl IntoIterator<Item = (&'f Path, &'f [u8])>,
+    mode: WriteMode,
+) -> Result<(), LibraryFault> {
+    let pending = files.into_iter().map(|(path, bytes)| PendingFile::new(path, bytes, None, mode));
+    let pending: Vec<PendingFile> = pending.collect::<Result<_, _>>()?;
+    pending.into_iter().try_for_each(PendingFile::commit)
+}
 
 /// Files in the output folders that the run has to know, as they were when the run began.
 #[derive(Debug, Default)]
