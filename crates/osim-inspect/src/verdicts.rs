@@ -5,7 +5,9 @@ use std::cmp::Reverse;
 
 use contact_scaling::limits;
 use osim_model::feet::{ContactPlane, DefaultPose};
-use osim_model::messages::{Phrase, counted, four_significant, phrase, readable, shown, three_significant};
+use osim_model::messages::{
+    Phrase, counted, four_significant, named, phrase, readable, shown, three_significant,
+};
 use osim_model::{FindingCode, MassSource, Model, Severity, VerdictOn};
 use osim_requests::spell::Speller;
 #[cfg(feature = "schemas")]
@@ -39,28 +41,18 @@ pub struct Verdict {
     pub codes: Vec<FindingCode>,
 }
 
-/// The result of a question: good, the severity of the worst finding, or unknown. The JSON of a verdict has exactly these five.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Sign {
-    /// No finding is about the question.
-    Good,
-    Remark,
-    Warning,
-    Error,
-    /// Something that decides is not known.
-    Unknown,
-}
-
-impl Sign {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Good => "good",
-            Self::Remark => "remark",
-            Self::Warning => "warning",
-            Self::Error => "error",
-            Self::Unknown => "unknown",
-        }
+named! {
+    /// The result of a question: good, the severity of the worst finding, or unknown. The JSON of a verdict has exactly these five.
+    #[derive(Serialize)]
+    #[serde(rename_all = "lowercase")]
+    pub enum Sign {
+        /// No finding is about the question.
+        Good = "good",
+        Remark = "remark",
+        Warning = "warning",
+        Error = "error",
+        /// Something that decides is not known.
+        Unknown = "unknown",
     }
 }
 

@@ -1,5 +1,7 @@
 //! Reads OpenSim's tables over time, `.mot` and `.sto` files.
 
+use osim_model::messages::named;
+
 /// A table over time from a `.mot` or `.sto` file of OpenSim.
 ///
 /// ```
@@ -76,11 +78,12 @@ impl Table {
     }
 }
 
-/// The unit of the angles of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum AngleUnit {
-    Degrees,
-    Radians,
+named! {
+    /// The unit of the angles of a file.
+    pub enum AngleUnit {
+        Degrees = "degrees",
+        Radians = "radians",
+    }
 }
 
 impl AngleUnit {
@@ -89,13 +92,6 @@ impl AngleUnit {
         match self {
             Self::Degrees => std::f64::consts::PI / 180.0,
             Self::Radians => 1.0,
-        }
-    }
-
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Degrees => "degrees",
-            Self::Radians => "radians",
         }
     }
 }

@@ -289,7 +289,7 @@ impl Call {
         self
     }
 
-    pub fn with_flag(mut self, input: Input) -> Self {
+    pub(crate) fn with_flag(mut self, input: Input) -> Self {
         self.inputs.push((input, None));
         self
     }

@@ -18,10 +18,31 @@ mod input;
 mod phrase;
 mod printable;
 
-pub use crate::phrase;
+pub use crate::{named, phrase};
 pub use input::{Call, Example, Input, Part, Verb};
-pub use phrase::{Dialect, FieldNames, IntoParts, Phrase};
+pub use phrase::{Dialect, FieldNames, IntoParts, PartInText, PartsInText, Phrase};
 pub use printable::{
     Shown, counted, four_significant, is_visible, listed, one_line, readable, shortest, shown, shown_path,
     shown_whole, terminal_safe, three_significant,
 };
+
+/// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it.
+#[macro_export]
+macro_rules! named {
+    ($($(#[$about:meta])* $visibility:vis enum $name:ident {
+        $($(#[$of_variant:meta])* $variant:ident = $text:literal),+ $(,)?
+    })+) => {$(
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        $visibility enum $name {
+            $($(#[$of_variant])* $variant),+
+        }
+
+        impl $name {
+            /// The fixed name, for JSON, tables and messages.
+            $visibility const fn as_str(self) -> &'static str {
+                match self { $(Self::$variant => $text),+ }
+            }
+        }
+    )+};
+}

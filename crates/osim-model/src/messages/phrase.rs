@@ -1,6 +1,7 @@
 //! Message texts that contain inputs and calls as data, and how front ends write these.
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::fmt;
 
 use super::input::{Call, Example, Part};
@@ -239,14 +240,73 @@ impl IntoParts for &Phrase {
 /// let way_out = phrase!["give the mass of the model with ", Input::Mass.with_placeholder("KG")];
 /// assert_eq!(way_out.to_string(), "give the mass of the model with `mass`");
 /// ```
+///
+/// A text with `{}` for each part after the `;`, and `{name}` for values, as in [`format!`]:
+///
+/// ```
+/// use osim_model::messages::{Input, phrase};
+///
+/// let kg = 70;
+/// let way_out = phrase!["with {} you say {kg} kg"; Input::Mass];
+/// assert_eq!(way_out, phrase!["with ", Input::Mass, " you say 70 kg"]);
+/// ```
 #[macro_export]
 macro_rules! phrase {
+    ($text:literal; $($part:expr),+ $(,)?) => {{
+        let parts = $crate::messages::PartsInText::default();
+        let phrase = parts.phrase(format_args!($text, $(parts.part($part)),+));
+        phrase
+    }};
     ($($part:expr),* $(,)?) => {{
         #[allow(unused_mut, reason = "an empty phrase gets no parts")]
         let mut phrase = $crate::messages::Phrase::default();
         $(phrase.push($part);)*
         phrase
     }};
+}
+
+/// The text of [`phrase!`] while it is written: a [`PartInText`] in it becomes a part of the phrase, all else is text.
+#[derive(Debug, Default)]
+pub struct PartsInText(RefCell<(Phrase, String)>);
+
+/// A part that [`phrase!`] puts into a text.
+#[derive(Debug)]
+pub struct PartInText<'t>(&'t PartsInText, Vec<Part>);
+
+impl PartsInText {
+    pub fn part(&self, part: impl IntoParts) -> PartInText<'_> {
+        PartInText(self, part.into_parts())
+    }
+
+    pub fn phrase(&self, text: fmt::Arguments<'_>) -> Phrase {
+        fmt::write(&mut &*self, text).unwrap_or_default();
+        self.add(&[]);
+        self.0.take().0
+    }
+
+    /// Adds the text that was written until now, then the parts.
+    fn add(&self, parts: &[Part]) {
+        let (phrase, text) = &mut *self.0.borrow_mut();
+        if !text.is_empty() {
+            phrase.push(std::mem::take(text));
+        }
+        phrase.0.extend_from_slice(parts);
+    }
+}
+
+impl fmt::Write for &PartsInText {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.borrow_mut().1.push_str(text);
+        Ok(())
+    }
+}
+
+/// Writes no text: adds its part to the phrase.
+impl fmt::Display for PartInText<'_> {
+    fn fmt(&self, _: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.add(&self.1);
+        Ok(())
+    }
 }
 
 // How front ends spell inputs and calls.

@@ -122,6 +122,7 @@ fn mesh_placement(document: &Document, element: ElementId) -> Placement {
     }
 }
 
+/// How far a body reaches: where its mass and its joints are. Meshes have no part in it.
 #[derive(Debug, Clone, Default)]
 pub struct BodyShape {
     /// The centre of mass of the body, m.
@@ -136,7 +137,7 @@ pub struct BodyShape {
 }
 
 impl Model {
-    /// The shapes of all bodies, by name.
+    /// How far all bodies reach, by name.
     pub fn body_shapes(&self) -> &HashMap<String, BodyShape> {
         self.derived_from_bodies(BodyShape::all)
     }

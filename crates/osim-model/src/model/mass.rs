@@ -176,7 +176,7 @@ impl MassRequest {
     }
 
     /// A warning for each other source whose mass differs from the mass `taken`.
-    pub fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
+    fn disagreements(&self, model: &Model, taken: &Mass) -> Vec<Finding> {
         let noted = model.note.as_ref().and_then(|note| note.contacts_mass_kg);
         let noted = noted.filter(|_| taken.source != MassSource::Note);
         self.disagreements_with(model, taken, noted.map(|kg| (kg, "the note in the file".into())))

@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use globset::{GlobBuilder, GlobSet, GlobSetBuilder};
 
-use crate::messages::is_visible;
+use crate::messages::{is_visible, named};
 use crate::model::fault::Fault;
 
 /// Letters in a name for which OpenSim refuses a whole model.
@@ -129,23 +129,17 @@ impl Eq for Pattern {}
 
 // Left and right in names.
 
-/// A side of the body, as read from names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Side {
-    /// The right side: `_r`, `right`, …
-    Right,
-    /// The left side: `_l`, `left`, …
-    Left,
+named! {
+    /// A side of the body, as read from names.
+    pub enum Side {
+        /// The right side: `_r`, `right`, …
+        Right = "right",
+        /// The left side: `_l`, `left`, …
+        Left = "left",
+    }
 }
 
 impl Side {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Right => "right",
-            Self::Left => "left",
-        }
-    }
-
     pub const fn other(self) -> Self {
         match self {
             Self::Right => Self::Left,

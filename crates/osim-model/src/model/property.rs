@@ -6,6 +6,7 @@ use std::str::FromStr;
 
 use contact_scaling::SmoothingValues;
 
+use crate::messages::named;
 use crate::model::fault::{Fault, FaultKind};
 use crate::xml::opensim_text::NumberFault;
 
@@ -293,23 +294,14 @@ impl Class {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Origin {
-    /// The element of the property in the object itself.
-    Element,
-    /// The object of the same class in the document's `<defaults>`.
-    Defaults,
-    /// The default of the OpenSim class.
-    ClassDefault,
-}
-
-impl Origin {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Element => "element",
-            Self::Defaults => "defaults",
-            Self::ClassDefault => "class default",
-        }
+named! {
+    pub enum Origin {
+        /// The element of the property in the object itself.
+        Element = "element",
+        /// The object of the same class in the document's `<defaults>`.
+        Defaults = "defaults",
+        /// The default of the OpenSim class.
+        ClassDefault = "class default",
     }
 }
 

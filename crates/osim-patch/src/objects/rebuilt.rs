@@ -4,23 +4,16 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use foldhash::{HashMap, HashMapExt, HashSet};
+use osim_model::messages::named;
 use osim_model::{
     Document, ElementId, Fault, FileId, ForceKind, Model, Property, opensim_text, refuse_name_in_paths,
 };
 
-/// Whether an object is added or removed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ObjectAction {
-    Added,
-    Removed,
-}
-
-impl ObjectAction {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Added => "added",
-            Self::Removed => "removed",
-        }
+named! {
+    /// Whether an object is added or removed.
+    pub enum ObjectAction {
+        Added = "added",
+        Removed = "removed",
     }
 }
 

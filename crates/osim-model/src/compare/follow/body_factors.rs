@@ -6,38 +6,27 @@ use std::collections::BTreeMap;
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
+use crate::messages::named;
 use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
 
 pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
-/// The source of a scale factor. A source that is listed earlier is preferred.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum FactorSource {
-    /// The caller gave the factor.
-    Given,
-    /// The ScaleSet that the Scale Tool applied has the factor.
-    ScaleFile,
-    /// The ratio of the `scale_factors` of two meshes of one bone, both attached to the body.
-    Mesh,
-    /// The ratio of the translations of frames that are fixed to the body: offsets of joints.
-    Joint,
-    /// The ratio of the distances from the body's origin to a joint below the body. All three axes get this one factor. Only for two
-    /// different models.
-    Distance,
-    /// The body takes the factors of its parent body.
-    Above,
-}
-
-impl FactorSource {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Given => "given",
-            Self::ScaleFile => "scale file",
-            Self::Mesh => "mesh",
-            Self::Joint => "joint offset",
-            Self::Distance => "joint distance",
-            Self::Above => "body above",
-        }
+named! {
+    /// The source of a scale factor. A source that is listed earlier is preferred.
+    pub enum FactorSource {
+        /// The caller gave the factor.
+        Given = "given",
+        /// The ScaleSet that the Scale Tool applied has the factor.
+        ScaleFile = "scale file",
+        /// The ratio of the `scale_factors` of two meshes of one bone, both attached to the body.
+        Mesh = "mesh",
+        /// The ratio of the translations of frames that are fixed to the body: offsets of joints.
+        Joint = "joint offset",
+        /// The ratio of the distances from the body's origin to a joint below the body. All three axes get this one factor. Only for two
+        /// different models.
+        Distance = "joint distance",
+        /// The body takes the factors of its parent body.
+        Above = "body above",
     }
 }
 

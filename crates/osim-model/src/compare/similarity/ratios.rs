@@ -1,5 +1,6 @@
 //! How much larger one body is than another, and the factor that geometric similarity gives for a number of any dimension.
 
+use crate::messages::named;
 use crate::model::Dimension;
 
 /// How much larger one body is than another: ratios of mass, length and gravity.
@@ -96,36 +97,25 @@ const LEAST_TOLERANCE: f64 = 0.02;
 /// The median factor may also be off by this part of the logarithm of the expected factor, if this is more than [`LEAST_TOLERANCE`].
 const TOLERANCE_SHARE: f64 = 0.25;
 
-/// Whether the numbers of one kind changed as geometric similarity expects.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SizeVerdict {
-    /// The numbers changed as expected: their median is near the expected factor, or the expected factor is in their range.
-    Follows,
-    /// No number of the kind changed.
-    Left,
-    /// Some numbers of the kind did not change, others did.
-    PartlyLeft,
-    /// The numbers changed by another factor than similarity expects.
-    Other,
-    /// No answer: similarity expects no change, because the bodies are too much alike, or all numbers are 0.
-    Undecided,
-    /// The original model has no number of this kind.
-    NotCompared,
+named! {
+    /// Whether the numbers of one kind changed as geometric similarity expects.
+    pub enum SizeVerdict {
+        /// The numbers changed as expected: their median is near the expected factor, or the expected factor is in their range.
+        Follows = "follows",
+        /// No number of the kind changed.
+        Left = "left",
+        /// Some numbers of the kind did not change, others did.
+        PartlyLeft = "partly-left",
+        /// The numbers changed by another factor than similarity expects.
+        Other = "other",
+        /// No answer: similarity expects no change, because the bodies are too much alike, or all numbers are 0.
+        Undecided = "undecided",
+        /// The original model has no number of this kind.
+        NotCompared = "not-compared",
+    }
 }
 
 impl SizeVerdict {
-    /// Name of the verdict, a word for scripts.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Follows => "follows",
-            Self::Left => "left",
-            Self::PartlyLeft => "partly-left",
-            Self::Other => "other",
-            Self::Undecided => "undecided",
-            Self::NotCompared => "not-compared",
-        }
-    }
-
     pub const fn words(self) -> &'static str {
         match self {
             Self::Follows => "follows",

@@ -191,7 +191,7 @@ pub(super) fn is_component_class(tag: &str) -> bool {
     COMPONENT_CLASSES.binary_search(&tag).is_ok()
 }
 
-/// Which sets of a model file are read. A set that is given as a separate file replaces the model's own set.
+/// Which sets of a model file (`ForceSet`, `ContactGeometrySet`, `BodySet`, …) are read. A set that is given as a separate file replaces the model's own set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum CountedSets {
     All,

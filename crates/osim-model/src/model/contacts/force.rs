@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use foldhash::{HashSet, HashSetExt};
 
+use crate::messages::named;
 use crate::model::components::{Base, ComponentId};
 use crate::model::fault::{Fault, FileId};
 use crate::model::property::{Class, Property, Value};
@@ -152,19 +153,10 @@ impl SphereSpelling {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum ForceKind {
-    HuntCrossley,
-    SmoothSphereHalfSpace,
-}
-
-impl ForceKind {
-    /// Name of the OpenSim class of the force.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::HuntCrossley => "HuntCrossleyForce",
-            Self::SmoothSphereHalfSpace => "SmoothSphereHalfSpaceForce",
-        }
+named! {
+    pub enum ForceKind {
+        HuntCrossley = "HuntCrossleyForce",
+        SmoothSphereHalfSpace = "SmoothSphereHalfSpaceForce",
     }
 }
 
@@ -186,6 +178,8 @@ pub struct Force {
     pub(crate) element: ElementId,
 }
 
+/// The numbers with which a force presses some of its spheres: one `ContactParameters`, or those of a whole
+/// `SmoothSphereHalfSpaceForce`.
 #[derive(Debug, Clone)]
 pub struct ParameterSet {
     pub id: SetId,

@@ -1,6 +1,6 @@
 //! Reasons why the caller has to give a fact: the use of gravity, doubts about a note, unknown factors of bodies.
 
-use crate::messages::{Input, Part, Phrase, Verb, phrase, readable};
+use crate::messages::{Input, Part, Phrase, Verb, named, phrase, readable};
 
 /// The use of gravity in a request, if the file gives no gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -145,36 +145,21 @@ fn contacts_are(input: Input) -> &'static str {
     }
 }
 
-/// Why the note in a file may not describe its contacts any more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum NoteDoubt {
-    /// The model has no note, and the sum of its bodies differs from the known mass: the bodies were scaled.
-    Absent,
-    Unreadable,
-    /// Force set and geometry set have notes from different changes.
-    MixedPair,
-    ValuesChanged,
-    /// The change that wrote the note affected only some values.
-    Partial,
-    /// The note says that the mass is not known.
-    MassUnknown,
-    /// The note has no mass because the mass of the bodies was taken, and the bodies were scaled later.
-    BodiesScaled,
-}
-
-impl NoteDoubt {
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Absent => "the bodies were scaled, and the file has no note of this program",
-            Self::Unreadable => "the note that this program left in the file is damaged",
-            Self::MixedPair => "the force set and its geometry set come from different runs",
-            Self::ValuesChanged => "contacts were changed after this program left its note in the file",
-            Self::Partial => "the run that left the note in the file changed only some values",
-            Self::MassUnknown => "the mass was not known when this program left its note in the file",
-            Self::BodiesScaled => {
-                "the note in the file gives no mass, and the bodies were scaled after it was written"
-            }
-        }
+named! {
+    /// Why the note in a file may not describe its contacts any more.
+    pub enum NoteDoubt {
+        /// The model has no note, and the sum of its bodies differs from the known mass: the bodies were scaled.
+        Absent = "the bodies were scaled, and the file has no note of this program",
+        Unreadable = "the note that this program left in the file is damaged",
+        /// Force set and geometry set have notes from different changes.
+        MixedPair = "the force set and its geometry set come from different runs",
+        ValuesChanged = "contacts were changed after this program left its note in the file",
+        /// The change that wrote the note affected only some values.
+        Partial = "the run that left the note in the file changed only some values",
+        /// The note says that the mass is not known.
+        MassUnknown = "the mass was not known when this program left its note in the file",
+        /// The note has no mass because the mass of the bodies was taken, and the bodies were scaled later.
+        BodiesScaled = "the note in the file gives no mass, and the bodies were scaled after it was written",
     }
 }
 

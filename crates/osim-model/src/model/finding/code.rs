@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::messages::named;
+
 macro_rules! codes {
     ($($variant:ident = $code:literal,)+) => {
         /// The kinds of findings, about models and about changes. [`Rule`](crate::model::finding::Rule) describes each.
@@ -115,67 +117,46 @@ impl fmt::Display for FindingCode {
     }
 }
 
-/// The severity of a finding, from harmless to harmful.
-///
-/// Exhaustive: the JSON of a finding promises exactly these three.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Severity {
-    /// Possibly intended, such as a pose or a damped contact.
-    Remark,
-    /// A value is outside a limit; or OpenSim loads the model, but a contact does not act, or acts elsewhere than the file suggests.
-    Warning,
-    /// OpenSim 4.6 refuses the model or reads another number than is written; or the model is certainly wrong.
-    Error,
-}
-
-impl Severity {
-    /// Name of the severity in JSON and on the command line.
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Remark => "remark",
-            Self::Warning => "warning",
-            Self::Error => "error",
-        }
+named! {
+    /// The severity of a finding, from harmless to harmful.
+    ///
+    /// Exhaustive: the JSON of a finding promises exactly these three.
+    pub enum Severity {
+        /// Possibly intended, such as a pose or a damped contact.
+        Remark = "remark",
+        /// A value is outside a limit; or OpenSim loads the model, but a contact does not act, or acts elsewhere than the file suggests.
+        Warning = "warning",
+        /// OpenSim 4.6 refuses the model or reads another number than is written; or the model is certainly wrong.
+        Error = "error",
     }
 }
 
-/// The topic of a verdict. Each rule about a model belongs to one topic, or to none.
-///
-/// Exhaustive: six topics for every model, and one more for a recording.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum VerdictOn {
-    /// Whether the floor is level and on ground, and gravity points down.
-    Floor,
-    /// Whether the model stands on its spheres at the default pose.
-    Standing,
-    /// Whether the contacts fit the mass of the body.
-    Mass,
-    /// Whether left and right agree.
-    Sides,
-    /// Whether sizes and places of spheres are believable.
-    Sizes,
-    /// Whether a solver can handle the contacts: smoothing, speeds, restitution.
-    Solver,
-    /// Whether the contacts fit a recording: their forces beside those of force plates.
-    Recording,
+named! {
+    /// The topic of a verdict. Each rule about a model belongs to one topic, or to none.
+    ///
+    /// Exhaustive: six topics for every model, and one more for a recording.
+    pub enum VerdictOn {
+        /// Whether the floor is level and on ground, and gravity points down.
+        Floor = "floor",
+        /// Whether the model stands on its spheres at the default pose.
+        Standing = "standing",
+        /// Whether the contacts fit the mass of the body.
+        Mass = "mass",
+        /// Whether left and right agree.
+        Sides = "sides",
+        /// Whether sizes and places of spheres are believable.
+        Sizes = "sizes",
+        /// Whether a solver can handle the contacts: smoothing, speeds, restitution.
+        Solver = "solver",
+        /// Whether the contacts fit a recording: their forces beside those of force plates.
+        Recording = "motion",
+    }
 }
 
 impl VerdictOn {
     /// The topics of every model, in the order in which they are shown.
     pub const ALL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
-
-    pub const fn as_str(self) -> &'static str {
-        match self {
-            Self::Floor => "floor",
-            Self::Standing => "standing",
-            Self::Mass => "mass",
-            Self::Sides => "sides",
-            Self::Sizes => "sizes",
-            Self::Solver => "solver",
-            Self::Recording => "motion",
-        }
-    }
 
     pub const fn question(self) -> &'static str {
         match self {
