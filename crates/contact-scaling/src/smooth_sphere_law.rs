@@ -112,9 +112,10 @@ impl SmoothSphere {
         self.constant_indentation_force(indentation_m) * self.contact_state(indentation_m)
     }
 
-    /// Speed state, ½ + ½ tanh(bv (ẋ + 2/(3α))), from 0 to 1: the second factor of (C.9).
+    /// Speed state, ½ + ½ tanh(bv (ẋ + 2/(3α))): the share of the force that smoothing leaves at a speed, from 0 to 1.
     ///
-    /// ẋ in m/s, bv in s/m, α in s/m. ½ at the speed where F_d = −F_e; 1 for α = 0.
+    /// Near 0 where the contact separates so fast that the force would pull, near 1 at all other speeds. ẋ in m/s, bv in s/m,
+    /// α in s/m. ½ at the speed where F_d = −F_e; 1 for α = 0.
     ///
     /// Source: (C.9), its second factor.
     ///

@@ -240,7 +240,7 @@ pub fn speed_state_at_rest(dissipation_s_m: f64, smoothing_s_m: f64) -> Result<f
     Ok(speed_state(alpha, positive("hunt crossley smoothing", smoothing_s_m)?, 0.0))
 }
 
-/// The second factor of (C.9), without unit, for numbers that are known to be valid.
+/// The share of the force that smoothing leaves at a speed, from 0 to 1: the second factor of (C.9), for valid numbers.
 pub(crate) fn speed_state(alpha: f64, bv: f64, speed_m_s: f64) -> f64 {
     0.5 + 0.5 * libm::tanh(bv * (speed_m_s + 2.0 / (3.0 * alpha)))
 }

@@ -27,15 +27,15 @@ pub struct Quantity {
     /// Number of the equation in the paper; empty if the paper has none.
     pub equation: &'static str,
     pub limit: Option<&'static Limit>,
-    /// A sentence that says what the quantity is.
-    meaning: &'static str,
+    /// The doc comment of the variant in its register: a sentence that says what the quantity is.
+    pub doc: &'static str,
     /// Name of the quantity's column in tables of models, without the unit; empty if it is [`name`](Self::name).
     column: &'static str,
 }
 
 impl Quantity {
     pub const fn new(name: &'static str, label: &'static str, unit: &'static str) -> Self {
-        Self { name, label, unit, equation: "", limit: None, meaning: "", column: "" }
+        Self { name, label, unit, equation: "", limit: None, doc: "", column: "" }
     }
 
     /// A property of a contact, with OpenSim's name and unit.
@@ -54,11 +54,6 @@ impl Quantity {
 
     pub const fn with_limit(self, limit: &'static Limit) -> Self {
         Self { limit: Some(limit), ..self }
-    }
-
-    /// The quantity with a sentence that says what it is.
-    pub const fn with_meaning(self, meaning: &'static str) -> Self {
-        Self { meaning, ..self }
     }
 
     /// The quantity with a name of its column in tables of models, in words and without the unit.
@@ -91,7 +86,7 @@ impl Quantity {
 
     /// The meaning, with equation and unit after the first part of the sentence: the description in JSON schemas.
     pub fn schema_description(&self) -> String {
-        let meaning = self.meaning.trim_ascii();
+        let meaning = self.doc.trim_ascii();
         let end = [": ", "; ", ". "].iter().filter_map(|mark| meaning.find(mark)).min();
         let (first, rest) = meaning.split_at(end.unwrap_or(meaning.trim_end_matches('.').len()));
         format!("{first}{}{}{rest}", self.equation_suffix(), self.unit_suffix())
@@ -104,7 +99,7 @@ impl Quantity {
 
     /// The sentence that says what the quantity is, as the register has it, with names of options in backquotes.
     pub fn meaning_text(&self) -> &'static str {
-        self.meaning.trim_ascii()
+        self.doc.trim_ascii()
     }
 
     fn unit_suffix(&self) -> String {
@@ -188,7 +183,11 @@ macro_rules! quantities {
             /// Name, label, unit, equation, meaning and limit.
             pub const fn info(self) -> &'static $crate::Quantity {
                 match self {
-                    $(Self::$variant => &const { $quantity.with_meaning(concat!($($doc),+)) },)+
+                    $(Self::$variant => &const {
+                        let mut quantity = $quantity;
+                        quantity.doc = concat!($($doc),+);
+                        quantity
+                    },)+
                 }
             }
         }

@@ -109,21 +109,8 @@ impl<'m> PlanBuilder<'m> {
         if from.into_iter().zip(to).all(close) {
             return Ok(());
         }
-        self.refuse_included(sphere.file, &sphere.path)?;
         let slot = sphere.location_slot();
-        let planned = PlaceChange {
-            sphere: sphere.name.clone(),
-            path: sphere.path.clone(),
-            from,
-            to,
-            by,
-            line: self.line(&slot),
-            inserted: slot.span.is_none(),
-            slot,
-        };
-        planned.text()?;
-        self.moves.push(planned);
-        Ok(())
+        self.push_move((sphere.name.clone(), sphere.path.clone()), (from, to), by, slot)
     }
 
     /// Plans a new location of a half-space in its own frame, m.
@@ -137,18 +124,20 @@ impl<'m> PlanBuilder<'m> {
         if from == to {
             return Ok(());
         }
-        self.refuse_included(plane.file, &plane.path)?;
         let slot = plane.location_slot();
-        let planned = PlaceChange {
-            sphere: plane.name.clone(),
-            path: plane.path.clone(),
-            from,
-            to,
-            by,
-            line: self.line(&slot),
-            inserted: slot.span.is_none(),
-            slot,
-        };
+        self.push_move((plane.name.clone(), plane.path.clone()), (from, to), by, slot)
+    }
+
+    fn push_move(
+        &mut self,
+        (sphere, path): (String, String),
+        (from, to): ([f64; 3], [f64; 3]),
+        by: ChangedBy,
+        slot: Slot,
+    ) -> Result<(), Fault> {
+        self.refuse_included(slot.file, &path)?;
+        let (line, inserted) = (self.line(&slot), slot.span.is_none());
+        let planned = PlaceChange { sphere, path, from, to, by, line, inserted, slot };
         planned.text()?;
         self.moves.push(planned);
         Ok(())

@@ -160,6 +160,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     ))
 }
 
+/// A force whose parameters are computed from what is wanted of the contact.
 struct DesignedForce<'f> {
     force: &'f Force,
     radius_m: f64,

@@ -307,7 +307,7 @@ impl Plan {
     }
 
     /// The model in which numbers change: `model`, or the model with objects added or removed.
-    pub fn base_model<'m>(&'m self, model: &'m Model) -> &'m Model {
+    pub(crate) fn base_model<'m>(&'m self, model: &'m Model) -> &'m Model {
         self.rebuilt.as_ref().map_or(model, RebuiltModel::model)
     }
 

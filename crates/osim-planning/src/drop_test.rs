@@ -240,7 +240,7 @@ fn prepared_drop(
         samples: request.samples.get() as usize,
     };
     let on_ground = DropTest::new(spheres, values)?;
-    let height_m = request.height.get().metres(on_ground.reference_radius_m());
+    let height_m = request.height.metres(on_ground.reference_radius_m());
     let test = DropTest::new(on_ground.spheres().to_vec(), DropValues { height_m, ..values })?;
     Ok(PreparedDrop { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
 }
@@ -266,14 +266,14 @@ struct Entry {
     value: FigureValue,
 }
 
-/// The function that computes a figure of a drop.
+/// The function that computes a number of a drop.
 enum FigureValue {
     Always(fn(&DropResult) -> f64),
-    /// The function of a figure that only some drops have, for example drops after which the body lifts off again.
+    /// The function of a number that only some drops have, for example drops after which the body lifts off again.
     Shown(fn(&DropResult) -> Option<f64>),
 }
 
-/// The part of the table that shows a figure. JSON has all figures.
+/// The part of the table that shows a number. JSON has all numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DropRow {
     /// The figure is not in the table. It may be in the line above the table.

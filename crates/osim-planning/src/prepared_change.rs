@@ -47,6 +47,13 @@ pub(crate) trait Planner: Send + Sync {
     }
 }
 
+/// A planner that needs the model alone.
+impl<F: Fn(&Model) -> Result<Plan, Fault> + Send + Sync> Planner for F {
+    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
+        self(model)
+    }
+}
+
 /// A request that was checked once for all of its models: the paths of the models, the planner for their changes, and the options for the
 /// results.
 ///

@@ -142,7 +142,7 @@ impl From<RequestFault> for Problem {
             let example = Verb::Set.call_with_model().with_value(Input::Stiffness, "x2");
             return Self::general("RequestError", "usage", phrase!["say what to set, as in ", example]);
         }
-        if let Some(CallFault { message, keyword }) = CallFault::from_request(&fault) {
+        if let Some((message, keyword)) = fault_of_call(&fault) {
             let problem = Self::general("RequestError", "usage", message);
             return Self { keywords: keyword.into_iter().collect(), ..problem };
         }
@@ -190,61 +190,55 @@ const REASONS_IN_PYTHON: [(&str, &str); 6] = [
 ];
 
 /// A fault of a call, and the keyword argument that is wrong, if the fault concerns one.
-pub(crate) struct CallFault {
-    pub(crate) message: Phrase,
-    pub(crate) keyword: Option<String>,
+type CallFault = (Phrase, Option<String>);
+
+/// The fault of a request with a message for Python; `None` if the message of the request suits Python, too.
+fn fault_of_call(fault: &RequestFault) -> Option<CallFault> {
+    match fault {
+        RequestFault::BadValue { field, value, reason } if field == "set" => {
+            Some(fault_of_property(value, reason))
+        }
+        RequestFault::BadValue { field, value, reason } => Some(fault_of_value(field, value, reason)),
+        RequestFault::UnknownField { field, nearest } => {
+            let own = keyword_for_field(field).unwrap_or_else(|| field.clone());
+            let mut message = Phrase::from(format!("there is no keyword '{own}' here"));
+            if let Some(name) = nearest.as_deref().and_then(keyword_for_field) {
+                message.push(&phrase![format!(": did you mean {name}=?")]);
+            }
+            Some((message, Some(own)))
+        }
+        RequestFault::Missing { field: "models" } => {
+            Some(("there are no models: the list is empty".into(), None))
+        }
+        _ => None,
+    }
 }
 
-impl CallFault {
-    /// The fault of a request with a message for Python; `None` if the message of the request suits Python, too.
-    pub(crate) fn from_request(fault: &RequestFault) -> Option<Self> {
-        match fault {
-            RequestFault::BadValue { field, value, reason } if field == "set" => {
-                Some(Self::of_property(value, reason))
-            }
-            RequestFault::BadValue { field, value, reason } => Some(Self::of_value(field, value, reason)),
-            RequestFault::UnknownField { field, nearest } => {
-                let own = keyword_for_field(field).unwrap_or_else(|| field.clone());
-                let mut message = Phrase::from(format!("there is no keyword '{own}' here"));
-                if let Some(name) = nearest.as_deref().and_then(keyword_for_field) {
-                    message.push(&phrase![format!(": did you mean {name}=?")]);
-                }
-                Some(Self { message, keyword: Some(own) })
-            }
-            RequestFault::Missing { field: "models" } => {
-                let message = "there are no models: the list is empty".into();
-                Some(Self { message, keyword: None })
-            }
-            _ => None,
-        }
-    }
+fn fault_of_value(field: &str, value: &str, reason: &str) -> CallFault {
+    let keyword = keyword_for_field(field);
+    let name = keyword.as_deref().map_or(String::new(), |keyword| format!("{keyword}="));
+    let reason = reason_in_python(reason);
+    // Of a number that is too long for any message there is no value.
+    let beginning = match value {
+        "..." => keyword.clone().unwrap_or_else(|| "a value".to_owned()),
+        value => format!("{name}{}", python_literal(value)),
+    };
+    (format!("{beginning}: {reason}").into(), keyword)
+}
 
-    fn of_value(field: &str, value: &str, reason: &str) -> Self {
-        let keyword = keyword_for_field(field);
-        let name = keyword.as_deref().map_or(String::new(), |keyword| format!("{keyword}="));
-        let reason = reason_in_python(reason);
-        // Of a number that is too long for any message there is no value.
-        let beginning = match value {
-            "..." => keyword.clone().unwrap_or_else(|| "a value".to_owned()),
-            value => format!("{name}{}", python_literal(value)),
-        };
-        Self { message: format!("{beginning}: {reason}").into(), keyword }
-    }
-
-    /// The fault of a property in the JSON object `all` of values to set. In Python each property is a keyword argument of its own.
-    fn of_property(all: &str, reason: &str) -> Self {
-        let assigned = reason.split_once('=').filter(|(name, _)| all.contains(&format!("{name}=")));
-        let Some((name, rest)) = assigned else {
-            return Self { message: reason_in_python(reason).into(), keyword: None };
-        };
-        let ends = rest.match_indices(": ").map(|(end, _)| end);
-        // The value ends where the longest text ends that was given: there may be such a mark in it, too.
-        let end = ends.clone().filter(|end| all.contains(&format!("{name}={}", &rest[..*end]))).last();
-        let end = end.or_else(|| ends.clone().next()).unwrap_or(rest.len());
-        let (value, why) = rest.split_at(end);
-        let message = format!("{name}={}{}", python_literal(value), reason_in_python(why)).into();
-        Self { message, keyword: Some(name.to_owned()) }
-    }
+/// The fault of a property in the JSON object `all` of values to set. In Python each property is a keyword argument of its own.
+fn fault_of_property(all: &str, reason: &str) -> CallFault {
+    let assigned = reason.split_once('=').filter(|(name, _)| all.contains(&format!("{name}=")));
+    let Some((name, rest)) = assigned else {
+        return (reason_in_python(reason).into(), None);
+    };
+    let ends = rest.match_indices(": ").map(|(end, _)| end);
+    // The value ends where the longest text ends that was given: there may be such a mark in it, too.
+    let end = ends.clone().filter(|end| all.contains(&format!("{name}={}", &rest[..*end]))).last();
+    let end = end.or_else(|| ends.clone().next()).unwrap_or(rest.len());
+    let (value, why) = rest.split_at(end);
+    let message = format!("{name}={}{}", python_literal(value), reason_in_python(why)).into();
+    (message, Some(name.to_owned()))
 }
 
 /// The keyword argument for a field of a request; `None` for a field without a keyword, such as the model.

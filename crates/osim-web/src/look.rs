@@ -11,9 +11,7 @@ use osim_planning::{Inspector, ModelFeet, run_motion};
 use osim_requests::Request;
 use osim_requests::options::SetFiles;
 use osim_requests::spell::{FrontEnd, Page};
-use osim_view::html::{
-    DetailLevel, Entry, Explained, InspectedAndChecked, InspectedModelOnPage, NamedDigest, Section, Sections,
-};
+use osim_view::html::{DetailLevel, Entry, Explained, InspectedModelOnPage, NamedDigest, Section, Sections};
 use serde::Serialize;
 use serde_json::{Map, Value};
 use sha2::{Digest, Sha256};
@@ -173,7 +171,7 @@ pub(crate) fn look(
     let shown = InspectedModelOnPage {
         options: inspector.options(),
         model: &opened.model,
-        examined: InspectedAndChecked { inspection: &inspection, check: &found },
+        examined: (&inspection, &found),
         files: &digests,
         feet,
         recording: None,
@@ -228,7 +226,7 @@ pub(crate) fn entry(
     let shown = InspectedModelOnPage {
         options: inspector.options(),
         model: &opened.model,
-        examined: InspectedAndChecked { inspection: &inspection, check: &found },
+        examined: (&inspection, &found),
         files: &opened.digests(),
         feet: feet(inspector, opened, given_files),
         recording: None,

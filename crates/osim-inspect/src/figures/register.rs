@@ -167,7 +167,7 @@ fn contact_stiffness(sphere: &SphereOnFloor<'_>) -> Option<f64> {
     Some(hertz.stiffness_at_relative_indentation(x_hat))
 }
 
-/// The condition on which a table or page shows a figure. JSON and CSV always have all figures.
+/// The condition on which a table or page shows a number of a sphere. JSON and CSV always have all numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureVisibility {
     Always,

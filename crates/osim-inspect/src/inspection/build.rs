@@ -147,6 +147,7 @@ pub(super) struct InspectionParts<'f> {
     pub why_no_standing: Option<String>,
 }
 
+/// The contact of each parameter set.
 type SetContacts = HashMap<(ForceId, SetId), SetContact>;
 
 pub(super) struct SetContact {

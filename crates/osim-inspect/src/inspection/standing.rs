@@ -274,7 +274,7 @@ impl StandingBody {
     }
 
     /// Where the default pose is: `65 mm too high`; `on the floor` within a tenth of a millimetre.
-    pub fn pose_in_words(&self) -> Option<String> {
+    pub(crate) fn pose_in_words(&self) -> Option<String> {
         let height_m = self.lowest()?.height_m;
         let millimetres = four_significant((height_m.abs() * 1e4).round() / 10.0);
         Some(match height_m {

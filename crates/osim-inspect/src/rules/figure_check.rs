@@ -9,7 +9,7 @@ use crate::inspection::{InspectedForce, Inspection};
 /// x̂ at which a sphere is in the floor up to its centre.
 pub(super) const UP_TO_CENTRE: f64 = 1.0;
 
-/// The figures of a model, which rules compare with limits, and the maker of remedies for the model.
+/// The numbers of a model's spheres, which rules compare with limits, and the maker of remedies for the model.
 pub(crate) struct FigureCheck<'l> {
     pub(super) inspected: &'l Inspection,
     pub(super) remedies: &'l Remedies<'l>,

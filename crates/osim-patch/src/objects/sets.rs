@@ -25,45 +25,36 @@ const ORDER_IN_MODEL: [&str; 15] = [
 ];
 const OBJECTS: &str = "objects";
 
-/// Letters of a note for the elements of one set that the program made. With them, removing the members restores the file.
+/// `ForceSet` or `ContactGeometrySet`, with the letters by which a note says which elements of it the program made. With them, removing
+/// the members restores the file.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct NoteLetters {
+pub(super) struct ObjectSet {
+    pub(super) tag: &'static str,
     /// The letter for a whole set that the program made.
-    pub(super) set: char,
+    whole: char,
     /// The letter for an element `<objects>` that the program made in the set.
-    pub(super) objects: char,
+    objects: char,
     /// Letters for an empty element that the program opened, by its original form: for the set, and for its `<objects>`.
     opened: [[(char, EmptyForm); 3]; 2],
 }
 
-/// A set with its letters.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ObjectSet {
-    pub(super) tag: &'static str,
-    pub(super) letters: NoteLetters,
-}
-
 pub(super) const FORCE_SET: ObjectSet = ObjectSet {
     tag: FORCES,
-    letters: NoteLetters {
-        set: 'f',
-        objects: 'o',
-        opened: [
-            [('t', EmptyForm::Closed), ('u', EmptyForm::ClosedWithBlank), ('v', EmptyForm::Open)],
-            [('a', EmptyForm::Closed), ('d', EmptyForm::ClosedWithBlank), ('e', EmptyForm::Open)],
-        ],
-    },
+    whole: 'f',
+    objects: 'o',
+    opened: [
+        [('t', EmptyForm::Closed), ('u', EmptyForm::ClosedWithBlank), ('v', EmptyForm::Open)],
+        [('a', EmptyForm::Closed), ('d', EmptyForm::ClosedWithBlank), ('e', EmptyForm::Open)],
+    ],
 };
 pub(super) const GEOMETRY_SET: ObjectSet = ObjectSet {
     tag: GEOMETRY,
-    letters: NoteLetters {
-        set: 'g',
-        objects: 'O',
-        opened: [
-            [('T', EmptyForm::Closed), ('U', EmptyForm::ClosedWithBlank), ('V', EmptyForm::Open)],
-            [('A', EmptyForm::Closed), ('D', EmptyForm::ClosedWithBlank), ('E', EmptyForm::Open)],
-        ],
-    },
+    whole: 'g',
+    objects: 'O',
+    opened: [
+        [('T', EmptyForm::Closed), ('U', EmptyForm::ClosedWithBlank), ('V', EmptyForm::Open)],
+        [('A', EmptyForm::Closed), ('D', EmptyForm::ClosedWithBlank), ('E', EmptyForm::Open)],
+    ],
 };
 
 impl ObjectSet {
@@ -81,14 +72,14 @@ impl ObjectSet {
         made: &mut String,
     ) -> Vec<Edit> {
         let Some(set) = self.element(tree, model) else {
-            made.push(self.letters.set);
+            made.push(self.whole);
             let objects = Node::parent(OBJECTS, members.to_vec());
             let whole = Node::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
             return insert(tree, model, &ORDER_IN_MODEL, &[whole]);
         };
-        let [of_set, of_objects] = &self.letters.opened;
+        let [of_set, of_objects] = &self.opened;
         let Some(objects) = tree.child(set, OBJECTS) else {
-            made.push(self.letters.objects);
+            made.push(self.objects);
             let list = Node::parent(OBJECTS, members.to_vec());
             return match append_first(tree, set, &list) {
                 Some(edit) => vec![edit],
@@ -103,9 +94,9 @@ impl ObjectSet {
 
     /// The letters `made` of the note, without the letters for elements of this set.
     pub(super) fn without_letters(&self, made: &str) -> String {
-        let NoteLetters { set, objects, opened } = self.letters;
         let own = |letter: char| {
-            letter == set || letter == objects || opened.iter().flatten().any(|(known, _)| *known == letter)
+            [self.whole, self.objects].contains(&letter)
+                || self.opened.iter().flatten().any(|(known, _)| *known == letter)
         };
         made.chars().filter(|&letter| !own(letter)).collect()
     }
@@ -121,15 +112,15 @@ impl ObjectSet {
             let span = with_white_space_before(tree, tree.span(element));
             Some(Edit { span, text: String::new() })
         };
-        let [of_set, of_objects] = &self.letters.opened;
-        if made.contains(self.letters.set) {
+        let [of_set, of_objects] = &self.opened;
+        if made.contains(self.whole) {
             return whole(set);
         }
         if let Some(form) = form(of_set) {
             return Some(form.restored(tree, set));
         }
         let objects = tree.child(set, OBJECTS)?;
-        if made.contains(self.letters.objects) {
+        if made.contains(self.objects) {
             return whole(objects);
         }
         form(of_objects).map(|form| form.restored(tree, objects))

@@ -6,7 +6,7 @@ use osim_patch::{Plan, note, note_stance_limbs};
 use osim_requests::options::{InspectionOptions, MassOptions};
 use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 
-use crate::prepared_change::{Planner, PreparedChange};
+use crate::prepared_change::PreparedChange;
 
 /// The content of the new note.
 enum NewNote {
@@ -14,12 +14,6 @@ enum NewNote {
     Mass(f64, Option<f64>),
     /// The number of limbs that share the weight, without a mass.
     StanceLimbs(f64),
-}
-
-struct NotePlanner {
-    noted: NewNote,
-    gravity_m_s2: Option<f64>,
-    masses: MassRequest,
 }
 
 /// Checks the request for all of its models.
@@ -60,20 +54,24 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
     }
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
-    let planner = NotePlanner { noted, gravity_m_s2, masses: masses.request() };
+    let known_masses = masses.request();
+    let planner = move |model: &Model| plan(model, &noted, gravity_m_s2, &known_masses);
     let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Note, models, output, inspection, planner))
 }
 
-impl Planner for NotePlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        match self.noted {
-            NewNote::Mass(kg, limbs) => {
-                let mut plan = note(model, kg, self.gravity_m_s2.or(model.gravity()), limbs)?;
-                plan.findings.extend(self.masses.disagreement_with_note(model));
-                Ok(plan)
-            }
-            NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
+fn plan(
+    model: &Model,
+    noted: &NewNote,
+    gravity_m_s2: Option<f64>,
+    masses: &MassRequest,
+) -> Result<Plan, Fault> {
+    match *noted {
+        NewNote::Mass(kg, limbs) => {
+            let mut plan = note(model, kg, gravity_m_s2.or(model.gravity()), limbs)?;
+            plan.findings.extend(masses.disagreement_with_note(model));
+            Ok(plan)
         }
+        NewNote::StanceLimbs(limbs) => Ok(note_stance_limbs(model, limbs)),
     }
 }

@@ -6,12 +6,8 @@ use osim_patch::{ObjectAction, Plan, added_forces, note_of_remaining, remove};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{RemoveRequest, RequestFault};
 
-use crate::prepared_change::{Planner, PreparedChange};
+use crate::prepared_change::PreparedChange;
 use crate::remarks::{refuse_geometry_output, remarks_on_missing_names};
-
-struct RemovePlanner {
-    selection: Selection,
-}
 
 /// Checks the request for all of its models.
 ///
@@ -23,39 +19,38 @@ pub(super) fn prepare(request: RemoveRequest) -> Result<PreparedChange, RequestF
         return Err(RequestFault::Missing { field: "models" });
     }
     refuse_geometry_output(&output)?;
-    let planner = RemovePlanner { selection: choice.selection() };
+    let selection = choice.selection();
+    let planner = move |model: &Model| plan(model, &selection);
     let inspection = InspectionOptions { choice, answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Remove, models, output, inspection, planner))
 }
 
-impl Planner for RemovePlanner {
-    fn plan(&self, model: &Model) -> Result<Plan, Fault> {
-        // Without a choice, the forces that this program added are removed: there is no need to ask.
-        let added = added_forces(model).filter(|_| self.selection.select.is_empty());
-        let selected = match added {
-            Some(added) => self.selection.apply_among(model, &added)?,
-            None => self.selection.apply(model)?,
-        };
-        let rebuilt = remove(model, &selected)?;
-        let count = |class: &str| {
-            let removed = rebuilt.objects.iter().filter(|object| object.action == ObjectAction::Removed);
-            removed.filter(|object| object.class == class).count()
-        };
-        let spheres = count("ContactSphere");
-        let planes = count("ContactHalfSpace");
-        let forces = rebuilt.objects.len() - spheres - planes;
-        let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };
-        let (forces, spheres) = (counted(forces, "force"), counted(spheres, "sphere"));
-        let summary = format!("removes {forces} and {spheres}{floor}; no other number changes");
-        let note = note_of_remaining(model, &rebuilt);
-        let missing_names = remarks_on_missing_names(&rebuilt);
-        let mut plan = Plan::from_objects(rebuilt, summary.into());
-        plan.remarks.extend(missing_names);
-        if let Some(note) = &note {
-            plan.remarks.push(remark_on_kept_note(note));
-        }
-        Ok(plan.with_note(note))
+fn plan(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
+    // Without a choice, the forces that this program added are removed: there is no need to ask.
+    let added = added_forces(model).filter(|_| selection.select.is_empty());
+    let selected = match added {
+        Some(added) => selection.apply_among(model, &added)?,
+        None => selection.apply(model)?,
+    };
+    let rebuilt = remove(model, &selected)?;
+    let count = |class: &str| {
+        let removed = rebuilt.objects.iter().filter(|object| object.action == ObjectAction::Removed);
+        removed.filter(|object| object.class == class).count()
+    };
+    let spheres = count("ContactSphere");
+    let planes = count("ContactHalfSpace");
+    let forces = rebuilt.objects.len() - spheres - planes;
+    let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };
+    let (forces, spheres) = (counted(forces, "force"), counted(spheres, "sphere"));
+    let summary = format!("removes {forces} and {spheres}{floor}; no other number changes");
+    let note = note_of_remaining(model, &rebuilt);
+    let missing_names = remarks_on_missing_names(&rebuilt);
+    let mut plan = Plan::from_objects(rebuilt, summary.into());
+    plan.remarks.extend(missing_names);
+    if let Some(note) = &note {
+        plan.remarks.push(remark_on_kept_note(note));
     }
+    Ok(plan.with_note(note))
 }
 
 /// The remark that the note stays, because the model still has contacts.

@@ -1,11 +1,47 @@
-//! Equations as functions of numbers and of arrays of numbers, and the macro that declares such functions.
+//! Equations as functions of numbers and of arrays of numbers, their arguments and results, and the macros that declare them.
 
+use contact_scaling::equations::symbols::Symbol;
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
 use crate::scaling::equation_error::EquationError;
-use crate::scaling::parameter::{Parameter, Returns};
 use crate::scaling::text::{Argument, docstring};
+
+/// An argument of an equation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Parameter {
+    /// Name of the argument in Python.
+    pub name: &'static str,
+    /// Symbol of the argument in the formula, with its meaning and unit.
+    pub symbol: Symbol,
+    /// Value of the argument if the call leaves it out.
+    pub default: Option<f64>,
+}
+
+/// The kind of result that an equation has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Returns {
+    /// A value of the quantity that the symbol means.
+    Value(Symbol),
+    /// A factor of this symbol from one animal to another.
+    Factor(Symbol),
+}
+
+impl Returns {
+    pub(crate) fn symbol(&self) -> Symbol {
+        match self {
+            Self::Value(symbol) | Self::Factor(symbol) => *symbol,
+        }
+    }
+}
+
+/// The rules for the common modulus of two surfaces, by their names in Python. The first is OpenSim's rule, and the default.
+pub(crate) const RULES: [(&str, MixingRule); 2] =
+    [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
+
+pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
+    RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
+}
 
 /// An equation with plain numbers in and one number out, all in SI units.
 #[derive(Debug, Clone, Copy)]
@@ -139,6 +175,19 @@ impl<'c> Columns<'c> {
 
 // How a function is declared: its name and arguments once, each argument with its symbol in the register.
 
+/// A [`Parameter`](super::Parameter): `name: SYMBOL`, or `name: SYMBOL = 1.0`.
+macro_rules! parameter {
+    ($name:ident: $symbol:ident $(= $default:literal)?) => {
+        $crate::scaling::Parameter {
+            name: stringify!($name),
+            symbol: contact_scaling::equations::symbols::$symbol,
+            default: $crate::scaling::function::parameter!(@default $($default)?),
+        }
+    };
+    (@default) => { None };
+    (@default $default:literal) => { Some($default) };
+}
+
 /// A [`Function`](super::Function): `name(argument: SYMBOL, another: SYMBOL = 1.0) -> what it gives, "the function of
 /// contact-scaling", value`. With `[rule]` in front it also takes the rule by which two surfaces make one modulus.
 macro_rules! function {
@@ -154,7 +203,7 @@ macro_rules! function {
         $crate::scaling::Function {
             name: stringify!($name),
             computes: $computes,
-            parameters: &[$($crate::scaling::parameter::parameter!($argument: $symbol $(= $default)?)),+],
+            parameters: &[$($crate::scaling::function::parameter!($argument: $symbol $(= $default)?)),+],
             returns: $returns,
             call: $call,
         }
@@ -167,4 +216,4 @@ macro_rules! function {
     }};
 }
 
-pub(super) use function;
+pub(super) use {function, parameter};

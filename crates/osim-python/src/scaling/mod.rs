@@ -9,15 +9,13 @@
 mod equation_error;
 mod function;
 mod laws;
-mod parameter;
 mod smooth;
 mod spheres;
 mod text;
 
 pub(crate) use equation_error::EquationError;
-pub(crate) use function::{Function, RustFunction};
+pub(crate) use function::{Function, Parameter, RULES, RustFunction, rule_by_name};
 pub(crate) use laws::continuation_steps;
-pub(crate) use parameter::{Parameter, RULES, rule_by_name};
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
 
 /// All functions that take numbers, in the order of the paper.

@@ -3,7 +3,7 @@
 use contact_scaling::equations::symbols::{P, Symbol};
 use contact_scaling::equations::{Equation, Form, reference};
 
-use super::parameter::{Parameter, RULES, Returns};
+use super::function::{Parameter, RULES, Returns};
 
 /// The type of an argument that is an array or one number, in docstrings.
 const ARRAY_TYPE: &str = "float or array_like";

@@ -45,7 +45,7 @@ fn drawing_of_bodies(
         _ => AxisUnits::Dimensionless,
     });
     let units = units_for(bodies, wanted);
-    let height = request.fall.height.get();
+    let height = request.fall.height;
     let duration = request.fall.duration.map(Positive::get);
     let limits = request.looks.x_range.map(Span::ends);
     let drawn = match request.kind {

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 use osim_inspect::series::ContactBody;
-use osim_inspect::{Figures, Inspection, ReferenceState};
+use osim_inspect::{CheckResult, Figures, Inspection, ReferenceState};
 use osim_model::messages::{Dialect, readable};
 use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
@@ -10,7 +10,7 @@ use osim_planning::{BeforeAfter, ModelFeet};
 use crate::html::entry::{Entry, RunRow};
 use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
-use crate::html::inspected::{self, InspectedAndChecked, ListedFiles};
+use crate::html::inspected::{self, ListedFiles};
 use crate::html::special::{DrawnStates, ModelFacts, deepest};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{findings, plots, reference};
@@ -24,11 +24,11 @@ use crate::report::plan::{
 pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
     /// Inspection and check of the model before the change.
-    pub before: InspectedAndChecked<'c>,
+    pub before: (&'c Inspection, &'c CheckResult),
     /// Figures of the old contacts under the new weight, if the weight changes.
     pub before_under_new_weight: Option<&'c Figures>,
     /// Inspection and check of the new model; `None` if nothing changes.
-    pub after: Option<InspectedAndChecked<'c>>,
+    pub after: Option<(&'c Inspection, &'c CheckResult)>,
     /// The contacts of each state of the model, whose force curves the page plots.
     pub bodies: Vec<ContactBody>,
     /// The feet before and after the change, the last ones with bones; empty if feet are not drawn.
@@ -47,7 +47,7 @@ pub struct ChangedModelOnPage<'c> {
 
 impl<'c> ChangedModelOnPage<'c> {
     /// A plan for a model that is not written yet, without the inspection of the new model.
-    pub fn new(plan: &'c Plan, before: InspectedAndChecked<'c>, files: ListedFiles) -> Self {
+    pub fn new(plan: &'c Plan, before: (&'c Inspection, &'c CheckResult), files: ListedFiles) -> Self {
         Self {
             plan,
             before,
@@ -67,12 +67,12 @@ impl<'c> ChangedModelOnPage<'c> {
     pub fn of_states(plan: &'c Plan, states: &'c BeforeAfter, files: ListedFiles) -> Self {
         Self {
             before_under_new_weight: states.before_under_new_weight.as_ref(),
-            after: states.after.as_ref().map(InspectedAndChecked::from),
+            after: states.after.as_ref().map(|(inspection, check)| (inspection, check)),
             bodies: states.bodies.clone(),
             feet: states.feet.clone(),
             reference: states.reference.as_ref(),
             target_gravity_m_s2: states.target_gravity_m_s2,
-            ..Self::new(plan, InspectedAndChecked::from(&states.before), files)
+            ..Self::new(plan, (&states.before.0, &states.before.1), files)
         }
     }
 }
@@ -97,16 +97,15 @@ pub(super) fn add_change_sections(
     dialect: &dyn Dialect,
 ) -> DrawnStates {
     add_changes_section(fragment, changed.plan);
-    let before = changed.before;
+    let (inspected, checked) = changed.before;
     if fragment.is_wanted(findings::SECTION.0) {
         match changed.after {
-            Some(after) => {
-                let found = after.check;
+            Some((_, found)) => {
                 let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
                 let after = findings::NewModelFindings { check: found, in_file, gravity_m_s2 };
-                findings::add_findings_of_change(fragment, before.check, &after);
+                findings::add_findings_of_change(fragment, checked, &after);
             }
-            None => findings::add_findings_of_model(fragment, before.check),
+            None => findings::add_findings_of_model(fragment, checked),
         }
     }
     if let Some(recording) = &changed.recording {
@@ -126,8 +125,8 @@ pub(super) fn add_change_sections(
         }
     }
     if fragment.is_wanted(sphere_figures::SECTION.0) {
-        let after = after.map(|after| after.inspection);
-        let mut states = states_of_change(before.inspection, before_under_new_weight, after);
+        let after = after.map(|(after, _)| after);
+        let mut states = states_of_change(inspected, before_under_new_weight, after);
         let reference_figures = reference.and_then(|reference| reference.figures.as_ref());
         states.extend(reference_figures.map(|figures| ModelState {
             name: "reference".to_owned(),
@@ -156,10 +155,10 @@ fn drawn_states(changed: ChangedModelOnPage<'_>) -> DrawnStates {
 
 /// Numbers about the change for the summary of the page.
 fn facts_of_change(changed: &ChangedModelOnPage<'_>) -> ModelFacts {
-    let last = changed.after.unwrap_or(changed.before);
-    let mut facts = ModelFacts::new(&last.inspection.figures, last.check, changed.bodies.last());
+    let (inspected, checked) = changed.after.unwrap_or(changed.before);
+    let mut facts = ModelFacts::new(&inspected.figures, checked, changed.bodies.last());
     facts.reference = changed.reference.map(reference::in_words);
-    facts.indentation.before = deepest(&changed.before.inspection.figures);
+    facts.indentation.before = deepest(&changed.before.0.figures);
     facts.indentation.not_scaled = changed.before_under_new_weight.and_then(deepest);
     facts
 }

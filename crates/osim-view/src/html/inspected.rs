@@ -22,7 +22,7 @@ pub struct InspectedModelOnPage<'m> {
     pub options: &'m InspectOptions,
     pub model: &'m OpenModel,
     /// Inspection and check of the model.
-    pub examined: InspectedAndChecked<'m>,
+    pub examined: (&'m Inspection, &'m CheckResult),
     /// The files from which the model was read, the model first.
     pub files: &'m [NamedDigest],
     /// Feet of the model, if the page draws them.
@@ -37,7 +37,7 @@ pub fn entry_of_inspected_model(
     dialect: &dyn Dialect,
 ) -> Entry {
     let mut fragment = Fragment::new(detail);
-    let InspectedAndChecked { inspection, check } = inspected.examined;
+    let (inspection, check) = inspected.examined;
     let drawn = add_inspection_sections(&mut fragment, inspected, dialect);
     let facts = ModelFacts::new(&inspection.figures, check, drawn.bodies.first());
     Entry::of_inspected_model(inspection, facts, drawn, fragment)
@@ -50,8 +50,8 @@ pub(super) fn add_inspection_sections(
     dialect: &dyn Dialect,
 ) -> DrawnStates {
     let InspectedModelOnPage { options, model, examined, files, feet, recording } = inspected;
-    let inspected = examined.inspection;
-    findings::add_findings_of_model(fragment, examined.check);
+    let (inspected, checked) = examined;
+    findings::add_findings_of_model(fragment, checked);
     if let Some(recording) = recording {
         fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html));
     }
@@ -77,7 +77,7 @@ pub(super) fn add_inspection_sections(
         &[ModelState { name: String::new(), figures: &inspected.figures, is_reference: false }],
     );
     let asked = inspected.similarity.as_ref();
-    let compared = examined.check.similarity.as_ref().filter(|list| list.is_worth_showing());
+    let compared = checked.similarity.as_ref().filter(|list| list.is_worth_showing());
     if let Some(list) = compared.or(asked) {
         reference::size_section(fragment, list);
     }
@@ -200,19 +200,6 @@ fn facts_of_model(inspected: &Inspection, files: &[NamedDigest]) -> Markup {
                 @if let Some(why) = &inspected.limbs_unknown { ": " (why) }
             }
         }
-    }
-}
-
-/// Inspection and check of a model in one state. Their texts are already in the words of the front end.
-#[derive(Debug, Clone, Copy)]
-pub struct InspectedAndChecked<'m> {
-    pub inspection: &'m Inspection,
-    pub check: &'m CheckResult,
-}
-
-impl<'m> From<&'m (Inspection, CheckResult)> for InspectedAndChecked<'m> {
-    fn from((inspection, check): &'m (Inspection, CheckResult)) -> Self {
-        Self { inspection, check }
     }
 }
 

@@ -37,9 +37,7 @@ mod sphere_figures;
 pub use change::{ChangedModelOnPage, entry_of_changed_model};
 pub use entry::{EarlierRun, Entry, RowError, RunRow};
 pub use fragment::{DetailLevel, Section};
-pub use inspected::{
-    InspectedAndChecked, InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model,
-};
+pub use inspected::{InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model};
 pub use models_table::Columns;
 pub use page::{About, DeferredParts, DeferredText, InMemory, Page};
 pub use plots::recording;

@@ -303,15 +303,11 @@ impl DiffLines<'_> {
 
 /// The index of the first line and the number of lines. A diff shows line numbers from 1; for a range without lines, it shows the line
 /// before.
-struct LineRange(u32, u32);
-
-impl fmt::Display for LineRange {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self(start, 1) => write!(f, "{}", start + 1),
-            Self(start, 0) => write!(f, "{start},0"),
-            Self(start, lines) => write!(f, "{},{lines}", start + 1),
-        }
+fn line_range(start: u32, lines: u32) -> String {
+    match lines {
+        0 => format!("{start},0"),
+        1 => format!("{}", start + 1),
+        _ => format!("{},{lines}", start + 1),
     }
 }
 
@@ -324,7 +320,7 @@ impl UnifiedDiffPrinter for DiffLines<'_> {
         len_before: u32,
         len_after: u32,
     ) -> fmt::Result {
-        writeln!(f, "@@ -{} +{} @@", LineRange(start_before, len_before), LineRange(start_after, len_after))
+        writeln!(f, "@@ -{} +{} @@", line_range(start_before, len_before), line_range(start_after, len_after))
     }
 
     fn display_context_token(&self, mut f: impl fmt::Write, token: Token) -> fmt::Result {

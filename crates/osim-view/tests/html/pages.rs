@@ -7,8 +7,8 @@ use osim_planning::ModelFeet;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
     About, ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InMemory,
-    InspectedAndChecked, InspectedModelOnPage, ListedFiles, NamedDigest, Page, RowError, RunRow,
-    entry_of_changed_model, entry_of_inspected_model,
+    InspectedModelOnPage, ListedFiles, NamedDigest, Page, RowError, RunRow, entry_of_changed_model,
+    entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
@@ -35,7 +35,7 @@ fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> En
     let shown = InspectedModelOnPage {
         options: &options,
         model,
-        examined: InspectedAndChecked { inspection: &seen, check: &found },
+        examined: (&seen, &found),
         files: &[NamedDigest { name: model.name().to_string(), sha256: "0123".to_owned() }],
         feet: ModelFeet::for_page(model.name(), model, &options.selection),
         recording: None,
@@ -116,13 +116,7 @@ fn a_change_is_shown_before_and_after() {
     row.contacts_mass_kg = Some(62.0);
     row.target_mass_kg = Some(500.0);
     row.changes = plan.changes.len();
-    let change = || {
-        ChangedModelOnPage::new(
-            &plan,
-            InspectedAndChecked { inspection: &before, check: &found },
-            ListedFiles::default(),
-        )
-    };
+    let change = || ChangedModelOnPage::new(&plan, (&before, &found), ListedFiles::default());
     let one = entry_of_changed_model(&row, change(), DetailLevel::Alone, &CommandLine);
     let text = page(changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));

@@ -38,6 +38,7 @@ pub(super) struct ReferenceNumbers {
     pub(super) transfer_planner: TransferPlanner,
 }
 
+/// Numbers of new contacts that are computed from what is wanted, without a reference.
 pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
     /// The friction that the caller gave.

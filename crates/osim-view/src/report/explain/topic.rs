@@ -216,7 +216,7 @@ impl QuantityTopic {
     }
 
     /// A sentence about what is easily misunderstood about the quantity.
-    pub fn trap(&self) -> Phrase {
+    pub(super) fn trap(&self) -> Phrase {
         Phrase::template(self.trap)
     }
 

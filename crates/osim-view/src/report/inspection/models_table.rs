@@ -106,13 +106,6 @@ impl Column {
     }
 }
 
-/// The columns of the table for which a line has room.
-struct FittingColumns {
-    columns: Vec<Column>,
-    /// The largest width of names of models; `None` if lines have no limit.
-    name_width: Option<usize>,
-}
-
 impl ModelsTable {
     /// Adds a model that was inspected, with the numbers of its findings.
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
@@ -143,7 +136,7 @@ impl ModelsTable {
     ) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
-        let FittingColumns { columns, name_width } = self.fitting(width, folder);
+        let (columns, name_width) = self.fitting(width, folder);
         let headings: Vec<&str> =
             std::iter::once("model").chain(columns.iter().map(|column| column.heading())).collect();
         let mut table = table(&headings);
@@ -179,10 +172,10 @@ impl ModelsTable {
         })
     }
 
-    /// The columns that fit into lines of at most `width` columns.
-    fn fitting(&self, width: Option<usize>, folder: &str) -> FittingColumns {
+    /// The columns that fit into lines of at most `width` columns, and the largest width of names; `None` if lines have no limit.
+    fn fitting(&self, width: Option<usize>, folder: &str) -> (Vec<Column>, Option<usize>) {
         let mut columns = Column::ALL.to_vec();
-        let Some(width) = width else { return FittingColumns { columns, name_width: None } };
+        let Some(width) = width else { return (columns, None) };
         let longest = self
             .rows
             .iter()
@@ -200,7 +193,7 @@ impl ModelsTable {
             columns.retain(|&column| column != left_out);
         }
         let room = room(&columns).max("model".len());
-        FittingColumns { columns, name_width: Some(room) }
+        (columns, Some(room))
     }
 
     fn width(&self, column: Column) -> usize {

@@ -55,6 +55,7 @@ pub fn limit(figure: Figure) -> String {
     figure.info().limit.map(ToString::to_string).unwrap_or_default()
 }
 
+/// A number of a sphere as the table shows it.
 pub struct FigureText {
     pub text: String,
     /// Whether the figure is outside its limit.
