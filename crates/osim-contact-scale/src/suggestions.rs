@@ -23,9 +23,8 @@ pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Optio
     let mass = words.iter().find(|word| may_be_mass && !is_known(word) && kilograms(word).is_some());
     if let Some((word, kg)) = mass.and_then(|word| Some((word, kilograms(word)?))) {
         let text: Phrase = phrase![
-            format!("'{}' is neither a verb nor a file: did you mean ", word.display()),
-            Input::TargetMass.with_value(kg),
-            "?"
+            "'{}' is neither a verb nor a file: did you mean {}?";
+            word.display().to_string(), Input::TargetMass.with_value(kg)
         ];
         return Some(text.spelled(terms));
     }

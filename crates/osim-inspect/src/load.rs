@@ -233,12 +233,10 @@ impl MassMismatch {
     pub fn message(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         phrase![
-            format!("its contacts are made for {contacts} kg ("),
-            &self.contacts_mass.source.describe(),
-            format!(") and carry its body of {body} kg here: give "),
-            Input::Mass.with_value(contacts),
-            &self.answer_to_question(),
-            ", or scale the body first",
+            "its contacts are made for {contacts} kg ({}) and carry its body of {body} kg here: give {}{}, or scale \
+            the body first";
+            &self.contacts_mass.source.describe(), Input::Mass.with_value(contacts.clone()),
+            &self.answer_to_question()
         ]
     }
 
@@ -246,9 +244,8 @@ impl MassMismatch {
     pub(crate) fn clause(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         let other = phrase![
-            ": for those under the mass of the contacts give ",
-            Input::Mass.with_value(contacts),
-            &self.answer_to_question()
+            ": for those under the mass of the contacts give {}{}";
+            Input::Mass.with_value(contacts), &self.answer_to_question()
         ];
         phrase![format!("; the values are those under {body} kg"), Input::Mass.either(other, "")]
     }

@@ -257,12 +257,7 @@ fn made_for(inspected: &InspectedModel<'_>) -> Option<Phrase> {
     let mass = inspected.inspection.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
     let note = inspected.model.note.as_ref().filter(|_| mass.source == MassSource::Note.as_str());
     let by = note.and_then(|note| note.steps.last()).map(|step| format!(", by {}", step_in_words(step)));
-    Some(phrase![
-        format!("made for {} kg (", readable(mass.value)),
-        &mass.description,
-        by.unwrap_or_default(),
-        ")"
-    ])
+    Some(phrase!["made for {} kg ({}{})"; readable(mass.value), &mass.description, by.unwrap_or_default()])
 }
 
 fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {

@@ -42,11 +42,8 @@ impl LibraryFault {
     /// The fault that a resumed run would replace an output which somebody edited after it was written.
     pub(crate) fn output_edited(output: &Path) -> Self {
         Self::new(phrase![
-            format!(
-                "{} is not what an earlier run wrote, so it stays: move it away, or replace it with ",
-                output.display()
-            ),
-            Input::Force,
+            "{} is not what an earlier run wrote, so it stays: move it away, or replace it with {}";
+            output.display().to_string(), Input::Force
         ])
     }
 

@@ -53,11 +53,8 @@ impl ReportPage {
         };
         if path.exists() && !replaces {
             return Err(LibraryFault::new(phrase![
-                format!(
-                    "the report {} exists already: choose another name, or replace it with ",
-                    path.display()
-                ),
-                Input::Force,
+                "the report {} exists already: choose another name, or replace it with {}";
+                path.display().to_string(), Input::Force
             ]));
         }
         make_folder_of(path)?;

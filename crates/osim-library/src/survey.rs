@@ -92,9 +92,8 @@ impl Survey<'_> {
         let models = &self.sources.models;
         if models.len() > 1 && self.check.is_some_and(|call| call.output.is_some()) {
             let fault = phrase![
-                Input::Output,
-                " names one file, and these are several models: name a folder with ",
-                Input::OutputDir
+                "{} names one file, and these are several models: name a folder with {}";
+                Input::Output, Input::OutputDir
             ];
             return Err(LibraryFault::new(fault).into());
         }

@@ -212,10 +212,8 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
     let mut message = Phrase::from(format!("{place}{}", fault.message));
     if fault.needs_angles {
         message.push(&phrase![
-            ": give ",
-            Input::Angles.with_value("degrees"),
-            " or ",
-            Input::Angles.with_value("radians")
+            ": give {} or {}";
+            Input::Angles.with_value("degrees"), Input::Angles.with_value("radians")
         ]);
     }
     let mut failure = Failure::outside(path, "motion", message);

@@ -147,12 +147,9 @@ impl MotionResult {
             remarks.add(
                 "treadmill",
                 phrase![
-                    format!(
-                        "in stance the feet move over the floor at {} m/s. On a treadmill, give ",
-                        two_digits(speed)
-                    ),
-                    Input::Belt.with_value(two_digits(-mean.x)),
-                    ", and slip is measured against the belt"
+                    "in stance the feet move over the floor at {} m/s. On a treadmill, give {}, and slip is measured \
+                    against the belt";
+                    two_digits(speed).to_string(), Input::Belt.with_value(two_digits(-mean.x))
                 ],
             );
         }
@@ -359,14 +356,9 @@ fn answer(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
         .with_placeholder(Input::Motion, "MOTION")
         .with_placeholder(Input::Plates, "PLATES");
     let text = phrase![
-        format!(
-            "{}: up to {:.2} body weights where the plates measured up to {:.2}; {rms}. ",
-            foot.foot.name,
-            worst.peak_n / weight_n,
-            worst.measured_peak_n / weight_n
-        ),
-        call,
-        " finds what would fit"
+        "{}: up to {} body weights where the plates measured up to {}; {rms}. {} finds what would fit";
+        foot.foot.name.to_string(), format!("{:.2}", worst.peak_n / weight_n),
+        format!("{:.2}", worst.measured_peak_n / weight_n), call
     ];
     Ok(Err(rules::unlike_recording(text)))
 }

@@ -31,9 +31,8 @@ pub fn plot_feet(request: &PlotRequest, files: &dyn Files) -> Result<Vec<ModelFe
     let states = request.models.len() + usize::from(request.target_mass.is_some());
     if states > 2 {
         return Err(RequestFault::general(phrase![
-            "a figure of feet shows one model, or two (before and after): leave out others, and ",
-            Input::TargetMass,
-            " beside two",
+            "a figure of feet shows one model, or two (before and after): leave out others, and {} beside two";
+            Input::TargetMass
         ])
         .into());
     }

@@ -231,11 +231,9 @@ impl PreparedChange {
 fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
     let (said_kg, noted_kg) = given.contacts_mass_kg.zip(given.disagreeing_note_kg(model))?;
     let text = phrase![
-        Input::ContactsMass.with_value(readable(said_kg)),
-        format!(" is for all models of this call, and the note in this one says {} kg: ", readable(noted_kg)),
-        "do this model in a call of its own, or give each model its mass in a table (",
-        Verb::Batch.call(),
-        ")",
+        "{} is for all models of this call, and the note in this one says {} kg: do this model in a call of its own, \
+        or give each model its mass in a table ({})";
+        Input::ContactsMass.with_value(readable(said_kg)), readable(noted_kg), Verb::Batch.call()
     ];
     Some(NeedsAnswer::Other { question: Question::AgainstNote, text })
 }

@@ -255,21 +255,16 @@ pub(crate) fn findings_without_remedies(
 fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
     let advice = if has_parted {
         phrase![
-            "Unlike radii change about centres that stay. Keep the lowest points where they are with ",
-            Input::Level,
-            ", or the radii with ",
-            Input::Radius.with_value("keep"),
+            "Unlike radii change about centres that stay. Keep the lowest points where they are with {}, or the \
+            radii with {}";
+            Input::Level, Input::Radius.with_value("keep")
         ]
     } else {
         wrong.advice.clone()
     };
     let text: Phrase = phrase![
-        "the model would be wrong afterwards [",
-        wrong.code().as_str(),
-        "]: ",
-        &wrong.message,
-        ". ",
-        &advice
+        "the model would be wrong afterwards [{}]: {}. {}";
+        wrong.code().as_str(), &wrong.message, &advice
     ];
     NeedsAnswer::Other { question: Question::WrongAfterwards, text }
 }

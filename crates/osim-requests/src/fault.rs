@@ -80,10 +80,8 @@ impl RequestFault {
             }
             Self::Excludes { field, other } => {
                 phrase![
-                    &name_of_field(field),
-                    " and ",
-                    &name_of_field(other),
-                    " exclude each other: leave one out"
+                    "{} and {} exclude each other: leave one out";
+                    &name_of_field(field), &name_of_field(other)
                 ]
             }
             Self::Refused { message, .. } => message.clone(),

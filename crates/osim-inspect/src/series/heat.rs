@@ -77,11 +77,8 @@ fn only_kind(body: &ContactBody) -> Result<&SphereKind, Failure> {
         [kind] => Ok(kind),
         kinds => {
             let message = phrase![
-                format!(
-                    "its spheres have {} different contacts, and a heat map shows one: choose its force with ",
-                    kinds.len()
-                ),
-                Input::Select.with_placeholder("GLOB"),
+                "its spheres have {} different contacts, and a heat map shows one: choose its force with {}";
+                kinds.len().to_string(), Input::Select.with_placeholder("GLOB")
             ];
             Err(Failure::outside(&body.name, "plot", message))
         }

@@ -163,11 +163,9 @@ impl PlannedModel {
             }
             if self.is_from_memory() {
                 return Err(LibraryFault::new(phrase![
-                    format!(
-                        "this change was planned for a model in memory, and {} holds another one: write a new file with ",
-                        path.display()
-                    ),
-                    Input::Output,
+                    "this change was planned for a model in memory, and {} holds another one: write a new file with \
+                    {}";
+                    path.display().to_string(), Input::Output
                 ]));
             }
             Err(LibraryFault::new(format!(

@@ -140,9 +140,8 @@ fn check_options(
     let refused = |message| Err(LibraryFault::new(message));
     if output.output.is_some() && several {
         return refused(phrase![
-            Input::Output,
-            " is for one model: write several into a folder with ",
-            Input::OutputDir.with_placeholder("DIR"),
+            "{} is for one model: write several into a folder with {}";
+            Input::Output, Input::OutputDir.with_placeholder("DIR")
         ]);
     }
     if to_stdout && several {
@@ -153,12 +152,8 @@ fn check_options(
     }
     if to_stdout && (run.diff || run.format == Some(RunFormat::Json)) {
         return refused(phrase![
-            "the model goes to standard output: leave out ",
-            Input::Diff,
-            " and ",
-            Input::Format.with_value("json"),
-            ", or write it to a file with ",
-            Input::Output,
+            "the model goes to standard output: leave out {} and {}, or write it to a file with {}";
+            Input::Diff, Input::Format.with_value("json"), Input::Output
         ]);
     }
     if output.in_place && from_stdin {

@@ -229,9 +229,8 @@ impl PreviousRun {
 
 fn fault_of_summary(path: &Path, fault: &LibraryFault) -> LibraryFault {
     let mut message = phrase![
-        format!("cannot continue with {}: give ", path.display()),
-        Input::Summary,
-        " the file of the earlier run: ",
+        "cannot continue with {}: give {} the file of the earlier run: ";
+        path.display().to_string(), Input::Summary
     ];
     message.push(fault.phrase());
     LibraryFault::new(message)

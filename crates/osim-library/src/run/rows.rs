@@ -39,9 +39,8 @@ impl<'r> RowReader<'r> {
     pub fn new(request: &'r BatchRequest) -> Result<Self, LibraryFault> {
         if request.output.output.is_some() || request.output.geometry_output.is_some() {
             return Err(LibraryFault::new(phrase![
-                Input::Output,
-                " is for one model: give the rows a column 'output', or write all into a folder with ",
-                Input::OutputDir.with_placeholder("DIR"),
+                "{} is for one model: give the rows a column 'output', or write all into a folder with {}";
+                Input::Output, Input::OutputDir.with_placeholder("DIR")
             ]));
         }
         Ok(Self { request })

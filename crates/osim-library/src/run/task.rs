@@ -201,12 +201,8 @@ impl<'p> PathConflicts<'p> {
             let itself = phrase![", or change it with ", Input::InPlace];
             let itself = if matches!(owner, PathOwner::Model(..)) { itself } else { Phrase::default() };
             return Err(LibraryFault::new(phrase![
-                format!(
-                    "the output {} is an input of this run ({}): choose another name",
-                    path.display(),
-                    input.display()
-                ),
-                &itself,
+                "the output {} is an input of this run ({}): choose another name{}";
+                path.display().to_string(), input.display().to_string(), &itself
             ]));
         }
         self.add_output_once(real, path, owner)

@@ -203,11 +203,10 @@ fn plan_with_note_and_remarks(
         false => format!("n = {count}"),
     };
     let mut taken = phrase![
-        format!("contacts of {} ({} kg, ", reference.name, readable(reference.mass.kg)),
-        &reference.mass.source.describe(),
-        format!("; {}) for {} kg (", count(reference.sphere_count), readable(wanted.target_mass.kg)),
-        &wanted.target_mass.source.describe(),
-        format!("; {})", count(wanted.sphere_count)),
+        "contacts of {} ({} kg, {}; {}) for {} kg ({}; {})";
+        reference.name.to_string(), readable(reference.mass.kg), &reference.mass.source.describe(),
+        count(reference.sphere_count).to_string(), readable(wanted.target_mass.kg),
+        &wanted.target_mass.source.describe(), count(wanted.sphere_count).to_string()
     ];
     if wanted.rule == ScalingRule::Paper {
         taken.push(gravity.in_words());

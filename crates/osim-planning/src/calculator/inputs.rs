@@ -128,11 +128,9 @@ impl DesignInputs {
                 load,
                 "load per sphere",
                 phrase![
-                    Input::Mass.with_placeholder("KG"),
-                    " (or ",
-                    Input::Load.with_placeholder("N"),
-                    ") with ",
-                    Input::Spheres.with_placeholder("N"),
+                    "{} (or {}) with {}";
+                    Input::Mass.with_placeholder("KG"), Input::Load.with_placeholder("N"),
+                    Input::Spheres.with_placeholder("N")
                 ],
             ),
             (self.radius_m.is_some(), "radius", Input::Radius.with_placeholder("METRES").into()),
@@ -141,12 +139,9 @@ impl DesignInputs {
                 self.composite_modulus.is_some(),
                 "modulus",
                 phrase![
-                    Input::Stiffness.with_placeholder("E1"),
-                    " (or ",
-                    Input::Young.with_placeholder("E"),
-                    " with ",
-                    Input::Poisson.with_placeholder("NU"),
-                    ")",
+                    "{} (or {} with {})";
+                    Input::Stiffness.with_placeholder("E1"), Input::Young.with_placeholder("E"),
+                    Input::Poisson.with_placeholder("NU")
                 ],
             ),
             (
@@ -158,9 +153,8 @@ impl DesignInputs {
         let known: Vec<_> = have.iter().filter(|(have, ..)| *have).map(|(_, name, _)| *name).collect();
         let known = if known.is_empty() { "nothing".to_owned() } else { known.join(", ") };
         let mut message = phrase![
-            format!("too little is known: three quantities give the rest, known: {known}"),
-            &self.missing_part_of_load(),
-            "; add of: ",
+            "too little is known: three quantities give the rest, known: {known}{}; add of: ";
+            &self.missing_part_of_load()
         ];
         for (index, (.., input)) in have.iter().filter(|(have, ..)| !have).enumerate() {
             if index > 0 {
@@ -175,13 +169,8 @@ impl DesignInputs {
         match (self.load_n.is_some(), self.spheres.is_some()) {
             (true, false) => phrase!["; the load needs ", Input::Spheres.with_placeholder("N"), " too"],
             (false, true) => phrase![
-                "; ",
-                Input::Spheres,
-                " needs ",
-                Input::Mass.with_placeholder("KG"),
-                " or ",
-                Input::Load.with_placeholder("N"),
-                " too",
+                "; {} needs {} or {} too";
+                Input::Spheres, Input::Mass.with_placeholder("KG"), Input::Load.with_placeholder("N")
             ],
             _ => phrase![],
         }
@@ -208,12 +197,8 @@ impl DesignInputs {
             _ => (Input::ContactStiffness.into(), given, follows),
         };
         RequestFault::general(phrase![
-            &input,
-            format!(
-                " is given as {}, but {} follows from the other quantities: leave one out",
-                readable(given),
-                readable(follows)
-            ),
+            "{} is given as {}, but {} follows from the other quantities: leave one out";
+            &input, readable(given), readable(follows)
         ])
     }
 }

@@ -307,10 +307,8 @@ fn add_dissipation(
         }
         (None, None) => {
             let message = phrase![
-                Input::Restitution,
-                " needs ",
-                Input::ImpactSpeed.with_placeholder("M/S"),
-                ", or a radius to take sqrt(gR/2) from",
+                "{} needs {}, or a radius to take sqrt(gR/2) from";
+                Input::Restitution, Input::ImpactSpeed.with_placeholder("M/S")
             ];
             return Err(RequestFault::refused(Input::Restitution, message));
         }

@@ -276,13 +276,9 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsAnswer>
     let write = if units.is_empty() { "" } else { ", write " };
     let bodies: Vec<String> = sole.bodies.iter().map(|body| shown(body).to_string()).collect();
     let text = phrase![
-        Input::Pad.with_value(readable(pad_m)),
-        format!(
-            " is more than the length of the foot of {}, {} m: it is in m{write}{}",
-            bodies.join(", "),
-            four_significant(length_m),
-            units.join(", or ")
-        ),
+        "{} is more than the length of the foot of {}, {} m: it is in m{write}{}";
+        Input::Pad.with_value(readable(pad_m)), bodies.join(", "), four_significant(length_m),
+        units.join(", or ")
     ];
     Some(NeedsAnswer::Other { question: Question::ImplausiblePlace, text })
 }
@@ -297,11 +293,8 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsAnswer> 
         false => String::new(),
     };
     let text = phrase![
-        Input::BodyScale.with_value(scale.to_string()),
-        format!(
-            " makes a bone {} times as long as the reference's: between a mouse and a giraffe it is 38 times{percent}",
-            readable(factor)
-        ),
+        "{} makes a bone {} times as long as the reference's: between a mouse and a giraffe it is 38 times{percent}";
+        Input::BodyScale.with_value(scale.to_string()), readable(factor)
     ];
     Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text })
 }

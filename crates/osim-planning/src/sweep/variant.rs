@@ -309,10 +309,8 @@ impl SweepLadder {
     ) -> Result<Self, RequestFault> {
         let Some(indentation) = request.wanted.indentation else {
             let message = phrase![
-                Input::Ladder,
-                " needs ",
-                Input::Indentation.with_placeholder("X"),
-                " for its last step"
+                "{} needs {} for its last step";
+                Input::Ladder, Input::Indentation.with_placeholder("X")
             ];
             return Err(RequestFault::refused(Input::Ladder, message));
         };

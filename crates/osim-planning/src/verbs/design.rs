@@ -55,18 +55,15 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     let refused = |input, message| Err(RequestFault::refused(input, message));
     if request.masses.contacts_mass.is_some() {
         let why = phrase![
-            Input::ContactsMass,
-            " has no effect here: a design follows from ",
-            Input::Mass,
-            " and the load"
+            "{} has no effect here: a design follows from {} and the load";
+            Input::ContactsMass, Input::Mass
         ];
         return refused(Input::ContactsMass, why);
     }
     if wanted.indentation.is_none() && (request.load.load.is_some() || request.load.body_weights.is_some()) {
         let why = phrase![
-            "a load says nothing without ",
-            Input::Indentation.with_placeholder("X"),
-            ": leave it out, or give the indentation that you want",
+            "a load says nothing without {}: leave it out, or give the indentation that you want";
+            Input::Indentation.with_placeholder("X")
         ];
         return Err(RequestFault::general(why));
     }
@@ -84,32 +81,23 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
     }
     if wanted.indentation.is_some() && wanted.young.is_some() {
         let why = phrase![
-            Input::Indentation,
-            " and ",
-            Input::Young,
-            " both say what the stiffness is: leave one out"
+            "{} and {} both say what the stiffness is: leave one out";
+            Input::Indentation, Input::Young
         ];
         return refused(Input::Indentation, why);
     }
     if wanted.contact_stiffness.is_some() && (wanted.indentation.is_none() || wanted.radius.is_some()) {
         let why = phrase![
-            "with models, ",
-            Input::ContactStiffness,
-            " needs ",
-            Input::Indentation,
-            ", and gives the radius: leave out ",
-            Input::Radius,
+            "with models, {} needs {}, and gives the radius: leave out {}";
+            Input::ContactStiffness, Input::Indentation, Input::Radius
         ];
         return refused(Input::ContactStiffness, why);
     }
     if !wanted.asks() {
         return Err(RequestFault::general(phrase![
-            "nothing is asked for: give for example ",
-            Input::Indentation.with_placeholder("X"),
-            ", ",
-            Input::Restitution.with_placeholder("CR"),
-            " or ",
-            Input::ConstantIndentation.with_placeholder("X"),
+            "nothing is asked for: give for example {}, {} or {}";
+            Input::Indentation.with_placeholder("X"), Input::Restitution.with_placeholder("CR"),
+            Input::ConstantIndentation.with_placeholder("X")
         ]));
     }
     Ok(())

@@ -53,11 +53,10 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
     let (motions, plates, loads) = (&request.motion, &request.plates, &request.loads);
     if plates.len() != motions.len() || !(loads.len() <= 1 || loads.len() == motions.len()) {
         let why = phrase![
-            format!("there are {} motions, {} tables of ", motions.len(), plates.len()),
-            Input::Plates,
-            format!(" and {} of ", loads.len()),
-            Input::Loads,
-            ": give one table for each motion, in the same order, and one ExternalLoads for each or for all"
+            "there are {} motions, {} tables of {} and {} of {}: give one table for each motion, in the same order, \
+            and one ExternalLoads for each or for all";
+            motions.len().to_string(), plates.len().to_string(), Input::Plates, loads.len().to_string(),
+            Input::Loads
         ];
         return Err(RequestFault::refused(Input::Plates, why).into());
     }
@@ -78,10 +77,8 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
     let bounds = fit_bounds(&request);
     if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
         let why = phrase![
-            "no height is fitted: leave out ",
-            Input::HeightIn,
-            ", or add ",
-            Input::Fit.with_value("height")
+            "no height is fitted: leave out {}, or add {}";
+            Input::HeightIn, Input::Fit.with_value("height")
         ];
         return Err(RequestFault::refused(Input::HeightIn, why).into());
     }

@@ -42,10 +42,9 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
         (None, Some(limbs)) => NewNote::StanceLimbs(limbs.get()),
         (None, None) => {
             return Err(RequestFault::general(phrase![
-                "the mass is missing: give the mass that the contacts in the file were made for with ",
-                Input::ContactsMass.with_placeholder("KG"),
-                ", or the number of limbs that share the weight with ",
-                Input::StanceLimbs.with_placeholder("N"),
+                "the mass is missing: give the mass that the contacts in the file were made for with {}, or the \
+                number of limbs that share the weight with {}";
+                Input::ContactsMass.with_placeholder("KG"), Input::StanceLimbs.with_placeholder("N")
             ]));
         }
     };

@@ -198,10 +198,9 @@ fn reference_from_model(
 fn misplaced_reference_spheres(model: &Model) -> Option<NeedsAnswer> {
     let finding = find_misplaced_spheres(model)?;
     let text = phrase![
-        "the spheres of the reference do not fit its own bones, so those of the model would not fit, either: ",
-        &finding.message,
-        "; take the model that was scaled as ",
-        Input::From,
+        "the spheres of the reference do not fit its own bones, so those of the model would not fit, either: {}; \
+        take the model that was scaled as {}";
+        &finding.message, Input::From
     ];
     Some(NeedsAnswer::Other { question: Question::WrongAfterwards, text })
 }

@@ -35,10 +35,8 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
     let is_file = matches!(named, NamedSource::File);
     if !is_file && request.follow.follow_bodies {
         let message = phrase![
-            Input::FollowBodies,
-            " needs the generic model as ",
-            Input::From,
-            ", a preset has no bodies"
+            "{} needs the generic model as {}, a preset has no bodies";
+            Input::FollowBodies, Input::From
         ];
         return Err(RequestFault::refused(Input::FollowBodies, message).into());
     }
@@ -114,21 +112,15 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
     }
     if request.masses.contacts_mass.is_some() {
         let message = phrase![
-            Input::ContactsMass,
-            " has no effect here: the reference's mass is ",
-            Input::ReferenceMass,
-            ", this model's ",
-            Input::Mass,
+            "{} has no effect here: the reference's mass is {}, this model's {}";
+            Input::ContactsMass, Input::ReferenceMass, Input::Mass
         ];
         return Err(RequestFault::refused(Input::ContactsMass, message));
     }
     if request.scaling.contacts_gravity.is_some() {
         let message = phrase![
-            Input::ContactsGravity,
-            " has no effect here: the reference's gravity is ",
-            Input::ReferenceGravity,
-            ", the one to scale to ",
-            Input::TargetGravity,
+            "{} has no effect here: the reference's gravity is {}, the one to scale to {}";
+            Input::ContactsGravity, Input::ReferenceGravity, Input::TargetGravity
         ];
         return Err(RequestFault::refused(Input::ContactsGravity, message));
     }
@@ -139,10 +131,8 @@ fn check_options(request: &TransferRequest) -> Result<(), RequestFault> {
         ];
         if let Some((input, _)) = gravities.into_iter().find(|(_, given)| *given) {
             let message = phrase![
-                input,
-                " says nothing with ",
-                Input::Rule.with_value("predsim"),
-                ", which has no gravity"
+                "{} says nothing with {}, which has no gravity";
+                input, Input::Rule.with_value("predsim")
             ];
             return Err(RequestFault::refused(input, message));
         }
@@ -158,11 +148,9 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
         !scaling.properties().contains(Property::Radius) || matches!(rule, None | Some(RadiusRule::Keep));
     if scaling.level && !follow.follow_bodies && stays {
         let message = phrase![
-            Input::Level,
-            " has no effect here: radii stay, and the lowest points with them; give other radii with ",
-            Input::Radius.with_value("isometric"),
-            " (or metres, or a factor), or move spheres with their bodies by ",
-            Input::FollowBodies,
+            "{} has no effect here: radii stay, and the lowest points with them; give other radii with {} (or \
+            metres, or a factor), or move spheres with their bodies by {}";
+            Input::Level, Input::Radius.with_value("isometric"), Input::FollowBodies
         ];
         return Err(RequestFault::refused(Input::Level, message));
     }
@@ -171,22 +159,15 @@ fn check_radii(request: &TransferRequest) -> Result<(), RequestFault> {
     }
     if matches!(rule, Some(RadiusRule::Factor(_))) {
         let message = phrase![
-            "a factor of ",
-            Input::Radius,
-            " says nothing with ",
-            Input::FollowBodies,
-            ": radii follow the bodies, by ",
-            Input::RadiusAxis,
-            ", or are isometric, metres or kept",
+            "a factor of {} says nothing with {}: radii follow the bodies, by {}, or are isometric, metres or kept";
+            Input::Radius, Input::FollowBodies, Input::RadiusAxis
         ];
         return Err(RequestFault::refused(Input::Radius, message));
     }
     if follow.radius_axis() != RadiusAxis::default() {
         let message = phrase![
-            Input::RadiusAxis,
-            " says nothing with ",
-            Input::Radius,
-            ": radii follow either from the factors of bodies or from that rule",
+            "{} says nothing with {}: radii follow either from the factors of bodies or from that rule";
+            Input::RadiusAxis, Input::Radius
         ];
         return Err(RequestFault::refused(Input::RadiusAxis, message));
     }

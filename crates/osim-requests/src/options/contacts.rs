@@ -141,12 +141,8 @@ impl ContactNumbers {
                 hunt_crossley_smoothing: bv.get(),
             })),
             _ => Err(RequestFault::general(phrase![
-                "the smoothed law needs all of ",
-                Input::ConstantContactForce,
-                ", ",
-                Input::HertzSmoothing,
-                ", ",
-                Input::HuntCrossleySmoothing,
+                "the smoothed law needs all of {}, {}, {}";
+                Input::ConstantContactForce, Input::HertzSmoothing, Input::HuntCrossleySmoothing
             ])),
         }
     }

@@ -79,9 +79,8 @@ impl SweepRequest {
         if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
         {
             let message = phrase![
-                format!("{count} models would be made, more than 10,000: confirm it with "),
-                &Question::ManyModels.answer(),
-                ", or give fewer values",
+                "{count} models would be made, more than 10,000: confirm it with {}, or give fewer values";
+                &Question::ManyModels.answer()
             ];
             return Err(RequestFault::general(message));
         }
@@ -139,10 +138,8 @@ fn check_axes(request: &SweepRequest) -> Result<(), RequestFault> {
     ] {
         if has(quantity) && given {
             return refused(phrase![
-                input,
-                " and ",
-                Input::Grid,
-                format!(" {} both say what it is: leave one out", quantity.as_str()),
+                "{} and {} {} both say what it is: leave one out";
+                input, Input::Grid, quantity.as_str().to_string()
             ]);
         }
         if (has(quantity) || given) && has(AxisName::Property(property)) {

@@ -123,12 +123,8 @@ pub fn failure_of_plot(error: PlotError, bodies: &[ContactBody]) -> Failure {
             phrase![error.to_string(), ": choose with ", Input::Select.with_placeholder("GLOB")]
         }
         PlotError::NoAxis { which: "horizontal", .. } => phrase![
-            error.to_string(),
-            ": leave out ",
-            Input::XRange,
-            "; a drop is made shorter by ",
-            Input::Duration,
-            ", a heat map by its grid"
+            "{}: leave out {}; a drop is made shorter by {}, a heat map by its grid";
+            error.to_string(), Input::XRange, Input::Duration
         ],
         error => error.to_string().into(),
     };

@@ -309,11 +309,8 @@ fn missing_bones_in_words(state: &ModelFeet, dialect: &dyn Dialect) -> Option<St
     let mut reasons: Vec<String> = Vec::new();
     if !names.is_empty() {
         let text = phrase![
-            format!(
-                "no bones are drawn of {}: name the folder of the meshes with ",
-                listed(&names, NAMES_LISTED)
-            ),
-            Input::GeometryDir.with_placeholder("DIR"),
+            "no bones are drawn of {}: name the folder of the meshes with {}";
+            listed(&names, NAMES_LISTED), Input::GeometryDir.with_placeholder("DIR")
         ];
         reasons.push(text.spelled(dialect));
     }

@@ -203,17 +203,12 @@ impl FaultKind {
                 phrase![Input::BodyScale.with_value(body), ": the model has no body of that name"]
             }
             Self::NoContacts { detail } => phrase![
-                detail.clone(),
-                ": give it contacts with ",
-                Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER"),
+                "{}: give it contacts with {}";
+                detail.clone(), Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER")
             ],
             Self::ContactsExist { forces } => phrase![
-                format!("the model has contacts already: {forces}; make them right with "),
-                Verb::Rescale.call(),
-                " or ",
-                Verb::Transfer.call(),
-                ", or replace them with ",
-                Input::Replace,
+                "the model has contacts already: {forces}; make them right with {} or {}, or replace them with {}";
+                Verb::Rescale.call(), Verb::Transfer.call(), Input::Replace
             ],
             Self::MissingCarriers { bodies, others } => {
                 let (is, first) = match bodies.as_slice() {
@@ -239,13 +234,8 @@ impl FaultKind {
                 },
             ],
             Self::NothingSelected { forces } => phrase![
-                "no contact force is left by ",
-                Input::Select,
-                ", ",
-                Input::Exclude,
-                " and ",
-                Input::SkipDisabled,
-                format!("; the model has {forces}"),
+                "no contact force is left by {}, {} and {}; the model has {forces}";
+                Input::Select, Input::Exclude, Input::SkipDisabled
             ],
             Self::ZeroConstantContactForce => phrase![
                 "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
@@ -259,20 +249,13 @@ impl FaultKind {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]
             }
             Self::SphereInsideForce { force } => phrase![
-                format!(
-                    "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later cannot read that: \
-                     first do "
-                ),
-                Verb::Convert.call().with_value(Input::To, "smooth"),
-                ", then this with what it wrote",
+                "{force} keeps its sphere inside itself, as Moco 0.1 to 0.3 wrote it, and OpenSim 4.2 and later \
+                cannot read that: first do {}, then this with what it wrote";
+                Verb::Convert.call().with_value(Input::To, "smooth")
             ],
             Self::ForceCannotChange { text, force, otherwise } => {
                 let other = if otherwise.is_empty() { String::new() } else { format!(", or {otherwise}") };
-                phrase![
-                    format!("{text}: leave this force out with "),
-                    Input::Exclude.with_value(force),
-                    other
-                ]
+                phrase!["{text}: leave this force out with {}{}"; Input::Exclude.with_value(force), other]
             }
             other => other.without_inputs().into(),
         }

@@ -206,10 +206,8 @@ impl Needed {
                 },
                 Input::Mass.either(
                     phrase![
-                        ": give the mass of the model with ",
-                        Input::Mass.with_placeholder("KG"),
-                        ", or the mass that its contacts are made for with ",
-                        Input::ContactsMass.with_placeholder("KG"),
+                        ": give the mass of the model with {}, or the mass that its contacts are made for with {}";
+                        Input::Mass.with_placeholder("KG"), Input::ContactsMass.with_placeholder("KG")
                     ],
                     ": give them masses",
                 ),
@@ -226,10 +224,8 @@ impl Needed {
                 known_contacts_mass(title, *made_for_kg, *bodies_kg, *input)
             }
             Self::ContactsGravity { doubt } => phrase![
-                "it is not certain which gravity the contacts are made for, because ",
-                doubt.as_str(),
-                ": give that gravity with ",
-                Input::ContactsGravity.with_placeholder("G"),
+                "it is not certain which gravity the contacts are made for, because {}: give that gravity with {}";
+                doubt.as_str(), Input::ContactsGravity.with_placeholder("G")
             ],
             Self::Selection { trees, input } => {
                 let each: Vec<_> =
@@ -247,10 +243,8 @@ impl Needed {
     fn about_spheres(&self) -> Phrase {
         match self {
             Self::SphereCount { of, why } => phrase![
-                "how many spheres share the body weight is not known: ",
-                why,
-                ": say it with ",
-                of.input().with_placeholder("N"),
+                "how many spheres share the body weight is not known: {}: say it with {}";
+                why, of.input().with_placeholder("N")
             ],
             Self::SharedSphere { sphere, changed, left, can_choose, radius } => {
                 let mut text = shared_sphere(sphere, changed, left, *can_choose);
@@ -264,29 +258,19 @@ impl Needed {
     fn about_reference(&self) -> Phrase {
         match self {
             Self::ReferenceContact { reference, unmatched } => phrase![
-                format!(
-                    "the contacts of {reference} differ from each other, and it has no spheres with these names: {}",
-                    unmatched.join(", ")
-                ),
-                ": choose the contact to take with ",
-                Input::ReferenceSphere.with_placeholder("NAME"),
+                "the contacts of {reference} differ from each other, and it has no spheres with these names: {}: \
+                choose the contact to take with {}";
+                unmatched.join(", "), Input::ReferenceSphere.with_placeholder("NAME")
             ],
             Self::ReferenceContactOfForce { force } => phrase![
-                format!("the spheres of {force} have different contacts in the reference"),
-                ": choose the contact to take with ",
-                Input::ReferenceSphere.with_placeholder("NAME"),
+                "the spheres of {force} have different contacts in the reference: choose the contact to take with {}";
+                Input::ReferenceSphere.with_placeholder("NAME")
             ],
             Self::ReferenceRadius { reference, unmatched } => phrase![
-                format!(
-                    "radii differ in {reference}, and it has no spheres with these names: {}",
-                    unmatched.join(", ")
-                ),
-                ": say the radius with ",
-                Input::Radius.with_placeholder("METRES"),
-                ", or whose with ",
-                Input::ReferenceSphere.with_placeholder("NAME"),
-                ", or keep radii with ",
-                Input::Radius.with_value("keep"),
+                "radii differ in {reference}, and it has no spheres with these names: {}: say the radius with {}, or \
+                whose with {}, or keep radii with {}";
+                unmatched.join(", "), Input::Radius.with_placeholder("METRES"),
+                Input::ReferenceSphere.with_placeholder("NAME"), Input::Radius.with_value("keep")
             ],
             Self::BodyFactors { body, axes } => phrase![
                 format!("how body {body} was scaled along {} is not in the files", joined_axes(axes)),
@@ -313,14 +297,10 @@ impl Needed {
             ],
             Self::Factors(question) => question.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
-                format!(
-                    "spheres of {model} were moved or resized already, by another tool or by hand: {}",
-                    spheres.join(", ")
-                ),
-                ": keep them with ",
-                Input::MovedSpheres.with_value("keep"),
-                ", or place them again with ",
-                Input::MovedSpheres.with_value("replace"),
+                "spheres of {model} were moved or resized already, by another tool or by hand: {}: keep them with \
+                {}, or place them again with {}";
+                spheres.join(", "), Input::MovedSpheres.with_value("keep"),
+                Input::MovedSpheres.with_value("replace")
             ],
             other => other.about_request(),
         }
@@ -330,9 +310,8 @@ impl Needed {
     fn about_request(&self) -> Phrase {
         match self {
             Self::Repetition { operation } => phrase![
-                format!("the note in the file says that '{operation}' was done already"),
-                ": apply it once more with ",
-                Input::Force,
+                "the note in the file says that '{operation}' was done already: apply it once more with {}";
+                Input::Force
             ],
             Self::AlreadyFollowed => phrase![
                 "by the note in the file, spheres follow their bodies already, and a ScaleSet would move them once more: \
@@ -355,10 +334,8 @@ impl Needed {
                 ),
             ],
             Self::Load => phrase![
-                "an indentation needs a load: give ",
-                Input::Load.with_placeholder("N"),
-                " or ",
-                Input::BodyWeights.with_placeholder("B"),
+                "an indentation needs a load: give {} or {}";
+                Input::Load.with_placeholder("N"), Input::BodyWeights.with_placeholder("B")
             ],
             Self::NotedSizes => phrase![
                 "the file does not show how its bodies were scaled (it has no note, or spheres were moved since): take \
@@ -368,11 +345,9 @@ impl Needed {
             Self::Gravity { purpose } => purpose.phrase(),
             // `HeightRatio`; the others were answered before.
             _ => phrase![
-                Input::Rule.with_value("predsim"),
-                " needs the ratio of heights: give ",
-                Input::HeightRatio.with_placeholder("RATIO"),
-                ", or ",
-                Input::FollowBodies,
+                "{} needs the ratio of heights: give {}, or {}";
+                Input::Rule.with_value("predsim"), Input::HeightRatio.with_placeholder("RATIO"),
+                Input::FollowBodies
             ],
         }
     }

@@ -98,9 +98,8 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
         format!("sphere {sphere} is used by {changed}, which would change, and by {left}, {stays}: ").into();
     if can_choose {
         text.push(&phrase![
-            "choose all of them with ",
-            Input::Select.with_placeholder("GLOB"),
-            ", excluding none of these, or "
+            "choose all of them with {}, excluding none of these, or ";
+            Input::Select.with_placeholder("GLOB")
         ]);
     }
     text
@@ -205,42 +204,31 @@ impl FactorQuestion {
         let three = |factors: &[f64; 3]| factors.map(one).join(", ");
         match self {
             Self::Meshes { body, meshes: [(one, by_one), (other, by_other)] } => phrase![
-                format!(
-                    "the meshes of body {body} give different factors: {one} gives {}, {other} gives {}",
-                    three(by_one),
-                    three(by_other)
-                ),
-                body_scale_hint(": say which with ", &[body]),
+                "the meshes of body {body} give different factors: {one} gives {}, {other} gives {}{}";
+                three(by_one).to_string(), three(by_other).to_string(),
+                body_scale_hint(": say which with ", &[body])
             ],
             Self::Sides { bodies: [one, other], factors: [by_one, by_other] } => phrase![
-                format!(
-                    "left and right would get different factors, and this model is not a scaled copy of the reference: {one} {}, \
-                     {other} {}",
-                    three(by_one),
-                    three(by_other)
-                ),
-                body_scale_hint(": say them with ", &[one, other]),
+                "left and right would get different factors, and this model is not a scaled copy of the reference: \
+                {one} {}, {other} {}{}";
+                three(by_one).to_string(), three(by_other).to_string(),
+                body_scale_hint(": say them with ", &[one, other])
             ],
             Self::OtherBone { body, joint, ratios: [by_mesh, by_joint] } => phrase![
-                format!(
-                    "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to joint {joint} is \
-                     the reference's times {by_joint:.4}: the file is probably another animal's bone of the same name"
-                ),
-                body_scale_hint("; say the factors with ", &[body]),
+                "the mesh of body {body} has a bone of the reference's size times {by_mesh:.4}, but its distance to \
+                joint {joint} is the reference's times {by_joint:.4}: the file is probably another animal's bone of \
+                the same name{}";
+                body_scale_hint("; say the factors with ", &[body])
             ],
             Self::NoSource { body } => phrase![
-                format!(
-                    "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and no joint \
-                     of the same name 20 mm or more from its origin)"
-                ),
-                body_scale_hint(": say it with ", &[body]),
+                "how large body {body} is against the reference's is not in the files (no mesh of the same bone, and \
+                no joint of the same name 20 mm or more from its origin){}";
+                body_scale_hint(": say it with ", &[body])
             ],
             Self::OtherReference { body, joint, apart_m } => phrase![
-                format!("joint {joint} on {body} is {:.1} mm from where ", apart_m * 1000.0),
-                Input::BodyScaleFile,
-                " puts it: that file was applied to another model than the reference; take the contacts from that model, or leave ",
-                Input::BodyScaleFile,
-                " out",
+                "joint {joint} on {body} is {} mm from where {} puts it: that file was applied to another model than \
+                the reference; take the contacts from that model, or leave {} out";
+                format!("{:.1}", apart_m * 1000.0), Input::BodyScaleFile, Input::BodyScaleFile
             ],
         }
     }

@@ -23,9 +23,8 @@ pub(super) fn body_names(texts: &[String]) -> Result<Vec<String>, RequestFault> 
     for text in texts.iter().flat_map(|text| text.split([',', ';'])).map(trimmed) {
         if text.is_empty() {
             let message = phrase![
-                Input::Feet,
-                ": a name is missing; expected the bodies that touch the ground with commas between them, as in ",
-                Input::Feet.with_placeholder("calcn_r,calcn_l"),
+                "{}: a name is missing; expected the bodies that touch the ground with commas between them, as in {}";
+                Input::Feet, Input::Feet.with_placeholder("calcn_r,calcn_l")
             ];
             return Err(RequestFault::refused(Input::Feet, message));
         }

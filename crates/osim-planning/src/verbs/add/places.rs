@@ -177,16 +177,10 @@ impl TablePlaces {
             PlaceFault::OnlyGlobal => AddFault::OutsideModel(
                 "table",
                 phrase![
-                    self.table_and_line(row),
-                    format!(
-                        "{name} has a place in ground only, and {} is elsewhere: give its place in the frame of ",
-                        row.body
-                    ),
-                    format!(
-                        "{} (columns x, y, z, or pos_x_in_local and so on), or, if it was measured at the default pose, give ",
-                        row.body
-                    ),
-                    Input::DefaultPose,
+                    "{}{name} has a place in ground only, and {} is elsewhere: give its place in the frame of {} \
+                    (columns x, y, z, or pos_x_in_local and so on), or, if it was measured at the default pose, \
+                    give {}";
+                    self.table_and_line(row), row.body.to_string(), row.body.to_string(), Input::DefaultPose
                 ],
             ),
             PlaceFault::Disagree(apart_m) => {
@@ -253,10 +247,8 @@ fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
             TiltingCoordinate::listed(&tilting)
         )],
         true => phrase![
-            ": name the bodies that touch the ground with ",
-            Input::Feet.with_placeholder("BODY,BODY"),
-            ", or give the places in a table, ",
-            Input::Contacts.with_placeholder("TABLE"),
+            ": name the bodies that touch the ground with {}, or give the places in a table, {}";
+            Input::Feet.with_placeholder("BODY,BODY"), Input::Contacts.with_placeholder("TABLE")
         ],
     });
     Some(NeedsAnswer::Other { question: Question::TiltedFoot, text })

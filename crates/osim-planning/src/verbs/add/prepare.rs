@@ -86,11 +86,8 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let message = match request.from {
             Some(_) => phrase![
-                Input::ContactsMass,
-                " has no effect here: the reference's mass is ",
-                Input::ReferenceMass,
-                ", this model's ",
-                Input::Mass,
+                "{} has no effect here: the reference's mass is {}, this model's {}";
+                Input::ContactsMass, Input::ReferenceMass, Input::Mass
             ],
             None => {
                 phrase![Input::ContactsMass, " has no effect here: contacts are made for ", Input::Mass]
@@ -220,16 +217,11 @@ fn designed_numbers(request: &AddRequest) -> Result<DesignedNumbers, RequestFaul
     let numbers = &request.numbers;
     if numbers.indentation.is_none() && numbers.young.is_none() {
         return Err(RequestFault::general(phrase![
-            "the stiffness of the contacts is not known: name the model whose numbers they get with ",
-            Input::From.with_placeholder("MODEL|PRESET"),
-            ", or give the behaviour that you want with ",
-            Input::Indentation.with_placeholder("X"),
-            " (and ",
-            Input::Restitution.with_placeholder("CR"),
-            "), or with ",
-            Input::Young.with_placeholder("E"),
-            " and ",
-            Input::Poisson.with_placeholder("NU"),
+            "the stiffness of the contacts is not known: name the model whose numbers they get with {}, or give the \
+            behaviour that you want with {} (and {}), or with {} and {}";
+            Input::From.with_placeholder("MODEL|PRESET"), Input::Indentation.with_placeholder("X"),
+            Input::Restitution.with_placeholder("CR"), Input::Young.with_placeholder("E"),
+            Input::Poisson.with_placeholder("NU")
         ]));
     }
     let Some(class) = request.class else {
@@ -294,12 +286,9 @@ fn missing_radius() -> RequestFault {
 
 fn missing_source() -> RequestFault {
     RequestFault::general(phrase![
-        "the places of the contacts are not given: ",
-        Input::From.with_placeholder("MODEL|PRESET"),
-        " takes those of another model at this one's size, ",
-        Input::Contacts.with_placeholder("TABLE"),
-        " those of a table, and ",
-        Input::Feet.with_placeholder("BODY,BODY"),
-        " lays spheres under bones",
+        "the places of the contacts are not given: {} takes those of another model at this one's size, {} those of a \
+        table, and {} lays spheres under bones";
+        Input::From.with_placeholder("MODEL|PRESET"), Input::Contacts.with_placeholder("TABLE"),
+        Input::Feet.with_placeholder("BODY,BODY")
     ])
 }

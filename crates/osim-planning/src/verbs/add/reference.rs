@@ -69,10 +69,9 @@ impl Numbers {
         let reference = &numbers.reference;
         numbers.radius(name)?.ok_or_else(|| {
             let message = phrase![
-                format!("the spheres of {} have different radii: give the radius with ", reference.name),
-                Input::Radius.with_placeholder("METRES"),
-                ", or whose with ",
-                Input::ReferenceSphere.with_placeholder("NAME"),
+                "the spheres of {} have different radii: give the radius with {}, or whose with {}";
+                reference.name.to_string(), Input::Radius.with_placeholder("METRES"),
+                Input::ReferenceSphere.with_placeholder("NAME")
             ];
             AddFault::OutsideModel("which-reference", message)
         })
@@ -368,12 +367,8 @@ pub(super) fn open_reference(from: &Path, files: &dyn Files) -> Result<(OpenMode
     };
     let known: Vec<&str> = presets_with_places().collect();
     let message = phrase![
-        Input::From,
-        format!(
-            " {}: nobody published where its spheres are; expected a model, or one of: {}",
-            preset.name,
-            known.join(", ")
-        ),
+        "{} {}: nobody published where its spheres are; expected a model, or one of: {}";
+        Input::From, preset.name.to_string(), known.join(", ")
     ];
     Err(RequestFault::refused(Input::From, message).into())
 }
