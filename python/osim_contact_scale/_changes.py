@@ -76,7 +76,7 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
     keywords = {**keywords, "jobs": thread_count(keywords.get("jobs"))}
     if is_path(source):
         if keep:
-            message = "keep: columns of a file are kept where their names begin with #; or read it first, as by pandas.read_csv"
+            message = "keep: columns of a file that are not options are kept without it; or read it first, as by pandas.read_csv"
             raise RequestError("usage", message, keywords=("keep",))
         return _text_table(_change_rows(to_fields("batch", {**keywords, "manifest": models}), None, None, progress))
     rows = to_rows(source)
@@ -111,7 +111,7 @@ def _change_rows(
 
 
 def _text_table(records: Sequence[dict[str, Any]]) -> Table:
-    """A table of the records, with the user's columns (whose names begin with #) as texts."""
+    """A table of the records, with the user's columns as texts."""
     for record in records:
         record.update(record.pop("columns", {}))
     return table(records, all_columns((), records))

@@ -112,7 +112,6 @@ fn a_table_that_is_not_a_manifest_is_refused_with_a_correction() {
     let dir = TestDir::with_human();
     for (manifest, says) in [
         ("model,targt-mass\nhuman.osim,5\n", "did you mean 'target-mass'"),
-        ("file,target-mass\nhuman.osim,5\n", "'file' is not an option"),
         ("#file,target-mass\nhuman.osim,5\n", "no column 'model'"),
         ("model,model\nhuman.osim,5\n", "appears twice"),
         ("model,target-mass,dry-run\nhuman.osim,5,yes\n", "after the manifest's name"),

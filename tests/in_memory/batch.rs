@@ -29,7 +29,7 @@ fn rows_of_a_manifest_equal_the_command() {
     let files = files_in_memory(&dir);
     let request = request!(Batch, {"verb": "batch", "manifest": "lab/rows.csv"});
     let manifest = request.manifest.clone().unwrap();
-    let table = Table::read(&files.read(&manifest).unwrap(), manifest.parent().unwrap()).unwrap();
+    let table = Table::read(&files.read(&manifest).unwrap(), manifest.parent().unwrap(), false).unwrap();
     let mut results = Vec::new();
     let mut lines = String::new();
     for (number, row) in table.requests(&request.output, &files) {
@@ -63,7 +63,7 @@ fn wrong_rows_equal_the_command() {
     );
     let files = files_in_memory(&dir);
     let request = request!(Batch, {"verb": "batch", "manifest": "rows.csv"});
-    let table = Table::read(&files.read(Path::new("rows.csv")).unwrap(), Path::new("")).unwrap();
+    let table = Table::read(&files.read(Path::new("rows.csv")).unwrap(), Path::new(""), false).unwrap();
     let mut lines = String::new();
     for (number, row) in table.requests(&request.output, &files) {
         let Err(fault) = row.and_then(|row| table.prepare(&row, &files)) else { panic!("row {number}") };

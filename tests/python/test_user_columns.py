@@ -126,8 +126,8 @@ def test_wrong_names_are_refused(keep, kind, message):
         ocs.rescale_many(subjects(status="x", stiffness_factor=2), keep=keep, dry_run=True)
 
 
-def test_columns_of_a_file_are_kept_by_their_mark(tmp_path):
-    with pytest.raises(ocs.RequestError, match="begin with #") as caught:
+def test_columns_of_a_file_are_kept_without_a_keyword(tmp_path):
+    with pytest.raises(ocs.RequestError, match="are kept without it") as caught:
         ocs.rescale_many(tmp_path / "table.csv", keep=["age"])
     assert caught.value.keyword == "keep"
 

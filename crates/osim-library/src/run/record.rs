@@ -181,7 +181,7 @@ pub struct JsonRecord {
     /// `output` in bytes, if it is not UTF-8.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub output_bytes: Option<Vec<u8>>,
-    /// The columns of the table whose names begin with #: they are the user's own and are carried along.
+    /// The user's own columns of the table: those that are not options, and those whose names begin with #.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub columns: BTreeMap<String, String>,
 }

@@ -15,6 +15,7 @@ use osim_requests::options::OutputOptions;
 use crate::fault::LibraryFault;
 use crate::paths::resolved;
 use crate::run::request::RunRequest;
+use crate::run::summary_lines::summary_columns;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::source::{OrdinaryFiles, Source};
 
@@ -56,7 +57,20 @@ impl<'r> RowReader<'r> {
         let Self { request } = *self;
         // Paths are shown without `./` before them.
         let folder = if folder == Path::new(".") { Path::new("") } else { folder };
-        let table = Table::read(table, folder).map_err(|fault| LibraryFault::new(fault).within(name))?;
+        // A caller with a table in memory has its own way to keep columns.
+        let keeps_others = request.manifest.is_some();
+        let table = Table::read(table, folder, keeps_others)
+            .map_err(|fault| LibraryFault::new(fault).within(name))?;
+        let others = table.unmarked_user_columns();
+        let columns = summary_columns()?;
+        if let Some(taken) = others.iter().find(|other| columns.iter().any(|column| column == *other)) {
+            return Err(LibraryFault::new(format!(
+                "{name}: a summary has a column '{taken}' itself: let the name of yours begin with #"
+            )));
+        }
+        let remark =
+            format!("{name}: these columns are not options, so a summary keeps them: {}", others.join(", "));
+        let remarks = if others.is_empty() { Vec::new() } else { vec![remark] };
         let rows = TableRows {
             table: table.answering(request.answers.yes.clone()),
             call_output: &request.output,
@@ -74,7 +88,12 @@ impl<'r> RowReader<'r> {
         }
         let extra_files = request.manifest.iter().cloned().collect();
         let force = request.output.force;
-        Ok(CheckedRows::Run(RunRequest { extra_files, force, ..RunRequest::new(Verb::Batch, tasks) }))
+        Ok(CheckedRows::Run(RunRequest {
+            extra_files,
+            remarks,
+            force,
+            ..RunRequest::new(Verb::Batch, tasks)
+        }))
     }
 }
 

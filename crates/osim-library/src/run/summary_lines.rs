@@ -45,13 +45,21 @@ impl SummaryFormat {
     }
 }
 
-/// The header of a table with `user_columns` after the columns of every summary.
+/// The columns of every summary; those of the user come after them.
 ///
 /// # Errors
 /// None in practice, because the line is written into memory.
-fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
+pub(super) fn summary_columns() -> Result<csv::StringRecord, LibraryFault> {
     let line = SummaryFormat::Csv.record_line(&Record::default(), true)?;
-    let mut columns = csv::Reader::from_reader(line.as_slice()).headers().map_err(fault_of_error)?.clone();
+    csv::Reader::from_reader(line.as_slice()).headers().map_err(fault_of_error).cloned()
+}
+
+/// The header of a table with `user_columns` after the columns of every summary.
+///
+/// # Errors
+/// As [`summary_columns`].
+fn header_line<'c>(user_columns: impl Iterator<Item = &'c str>) -> Result<Vec<u8>, LibraryFault> {
+    let mut columns = summary_columns()?;
     columns.extend(user_columns);
     let mut csv = csv::WriterBuilder::new().from_writer(Vec::new());
     csv.write_record(&columns).map_err(fault_of_error)?;
@@ -148,7 +156,7 @@ impl PreviousLines {
             .map_err(fault_of_error)?;
         let record: Record = row.deserialize(Some(&self.header)).map_err(fault_of_error)?;
         let cells = self.header.iter().zip(&row).map(|(name, text)| (from_cell(name), from_cell(text)));
-        let user_columns = cells.filter(|(name, _)| name.starts_with('#'));
+        let user_columns = cells.skip(summary_columns()?.len());
         let user_columns = user_columns.map(|(name, text)| (name.into_owned(), text.into_owned())).collect();
         Ok(Record { user_columns, ..record.with_texts_from_cells() })
     }
@@ -201,8 +209,7 @@ fn check_header(
     first: &[u8],
     user_columns: Option<&[String]>,
 ) -> Result<(), LibraryFault> {
-    let user_columns_of_file: Vec<&str> =
-        header.iter().skip_while(|column| !column.starts_with('#')).collect();
+    let user_columns_of_file: Vec<&str> = header.iter().skip(summary_columns()?.len()).collect();
     if header_line(user_columns_of_file.iter().copied())? != first {
         return Err(LibraryFault::new("its first line differs from the one that this version writes"));
     }

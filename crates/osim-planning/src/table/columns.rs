@@ -11,6 +11,12 @@ use crate::verbs::changing_verbs;
 /// The field of `fit` with the file of the model.
 const FIT_MODEL: &str = "file";
 
+/// Other headers of the column `model`, without blanks and marks.
+const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfile", "modelpath"];
+
+/// Columns that say what happens to the model of a row. In a table without any of them, `mass` can only be the target mass.
+const COLUMNS_OF_CHANGES: [&str; 4] = ["target_mass", "from", "set", "verb"];
+
 /// The way in which a cell of a column becomes a value of a request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum CellKind {
@@ -51,22 +57,32 @@ pub(super) struct Columns {
 }
 
 impl Columns {
-    /// Finds the meaning of each column.
+    /// Finds the meaning of each column. With `keeps_others`, a column that is not a field of a changing verb is the user's own.
     ///
     /// # Errors
     ///
-    /// No column `model`, a column that appears twice, or a column that is not a field of a changing verb.
-    pub(super) fn of(header: &[String]) -> Result<Self, Phrase> {
+    /// No column `model`, a column that appears twice, a column whose name is nearly that of a field, or another unknown column without
+    /// `keeps_others`.
+    pub(super) fn of(header: &[String], keeps_others: bool) -> Result<Self, Phrase> {
         let known = fields();
+        let has = |name: &str| header.iter().any(|cell| field_of_header(cell) == name);
+        let names: Vec<&str> = header
+            .iter()
+            .map(|cell| other_header(cell, &known).filter(|name| !has(name)).unwrap_or(cell))
+            .collect();
+        let is_change = |name: &&str| COLUMNS_OF_CHANGES.contains(&field_of_header(name).as_str());
+        let has_change = names.iter().any(is_change);
         let mut columns: Vec<Column> = Vec::new();
         let mut wrong: Vec<Phrase> = Vec::new();
-        for cell in header {
+        for (cell, name) in header.iter().zip(names) {
+            let is_target_mass = !has_change && field_of_header(name) == "mass";
+            let name = if is_target_mass { Input::TargetMass.name() } else { name };
             let twice = |one: &Column, other: &Column| match one.kind {
                 // Columns without a name are ignored.
                 CellKind::UserColumn => !one.header.is_empty() && one.header == other.header,
                 _ => (&one.field, one.kind) == (&other.field, other.kind),
             };
-            match column(cell, &known) {
+            match column(cell, name, &known, keeps_others) {
                 Err(message) => wrong.push(message),
                 Ok(one) if columns.iter().any(|other| twice(&one, other)) => {
                     wrong.push(format!("the column '{cell}' appears twice, expected one").into());
@@ -91,6 +107,14 @@ impl Columns {
         own.map(|(at, column)| (column.header.clone(), cells.get(at).cloned().unwrap_or_default())).collect()
     }
 
+    /// Headers of the columns that are neither fields nor marked by # as the user's own.
+    pub(super) fn unmarked_user_columns(&self) -> Vec<String> {
+        let own = self.columns.iter().filter(|column| column.kind == CellKind::UserColumn);
+        own.map(|column| column.header.clone())
+            .filter(|name| !name.is_empty() && !name.starts_with('#'))
+            .collect()
+    }
+
     pub(super) fn header_of(&self, field: &str) -> Option<&str> {
         let column =
             self.columns.iter().find(|column| column.field == field && column.kind != CellKind::Model)?;
@@ -103,13 +127,38 @@ fn listed(header: &[String]) -> String {
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
 
-fn column(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Result<Column, Phrase> {
-    // `model` is the model; the field of standalone sets, which has the same name, is written with two dashes before it.
-    let (name, dashes) = match cell.strip_prefix("--") {
-        Some(name) => (name, true),
-        None => (cell, false),
+/// The header as the name of a field: `target_mass` for `--Target-Mass`.
+fn field_of_header(cell: &str) -> String {
+    cell.strip_prefix("--").unwrap_or(cell).to_ascii_lowercase().replace('-', "_")
+}
+
+/// The field that a header means which is not its name: `target_mass` for `Target mass (kg)`, or the field's label on the page.
+fn other_header<'k>(cell: &str, known: &'k BTreeMap<String, Option<CellKind>>) -> Option<&'k str> {
+    if known.contains_key(&field_of_header(cell)) {
+        return None;
+    }
+    let letters = |text: &str| text.to_lowercase().replace([' ', '-', '_'], "");
+    let header = letters(cell.split(['(', '[']).next().unwrap_or_default());
+    let header = header.strip_suffix("kg").unwrap_or(&header);
+    if OTHER_HEADERS_OF_MODEL.contains(&header) {
+        return Some("model");
+    }
+    let is_meant = |name: &str| {
+        letters(name) == header || Input::named(name).is_some_and(|input| letters(input.label()) == header)
     };
-    let field = name.to_ascii_lowercase().replace('-', "_");
+    known.iter().find(|(name, kind)| kind.is_some() && is_meant(name)).map(|(name, _)| name.as_str())
+}
+
+/// The column with the header `cell`, which means the header `name`.
+fn column(
+    cell: &str,
+    name: &str,
+    known: &BTreeMap<String, Option<CellKind>>,
+    keeps_others: bool,
+) -> Result<Column, Phrase> {
+    // `model` is the model; the field of standalone sets, which has the same name, is written with two dashes before it.
+    let dashes = name.starts_with("--");
+    let field = field_of_header(name);
     let kind = match field.as_str() {
         _ if cell.is_empty() || cell.starts_with('#') => CellKind::UserColumn,
         "model" if !dashes => CellKind::Model,
@@ -118,14 +167,15 @@ fn column(cell: &str, known: &BTreeMap<String, Option<CellKind>>) -> Result<Colu
         name => match known.get(name) {
             Some(Some(kind)) => *kind,
             Some(None) => return Err(of_the_run(cell, name)),
-            None => {
-                return Err(format!(
+            None => match nearest(cell, name, known) {
+                None if keeps_others => CellKind::UserColumn,
+                hint => return Err(format!(
                     "the column '{cell}' is not an option of {} (a column whose name begins with # is carried along){}",
                     changing_verbs(),
-                    nearest(cell, name, known)
+                    hint.unwrap_or_default()
                 )
-                .into());
-            }
+                .into()),
+            },
         },
     };
     Ok(Column { header: cell.to_owned(), field, kind })
@@ -139,19 +189,19 @@ fn of_the_run(cell: &str, field: &str) -> Phrase {
     }
 }
 
-/// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; empty if no field is similar.
-fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> String {
-    let flat = |text: &str| text.replace('_', "");
-    let close = known.keys().find(|field| {
-        let (a, b) = (flat(field), flat(name));
-        a.starts_with(&b) || b.starts_with(&a) || strsim::osa_distance(&a, &b) <= 2
-    });
-    match close {
-        // As an option of the command line, where the cell is spelled like one.
-        Some(field) if cell.contains('-') => format!(": did you mean '{}'?", field.replace('_', "-")),
-        Some(field) => format!(": did you mean '{field}'?"),
-        None => String::new(),
-    }
+/// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; `None` if no field is similar.
+fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
+    let letters = |text: &str| text.replace('_', "");
+    let name = letters(name);
+    // Short names are near to everything: `sex` to `yes`.
+    let is_near = |field: &&String| match strsim::osa_distance(&letters(field), &name) {
+        apart @ ..2 => apart + 3 < name.len(),
+        apart => apart == 2 && name.len() > 7,
+    };
+    let field = known.keys().find(is_near)?;
+    // As an option of the command line, where the cell is spelled like one.
+    let field = if cell.contains('-') { field.replace('_', "-") } else { field.clone() };
+    Some(format!(": did you mean '{field}'?"))
 }
 
 /// The fields of all changing verbs, and how their cells are read. `None` marks fields of the whole run, which a row cannot set for itself.
@@ -183,31 +233,58 @@ fn kind(option: &Entry) -> Option<CellKind> {
 mod tests {
     use super::*;
 
+    fn columns_of(header: &[&str]) -> Result<Columns, Phrase> {
+        Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>(), true)
+    }
+
     #[test]
     fn a_column_that_is_misspelled_is_pointed_out() {
-        let columns = Columns::of(&["model".to_owned(), "target-mas".to_owned()]);
-        assert!(columns.unwrap_err().to_string().contains("did you mean 'target-mass'?"));
+        let message = |header| columns_of(&["model", header]).unwrap_err().to_string();
+        assert!(message("target-mas").contains("did you mean 'target-mass'?"));
         // As the reader writes names.
-        let columns = Columns::of(&["model".to_owned(), "target_mas".to_owned()]);
-        assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
-        let columns = Columns::of(&["model".to_owned(), "TargetMass".to_owned()]);
-        assert!(columns.unwrap_err().to_string().contains("did you mean 'target_mass'?"));
+        assert!(message("target_mas").contains("did you mean 'target_mass'?"));
+        assert!(message("stence_limbs").contains("did you mean 'stance_limbs'?"));
+    }
+
+    #[test]
+    fn common_headers_are_understood() {
+        let fields = |header: &[&str]| {
+            let columns = columns_of(header).unwrap().columns;
+            columns.into_iter().map(|column| column.field).collect::<Vec<_>>()
+        };
+        for model in ["file", "Path", "File name", "model_file"] {
+            assert_eq!(fields(&[model, "Target mass (kg)"]), ["model", "target_mass"]);
+        }
+        for mass in ["TargetMass", "target mass", "target_mass_kg", "Target mass [kg]", "mass"] {
+            assert_eq!(fields(&["model", mass]), ["model", "target_mass"], "{mass}");
+        }
+        // What the model weighs, where another column says what to do; and a file beside the model.
+        assert_eq!(fields(&["model", "from", "mass", "file"]), ["model", "from", "mass", "file"]);
+        assert_eq!(columns_of(&["model", "from", "file"]).unwrap().unmarked_user_columns(), ["file"]);
+        assert_eq!(fields(&["model", "spheres follow their bodies"]), ["model", "follow_bodies"]);
+    }
+
+    #[test]
+    fn other_columns_are_the_users_own() {
+        let header = ["model", "subject", "age", "sex", "height", "site", "#group", "target-mass"];
+        let columns = columns_of(&header).unwrap();
+        assert_eq!(columns.unmarked_user_columns(), ["subject", "age", "sex", "height", "site"]);
+        let header = header.map(str::to_owned);
+        assert!(Columns::of(&header, false).unwrap_err().to_string().contains("'age' is not an option of"));
     }
 
     #[test]
     fn user_columns_of_one_name_are_refused_and_nameless_columns_are_not() {
-        let columns =
-            |header: &[&str]| Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>());
-        let message = columns(&["model", "#sex", "mass", "#sex"]).unwrap_err().to_string();
+        let message = columns_of(&["model", "#sex", "mass", "#sex"]).unwrap_err().to_string();
         assert!(message.contains("the column '#sex' appears twice"), "{message}");
-        assert!(columns(&["model", "", "#sex", "", "#age"]).is_ok());
+        assert!(columns_of(&["model", "", "#sex", "", "#age"]).is_ok());
     }
 
     #[test]
     fn all_columns_that_are_wrong_are_named_at_once() {
         let header =
             ["subject", "model", "target-mas", "age", "mass", "mass", "jobs", "#sex"].map(str::to_owned);
-        let message = Columns::of(&header).unwrap_err().to_string();
+        let message = Columns::of(&header, false).unwrap_err().to_string();
         for column in ["subject", "target-mas", "age"] {
             let wrong = format!("the column '{column}' is not an option of");
             assert!(message.contains(&wrong), "{message}");

@@ -38,7 +38,7 @@ pub struct RowRequest {
     pub model: PathBuf,
     /// Output options of the row; options that the row does not have are those of the call.
     pub output: OutputOptions,
-    /// The cells in the user's own columns, whose names begin with #: name of the column and text of the cell, which may be empty.
+    /// The cells in the user's own columns: name of the column and text of the cell, which may be empty.
     pub user_columns: Vec<(String, String)>,
     fields: Map<String, Value>,
 }
@@ -53,13 +53,13 @@ impl RowRequest {
 }
 
 impl Table {
-    /// Reads a table. `folder` is the folder of the table.
+    /// Reads a table. `folder` is the folder of the table. With `keeps_others`, columns that are not options are the user's own.
     ///
     /// # Errors
     /// It is not a table, or its first row does not name fields of changes.
-    pub fn read(bytes: &[u8], folder: &Path) -> Result<Self, Phrase> {
+    pub fn read(bytes: &[u8], folder: &Path, keeps_others: bool) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
-        let columns = Columns::of(&sheet.header)?;
+        let columns = Columns::of(&sheet.header, keeps_others)?;
         let masses = Masses::of(&sheet, &columns);
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
@@ -159,6 +159,11 @@ impl Table {
             fault.column.as_ref().and_then(|name| self.sheet.header.iter().position(|cell| cell == name));
         failure.column = index.map(|index| index + 1);
         failure
+    }
+
+    /// Headers of the user's own columns that are not marked by #.
+    pub fn unmarked_user_columns(&self) -> Vec<String> {
+        self.columns.unmarked_user_columns()
     }
 
     pub fn header_of(&self, input: Input) -> Option<&str> {
