@@ -273,8 +273,8 @@ fn a_compiled_model_beside_the_output_causes_a_warning() {
 fn no_run_leaves_a_temporary_file() {
     let dir = TestDir::with_human();
     dir.run("human.osim --target-mass 1190 --in-place").succeeded();
-    dir.run("human.osim --target-mass 5 -o out/deep/er.osim").succeeded().wrote(&["out/deep/er.osim"]);
-    dir.run("human.osim --target-mass 7 -o out/deep/er.osim").failed();
+    dir.run("human.osim --target-mass 5 -d out/deep").succeeded().wrote(&["out/deep/human.osim"]);
+    dir.run("human.osim --target-mass 7 -d out/deep").failed();
     assert!(
         dir.files().keys().all(|name| !name.contains(".osim-contact-scale-")),
         "{:?}",

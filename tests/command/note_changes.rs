@@ -5,9 +5,9 @@ use crate::support::TestDir;
 /// A folder with two humans that have notes: one with contacts made for 62 kg, one with contacts made for 41 kg.
 fn dir_with_notes() -> TestDir {
     let dir = TestDir::with_human();
+    dir.write("lib/plain.osim", dir.read("human.osim"));
     dir.run("note human.osim --contacts-mass 62 -o lib/adult.osim").succeeded();
     dir.run("human.osim --target-mass 41 -o lib/child.osim").succeeded();
-    dir.write("lib/plain.osim", dir.read("human.osim"));
     dir
 }
 

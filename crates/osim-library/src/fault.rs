@@ -39,6 +39,18 @@ impl LibraryFault {
         Self { message, cause: Cause::Busy }
     }
 
+    /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them.
+    pub(crate) fn results_exist(which: impl Display, first: &Path, resume: &Phrase) -> Self {
+        Self::new(phrase![
+            format!("{which} exist already, such as {}: continue the earlier run (", first.display()),
+            resume,
+            "), replace them (",
+            Input::Force,
+            "), or choose another folder with ",
+            Input::OutputDir.with_placeholder("DIR"),
+        ])
+    }
+
     /// The fault that a resumed run would replace an output which somebody edited after it was written.
     pub(crate) fn output_edited(output: &Path) -> Self {
         Self::new(phrase![

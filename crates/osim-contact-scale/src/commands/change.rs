@@ -5,12 +5,12 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use osim_library::report_page::{ReportPage, Words, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, CheckedRows, Counts, ModelDetail, Outcome, RowReader, Run, RunFrontEnd, RunRequest, Task,
-    Written,
+    ChangedModel, CheckedRows, Counts, ModelDetail, Outcome, RowReader, Run, RunFrontEnd, RunRequest, Status,
+    Task, Written,
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::Input;
+use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
@@ -31,7 +31,14 @@ use crate::terminal::Progress;
 /// # Errors
 /// Wrong usage.
 pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+    let named = change.output.output.clone();
+    let unusual = named.filter(|path| path.extension().is_none() && path.as_os_str() != "-");
     let request = RunRequest::for_change(change, options).map_err(|fault| session.refused(&fault))?;
+    if let Some(path) = unusual {
+        let folder = session.words.input(Input::OutputDir, None);
+        let text = format!("the name of a model ends in .osim; to write into a folder, say {folder}");
+        session.terminal.print_beside(&format!("warning: {}: {text}\n", path.display()))?;
+    }
     run(request, options, session)
 }
 
@@ -81,10 +88,22 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
     inspect.report.report = request.run.report;
     inspect.report.force = request.output.force;
     inspect.models = request.models;
+    let mass = request.masses.mass;
     let RescaleRequest { masses, choice, set_files, answers, .. } = request;
     inspect.options =
         InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
-    survey::inspect(&inspect, true, session)
+    let exit = survey::inspect(&inspect, true, session)?;
+    if let Some(kg) = mass {
+        let kg = kg.to_string();
+        let text: Phrase = phrase![
+            "nothing was scaled: ",
+            Input::Mass.with_value(kg.as_str()),
+            " is what the model weighs; to scale its contacts, say ",
+            Input::TargetMass.with_value(kg.as_str()),
+        ];
+        session.terminal.remark(&text.spelled(session.words))?;
+    }
+    Ok(exit)
 }
 
 // One run of a changing verb: what is reported of it, and in which order.
@@ -107,7 +126,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         let reported = session.fail(failure, format == RunFormat::Json);
         exit = exit.and(reported.unwrap_or(Exit::Failed));
     }
-    for remark in run.request().remarks.iter().filter(|_| !options.quiet) {
+    for remark in &run.request().remarks {
         session.terminal.remark(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
@@ -117,33 +136,50 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     for kept in run.kept_files() {
         session.terminal.remark(kept)?;
     }
-    let counts = do_tasks(&run, options, format, &mut page, session)?;
+    let end = do_tasks(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
         session.terminal.error_line(&fault.spelled(session.words));
         exit = exit.and(Exit::Failed);
     }
     exit = exit.and(end_page(page, session));
-    let (counts, untold, worst) = counts;
+    let RunEnd { counts, untold, worst, failed, skipped } = end;
     if options.deny.is_some_and(|deny| worst >= Some(deny.severity())) {
         exit = exit.and(Exit::Failed);
     }
-    if !options.quiet && several {
+    if several {
         session.terminal.print_beside(&last_line_of_run(&counts, options, session.words))?;
-    } else if !options.quiet && counts.interrupted() {
+        for (what, names) in
+            [("failed", failed), ("skipped", skipped)].iter().filter(|(_, names)| !names.is_empty())
+        {
+            session.terminal.remark(&format!("{what}: {}", first_names(names)))?;
+        }
+    } else if counts.interrupted() {
         session.terminal.print_beside("stopped\n")?;
     }
     Ok(exit.and(exit_of(&counts, untold)))
 }
 
-/// Does all tasks and reports each model in order. Also returns whether a result could not be printed, and the severity of the worst
-/// finding in the results.
+/// The end of a run.
+struct RunEnd {
+    counts: Counts,
+    /// Whether a result could not be printed.
+    untold: bool,
+    /// The severity of the worst finding in the results.
+    worst: Option<Severity>,
+    /// The names of the models that failed.
+    failed: Vec<String>,
+    /// The names of the models that were skipped.
+    skipped: Vec<String>,
+}
+
+/// Does all tasks and reports each model in order.
 fn do_tasks(
     run: &Run<'_>,
     options: &RunOptions,
     format: RunFormat,
     page: &mut Option<ReportPage>,
     session: &mut Session,
-) -> Result<(Counts, bool, Option<Severity>)> {
+) -> Result<RunEnd> {
     let tasks = run.request().tasks.len();
     if tasks > 1 {
         exit::listen();
@@ -156,12 +192,19 @@ fn do_tasks(
         detail: DetailLevel::for_models(tasks + run.request().failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
-    let mut untold = false;
-    let mut worst = None;
+    let (mut untold, mut worst) = (false, None);
+    let mut failed: Vec<String> =
+        run.request().failures.iter().map(|failure| failure.model.to_string()).collect();
+    let mut skipped = Vec::new();
     let report = |_: &Task, outcome: Outcome<Shown>| {
         let Outcome { record, earlier, shown, failure, .. } = outcome;
         let Shown { outputs, entry, worst: worst_of_model } = shown.unwrap_or_default();
         worst = worst.max(worst_of_model);
+        match record.status {
+            Status::Failed => failed.push(record.model.clone()),
+            Status::NoContacts => skipped.push(record.model.clone()),
+            _ => {}
+        }
         if let Some(page) = page {
             page.add(entry.unwrap_or_else(|| entry_of_record(&record, earlier)));
         }
@@ -178,7 +221,7 @@ fn do_tasks(
     let counts = run.do_tasks(&printer, report);
     printer.progress.end();
     match counts {
-        Ok(counts) => Ok((counts, untold, worst)),
+        Ok(counts) => Ok(RunEnd { counts, untold, worst, failed, skipped }),
         Err(fault) => Err(session.refused(&fault)),
     }
 }
@@ -229,6 +272,15 @@ fn last_line_of_run(counts: &Counts, options: &RunOptions, words: Words) -> Stri
     let parts = if parts.is_empty() { "none done".to_owned() } else { parts.join(", ") };
     let models = if all == 1 { "model" } else { "models" };
     format!("remark: {all} {models}: {parts}{stopped}\n")
+}
+
+/// Most models whose names are repeated at the end of a run.
+const MOST_REPEATED_NAMES: usize = 10;
+
+fn first_names(names: &[String]) -> String {
+    let more = names.len().saturating_sub(MOST_REPEATED_NAMES);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{}{more}", names.iter().take(MOST_REPEATED_NAMES).cloned().collect::<Vec<_>>().join(", "))
 }
 
 // What is shown of a model that was changed, made on the thread that changed it.

@@ -18,6 +18,7 @@ mod writing;
 use std::path::Path;
 
 use osim_model::files::Failure;
+use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
 use crate::fault::LibraryFault;
@@ -90,8 +91,9 @@ impl<'r> Run<'r> {
     /// Begins the summary, if the options name one, and lists the folders that the run writes into.
     ///
     /// # Errors
-    /// The summary cannot be written, or exists already.
+    /// Several results exist already; or the summary cannot be written, or exists already.
     pub fn begin(&mut self) -> Result<(), LibraryFault> {
+        self.refuse_existing_results()?;
         self.context.summary = SummaryWriter::begin(self.context.run, self.request.force)?;
         // Another run that wrote the same summary may have ended since it was read.
         self.read_previous()?;
@@ -101,6 +103,22 @@ impl<'r> Run<'r> {
             self.request.failures.iter().for_each(|failure| summary.add(&Record::of_failure(failure)));
         }
         Ok(())
+    }
+
+    /// Refuses the whole run if several of its results exist already and may not be replaced.
+    fn refuse_existing_results(&self) -> Result<(), LibraryFault> {
+        let RunOptions { dry_run, resume, .. } = *self.context.run;
+        let is_new = |task: &&Task| matches!(task.destination, Destination::File(_)) && !task.settings.force;
+        let results = self.request.tasks.iter().filter(|_| !dry_run && !resume).filter(is_new);
+        let existing: Vec<&Path> = results.filter_map(Task::output).filter(|path| path.exists()).collect();
+        match existing.as_slice() {
+            [first, _, ..] => {
+                let which = format!("{} of {} results", existing.len(), self.request.tasks.len());
+                let resume = phrase![Input::Summary.with_placeholder("FILE"), " ", Input::Resume];
+                Err(LibraryFault::results_exist(which, first, &resume))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// Lists every folder that the run writes into.

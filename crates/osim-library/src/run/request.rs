@@ -11,6 +11,7 @@ use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::fault::LibraryFault;
+use crate::paths::folder_of;
 use crate::run::record::Record;
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
 use crate::run::writing::{ResultBytes, Written};
@@ -142,6 +143,16 @@ fn check_options(
         return refused(phrase![
             "{} is for one model: write several into a folder with {}";
             Input::Output, Input::OutputDir.with_placeholder("DIR")
+        ]);
+    }
+    let is_file = |path: &&PathBuf| path.as_os_str() != "-";
+    if let Some(folder) = output.output.as_ref().filter(is_file).map(|path| folder_of(path))
+        && !folder.is_dir()
+    {
+        return refused(phrase![
+            format!("the folder {} is not there: make it, or write with ", folder.display()),
+            Input::OutputDir.with_placeholder("DIR"),
+            ", which makes it",
         ]);
     }
     if to_stdout && several {

@@ -230,17 +230,10 @@ impl<'s> SweepRun<'s> {
         }
         tables().try_for_each(PartialFile::refuse_leftover)?;
         match first {
-            Some(first) => Err(LibraryFault::new(phrase![
-                format!(
-                    "{existing} of these files exist already, such as {}: continue the sweep (",
-                    first.display()
-                ),
-                Input::Resume,
-                "), replace them (",
-                Input::Force,
-                "), or choose another folder with ",
-                Input::OutputDir.with_placeholder("DIR"),
-            ])),
+            Some(first) => {
+                let which = format!("{existing} of these files");
+                Err(LibraryFault::results_exist(which, &first, &phrase![Input::Resume]))
+            }
             None => Ok(()),
         }
     }
