@@ -64,6 +64,13 @@ fn bash_completes_verbs_options_and_values() {
     assert_eq!(complete(&["osim-contact-scale", "inspect", "--format", "j"]).unwrap(), "json");
     assert_eq!(complete(&["osim-contact-scale", "drop-test", "--compare-s"]).unwrap(), "--compare-spheres");
     assert_eq!(complete(&["osim-contact-scale", "completions", "z"]).unwrap(), "zsh");
+    // Without a word, bash completes the files of the folder.
+    for verb in ["check", "set", "rescale", "transfer"] {
+        assert_eq!(complete(&["osim-contact-scale", verb, "''"]).unwrap(), "", "{verb}");
+    }
+    assert_eq!(complete(&["osim-contact-scale", "presets", "fal"]).unwrap(), "falisse2022");
+    assert_eq!(complete(&["osim-contact-scale", "explain", "sunk"]).unwrap(), "sunk-in");
+    assert_eq!(complete(&["osim-contact-scale", "set", "m.osim", "stif"]).unwrap(), "stiffness=");
 }
 
 #[test]

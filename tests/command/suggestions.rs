@@ -43,7 +43,11 @@ fn help_and_version_work_as_verbs() {
 #[test]
 fn the_examples_in_the_help_work() {
     for help in ["-h", "--help"] {
-        let dir = TestDir::with(&[(HUMAN.0, "MODEL.osim")]);
+        let dir = TestDir::with(&[
+            (HUMAN.0, "MODEL.osim"),
+            ("scale_tool/scaled_smooth.osim", "SCALED.osim"),
+            ("scale_tool/generic_smooth.osim", "GENERIC.osim"),
+        ]);
         let help = dir.run(help).succeeded().out();
         let (_, examples) = help.split_once("\nExamples:\n").unwrap();
         let calls = examples
@@ -52,7 +56,7 @@ fn the_examples_in_the_help_work() {
             .map(|line| line.split("  ").next().unwrap());
         let calls: Vec<&str> = calls.collect();
         assert_eq!(calls.len(), 3, "{help}");
-        dir.run(calls[0]).succeeded().says(&["nothing is wrong"]);
+        dir.run(calls[0]).failed().says(&["$ osim-contact-scale transfer SCALED.osim --from GENERIC.osim"]);
         dir.run(calls[1]).succeeded().wrote(&["MODEL.scaled.osim"]);
         let dir =
             TestDir::with(&[("feet/human_40000.osim", "MODEL.osim"), ("contact_tables/own.csv", "own.csv")]);
@@ -98,6 +102,11 @@ fn a_misspelled_verb_before_a_missing_model_gets_a_suggestion() {
     let dir = TestDir::new();
     assert_suggests(dir.run("resclae x.osim"), "verb_without_model");
     assert_suggests(dir.run("scale x.osim"), "scale_without_model");
+    for (verb, words) in
+        [("info", "'inspect'"), ("validate", "'check'"), ("lint", "'check'"), ("fix", "'check --fix'")]
+    {
+        dir.run(&format!("{verb} x.osim")).usage_error().wrote_nothing().says(&[words]);
+    }
 }
 
 #[test]
@@ -106,6 +115,7 @@ fn a_number_beside_a_model_suggests_target_mass() {
     assert_suggests(dir.run("human.osim 20"), "number");
     assert_suggests(dir.run("human.osim 20.5kg"), "number_kg");
     assert_suggests(dir.run("rescale human.osim 20"), "number_rescale");
+    dir.run("human.osim --mass 80").succeeded().says(&["nothing was scaled", "--target-mass 80"]);
     // 20 g are 0.02 kg; a pound is 0.45359237 kg.
     assert_suggests(dir.run("human.osim 20g"), "number_g");
     assert_suggests(dir.run("human.osim 1lb"), "number_lb");

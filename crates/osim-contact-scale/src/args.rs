@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, Styles};
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use clap::{ArgMatches, Command, FromArgMatches, Subcommand};
-use osim_model::messages::{Phrase, Verb, shown};
+use clap::{Arg, ArgAction, ArgMatches, Command, FromArgMatches, Subcommand};
+use osim_model::messages::{Input, Phrase, Verb, shown};
 use osim_requests::command_line::{read, with_options};
 use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
 use osim_view::report::ExitStatus;
@@ -122,9 +122,12 @@ pub(crate) fn bare_command(first: Option<&str>) -> Command {
     let command = command_without_verbs().disable_help_flag(true);
     match first.and_then(Verb::named) {
         Some(verb) => {
-            command.subcommand(with_options(Command::new(verb.name()).disable_help_flag(true), verb))
+            let verb = with_options(Command::new(verb.name()).disable_help_flag(true), verb);
+            command.subcommand(with_quiet(verb))
         }
-        None if first.is_some_and(OwnVerb::has_subcommand) => OwnVerb::augment_subcommands(command),
+        None if first.is_some_and(OwnVerb::has_subcommand) => {
+            OwnVerb::augment_subcommands(command).mut_subcommands(with_quiet)
+        }
         None => with_options(command, Verb::Rescale),
     }
 }
@@ -151,11 +154,32 @@ fn command_listing_verbs(has_options: impl Fn(Verb) -> bool) -> Command {
         if has_options(verb) { with_options(command, verb) } else { command }
     });
     let command = command_without_verbs().subcommands(verbs);
-    with_options(OwnVerb::augment_subcommands(command), Verb::Rescale)
+    with_options(OwnVerb::augment_subcommands(command).mut_subcommands(with_quiet), Verb::Rescale)
         .about(ABOUT)
         .long_about(format!("{ABOUT}.\n\n{DETAILS}"))
         .after_help(concat!("More options with --help. ", equations!()))
         .after_long_help(exit_statuses())
+}
+
+/// The argument `--quiet` of verbs whose requests have no such field: it concerns only what the command prints.
+const QUIET_OF_COMMAND: &str = "quiet-command";
+
+/// The parser of a verb with `--quiet`.
+fn with_quiet(command: Command) -> Command {
+    let is_there = command.get_arguments().any(|argument| argument.get_id() == Input::Quiet.name());
+    let quiet = Arg::new(QUIET_OF_COMMAND).short('q').long(Input::Quiet.name()).action(ArgAction::SetTrue);
+    // Where the short help has all options, this one is there, too.
+    let is_rare = command.get_arguments().any(Arg::is_hide_short_help_set);
+    let quiet =
+        quiet.help("Print errors only").help_heading("Output").hide_short_help(is_rare).display_order(1000);
+    if is_there { command } else { command.arg(quiet) }
+}
+
+/// Whether `--quiet` was typed.
+pub(crate) fn is_quiet(matches: &ArgMatches) -> bool {
+    let typed = matches.subcommand().map_or(matches, |(_, typed)| typed);
+    let is_typed = |id: &str| typed.try_get_one::<bool>(id).ok().flatten() == Some(&true);
+    is_typed(QUIET_OF_COMMAND) || is_typed(Input::Quiet.name())
 }
 
 fn command_without_verbs() -> Command {
@@ -246,7 +270,7 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
 
 /// Examples of the most frequent calls, each with a description.
 const EXAMPLES: [(&str, &str); 3] = [
-    ("check MODEL.osim", "say what is wrong, and how to correct it"),
+    ("check SCALED.osim --from GENERIC.osim", "say what to correct after scaling"),
     ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),
     ("add MODEL.osim --from OTHER.osim", "give it the contacts of another model"),
 ];
@@ -274,7 +298,7 @@ fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
     let name = command.get_name();
     let lines: Vec<String> = EXAMPLES
         .iter()
-        .map(|(words, what)| format!("  {:<53}  {what}\n", format!("{name} {words}")))
+        .map(|(words, what)| format!("  {:<57}  {what}\n", format!("{name} {words}")))
         .collect();
     let examples: String = if lines.iter().all(|line| line.trim_ascii_end().len() <= width) {
         lines.concat()

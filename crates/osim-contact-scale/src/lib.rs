@@ -17,7 +17,7 @@ use clap::error::ErrorKind;
 use osim_model::messages::Verb;
 use osim_requests::{PlotKind, RequestFault};
 
-use crate::args::{Call, bare_command, command, typed_call, usage_line, verb_names};
+use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::session::{Session, WORDS};
 use crate::suggestions::{meant, suggested_axis, suggested_figure};
@@ -28,7 +28,10 @@ pub fn main() -> ExitCode {
     exit::outlive_size_limit();
     let mut session = Session { terminal: Terminal::new(), words: WORDS };
     let exit = match call_of_arguments(session.terminal.columns()) {
-        Ok(call) => {
+        Ok((call, is_quiet)) => {
+            if is_quiet {
+                session.terminal.keep_quiet();
+            }
             let done = match call {
                 Ok(call) => commands::call(call, &mut session),
                 Err(fault) => Err(session.usage(&fault)),
@@ -47,9 +50,9 @@ pub fn main() -> ExitCode {
     ExitCode::from(exit.code())
 }
 
-/// The call that the arguments of the command line make. The inner error is about options that do not go together; the outer error
-/// is clap's, which also returns its help and version as errors.
-fn call_of_arguments(columns: Option<usize>) -> Result<Result<Call, RequestFault>, clap::Error> {
+/// The call that the arguments of the command line make, and whether only errors are printed. The inner error is about options that do
+/// not go together; the outer error is clap's, which also returns its help and version as errors.
+fn call_of_arguments(columns: Option<usize>) -> Result<(Result<Call, RequestFault>, bool), clap::Error> {
     let first = std::env::args_os().nth(1);
     let first = first.as_deref().and_then(|word| word.to_str());
     // To put the help together takes longer than to read the words, so it is done where something is to be shown.
@@ -65,7 +68,7 @@ fn call_of_arguments(columns: Option<usize>) -> Result<Result<Call, RequestFault
     {
         command(columns, words.get(1).copied()).try_get_matches_from(&words)?;
     }
-    Ok(call)
+    Ok((call, is_quiet(&matches)))
 }
 
 /// Whether the arguments may ask for help, or there are none. If `help` is only the value of an option, the answer is wrong, which

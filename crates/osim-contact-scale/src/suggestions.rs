@@ -9,11 +9,25 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 
 use crate::args::verb_names;
 
+/// Verbs of other programs, each with what to say instead of `did you mean`.
+const VERBS_ELSEWHERE: [(&str, &str); 5] = [
+    ("info", "the contacts of a model are shown by 'inspect'"),
+    ("validate", "a model is checked by 'check'"),
+    ("lint", "a model is checked by 'check'"),
+    ("fix", "'check --fix' corrects a model"),
+    ("scale", "OpenSim scales bodies; 'rescale' scales contacts"),
+];
+
 /// The message that suggests another call instead of `words` (the arguments beside the options); `None` if no call fits. With
 /// `may_be_mass`, a bare number can only be the target mass.
 pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
+    if let Some((_, text)) = VERBS_ELSEWHERE.iter().find(|(verb, _)| first.as_os_str() == *verb)
+        && !is_known(first)
+    {
+        return Some(format!("'{}' is neither a verb nor a file: {text}", first.display()));
+    }
     let verb = Some(first).filter(|word| !is_known(word)).and_then(|word| similar_verb(word));
     let split = SplitName::find(words);
     // What looks like a verb is hardly the begin of a name that is not there.

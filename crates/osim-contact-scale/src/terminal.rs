@@ -18,6 +18,8 @@ use terminal_size::Width;
 #[derive(Debug)]
 pub(crate) struct Terminal {
     gone: bool,
+    /// Whether texts for people are left out, except errors.
+    is_quiet: bool,
     /// Columns of standard output; `None` if its lines are not broken.
     out: Option<usize>,
     err: Option<usize>,
@@ -29,9 +31,15 @@ impl Terminal {
         let (out, err) = (io::stdout(), io::stderr());
         Self {
             gone: false,
+            is_quiet: false,
             out: columns(out.is_terminal(), terminal_size::terminal_size_of(&out).map(|(width, _)| width)),
             err: columns(err.is_terminal(), terminal_size::terminal_size_of(&err).map(|(width, _)| width)),
         }
+    }
+
+    /// Prints only errors and results for programs from now on.
+    pub(crate) fn keep_quiet(&mut self) {
+        self.is_quiet = true;
     }
 
     /// Breaks no lines from now on, because a program reads the text for people.
@@ -41,6 +49,9 @@ impl Terminal {
 
     /// Prints a result for people on standard output.
     pub(crate) fn print(&mut self, text: &str) -> io::Result<()> {
+        if self.is_quiet {
+            return Ok(());
+        }
         let text = fitted(&terminal_safe(text), self.out).into_owned();
         self.write_bytes(text.as_bytes())
     }
@@ -66,7 +77,7 @@ impl Terminal {
 
     /// Prints results with colours; files and pipes get them without colours.
     pub(crate) fn print_painted(&mut self, text: &str) -> io::Result<()> {
-        if self.gone {
+        if self.gone || self.is_quiet {
             return Ok(());
         }
         let text = harmless_but_colours(text);
@@ -107,6 +118,9 @@ impl Terminal {
 
     /// Prints text that is not a result on standard error.
     pub(crate) fn print_beside(&mut self, text: &str) -> io::Result<()> {
+        if self.is_quiet {
+            return Ok(());
+        }
         self.aside(&fitted(text, self.err))
     }
 

@@ -103,13 +103,15 @@ pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
 
 /// The names of all presets in words: without places of spheres, and with them.
 fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> String {
-    let mut names = preset_names(presets, files);
-    for name in presets_with_places() {
-        if !names.iter().any(|known| known == name) {
-            names.push(name.to_owned());
-        }
-    }
-    names.join(", ")
+    let presets = self::presets(presets, files).unwrap_or_default();
+    let names = presets.iter().map(|preset| preset.name.to_string());
+    let others = presets_of_unlike_spheres(&presets).map(str::to_owned);
+    names.chain(others).collect::<Vec<_>>().join(", ")
+}
+
+/// The names of presets whose spheres have radii of their own, so that no [`Preset`] describes them.
+pub fn presets_of_unlike_spheres(others: &[Preset]) -> impl Iterator<Item = &'static str> {
+    presets_with_places().filter(|name| others.iter().all(|other| other.name != *name))
 }
 
 /// Whether the text `word` names a file: the file exists, or the text is `-` or looks like the name of a file.

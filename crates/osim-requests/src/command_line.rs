@@ -124,7 +124,11 @@ pub fn read(
     for name in matches.ids().map(clap::Id::as_str).filter(|name| is_typed(name)) {
         match option_named(verb, name) {
             Some(option) => drop(fields.insert(name.to_owned(), typed_value(&option, matches))),
-            None => words.extend(matches.get_many::<OsString>(name).into_iter().flatten()),
+            None if name == MODELS_AND_ASSIGNMENTS => {
+                words.extend(matches.get_many::<OsString>(name).into_iter().flatten());
+            }
+            // An argument of the command alone.
+            None => {}
         }
     }
     let request = Request::read_typed(verb, fields)?;

@@ -7,7 +7,7 @@ use anyhow::{Result, anyhow, bail};
 use contact_plots::Paper;
 use osim_library::{Disk, WriteMode, make_folder_of, write_files};
 use osim_model::messages::{Input, Verb};
-use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
+use osim_planning::{design_sheet, find_presets, presets_of_unlike_spheres, run_drop_test, run_fit};
 use osim_requests::options::Format;
 use osim_requests::{
     DesignRequest, DropTestRequest, ExplainRequest, FitRequest, PlotKind, PlotRequest, PresetsRequest,
@@ -205,6 +205,12 @@ pub(crate) fn presets(request: &PresetsRequest, session: &mut Session) -> Result
             _ => format!("\n{}", preset_text(preset, columns)),
         };
         session.terminal.print_as(&text, request.format == Format::Json)?;
+    }
+    // A record has one radius for all spheres.
+    let is_list = request.name.is_none() && request.format != Format::Json;
+    for name in presets_of_unlike_spheres(&presets).filter(|_| is_list) {
+        let text = "spheres with radii and places of their own; add, transfer and drop-test take it";
+        session.terminal.print(&format!("\n{name}\n{text}\n"))?;
     }
     Ok(Exit::Done)
 }

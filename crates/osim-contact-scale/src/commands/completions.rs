@@ -4,12 +4,14 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, anyhow, bail};
-use clap::builder::PossibleValue;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use clap::{Arg, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use osim_library::report_page::Words;
-use osim_library::{WriteMode, write_files};
+use osim_library::{Disk, WriteMode, write_files};
+use osim_model::Property;
+use osim_view::report::explain::Topic;
 
 use crate::args::whole_command;
 use crate::exit::Exit;
@@ -20,17 +22,60 @@ use crate::session::Session;
 /// # Errors
 /// Standard output cannot be written.
 pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
-    let mut command = whole_command();
+    let mut command = with_known_words(whole_command(), shell);
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut command, name.as_str(), &mut script);
     match shell {
-        Shell::Bash => script = with_one_name(&String::from_utf8(script)?, &name).into_bytes(),
+        Shell::Bash => script = with_files(&with_one_name(&String::from_utf8(script)?, &name)).into_bytes(),
         Shell::Fish => script = with_missing_completions(&String::from_utf8(script)?, &command).into_bytes(),
         _ => {}
     }
     session.terminal.write_bytes(&script)?;
     Ok(Exit::Done)
+}
+
+/// The command with the words that arguments without a name may have: presets, topics of `explain`, and properties for `set`.
+fn with_known_words(command: Command, shell: Shell) -> Command {
+    let presets = osim_planning::presets(None, &Disk).unwrap_or_default();
+    let names: Vec<String> = presets.iter().map(|preset| preset.name.to_string()).collect();
+    let topics: Vec<&str> = Topic::all().into_iter().map(Topic::name).collect();
+    let properties: Vec<String> =
+        Property::ALL.iter().map(|property| format!("{}=", property.name())).collect();
+    let values = |argument: Arg, words: Vec<String>| argument.value_parser(PossibleValuesParser::new(words));
+    let command = command
+        .mut_subcommand("presets", |verb| verb.mut_arg("name", |name| values(name, names)))
+        .mut_subcommand("explain", |verb| {
+            let topics = topics.into_iter().map(str::to_owned).collect();
+            verb.mut_arg("topics", |topic| values(topic, topics))
+        });
+    // The other shells would complete no files there.
+    if shell != Shell::Bash {
+        return command;
+    }
+    command.mut_subcommand("set", |verb| verb.mut_arg("items", |items| values(items, properties)))
+}
+
+/// The script for bash with files after a verb: clap_complete 4.6 lists the options there. Only words that begin with - can be options.
+fn with_files(script: &str) -> String {
+    let (mut completed, mut words, mut before) = (String::new(), String::new(), "");
+    for line in script.split_inclusive('\n') {
+        if let Some(all) = line.trim().strip_prefix("opts=\"") {
+            let is_value = |word: &&str| !word.starts_with('-') && !all.contains("--version");
+            let values: Vec<&str> = all.trim_end_matches('"').split(' ').filter(is_value).collect();
+            words = values.join(" ");
+            if words.contains('=') {
+                // Models come first.
+                words = format!("${{cur:+{words}}}");
+            }
+        }
+        completed.push_str(&match before {
+            "esac" => line.replace("${opts}", &words),
+            _ => line.replace(" || ${COMP_CWORD} -eq 2 ]]", " ]]"),
+        });
+        before = line.trim();
+    }
+    completed
 }
 
 /// clap_complete 4.6 spells a command with hyphens in two ways, so that bash completes nothing after a verb

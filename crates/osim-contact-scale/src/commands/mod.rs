@@ -41,6 +41,13 @@ pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
 }
 
 fn ask(request: Request, session: &mut Session) -> Result<Exit> {
+    let is_quiet = match &request {
+        Request::Sweep(sweep) => sweep.quiet,
+        request => request.run_options().is_some_and(|run| run.quiet),
+    };
+    if is_quiet {
+        session.terminal.keep_quiet();
+    }
     match request {
         Request::Rescale(request) => change::rescale(*request, false, session),
         Request::Design(request) if request.models.is_empty() => answers::design(&request, session),
@@ -56,16 +63,8 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
         Request::Batch(request) => change::run_batch(&request, session),
         Request::Sweep(request) => {
             let exit = sweep::run(&request, session)?;
-            if !request.quiet {
-                let SweepRequest { model, choice, masses, .. } = &*request;
-                session::remark_unmatched(
-                    model.as_deref(),
-                    CompanionPaths::default(),
-                    choice,
-                    masses,
-                    session,
-                )?;
-            }
+            let SweepRequest { model, choice, masses, .. } = &*request;
+            session::remark_unmatched(model.as_deref(), CompanionPaths::default(), choice, masses, session)?;
             Ok(exit)
         }
         Request::Inspect(request) => survey::inspect(&request, false, session),

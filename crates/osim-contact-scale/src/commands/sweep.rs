@@ -49,15 +49,13 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         return report(&record, &text, request, session).map(|()| Exit::Done);
     }
     let end = make_variants(&sweep, request, session)?;
-    if end.worse > 0 && !request.quiet {
+    if end.worse > 0 {
         let (worse, made) = (end.worse, end.made + end.earlier);
         session.terminal.print_beside(&format!(
             "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the manifest\n"
         ))?;
     }
-    if !request.quiet {
-        session.terminal.print_beside(&remarks_of_sweep(&end, &sweep))?;
-    }
+    session.terminal.print_beside(&remarks_of_sweep(&end, &sweep))?;
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);
@@ -129,9 +127,6 @@ fn print_number_of_variants(
     request: &SweepRequest,
     session: &mut Session,
 ) -> Result<()> {
-    if request.quiet {
-        return Ok(());
-    }
     let (size, count, points) = (sweep.model_size(), sweep.count(), sweep.points());
     let of = if request.point.is_some() || request.shard.is_some() {
         format!(" of {points}")
@@ -180,7 +175,7 @@ fn text(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String 
 fn report(record: &SweepRecord, text: &str, request: &SweepRequest, session: &mut Session) -> Result<()> {
     if request.format == Format::Json {
         session.terminal.print_records(&line(record))?;
-    } else if !request.quiet {
+    } else {
         session.terminal.print(text)?;
     }
     Ok(())

@@ -251,7 +251,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             .rare_if(is(&[Rescale, Fit])).about(FieldGroup::Shown).of_run(),
             "How to print [default: table; lines if more than 10 models]",
             Sweep | Inspect | Check | DropTest | Motion | Reproduce | Presets | Explain => "How to print";
-        Quiet = flag().rare().about(FieldGroup::Shown).of_run(), "Print errors only";
+        Quiet = flag().short('q').rare().about(FieldGroup::Shown).of_run(), "Print errors only";
         Report = written("FILE").of_run(), "Write a page for browsers too (.html): tables, plots, findings";
         Jobs = value("N").rare().about(FieldGroup::Many).of_run(), "Models to work on at once [default: one per processor]",
             Sweep => "Models to make at once [default: one per processor]";
