@@ -200,9 +200,10 @@ fn do_tasks(
         let Outcome { record, earlier, shown, failure, .. } = outcome;
         let Shown { outputs, entry, worst: worst_of_model } = shown.unwrap_or_default();
         worst = worst.max(worst_of_model);
+        let row = record.row.map(|row| format!(" (row {row})")).unwrap_or_default();
         match record.status {
-            Status::Failed => failed.push(record.model.clone()),
-            Status::NoContacts => skipped.push(record.model.clone()),
+            Status::Failed => failed.push(format!("{}{row}", record.model)),
+            Status::NoContacts => skipped.push(format!("{}{row}", record.model)),
             _ => {}
         }
         if let Some(page) = page {
