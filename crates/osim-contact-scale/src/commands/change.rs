@@ -10,7 +10,7 @@ use osim_library::run::{
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Phrase, phrase};
+use osim_model::messages::{Input, Phrase, one_line, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
@@ -134,7 +134,8 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         .map_err(|fault| session.refused(&fault))?;
     run.begin().map_err(|fault| session.refused(&fault))?;
     for kept in run.kept_files() {
-        session.terminal.remark(kept)?;
+        // Also with `--quiet`: these files are somebody's work.
+        session.terminal.error(&format!("remark: {}\n", one_line(kept.clone())));
     }
     let end = do_tasks(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
