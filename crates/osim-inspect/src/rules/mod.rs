@@ -7,6 +7,7 @@ mod depth;
 mod figure_check;
 pub(crate) mod floors;
 mod forces;
+mod misread;
 mod numbers;
 pub(crate) mod places;
 pub(crate) mod sides;
@@ -30,7 +31,7 @@ type Table<F> = &'static [(&'static [&'static Rule], F)];
 /// Rules about the model itself, in the order in which reports list their findings.
 static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
-    (&[&numbers::ODD_NUMBER, &numbers::NOT_FINITE, &numbers::OUT_OF_DOMAIN], numbers::find_odd_numbers),
+    (&[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN], misread::find_misread_values),
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
     (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
     (&[&components::INCLUDED_FILE], components::find_included_file),

@@ -1,8 +1,7 @@
-//! Rules about single numbers of a model: how they are written, their domains, and unlikely values.
+//! Rules about unlikely numbers of a model.
 
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown};
-use osim_model::opensim_text::is_plain_triple;
 use osim_model::{
     Body, ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin,
     Property, Repair, Rule, SetId, Severity, Value, VerdictOn,
@@ -11,151 +10,6 @@ use osim_requests::Request;
 
 use crate::findings::Remedies;
 use crate::rules::spheres::and_others;
-
-/// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
-type DescribeValue = fn(&Value) -> Option<String>;
-
-/// Rules about single values. Only the first rule that applies to a value is reported.
-const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
-    (&ODD_NUMBER, describe_odd_number),
-    (&NOT_FINITE, describe_not_finite),
-    (&OUT_OF_DOMAIN, describe_out_of_domain),
-];
-
-/// Finds numbers that are written oddly, are not finite, or are outside their domain.
-pub(super) fn find_odd_numbers(model: &Model) -> Vec<Finding> {
-    find_in_values(model).into_iter().chain(find_in_triples(model)).collect()
-}
-
-fn find_in_values(model: &Model) -> Vec<Finding> {
-    let parameters = model.forces().iter().flat_map(|force| {
-        // The older class has its transition velocity outside its parameter sets.
-        let outside_sets = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
-        let in_sets = force.sets.iter().flat_map(|set| &set.values);
-        in_sets.chain(outside_sets).map(move |value| (force.path.as_str(), force.file, value))
-    });
-    let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
-    let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
-    let finding = |(path, file, value): (&str, FileId, &Value)| {
-        let (rule, text) = VALUE_RULES.iter().find_map(|(rule, describe)| Some((*rule, describe(value)?)))?;
-        let line = model.file(file).line(value.offset);
-        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).with_place(path))
-    };
-    parameters.chain(radii).chain(masses).filter_map(finding).collect()
-}
-
-/// Finds places of spheres and gravity that are written oddly. OpenSim silently takes its default if it cannot read a text.
-fn find_in_triples(model: &Model) -> Vec<Finding> {
-    let locations = model.spheres().iter().filter_map(|sphere| {
-        let triple = NumberTriple {
-            file: sphere.file,
-            object: sphere.element(),
-            tag: sphere.location_slot().tag,
-            read: sphere.location_m,
-        };
-        Some(triple.finding(model, &sphere.path)?.with_place(&sphere.path))
-    });
-    let gravity = model.gravity_object().and_then(|(file, object)| {
-        let read = model.file(file).triple(object, "gravity").unwrap_or(Model::DEFAULT_GRAVITY);
-        NumberTriple { file, object, tag: "gravity", read }.finding(model, "the model")
-    });
-    locations.chain(gravity).collect()
-}
-
-/// Three numbers in one element, such as the place of a sphere, as OpenSim reads them.
-struct NumberTriple {
-    file: FileId,
-    object: ElementId,
-    tag: &'static str,
-    read: [f64; 3],
-}
-
-impl NumberTriple {
-    fn finding(&self, model: &Model, owner: &str) -> Option<Finding> {
-        let document = model.file(self.file);
-        let element = document.property_element(self.object, self.tag)?;
-        let text = document.tree().raw_text(element).text;
-        let odd = describe_odd_triple(&text, self.read).map(|text| (&ODD_NUMBER, text));
-        let not_finite = || Some((&NOT_FINITE, describe_not_finite_triple(self.read)?));
-        let (rule, text) = odd.or_else(not_finite)?;
-        let line = document.line(document.tree().span(element).start);
-        Some(Finding::at(rule, line, format!("{} of {owner} {text}", self.tag)))
-    }
-}
-
-pub(super) static NOT_FINITE: Rule = Rule {
-    code: FindingCode::NotFinite,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
-    what: "A number in the file is not finite.",
-    why: "JSON has no NaN and no infinity: such a number is null there. What OpenSim computes from it is meaningless.",
-    advice: "Correct the number in the model",
-    repair: Repair::NotPossible("only you know which number is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>nan</radius>",
-    },
-};
-
-/// Why a value is not finite, in words that follow the name of the value.
-fn describe_not_finite(value: &Value) -> Option<String> {
-    (!value.number.is_finite()).then(|| format!("is {}", value.number))
-}
-
-fn describe_not_finite_triple(read @ [x, y, z]: [f64; 3]) -> Option<String> {
-    (!read.iter().all(|value| value.is_finite())).then(|| format!("is {x} {y} {z}"))
-}
-
-pub(super) static ODD_NUMBER: Rule = Rule {
-    code: FindingCode::OddNumber,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
-    what: "A number is written in a way that OpenSim reads differently from what it looks like.",
-    why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default.",
-    advice: "Write the number plainly, like 1.5e6",
-    repair: Repair::NotPossible("only you know which number is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>0,0325</radius>",
-    },
-};
-
-/// What is odd about the writing of a value, in words that follow the name of the value.
-fn describe_odd_number(value: &Value) -> Option<String> {
-    value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
-}
-
-/// What is odd about three numbers that the file writes as `text` and that OpenSim reads as x, y and z.
-fn describe_odd_triple(text: &str, [x, y, z]: [f64; 3]) -> Option<String> {
-    (!is_plain_triple(text)).then(|| {
-        // Show a blank that is not ASCII by its code, because OpenSim does not take it for a blank.
-        let text = if text.is_ascii() { text.to_owned() } else { text.escape_default().to_string() };
-        format!("is '{text}', which OpenSim reads as {x} {y} {z}")
-    })
-}
-
-pub(super) static OUT_OF_DOMAIN: Rule = Rule {
-    code: FindingCode::OutOfDomain,
-    severity: Severity::Error,
-    verdict: Some(VerdictOn::Sizes),
-    what: "A number lies outside the domain of the contact laws.",
-    why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
-    advice: "Correct the number in the model",
-    repair: Repair::NotPossible("only you know which number is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>-0.0325</radius>",
-    },
-};
-
-/// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.
-fn describe_out_of_domain(value: &Value) -> Option<String> {
-    (!value.property.allows(value.number) && !is_default_stiffness(value))
-        .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
-}
 
 /// The largest inertia, kg m², that a body without mass may have. Programs write tiny inertias for frames that weigh nothing.
 const INERTIA_OF_FRAME: f64 = 1e-6;
@@ -228,7 +82,7 @@ pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request
 }
 
 /// Whether a value is a stiffness that is absent from the file, so that OpenSim takes its default.
-fn is_default_stiffness(value: &Value) -> bool {
+pub(super) fn is_default_stiffness(value: &Value) -> bool {
     value.property == Property::Stiffness && value.origin == Origin::ClassDefault
 }
 

@@ -221,7 +221,7 @@ impl Document {
     }
 
     /// The element of a property of the object's class in `<defaults>`, if there is one.
-    pub(crate) fn inherited_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+    pub fn inherited_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
         self.default_property(self.tree.name(object), tag)
     }
 

@@ -120,21 +120,22 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
     (count > 0 && count % 3 == 0).then_some(first)
 }
 
-/// Whether a text is three numbers that a person and OpenSim read alike. Commas after the first two numbers are harmless.
+/// Whether a text is `count` numbers that a person and OpenSim read alike. Commas after all numbers but the last are harmless.
 ///
 /// ```
-/// use osim_model::xml::opensim_text::is_plain_triple;
+/// use osim_model::xml::opensim_text::are_plain_numbers;
 ///
-/// assert!(is_plain_triple("0.1 -2e-3 inf") && is_plain_triple("1, 2, 3"));
+/// assert!(are_plain_numbers("0.1 -2e-3 inf", 3) && are_plain_numbers("1, 2, 3", 3));
 /// for text in ["0.1,0.2,0.3", "0,5 1 2", "1 2 3,", "1x 2 3", "1 2", "1 2 3 4 5 6", ""] {
-///     assert!(!is_plain_triple(text), "{text}");
+///     assert!(!are_plain_numbers(text, 3), "{text}");
 /// }
 /// ```
-pub fn is_plain_triple(text: &str) -> bool {
+pub fn are_plain_numbers(text: &str, count: usize) -> bool {
     let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
     let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
     let all: Vec<&str> = list_words(text).collect();
-    matches!(all[..], [x, y, z] if before_comma(x) && before_comma(y) && is_number(z))
+    all.len() == count
+        && all.split_last().is_some_and(|(last, others)| is_number(last) && others.iter().all(|word| before_comma(word)))
 }
 
 /// A flag, true or false; `None` if OpenSim cannot read it and uses its default.
@@ -162,7 +163,7 @@ fn flag_of_word(word: &str) -> Option<bool> {
 }
 
 /// Whether `isDisabled`, an element of documents up to 30508, is true. OpenSim has a special rule for it.
-pub(crate) fn is_disabled(text: &str) -> bool {
+pub fn is_disabled(text: &str) -> bool {
     let text = trimmed(text);
     spelled_flag(text).unwrap_or_else(|| whole_number_at_start(text).is_some_and(|digits| !digits.is_empty()))
 }

@@ -415,7 +415,8 @@ const GEOMETRY_CLASSES: [&str; 6] = [
 ];
 /// The name of the element `constant_contact_force` in the first version of Moco's class.
 pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
-const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
+/// The last document version in which `isDisabled` switches a force off. Later documents ignore it.
+pub const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
 const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
 /// The list of parameter sets of a force, in any of its three spellings. OpenSim prefers the element `<contact_parameters>`, then the set

@@ -1,0 +1,351 @@
+//! Rules about the texts of numbers and flags: how they are written, and the domains of numbers.
+
+use osim_model::opensim_text::{self, are_plain_numbers};
+use osim_model::{
+    Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED, Model,
+    Origin, Repair, Rule, Severity, Value, VerdictOn,
+};
+
+use crate::rules::numbers::is_default_stiffness;
+
+/// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
+type DescribeValue = fn(&Value) -> Option<String>;
+
+/// Rules about single values. Only the first rule that applies to a value is reported.
+const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
+    (&ODD_NUMBER, describe_odd_number),
+    (&NOT_FINITE, describe_not_finite),
+    (&OUT_OF_DOMAIN, describe_out_of_domain),
+];
+
+/// Finds numbers and flags that are written oddly, numbers that are not finite, and contacts and masses outside their domain.
+pub(super) fn find_misread_values(model: &Model) -> Vec<Finding> {
+    find_in_values(model).into_iter().chain(find_in_texts(model)).collect()
+}
+
+fn find_in_values(model: &Model) -> Vec<Finding> {
+    let parameters = model.forces().iter().flat_map(|force| {
+        // The older class has its transition velocity outside its parameter sets.
+        let outside_sets = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
+        let in_sets = force.sets.iter().flat_map(|set| &set.values);
+        in_sets.chain(outside_sets).map(move |value| (force.path.as_str(), force.file, value))
+    });
+    let radii = model.spheres().iter().map(|sphere| (sphere.path.as_str(), sphere.file, &sphere.radius));
+    let masses = model.bodies().iter().map(|body| (body.path.as_str(), body.file, &body.mass));
+    let finding = |(path, file, value): (&str, FileId, &Value)| {
+        let (rule, text) = VALUE_RULES.iter().find_map(|(rule, describe)| Some((*rule, describe(value)?)))?;
+        let line = model.file(file).line(value.offset);
+        Some(Finding::at(rule, line, format!("{} of {path} {text}", value.property)).with_place(path))
+    };
+    parameters.chain(radii).chain(masses).filter_map(finding).collect()
+}
+
+/// How OpenSim reads the text of a property.
+#[derive(Clone, Copy)]
+enum TextForm {
+    /// This many numbers.
+    Numbers(usize),
+    /// True or false.
+    Flag,
+    /// `isDisabled`, which documents up to 30508 have.
+    OldFlag,
+    /// Numbers that commas may separate and brackets may enclose; the number of them, if it is fixed. OpenSim refuses a model in which it
+    /// cannot read them.
+    OldNumbers(Option<usize>),
+}
+use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
+
+/// A property: its tag, the form of its text, and its default in OpenSim. If there is no default, OpenSim refuses the model.
+type WrittenProperty = (&'static str, TextForm, Option<&'static str>);
+
+const ZERO: Option<&str> = Some("0 0 0");
+const OF_GEOMETRY: &[WrittenProperty] = &[("location", Numbers(3), ZERO), ("orientation", Numbers(3), ZERO)];
+const OF_FRAME: &[WrittenProperty] = &[("translation", Numbers(3), ZERO), ("orientation", Numbers(3), ZERO)];
+const OF_JOINT: &[WrittenProperty] = &[
+    // Documents before version 4 have the frames of a joint in the joint itself.
+    ("location_in_parent", OldNumbers(Some(3)), None),
+    ("orientation_in_parent", OldNumbers(Some(3)), None),
+    ("location", OldNumbers(Some(3)), None),
+    ("orientation", OldNumbers(Some(3)), None),
+    ("reverse", Flag, Some("false")),
+    ("radii_x_y_z", Numbers(3), None),
+];
+const OF_CURVE: &[WrittenProperty] = &[("x", OldNumbers(None), None), ("y", OldNumbers(None), None)];
+const OF_CONSTRAINT: &[WrittenProperty] = &[
+    ("isEnforced", Flag, Some("true")),
+    ("isDisabled", OldFlag, Some("false")),
+    ("scale_factor", Numbers(1), Some("1")),
+    ("constant_distance", Numbers(1), None),
+    ("location_body_1", Numbers(3), ZERO),
+    ("location_body_2", Numbers(3), ZERO),
+    ("orientation_body_1", Numbers(3), ZERO),
+    ("orientation_body_2", Numbers(3), ZERO),
+    ("line_direction_vec", Numbers(3), ZERO),
+    ("point_on_line", Numbers(3), ZERO),
+    ("point_on_follower", Numbers(3), ZERO),
+];
+
+/// The properties of `class` on which a pose, a mass or a contact force depends, without the properties of contacts that are a [`Value`].
+fn written_properties(class: &str) -> &'static [WrittenProperty] {
+    match class {
+        "Model" => &[("gravity", Numbers(3), Some("0 -9.80665 0"))],
+        "Body" => &[
+            ("mass_center", Numbers(3), ZERO),
+            ("inertia", Numbers(6), Some("0 0 0 0 0 0")),
+            ("inertia_xx", Numbers(1), None),
+            ("inertia_yy", Numbers(1), None),
+            ("inertia_zz", Numbers(1), None),
+            ("inertia_xy", Numbers(1), None),
+            ("inertia_xz", Numbers(1), None),
+            ("inertia_yz", Numbers(1), None),
+        ],
+        "Mesh" | "VisibleObject" | "DisplayGeometry" => &[("scale_factors", Numbers(3), Some("1 1 1"))],
+        "Coordinate" => &[
+            ("default_value", Numbers(1), Some("0")),
+            ("default_speed_value", Numbers(1), Some("0")),
+            ("range", Numbers(2), Some("-10 10")),
+            ("clamped", Flag, Some("false")),
+            ("locked", Flag, Some("false")),
+            ("prescribed", Flag, Some("false")),
+            ("is_free_to_satisfy_constraints", Flag, Some("false")),
+        ],
+        "TransformAxis" => &[("axis", Numbers(3), Some("1 0 0"))],
+        "Constant" => &[("value", Numbers(1), None)],
+        "MultiplierFunction" => &[("scale", Numbers(1), None)],
+        "LinearFunction" => &[("coefficients", OldNumbers(Some(2)), None)],
+        "PolynomialFunction" => &[("coefficients", OldNumbers(None), None)],
+        "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => OF_CURVE,
+        "ContactSphere" => &[("location", Numbers(3), ZERO)],
+        "ContactHalfSpace" => OF_GEOMETRY,
+        "HuntCrossleyForce" => {
+            &[("appliesForce", Flag, Some("true")), ("isDisabled", OldFlag, Some("false"))]
+        }
+        "SmoothSphereHalfSpaceForce" => &[
+            ("appliesForce", Flag, Some("true")),
+            // As Moco 0.1 to 0.3 wrote them.
+            ("contact_sphere_location", Numbers(3), ZERO),
+            ("contact_half_space_location", Numbers(3), ZERO),
+            ("contact_half_space_orientation", Numbers(3), ZERO),
+        ],
+        _ if class.ends_with("Frame") => OF_FRAME,
+        _ if class.ends_with("Joint") => OF_JOINT,
+        _ if class.ends_with("Constraint") => OF_CONSTRAINT,
+        _ => &[],
+    }
+}
+
+/// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
+/// default if it cannot read a text.
+fn find_in_texts(model: &Model) -> Vec<Finding> {
+    let mut found = Vec::new();
+    let components = model.components();
+    for (id, component) in components.tree.iter() {
+        let tag = components.tag(id);
+        if !is_read(tag) {
+            continue;
+        }
+        let document = components.document(component.file);
+        let tree = document.tree();
+        let path = || if tag == "Model" { "the model".to_owned() } else { components.tree.path(id) };
+        tree.walk(component.element, |element| {
+            let parent = tree.parent(element).filter(|_| element != component.element);
+            // Other components are in these elements.
+            if parent == Some(component.element) && ["components", "frames", "Joint"].contains(&tree.name(element)) {
+                return false;
+            }
+            for property in written_properties(tree.name(element)) {
+                if let Some((rule, element_of_text, text)) = misread_text(document, element, property) {
+                    let path = path_of_part(document, path(), component.element, element);
+                    let line = document.line(tree.span(element_of_text).start);
+                    let finding = Finding::at(rule, line, format!("{} of {path} {text}", property.0));
+                    found.push(if tag == "Model" { finding } else { finding.with_place(&path) });
+                }
+            }
+            tag != "Model"
+        });
+    }
+    found
+}
+
+/// Whether poses, masses or contact forces depend on components of the class `tag`.
+fn is_read(tag: &str) -> bool {
+    let others = ["Model", "Ground", "Body", "ContactSphere", "ContactHalfSpace"];
+    let forces = [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str()];
+    others.contains(&tag)
+        || forces.contains(&tag)
+        || ["Frame", "Joint", "Constraint"].iter().any(|ending| tag.ends_with(ending))
+}
+
+/// The path of `part`, which is `whole` or an object inside it, from the path of `whole`.
+fn path_of_part(document: &Document, path: String, whole: ElementId, part: ElementId) -> String {
+    let tree = document.tree();
+    let inside = std::iter::successors(Some(part), |&id| tree.parent(id)).take_while(|&id| id != whole);
+    let names: Vec<_> = inside.filter_map(|id| tree.attribute(id, "name").filter(|name| !name.is_empty())).collect();
+    names.iter().rev().fold(path, |path, name| format!("{path}/{name}"))
+}
+
+/// What is wrong with the text of a property of `object`: the rule, the element of the text, and words that follow the property's name.
+fn misread_text(
+    document: &Document,
+    object: ElementId,
+    &(tag, form, default): &WrittenProperty,
+) -> Option<(&'static Rule, ElementId, String)> {
+    if matches!(form, OldFlag) && document.version() > LAST_VERSION_WITH_IS_DISABLED {
+        return None;
+    }
+    let element = document.property_element(object, tag)?;
+    let raw = document.tree().raw_text(element);
+    if raw.in_one_piece && form.is_plain(&raw.text) {
+        if let Some(text) = unequal_counts(document, object, tag, &raw.text) {
+            return Some((&ODD_NUMBER, element, text));
+        }
+        let read = opensim_text::numbers(&raw.text).filter(|_| matches!(form, Numbers(_)))?;
+        // A coordinate may be without bounds.
+        let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
+        let listed = || format!("is {}", read.iter().map(f64::to_string).collect::<Vec<_>>().join(" "));
+        return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, element, listed()));
+    }
+    let inherited = || document.inherited_element(object, tag).filter(|&inherited| inherited != element);
+    let read = raw.in_one_piece.then(|| {
+        let inherited = || form.read(&document.tree().raw_text(inherited()?).text);
+        form.read(&raw.text).or_else(inherited).or(default.map(str::to_owned))
+    });
+    let meaning = match read.flatten() {
+        Some(read) => format!("which OpenSim reads as {read}"),
+        None => "with which OpenSim refuses the model".to_owned(),
+    };
+    Some((&ODD_NUMBER, element, format!("is '{}', {meaning}", shown_text(&raw.text))))
+}
+
+/// Words about a curve whose points have more or fewer numbers `tag` than numbers of the other axis; `None` if they have as many.
+fn unequal_counts(document: &Document, curve: ElementId, tag: &str, text: &str) -> Option<String> {
+    let other_tag = match tag {
+        "x" => "y",
+        "y" => "x",
+        _ => return None,
+    };
+    let tree = document.tree();
+    let other = tree.raw_text(tree.child(curve, other_tag)?).text;
+    let count = |text: &str| old_words(text).len();
+    let (own, others) = (count(text), count(&other));
+    (own != others).then(|| format!("has {own} numbers, and {other_tag} {others}"))
+}
+
+/// The largest number of letters of a text that a message shows.
+const MOST_LETTERS: usize = 60;
+
+/// A text on one line. Letters that are not ASCII are shown by their codes, because a blank that is not ASCII is none for OpenSim.
+fn shown_text(text: &str) -> String {
+    let text: String = text.chars().map(|letter| if letter.is_ascii_whitespace() { ' ' } else { letter }).collect();
+    let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
+    match text.get(..MOST_LETTERS) {
+        Some(start) if text.len() > MOST_LETTERS => format!("{start}..."),
+        _ => text,
+    }
+}
+
+impl TextForm {
+    /// Whether a person and OpenSim read the text alike.
+    fn is_plain(self, text: &str) -> bool {
+        match self {
+            Numbers(count) => are_plain_numbers(text, count),
+            Flag | OldFlag => ["true", "false", "0", "1"].contains(&text.to_ascii_lowercase().as_str()),
+            OldNumbers(count) => are_old_numbers(text, count),
+        }
+    }
+
+    /// The value that OpenSim reads, in words; `None` if it cannot read the text.
+    fn read(self, text: &str) -> Option<String> {
+        match self {
+            Numbers(count) => {
+                let mut all = opensim_text::numbers(text)?;
+                // A vector needs whole vectors, a pair its two numbers.
+                let fits = if count == 2 { all.len() >= 2 } else { all.len() % count == 0 };
+                all.truncate(count);
+                fits.then(|| all.iter().map(f64::to_string).collect::<Vec<_>>().join(" "))
+            }
+            Flag => opensim_text::flag(text).map(|flag| flag.to_string()),
+            OldFlag => Some(opensim_text::is_disabled(text).to_string()),
+            OldNumbers(_) => None,
+        }
+    }
+}
+
+/// Whether a text is `count` finite numbers, separated by blanks or by commas, perhaps in brackets.
+fn are_old_numbers(text: &str, count: Option<usize>) -> bool {
+    let words = old_words(text);
+    let is_finite = |word: &&str| {
+        are_plain_numbers(word, 1)
+            && opensim_text::numbers(word).is_some_and(|numbers| numbers.iter().all(|one| one.is_finite()))
+    };
+    count.is_none_or(|count| words.len() == count) && !words.is_empty() && words.iter().all(is_finite)
+}
+
+fn old_words(text: &str) -> Vec<&str> {
+    let brackets = [('(', ')'), ('[', ']')];
+    let inside = brackets.iter().find_map(|&(open, close)| text.strip_prefix(open)?.strip_suffix(close));
+    let text = inside.unwrap_or(text);
+    if text.contains(',') { text.split(',').collect() } else { opensim_text::words(text).collect() }
+}
+
+pub(super) static NOT_FINITE: Rule = Rule {
+    code: FindingCode::NotFinite,
+    severity: Severity::Error,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number in the file is not finite.",
+    why: "JSON has no NaN and no infinity: such a number is null there. What OpenSim computes from it is meaningless.",
+    advice: "Correct the number in the model",
+    repair: Repair::NotPossible("only you know which number is right"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>nan</radius>",
+    },
+};
+
+/// Why a value is not finite, in words that follow the name of the value.
+fn describe_not_finite(value: &Value) -> Option<String> {
+    (!value.number.is_finite()).then(|| format!("is {}", value.number))
+}
+
+pub(super) static ODD_NUMBER: Rule = Rule {
+    code: FindingCode::OddNumber,
+    severity: Severity::Error,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number or flag is written in a way that OpenSim reads differently from what it looks like.",
+    why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default. This holds for contacts, for masses, and for all that a pose depends on: frames, joints, coordinates.",
+    advice: "Write numbers plainly, like 1.5e6, with blanks between them, and flags as true or false",
+    repair: Repair::NotPossible("only you know which value is right"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>0,0325</radius>",
+    },
+};
+
+/// What is odd about the writing of a value, in words that follow the name of the value.
+fn describe_odd_number(value: &Value) -> Option<String> {
+    value.fault.is_some().then(|| format!("is '{}', which OpenSim reads as {}", value.text, value.number))
+}
+
+pub(super) static OUT_OF_DOMAIN: Rule = Rule {
+    code: FindingCode::OutOfDomain,
+    severity: Severity::Error,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A number lies outside the domain of the contact laws.",
+    why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
+    advice: "Correct the number in the model",
+    repair: Repair::NotPossible("only you know which number is right"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<radius>0.0325</radius>",
+        bad: "<radius>-0.0325</radius>",
+    },
+};
+
+/// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.
+fn describe_out_of_domain(value: &Value) -> Option<String> {
+    (!value.property.allows(value.number) && !is_default_stiffness(value))
+        .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
+}
+

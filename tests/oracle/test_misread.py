@@ -1,0 +1,119 @@
+"""Numbers and flags that OpenSim cannot read: where one changes a pose, a mass or a contact force of OpenSim's, `check` has an error there.
+
+In six published models, one element of each property is damaged; `ORACLE_ELEMENTS=all` damages each element outside muscles.
+"""
+
+import json
+import os
+import random
+import re
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+
+import apart
+import command
+import opensim_shifts
+from models import CORPUS, NO_CORPUS
+
+MODELS = (
+    "v40000_falisse_2022_human",
+    "v40000_human_12_hunt_crossley",
+    "v40000_dhondt_2024_3seg_human",
+    "v40000_opencap_lai_arnold_crlf",
+    "v30000_scone_h0914m",
+    "v20302_dynamic_jumper",
+)
+ALL = os.environ.get("ORACLE_ELEMENTS") == "all"
+# No pose, mass or contact force depends on numbers in these elements.
+WITHOUT_EFFECT = re.compile("Muscle|Path|Wrap|Marker|Probe|Controller|Actuator|LimitForce|Bushing|Spring|Appearance|Visible|credits|publications")
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+
+
+def leaves(text):
+    """`(class of the owner, tag, start, end)` of the texts of elements that are numbers or flags, outside of what has no effect."""
+    stack = []
+    for tag in re.finditer(r"<!--.*?-->|<\?.*?\?>|<(/?)([\w:]+)[^<>]*?(/?)>", text, re.DOTALL):
+        if tag[2] is None or tag[3]:
+            continue
+        if not tag[1]:
+            stack.append((tag[2], tag.end()))
+            continue
+        name, start = stack.pop()
+        content = text[start : tag.start()]
+        above = [one for one, _ in stack]
+        if "<" in content or "defaults" in above or any(WITHOUT_EFFECT.search(one) for one in above):
+            continue
+        words = content.split()
+        if words and (all(map(NUMBER.fullmatch, words)) or words[0].lower() in ("true", "false")):
+            yield above[-1], name, start, tag.start()
+
+
+def damaged(owner, value, draw):
+    """A text that looks like `value` and that OpenSim reads as another one, or not at all."""
+    words = value.split()
+    if words[0].lower() in ("true", "false"):
+        return draw.choice(["no", "yes", "ja", "", "falsch", "2", "true false"]) if words[0].lower() == "true" else draw.choice(["yes", "on", "t", "ja"])
+    if len(words) == 1:
+        return draw.choice([words[0].replace(".", ",") if "." in words[0] else "x", "1e400", "", "\u2212" + words[0].lstrip("-"), "None"])
+    if owner == "PolynomialFunction":  # with fewer numbers it is another polynomial
+        return draw.choice([" ".join(["x", *words[1:]]), "1,5 2"])
+    return draw.choice([",".join(words), "(" + " ".join(words) + ")", " ".join(words[:-1]), " ".join([*words, "0"]), " ".join(["x", *words[1:]]), ""])
+
+
+def is_telling(value):
+    """Whether a value is probably not the default."""
+    return value.split()[0].lower() == "true" or any(float(word) != 0 for word in value.split() if NUMBER.fullmatch(word))
+
+
+def chosen(text):
+    """All leaves, or one of each property: the first whose value is probably not the default."""
+    found = list(leaves(text))
+    if ALL:
+        return found
+    by_property = {}
+    for leaf in found:
+        key, value = leaf[:2], text[leaf[2] : leaf[3]]
+        if key not in by_property or (is_telling(value) and not by_property[key][0]):
+            by_property[key] = (is_telling(value), leaf)
+    return [leaf for _, leaf in by_property.values()]
+
+
+@pytest.mark.skipif(not CORPUS, reason=NO_CORPUS)
+@pytest.mark.parametrize("name", MODELS)
+def test_misread_values_are_reported(name, tmp_path):
+    source = Path(CORPUS, f"{name}.osim")
+    text = source.read_bytes().decode("utf-8")
+    ((rest, *_),) = opensim_shifts.shifted([(source, opensim_shifts.at([0.0]))])
+    heights = [0.0, 0.01 - min(rest["heights"].values())]
+    states = opensim_shifts.at(heights) + opensim_shifts.moving(heights)
+    draw = random.Random(name)
+    damages = []
+    for owner, tag, start, end in chosen(text):
+        new = damaged(owner, text[start:end], draw)
+        path = tmp_path / f"{len(damages)}.osim"
+        path.write_bytes((text[:start] + new + text[end:]).encode())
+        damages.append((f"{tag} of {owner}: {text[start:end].strip()!r} -> {new!r}", text.count("\n", 0, start) + 1, path))
+    assert len(damages) > 20
+    whole, *changed = apart.ask("opensim_effects", [[str(path), states] for path in (source, *(path for _, _, path in damages))])
+    assert "error" not in whole, whole
+    with ThreadPoolExecutor(2) as pool:
+        reports = list(pool.map(errors, [path for _, _, path in damages]))
+    wrong, effects = [], 0
+    for (what, line, _), result, lines in zip(damages, changed, reports, strict=True):
+        if json.dumps(result) != json.dumps(whole):
+            effects += 1
+            if line not in lines:
+                wrong.append(f"line {line}: {what}: errors in {lines}; OpenSim: {result.get('error', 'other numbers')[:200]}")
+    print(f"{name}: {len(damages)} damaged, {effects} with an effect")
+    assert effects > 5
+    assert not wrong, "\n".join(wrong)
+
+
+def errors(path):
+    """The lines in which `check` has an error."""
+    outcome = command.run("check", path)
+    if outcome.error:
+        return [outcome.error.get("line")]
+    return [finding["line"] for finding in outcome.report["findings"] if finding["severity"] == "error"]
