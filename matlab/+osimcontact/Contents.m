@@ -8,7 +8,7 @@
 %   add        - Gives a model that has no foot contacts those of another model or of a preset, of a table, or spheres under its bones.
 %   batch      - One row per model; columns are named like the long options of rescale, transfer, design and set.
 %   check      - Compares models with the limits of the paper and the traps of the format.
-%   convert    - Makes forces of one class from those of the other, one for each sphere.
+%   convert    - Makes forces of one class from those of the other, one for each sphere, or connects sockets.
 %   design     - Finds parameters from what is wanted: indentation, stiffness, restitution.
 %   drop_test  - Lets a model fall on its contacts and shows what they do.
 %   explain    - Explains equations, quantities, and the codes of findings and errors.

@@ -1,12 +1,14 @@
 function results = convert(varargin)
-%CONVERT Makes forces of one class from those of the other, one for each sphere.
+%CONVERT Makes forces of one class from those of the other, one for each sphere, or connects sockets.
 %   RESULTS = osimcontact.convert(MODELS, NAME, VALUE, ...)
 %   Stiffness, dissipation, friction and transition velocity stay as they are.
 %
 %   MODELS: Models (.osim), folders. Takes a text or a cell array of texts.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     to: The class that forces get. Takes 'smooth' or 'hunt-crossley'. Must be given.
+%     to: The class that forces get. Takes 'smooth' or 'hunt-crossley'.
+%     sockets: Write the paths of sockets that lead nowhere, where only one component has the name in
+%         them. Takes true or false.
 %     constant_contact_force: OpenSim's constant_contact_force of forces that had none [default: Falisse
 %         et al. (2022) at each radius (C.2)]. Takes a number.
 %     hertz_smoothing: hertz_smoothing of forces that had none, 1/m [default: Falisse et al. (2022) at

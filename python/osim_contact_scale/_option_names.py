@@ -32,10 +32,10 @@ ROW_OPTIONS = frozenset({
     "level_axis", "load", "loads", "low_pass", "mass", "mirror", "model", "motion", "moved_spheres", "no_backup",
     "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "poisson", "presets", "radius",
     "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere", "reference_spheres",
-    "replace", "restitution", "rule", "select", "set", "skip_disabled", "speed_column", "speed_unit", "speed_width",
-    "spheres", "stance_limbs", "state_width", "static_friction", "stiffness", "strict", "target_gravity",
-    "target_mass", "threshold", "time_column", "time_unit", "to", "transition_velocity", "unbounded", "verb",
-    "viscous_friction", "yes", "young",
+    "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets", "speed_column", "speed_unit",
+    "speed_width", "spheres", "stance_limbs", "state_width", "static_friction", "stiffness", "strict",
+    "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to", "transition_velocity",
+    "unbounded", "verb", "viscous_friction", "yes", "young",
 })
 
 #: Options of a whole run, which no row can have.

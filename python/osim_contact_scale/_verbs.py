@@ -414,7 +414,8 @@ def convert(
     source: Source,
     /,
     *,
-    to: Literal["smooth", "hunt-crossley"],
+    to: Literal["smooth", "hunt-crossley"] | None = None,
+    sockets: bool = False,
     constant_contact_force: float | None = None,
     hertz_smoothing: float | None = None,
     hunt_crossley_smoothing: float | None = None,
@@ -425,14 +426,16 @@ def convert(
     no_note: bool = False,
     yes: Question | Sequence[Question] | None = None,
 ) -> Result:
-    """Makes forces of one class from those of the other, one for each sphere. Stiffness, dissipation, friction and transition velocity stay as they are.
+    """Makes forces of one class from those of the other, one for each sphere, or connects sockets. Stiffness, dissipation, friction and transition velocity stay as they are.
 
     Parameters
     ----------
     source : path, bytes or opensim.Model
         Path of a model (.osim) or ForceSet (.xml), its bytes, a Result, or an `opensim.Model`.
-    to : {"smooth", "hunt-crossley"}
+    to : {"smooth", "hunt-crossley"}, optional
         The class that forces get.
+    sockets : bool, optional
+        Write the paths of sockets that lead nowhere, where only one component has the name in them.
     constant_contact_force : float, optional
         OpenSim's constant_contact_force of forces that had none [default: Falisse et al. (2022) at each radius
         (C.2)]
@@ -469,7 +472,7 @@ def convert(
     >>> ocs.convert("fixtures/table1/human_62kg_smooth_sphere.osim", to="hunt-crossley")
     <Result of convert: fixtures/table1/human_62kg_smooth_sphere.osim: 24 objects to change>
     """
-    keywords = {"to": to, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "strict": strict or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes}
+    keywords = {"to": to, "sockets": sockets or None, "constant_contact_force": constant_contact_force, "hertz_smoothing": hertz_smoothing, "hunt_crossley_smoothing": hunt_crossley_smoothing, "strict": strict or None, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes}
     return _run.plan("convert", source, keywords)
 
 

@@ -9,7 +9,7 @@ use serde_json::Value;
 use crate::support::{HUMAN, TestDir, fixture, report_skip};
 
 /// A folder with copies of the files of a case; `None` after reporting that the test is skipped.
-fn dir_of_case(name: &str) -> Option<TestDir> {
+pub(crate) fn dir_of_case(name: &str) -> Option<TestDir> {
     let folder = std::env::var_os("OSIM_CASES").map(PathBuf::from).filter(|folder| folder.is_dir());
     let Some(folder) = folder else {
         report_skip(name, "OSIM_CASES is not set to the folder of cases");
@@ -22,13 +22,13 @@ fn dir_of_case(name: &str) -> Option<TestDir> {
     Some(dir)
 }
 
-fn check_json(dir: &TestDir, arguments: &str) -> Value {
+pub(crate) fn check_json(dir: &TestDir, arguments: &str) -> Value {
     let run = dir.run(&format!("check {arguments} --format json"));
     serde_json::from_str(&run.out()).unwrap_or_else(|error| panic!("{error}: {}{}", run.out(), run.err()))
 }
 
 /// The codes of the findings with this severity.
-fn codes_of_severity<'r>(report: &'r Value, severity: &str) -> BTreeSet<&'r str> {
+pub(crate) fn codes_of_severity<'r>(report: &'r Value, severity: &str) -> BTreeSet<&'r str> {
     let findings = report["findings"].as_array().unwrap().iter();
     let of_severity = findings.filter(|finding| finding["severity"] == severity);
     of_severity.map(|finding| finding["code"].as_str().unwrap()).collect()
@@ -46,7 +46,7 @@ fn verdict_sign<'r>(report: &'r Value, on: &str) -> &'r Value {
     &report["verdicts"].as_array().unwrap().iter().find(|verdict| verdict["on"] == on).unwrap()["sign"]
 }
 
-fn finding_with_code<'r>(report: &'r Value, code: &str) -> &'r Value {
+pub(crate) fn finding_with_code<'r>(report: &'r Value, code: &str) -> &'r Value {
     report["findings"].as_array().unwrap().iter().find(|finding| finding["code"] == code).unwrap()
 }
 

@@ -212,3 +212,18 @@ fn convert_and_remove_name_a_class_they_cannot_change() {
             .says(&["the model has no contacts", "an ElasticFoundationForce cannot be changed"]);
     }
 }
+
+#[test]
+fn convert_connects_sockets_and_changes_no_other_byte() {
+    let text = String::from_utf8(crate::support::fixture("format/v40000.osim")).unwrap();
+    let bare = text.replace(">/bodyset/", ">").replace(">/ground<", "> ground <");
+    let dir = TestDir::new();
+    dir.write("bare.osim", &bare);
+    dir.run("convert bare.osim --sockets -o right.osim").succeeded().says(&["no other byte changes"]);
+    assert_eq!(dir.text("right.osim"), text.replace(">/ground<", "> /ground <"));
+    // A second time there is nothing to do.
+    dir.run("convert right.osim --sockets -o again.osim").succeeded();
+    assert_eq!(dir.text("again.osim"), dir.text("right.osim"));
+    dir.run("convert bare.osim --sockets --to smooth -o both.osim").usage_error();
+    dir.run("convert bare.osim -o neither.osim").usage_error();
+}

@@ -52,5 +52,9 @@ LENIENT = {
     "location_short.osim": "a location is only shown, never scaled; OpenSim takes 0 0 0",
     "blank_in_end_tag.osim": "well-formed XML that OpenSim's parser does not take",
     "name_with_blank.osim": "OpenSim refuses the name; the contacts are clear",
+    "socket_of_joint.osim": "OpenSim does not connect the joint; the contacts are clear",
+    "body_without_joint.osim": "OpenSim refuses the body; the contacts are clear",
+    "version_of_bodies_with_joints.osim": "OpenSim finds no joints; the contacts are clear",
+    "sphere_in_force_set.osim": "OpenSim refuses the sphere, which no force uses",
     "nul_byte.osim": "OpenSim's parser stops at the byte; it stands in a comment",
 }

@@ -74,7 +74,7 @@ export const GROUPS = {
   ],
   "Friction": ["static_friction", "dynamic_friction", "viscous_friction", "transition_velocity"],
   "Files": ["geometry", "model", "presets"],
-  "Other": ["class", "strict", "no_note", "yes"],
+  "Other": ["class", "sockets", "strict", "no_note", "yes"],
 };
 
 /** The sources of the options of lists, texts and files. */

@@ -58,7 +58,7 @@ pub use crate::note::{kept_note, note, note_of_remaining, note_stance_limbs};
 pub use crate::note_edits::StepDetails;
 pub use crate::objects::{
     ContactLayout, Convert, Converted, DanglingReference, NewContact, NewSphere, ObjectAction, ObjectChange,
-    RebuiltModel, add_contacts, added_forces, convert, dangling_references, preset_model,
+    RebuiltModel, add_contacts, added_forces, connect_sockets, convert, dangling_references, preset_model,
     presets_with_places, remove,
 };
 pub use crate::plan::{Masses, Plan, RecordingErrors};

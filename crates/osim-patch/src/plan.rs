@@ -400,7 +400,10 @@ impl Plan {
                 _ => note_edits::write_note,
             };
             edits.extend(leave(document, note));
-        } else if noted && !self.is_empty() && earlier != EarlierNote::TakenOut {
+        } else if noted
+            && !self.is_empty()
+            && !matches!(earlier, EarlierNote::TakenOut | EarlierNote::Untouched)
+        {
             // Without a new note the old one would lie: it goes.
             edits.extend(note_edits::remove_note(document));
         }

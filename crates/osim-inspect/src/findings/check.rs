@@ -76,7 +76,9 @@ fn find_all(
     let mut remedies = Remedies::new(inspected, one_modulus, changeable.numbers, options)
         .with_radius_changes(!changeable.numbers || changeable.radii);
     // A command that makes contacts right for the present mass would hide that a body has lost its own.
-    if model_findings(model).iter().any(|finding| finding.code() == FindingCode::MasslessBody) {
+    let has_finding = |code| model_findings(model).iter().any(|finding| finding.code() == code);
+    let has_loose_body = has_finding(FindingCode::BodyWithoutJoint);
+    if has_loose_body || has_finding(FindingCode::MasslessBody) {
         remedies = remedies.none_yet();
     }
     let places = SpherePlaces::of(model, inspected);
@@ -84,6 +86,8 @@ fn find_all(
     let mismatch = MassMismatch::of_note(model, &options.masses);
     // The command that moves misplaced spheres also scales their contacts to the mass.
     let another_mass = contacts::find_contacts_of_another_mass(inspected, &remedies, places.are_right());
+    // A body without a joint may be a copy, whose mass counts twice.
+    let another_mass = another_mass.filter(|_| !has_loose_body);
     // Until mass, gravity and places are right, commands about single numbers would be wrong afterwards.
     let in_other_units = floors::find_too_large(model).is_some();
     let another_gravity = floors::find_sources_disagree(model, options).filter(|_| !in_other_units);
@@ -107,7 +111,7 @@ fn find_all(
     if let Some(bare) = contacts::find_bare_model(options, model) {
         // A model without contacts needs no number of spheres.
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
-        findings.push(bare.into());
+        findings.extend((!has_finding(FindingCode::IgnoredContacts)).then(|| bare.into()));
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(FindingWithRemedy::from));

@@ -1,25 +1,51 @@
 //! Rules about the components of a model: their files, classes, names, connections and joints.
 
+use std::collections::BTreeMap;
+
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::listed;
 use osim_model::{
     Class, Component, ComponentId, Example, FileId, Finding, FindingCode, Irregularity, Model, NoteDoubt,
     Repair, Rule, Severity, refuse_name_in_paths,
 };
+use osim_requests::{ConvertRequest, Request};
+
+use crate::findings::Remedies;
+use crate::rules::spheres::and_others;
 
 pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
     code: FindingCode::ConnecteeByName,
-    severity: Severity::Warning,
+    severity: Severity::Error,
     verdict: None,
-    what: "A component was found by its name, because the path in the file leads nowhere.",
-    why: "OpenSim may fail to load such a model, or connect it to something else.",
-    advice: "Open the model in OpenSim, check the connection and save it",
-    repair: Repair::NotPossible("only OpenSim shows what it connects"),
+    what: "A path leads nowhere, and only one component has its last name.",
+    why: "OpenSim looks for paths only, so it refuses the model.",
+    advice: "Write the path that the message says",
+    repair: Repair::Command("writes the paths of sockets that OpenSim finds, and changes no other byte"),
     example: Example::Piece {
         model: "check/within_limits.osim",
         good: "<socket_frame>/bodyset/calcn_r</socket_frame>",
         bad: "<socket_frame>calcn_r</socket_frame>",
     },
+};
+
+/// The request that writes the paths of sockets, if a socket in question can be written.
+pub(super) fn connect_sockets(remedies: &Remedies<'_>, model: &Model) -> Option<Request> {
+    let can_be_written =
+        |one: &Irregularity| matches!(one, Irregularity::TakenByName { socket: Some(_), .. });
+    let models = remedies.models(false)?;
+    let request = ConvertRequest { models, sockets: true, ..ConvertRequest::default() };
+    model.irregularities.iter().any(can_be_written).then(|| request.into())
+}
+
+pub(super) static SOCKET_NOWHERE: Rule = Rule {
+    code: FindingCode::SocketNowhere,
+    severity: Severity::Error,
+    verdict: None,
+    what: "A socket of a joint or of a frame leads to no component.",
+    why: "OpenSim refuses the model: it looks for the component at the path, and no component has the path or its last name.",
+    advice: "Write the path of the frame or body that is meant",
+    repair: Repair::NotPossible("only you know what is to be connected"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/socket_of_joint.osim" },
 };
 
 pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
@@ -37,21 +63,53 @@ pub(super) static MISNAMED_PARAMETER_SET: Rule = Rule {
     },
 };
 
-/// Finds connections that were resolved by name, and parameter sets that OpenSim does not find, in the order in which the file was read.
+/// Finds connections that were resolved by name or lead nowhere, and parameter sets that OpenSim does not find, in the order in which the
+/// file was read. There is one finding for all objects of a class whose connections were resolved by name.
 pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
-    let finding = |irregularity: &Irregularity| match irregularity {
-        Irregularity::TakenByName { owner, text, taken, line } => {
-            let text = format!("'{text}' of {owner} leads nowhere; took {taken}, the only one of that name");
-            Finding::at(&CONNECTEE_BY_NAME, *line, text).with_place(owner)
+    let mut found: Vec<Finding> = Vec::new();
+    let mut by_class: BTreeMap<&str, usize> = BTreeMap::new();
+    for irregularity in &model.irregularities {
+        match irregularity {
+            Irregularity::TakenByName { owner, class, text, taken, line, .. } => {
+                let text =
+                    format!("'{text}' of {owner} leads nowhere; took {taken}, the only one of that name");
+                let index = *by_class.entry(class).or_insert_with(|| {
+                    found.push(Finding::at(&CONNECTEE_BY_NAME, *line, text.clone()).with_place(owner));
+                    found.len() - 1
+                });
+                if let Some(finding) = found.get_mut(index) {
+                    finding.details.push(text);
+                }
+            }
+            Irregularity::LeadsNowhere { owner, socket, text, line } => {
+                let text = match text.as_str() {
+                    "" => format!("{socket} of {owner} is empty, expected the path of a body or frame"),
+                    text => {
+                        format!("{socket} of {owner} is '{text}', and no component has that path or name")
+                    }
+                };
+                found.push(Finding::at(&SOCKET_NOWHERE, *line, text).with_place(owner));
+            }
+            Irregularity::MisnamedSet { force, name, line } => {
+                let text = format!(
+                    "{force}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
+                );
+                found.push(Finding::at(&MISNAMED_PARAMETER_SET, *line, text).with_place(force));
+            }
         }
-        Irregularity::MisnamedSet { force, name, line } => {
-            let text = format!(
-                "{force}: the parameter set is called '{name}', so OpenSim reads no parameters at all; call it contact_parameters"
-            );
-            Finding::at(&MISNAMED_PARAMETER_SET, *line, text).with_place(force)
+    }
+    for index in by_class.into_values() {
+        let Some(finding) = found.get_mut(index) else { continue };
+        match finding.details.len() {
+            1 => finding.details.clear(),
+            count => finding.message.push(and_others(
+                count,
+                "another of this class, too",
+                "others of this class, too",
+            )),
         }
-    };
-    model.irregularities.iter().map(finding).collect()
+    }
+    found
 }
 
 pub(super) static MIXED_PAIR: Rule = Rule {

@@ -2,8 +2,8 @@
 
 use osim_model::opensim_text::{self, are_plain_numbers};
 use osim_model::{
-    Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED, Model,
-    Origin, Repair, Rule, Severity, Value, VerdictOn,
+    Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED,
+    Model, Repair, Rule, Severity, Value, VerdictOn,
 };
 
 use crate::rules::numbers::is_default_stiffness;
@@ -150,7 +150,9 @@ fn find_in_texts(model: &Model) -> Vec<Finding> {
         tree.walk(component.element, |element| {
             let parent = tree.parent(element).filter(|_| element != component.element);
             // Other components are in these elements.
-            if parent == Some(component.element) && ["components", "frames", "Joint"].contains(&tree.name(element)) {
+            if parent == Some(component.element)
+                && ["components", "frames", "Joint"].contains(&tree.name(element))
+            {
                 return false;
             }
             for property in written_properties(tree.name(element)) {
@@ -180,7 +182,8 @@ fn is_read(tag: &str) -> bool {
 fn path_of_part(document: &Document, path: String, whole: ElementId, part: ElementId) -> String {
     let tree = document.tree();
     let inside = std::iter::successors(Some(part), |&id| tree.parent(id)).take_while(|&id| id != whole);
-    let names: Vec<_> = inside.filter_map(|id| tree.attribute(id, "name").filter(|name| !name.is_empty())).collect();
+    let names: Vec<_> =
+        inside.filter_map(|id| tree.attribute(id, "name").filter(|name| !name.is_empty())).collect();
     names.iter().rev().fold(path, |path, name| format!("{path}/{name}"))
 }
 
@@ -236,7 +239,8 @@ const MOST_LETTERS: usize = 60;
 
 /// A text on one line. Letters that are not ASCII are shown by their codes, because a blank that is not ASCII is none for OpenSim.
 fn shown_text(text: &str) -> String {
-    let text: String = text.chars().map(|letter| if letter.is_ascii_whitespace() { ' ' } else { letter }).collect();
+    let text: String =
+        text.chars().map(|letter| if letter.is_ascii_whitespace() { ' ' } else { letter }).collect();
     let text = if text.is_ascii() { text } else { text.escape_default().to_string() };
     match text.get(..MOST_LETTERS) {
         Some(start) if text.len() > MOST_LETTERS => format!("{start}..."),
@@ -348,4 +352,3 @@ fn describe_out_of_domain(value: &Value) -> Option<String> {
     (!value.property.allows(value.number) && !is_default_stiffness(value))
         .then(|| format!("is {}, expected {}", value.number, value.property.domain()))
 }
-

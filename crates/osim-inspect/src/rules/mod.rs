@@ -14,6 +14,7 @@ pub(crate) mod sides;
 mod smoothing;
 mod spheres;
 mod standing;
+mod unread;
 
 use osim_model::{Finding, FindingCode, Model, Rule};
 use osim_requests::Request;
@@ -30,7 +31,15 @@ type Table<F> = &'static [(&'static [&'static Rule], F)];
 
 /// Rules about the model itself, in the order in which reports list their findings.
 static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
-    (&[&components::CONNECTEE_BY_NAME, &components::MISNAMED_PARAMETER_SET], components::find_irregularities),
+    (
+        &[&components::CONNECTEE_BY_NAME, &components::SOCKET_NOWHERE, &components::MISNAMED_PARAMETER_SET],
+        components::find_irregularities,
+    ),
+    (&[&unread::BODY_WITHOUT_JOINT], unread::find_body_without_joint),
+    (&[&unread::OTHER_VERSION], unread::find_other_version),
+    (&[&unread::MISPLACED_OBJECT], unread::find_misplaced_objects),
+    (&[&unread::IGNORED_CONTACTS], unread::find_ignored_contacts),
+    (&[&unread::UNKNOWN_NAME], unread::find_unknown_names),
     (&[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN], misread::find_misread_values),
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
     (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
@@ -168,6 +177,7 @@ pub(crate) fn find_remedy(model: &Model, finding: &Finding, remedies: &Remedies<
     match finding.code() {
         FindingCode::DefaultStiffness => numbers::take_published_contacts(remedies),
         FindingCode::ZeroConstantContactForce => numbers::set_suggested_constant_indentation(remedies),
+        FindingCode::ConnecteeByName => components::connect_sockets(remedies, model),
         FindingCode::MocoDialect => forces::convert_moco_forces(remedies, model, finding),
         _ => None,
     }

@@ -3,8 +3,8 @@
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown};
 use osim_model::{
-    Body, ElementId, Example, FileId, Finding, FindingCode, Force, ForceKind, Model, Orientation, Origin,
-    Property, Repair, Rule, SetId, Severity, Value, VerdictOn,
+    Body, Example, Finding, FindingCode, Force, Model, Orientation, Origin, Property, Repair, Rule, SetId,
+    Severity, Value, VerdictOn,
 };
 use osim_requests::Request;
 

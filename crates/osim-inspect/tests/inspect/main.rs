@@ -16,3 +16,4 @@ mod random;
 mod register;
 mod rules;
 mod sides;
+mod unread;

@@ -194,21 +194,60 @@ fn each_number_and_flag_on_which_a_pose_or_a_force_depends_is_compared_with_what
         format!("{joint}<coordinates><Coordinate name=\"angle\">{inside}</Coordinate></coordinates>")
     };
     let misread = [
-        (translation, "<translation>0,-0.9,0.1</translation>", format!("translation of {frame} is '0,-0.9,0.1', which OpenSim reads as 0 0 0")),
-        (translation, "<translation>0 \u{2212}0.9 0.1</translation>", format!("translation of {frame} is '0 \\u{{2212}}0.9 0.1', which OpenSim reads as 0 0 0")),
-        (orientation, "<orientation>pi</orientation>", "orientation of /contactgeometryset/floor is 'pi', which OpenSim reads as 0 0 0".to_owned()),
-        ("<inertia>1 1 1 0 0 0<", "<inertia>1 1 1<", "inertia of /bodyset/pelvis is '1 1 1', which OpenSim reads as 0 0 0 0 0 0".to_owned()),
-        ("<mass_center>0 0 0<", "<mass_center>[0 0 0]<", "mass_center of /bodyset/pelvis is '[0 0 0]', which OpenSim reads as 0 0 0".to_owned()),
-        ("<transition_velocity>", "<appliesForce>no</appliesForce><transition_velocity>", "appliesForce of /forceset/contact_r is 'no', which OpenSim reads as true".to_owned()),
-        (joint, &coordinate("<default_value>0,1</default_value>"), "default_value of /jointset/hip_r/angle is '0,1', which OpenSim reads as 0".to_owned()),
-        (joint, &coordinate("<range>0</range>"), "range of /jointset/hip_r/angle is '0', which OpenSim reads as -10 10".to_owned()),
-        (joint, &coordinate("<locked>yes</locked>"), "locked of /jointset/hip_r/angle is 'yes', which OpenSim reads as false".to_owned()),
+        (
+            translation,
+            "<translation>0,-0.9,0.1</translation>",
+            format!("translation of {frame} is '0,-0.9,0.1', which OpenSim reads as 0 0 0"),
+        ),
+        (
+            translation,
+            "<translation>0 \u{2212}0.9 0.1</translation>",
+            format!("translation of {frame} is '0 \\u{{2212}}0.9 0.1', which OpenSim reads as 0 0 0"),
+        ),
+        (
+            orientation,
+            "<orientation>pi</orientation>",
+            "orientation of /contactgeometryset/floor is 'pi', which OpenSim reads as 0 0 0".to_owned(),
+        ),
+        (
+            "<inertia>1 1 1 0 0 0<",
+            "<inertia>1 1 1<",
+            "inertia of /bodyset/pelvis is '1 1 1', which OpenSim reads as 0 0 0 0 0 0".to_owned(),
+        ),
+        (
+            "<mass_center>0 0 0<",
+            "<mass_center>[0 0 0]<",
+            "mass_center of /bodyset/pelvis is '[0 0 0]', which OpenSim reads as 0 0 0".to_owned(),
+        ),
+        (
+            "<transition_velocity>",
+            "<appliesForce>no</appliesForce><transition_velocity>",
+            "appliesForce of /forceset/contact_r is 'no', which OpenSim reads as true".to_owned(),
+        ),
+        (
+            joint,
+            &coordinate("<default_value>0,1</default_value>"),
+            "default_value of /jointset/hip_r/angle is '0,1', which OpenSim reads as 0".to_owned(),
+        ),
+        (
+            joint,
+            &coordinate("<range>0</range>"),
+            "range of /jointset/hip_r/angle is '0', which OpenSim reads as -10 10".to_owned(),
+        ),
+        (
+            joint,
+            &coordinate("<locked>yes</locked>"),
+            "locked of /jointset/hip_r/angle is 'yes', which OpenSim reads as false".to_owned(),
+        ),
     ];
     for (old, new, message) in misread {
         assert_eq!(odd_texts(old, new), [("odd-number", message)], "{new}");
     }
     let not_finite = odd_texts(orientation, "<orientation>0 0 nan</orientation>");
-    assert_eq!(not_finite, [("not-finite", "orientation of /contactgeometryset/floor is 0 0 NaN".to_owned())]);
+    assert_eq!(
+        not_finite,
+        [("not-finite", "orientation of /contactgeometryset/floor is 0 0 NaN".to_owned())]
+    );
     for (old, new) in [
         (translation, "<translation> 0\n-9.0e-1\t+0.1 </translation>".to_owned()),
         (translation, "<translation><!-- old -->0 -0.9 0.1</translation>".to_owned()),
@@ -216,7 +255,10 @@ fn each_number_and_flag_on_which_a_pose_or_a_force_depends_is_compared_with_what
         ("<transition_velocity>", "<appliesForce>1</appliesForce><transition_velocity>".to_owned()),
         (joint, coordinate("<range>-inf inf</range><clamped>FALSE</clamped>")),
         // A sphere may be turned about its centre.
-        ("<orientation>0 0 0</orientation>\n\t\t\t\t\t<radius>", "<orientation>0,0,0</orientation><radius>".to_owned()),
+        (
+            "<orientation>0 0 0</orientation>\n\t\t\t\t\t<radius>",
+            "<orientation>0,0,0</orientation><radius>".to_owned(),
+        ),
     ] {
         assert_eq!(odd_texts(old, &new), [], "{new}");
     }
@@ -230,8 +272,12 @@ fn joints_of_old_documents_take_commas_and_brackets() {
     let after = &rest[rest.find('<').unwrap()..];
     for (new, count) in [("0,1,0", 0), ("(0 1 0)", 0), ("0 1", 1), ("0,5 1 2", 1), ("0 nan 0", 1), ("", 1)] {
         let model = Model::parse(format!("{before}{location}{new}{after}")).unwrap();
-        let odd: Vec<_> = model_findings(&model).iter().filter(|one| one.code().as_str() == "odd-number").collect();
+        let odd: Vec<_> =
+            model_findings(&model).iter().filter(|one| one.code().as_str() == "odd-number").collect();
         assert_eq!(odd.len(), count, "{new}: {odd:?}");
-        assert!(odd.iter().all(|one| one.message.to_string().ends_with("with which OpenSim refuses the model")), "{odd:?}");
+        assert!(
+            odd.iter().all(|one| one.message.to_string().ends_with("with which OpenSim refuses the model")),
+            "{odd:?}"
+        );
     }
 }

@@ -145,6 +145,7 @@ inputs! {
     Select = "select", "forces to choose";
     Shard = "shard", "share of the models";
     SkipDisabled = "skip_disabled", "leave out disabled forces";
+    Sockets = "sockets", "paths of sockets";
     Soft = "soft", "dimensionless stiffness of the first step";
     SpeedColumn = "speed_column", "column of the speed";
     SpeedUnit = "speed_unit", "unit of the speed";

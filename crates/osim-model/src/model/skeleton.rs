@@ -54,6 +54,8 @@ struct JointRelations {
     loops: Loops,
     /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
     ignored_joints: Vec<ComponentId>,
+    /// Bodies at the end of no joint; empty if a joint could not be read, or if there is no joint.
+    without_joint: Vec<ComponentId>,
     /// For each joined body, the topmost body of its joint tree.
     tops: HashMap<ComponentId, ComponentId>,
     /// Bodies that are welded to ground, directly or through other bodies.
@@ -122,6 +124,11 @@ impl Skeleton {
         &self.joined.ignored_joints
     }
 
+    /// Bodies without a joint, in a model with joints. OpenSim refuses such a model.
+    pub fn bodies_without_joint(&self) -> &[ComponentId] {
+        &self.joined.without_joint
+    }
+
     pub(crate) fn parent(&self, body: ComponentId) -> Option<ComponentId> {
         self.joined.parent(body)
     }
@@ -145,7 +152,7 @@ impl JointRelations {
     fn read(components: &Components) -> Self {
         let mut joined = Self::default();
         let mut links = Vec::new();
-        let mut last_joined = None;
+        let (mut last_joined, mut are_read) = (None, true);
         for (id, component) in components.tree.iter() {
             let tag = components.tag(id);
             if tag.ends_with("Joint") {
@@ -153,9 +160,17 @@ impl JointRelations {
                 if inside.is_some() && std::mem::replace(&mut last_joined, inside) == inside {
                     joined.ignored_joints.push(id);
                 } else {
-                    links.extend(joined.add_joint(components, id, tag == "WeldJoint"));
+                    let link = joined.add_joint(components, id, tag == "WeldJoint");
+                    are_read &= link.is_some();
+                    links.extend(link);
                 }
             }
+        }
+        if are_read && !links.is_empty() {
+            let ends: HashSet<Base> = links.iter().flat_map(|link| link.ends).collect();
+            let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
+            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&Base::Body(id)));
+            joined.without_joint = bodies.collect();
         }
         joined.loops = Loops::of(&links);
         joined.find_tops();

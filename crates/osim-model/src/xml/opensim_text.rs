@@ -135,7 +135,9 @@ pub fn are_plain_numbers(text: &str, count: usize) -> bool {
     let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
     let all: Vec<&str> = list_words(text).collect();
     all.len() == count
-        && all.split_last().is_some_and(|(last, others)| is_number(last) && others.iter().all(|word| before_comma(word)))
+        && all
+            .split_last()
+            .is_some_and(|(last, others)| is_number(last) && others.iter().all(|word| before_comma(word)))
 }
 
 /// A flag, true or false; `None` if OpenSim cannot read it and uses its default.

@@ -10,23 +10,26 @@ use osim_model::{
 };
 
 named! {
-    /// Whether an object is added or removed.
+    /// What happens to an object.
     pub enum ObjectAction {
         Added = "added",
         Removed = "removed",
+        /// A socket of the object gets the path that OpenSim finds.
+        Connected = "connected",
     }
 }
 
-/// An object that a plan adds or removes.
+/// An object that a plan adds, removes or connects.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjectChange {
     pub action: ObjectAction,
-    /// OpenSim's class of the object, such as `ContactSphere`.
+    /// OpenSim's class of the object, such as `ContactSphere`; of a connected object, the tag of its socket.
     pub class: &'static str,
     pub name: String,
     /// Component path of the new object, or of the removed object before its removal.
     pub path: String,
-    /// The body to which the object is attached, or for a force, its sphere; `None` for ground.
+    /// The body to which the object is attached, or for a force, its sphere; `None` for ground. For a connected object, the path that its
+    /// socket gets.
     pub body: Option<String>,
     /// Parameters of a converted force, in their own units; empty for all other objects.
     pub parameters: Vec<(Property, f64)>,
@@ -53,6 +56,8 @@ pub(crate) enum EarlierNote {
     KeptBeside,
     /// The earlier note was about contacts that are now removed; the note is removed already.
     TakenOut,
+    /// Only sockets change: the earlier note stays as it is.
+    Untouched,
 }
 
 impl RebuiltModel {

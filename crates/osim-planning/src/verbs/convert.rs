@@ -2,7 +2,7 @@
 
 use osim_model::messages::{Input, Phrase, Verb, counted, listed, phrase};
 use osim_model::{Fault, ForceKind, Model, Selection};
-use osim_patch::{Convert, Converted, ObjectAction, ObjectChange, Plan, convert, kept_note};
+use osim_patch::{Convert, Converted, ObjectAction, ObjectChange, Plan, connect_sockets, convert, kept_note};
 use osim_requests::options::InspectionOptions;
 use osim_requests::{ConvertRequest, Positive, RequestFault};
 
@@ -21,16 +21,40 @@ struct ConvertPlanner {
     selection: Selection,
 }
 
+/// Plans new paths for sockets that lead nowhere.
+fn plan_sockets(model: &Model) -> Result<Plan, Fault> {
+    let rebuilt = connect_sockets(model)?;
+    let summary = match rebuilt.objects.len() {
+        0 => "no socket can be connected by the name in it".to_owned(),
+        count => format!("{} the path that OpenSim finds; no other byte changes", gets(count)),
+    };
+    Ok(Plan::from_objects(rebuilt, summary.into()))
+}
+
+fn gets(count: usize) -> String {
+    if count == 1 { "1 socket gets".to_owned() } else { format!("{count} sockets get") }
+}
+
 /// Checks the request for all of its models.
 ///
 /// # Errors
-/// No model, or no class.
+/// No model, or neither a class nor sockets.
 pub(super) fn prepare(request: ConvertRequest) -> Result<PreparedChange, RequestFault> {
-    let Some(to) = request.to else { return Err(RequestFault::Missing { field: "to" }) };
     if request.models.is_empty() {
         return Err(RequestFault::Missing { field: "models" });
     }
     refuse_geometry_output(&request.output)?;
+    if request.sockets {
+        let inspection = InspectionOptions { answers: request.answers, ..InspectionOptions::default() };
+        return Ok(PreparedChange::new(
+            Verb::Convert,
+            request.models,
+            request.output,
+            inspection,
+            plan_sockets,
+        ));
+    }
+    let Some(to) = request.to else { return Err(RequestFault::Missing { field: "to" }) };
     refuse_smoothing(&request, to.kind())?;
     let mut wanted = Convert::new(to.kind());
     wanted.constant_contact_force = request.constant_contact_force.map(Positive::get);

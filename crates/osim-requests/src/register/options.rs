@@ -119,6 +119,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         BodyMap = values("BODY=BODY"), "A body of the reference, and the one that takes its spheres here; may be repeated";
         Replace = flag(), "Take the model's own foot contacts out first";
         To = choice(ClassChoice::WORDS), "The class that forces get";
+        Sockets = flag(), "Write the paths of sockets that lead nowhere, where only one component has the name in them";
         ConstantContactForce = value(if is(&[DropTest]) { "CF" } else { "M2" }).under_if(is(&[DropTest]), CONTACT),
             "OpenSim's constant_contact_force of forces that had none [default: Falisse et al. (2022) at each radius (C.2)]",
             DropTest => "With the next two: SmoothSphereHalfSpaceForce's law, m2";

@@ -39,11 +39,12 @@ fields! {
         set_files: ..SetFiles,
     } where Expected("models"), RequiredUnless("set", "level");
 
-    /// Makes forces of one class from those of the other, one for each sphere. Stiffness, dissipation, friction and transition velocity
+    /// Makes forces of one class from those of the other, one for each sphere, or connects sockets. Stiffness, dissipation, friction and transition velocity
     /// stay as they are.
     struct ConvertRequest {
         models: Vec<PathBuf> as "path::List",
         to: Option<ClassChoice>,
+        sockets: bool,
         constant_contact_force: Option<Positive>,
         hertz_smoothing: Option<Positive>,
         hunt_crossley_smoothing: Option<Positive>,
@@ -52,7 +53,7 @@ fields! {
         output: ..OutputOptions,
         run: ..RunOptions,
         answers: ..AnswerOptions,
-    } where Required("models"), Required("to");
+    } where Required("models"), RequiredUnless("to", "sockets"), Excludes("sockets", "to");
 
     /// Takes the foot contacts out of models: forces, the spheres that nothing else uses, and what was made for them.
     struct RemoveRequest {

@@ -59,7 +59,7 @@ pub(crate) struct FoundFrame {
 /// The first version in which ground is not a member of the BodySet. From then on, a body called `ground` there is an ordinary body.
 const FIRST_WITHOUT_GROUND: u32 = 30505;
 /// The ending of a socket's tag in old documents.
-const CONNECTEE_NAME: &str = "_connectee_name";
+pub(crate) const CONNECTEE_NAME: &str = "_connectee_name";
 /// The longest chain of offset frames on offset frames. A longer chain must be a cycle.
 pub(crate) const MOST_FRAMES_IN_CHAIN: usize = 64;
 
@@ -114,6 +114,11 @@ impl Components {
     /// The file in which an object is.
     pub fn doc(&self, id: ComponentId) -> &Document {
         self.document(self.file_of(id))
+    }
+
+    /// The component that is `element` of `file`.
+    pub fn at(&self, file: FileId, element: ElementId) -> Option<ComponentId> {
+        self.tree.component_at(file, element)
     }
 
     /// The class of an object, as the file writes it.
@@ -215,8 +220,10 @@ impl Components {
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
             // Ground is at the top of every model, whether the file spells it out or not.
-            let exact =
-                connectee.legacy || self.tree.absolute_path(owner, text).as_deref() == Some("/ground");
+            let exact = match connectee.legacy {
+                true => text == "ground",
+                false => self.tree.absolute_path(owner, text).as_deref() == Some("/ground"),
+            };
             return Some(FoundFrame { component: None, by_name: !exact });
         }
         // Documents that name bodies mean those of the BodySet.
@@ -225,7 +232,9 @@ impl Components {
             return Some(FoundFrame { component: Some(component), by_name: false });
         }
         let (component, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
-        Some(FoundFrame { component: Some(component), by_name: by_name && !connectee.legacy })
+        // An element that names a body takes no path.
+        let by_name = if connectee.legacy { text.contains('/') } else { by_name };
+        Some(FoundFrame { component: Some(component), by_name })
     }
 
     /// Whether `body` is the body that means ground in old documents.

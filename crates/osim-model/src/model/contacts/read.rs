@@ -1,11 +1,14 @@
 //! Reads contact spheres and contact forces from all spellings in model files.
 
-use crate::model::components::{Base, ComponentId, Components};
+use foldhash::{HashSet, HashSetExt};
+
+use crate::model::components::{Base, ComponentId, Components, Connectee};
 use crate::model::contacts::force::{
     Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
 };
+use crate::model::contacts::irregularity::Irregularity;
 use crate::model::document::Document;
-use crate::model::fault::Fault;
+use crate::model::fault::{Fault, FaultKind};
 use crate::model::property::{Class, Property, Value};
 use crate::model::skeleton::Skeleton;
 use crate::xml::ElementId;
@@ -25,29 +28,6 @@ enum Surface {
     Other,
 }
 
-/// A part of the model that was read although it is written wrongly. OpenSim may read it differently.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Irregularity {
-    /// The path `text` in the component `owner` leads to no component. The only component with its last name was taken instead.
-    TakenByName {
-        /// Component path of the object that contains the path.
-        owner: String,
-        /// The path as the file writes it.
-        text: String,
-        /// Component path of the object that was taken.
-        taken: String,
-        line: usize,
-    },
-    /// The parameter set of a force has a `name` for which OpenSim does not look.
-    MisnamedSet {
-        /// Component path of the force.
-        force: String,
-        /// Name of the parameter set.
-        name: String,
-        line: usize,
-    },
-}
-
 /// Reads the contact spheres and forces of all components.
 pub(crate) struct ContactReader<'r> {
     pub components: &'r Components,
@@ -56,6 +36,8 @@ pub(crate) struct ContactReader<'r> {
     pub forces: Vec<Force>,
     pub irregularities: Vec<Irregularity>,
     sphere_components: Vec<ComponentId>,
+    /// Objects with the paths that were resolved by name. Several forces may use one half-space.
+    pub(super) taken_by_name: HashSet<(ComponentId, String)>,
 }
 
 impl<'r> ContactReader<'r> {
@@ -67,12 +49,14 @@ impl<'r> ContactReader<'r> {
             forces: vec![],
             irregularities: vec![],
             sphere_components: vec![],
+            taken_by_name: HashSet::new(),
         }
     }
 
     /// Reads all spheres, then all forces, each in file order.
     pub(crate) fn read(&mut self) -> Result<(), Fault> {
         self.components.refuse_broken_texts()?;
+        self.record_sockets_of_joints();
         for (id, _) in self.components.tree.iter() {
             if self.components.tag(id) == "ContactSphere" {
                 self.add_sphere(id)?;
@@ -157,29 +141,11 @@ impl<'r> ContactReader<'r> {
             };
         };
         if found.by_name {
-            self.record_component_taken_by_name(id, &connectee.text, connectee.element, found.component);
+            self.record_component_taken_by_name(id, &connectee, found.component);
         }
         let path =
             found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
         Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
-    }
-
-    fn record_component_taken_by_name(
-        &mut self,
-        owner: ComponentId,
-        text: &str,
-        element: ElementId,
-        found: Option<ComponentId>,
-    ) {
-        let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
-        let line = self.components.doc(owner).line(self.components.doc(owner).tree().span(element).start);
-        let owner = self.components.tree.path(owner);
-        self.irregularities.push(Irregularity::TakenByName {
-            owner,
-            text: text.to_owned(),
-            taken: path,
-            line,
-        });
     }
 
     /// The contact geometry to which `text` of `force` refers. `socket` is the class that the geometry must have; `None` in a `<geometry>`
@@ -201,9 +167,10 @@ impl<'r> ContactReader<'r> {
             Some(_) => None,
         }
         .or_else(|| self.components.resolve(force, text, accept))
-        .ok_or_else(|| self.components.unresolved(force, text, "contact geometry of that name"))?;
+        .ok_or_else(|| self.surface_of_other_class(force, text, socket))?;
         if by_name {
-            self.record_component_taken_by_name(force, text, element, Some(id));
+            let connectee = Connectee { text: text.to_owned(), element, legacy: false };
+            self.record_component_taken_by_name(force, &connectee, Some(id));
         }
         match self.components.tag(id) {
             "ContactSphere" => {
@@ -215,6 +182,19 @@ impl<'r> ContactReader<'r> {
             }
             _ => Ok(Surface::Other),
         }
+    }
+
+    /// The fault for a path that leads to no contact geometry, or to one that the `socket` does not take.
+    fn surface_of_other_class(&self, force: ComponentId, text: &str, socket: Option<&str>) -> Fault {
+        let is_geometry = |id: ComponentId| GEOMETRY_CLASSES.contains(&self.components.tag(id));
+        let other = socket.and_then(|_| self.components.resolve(force, text, is_geometry));
+        let mut fault = self.components.unresolved(force, text, "contact geometry of that name");
+        if let (Some(expected), Some((other, _))) = (socket, other) {
+            let (owner, connectee) = (self.components.tree.path(force), text.to_owned());
+            let (class, expected) = (self.components.tag(other).to_owned(), expected.to_owned());
+            fault.kind = FaultKind::OtherSurface { owner, connectee, class, expected };
+        }
+        fault
     }
 
     fn geometry_in_model(&self, name: &str, accept: impl Fn(ComponentId) -> bool) -> Option<ComponentId> {
@@ -328,17 +308,6 @@ impl<'r> ContactReader<'r> {
         self.push_force(id, ForceKind::HuntCrossley, sets, transition_velocity)
     }
 
-    fn record_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
-        let tree = document.tree();
-        let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
-        if let Some(set) = set {
-            let name = tree.attribute(set, "name").unwrap_or_default().into_owned();
-            let force = self.components.tree.path(id);
-            let line = document.line(tree.span(set).start);
-            self.irregularities.push(Irregularity::MisnamedSet { force, name, line });
-        }
-    }
-
     fn parameter_set(
         &self,
         document: &Document,
@@ -417,7 +386,7 @@ const GEOMETRY_CLASSES: [&str; 6] = [
 pub(super) const OLD_CONSTANT_TAG: &str = "derivative_smoothing";
 /// The last document version in which `isDisabled` switches a force off. Later documents ignore it.
 pub const LAST_VERSION_WITH_IS_DISABLED: u32 = 30508;
-const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
+pub(super) const CONTACT_PARAMETERS_SET: &str = "HuntCrossleyForce::ContactParametersSet";
 
 /// The list of parameter sets of a force, in any of its three spellings. OpenSim prefers the element `<contact_parameters>`, then the set
 /// with this name, then a set without a name (documents of version 2), in any order in the file.

@@ -83,6 +83,16 @@ pub enum FaultKind {
         connectee: String,
         wanted: &'static str,
     },
+    /// The socket of a force leads to contact geometry of a class that it does not take.
+    OtherSurface {
+        owner: String,
+        /// The path as the file writes it.
+        connectee: String,
+        /// Class of the geometry to which the path leads.
+        class: String,
+        /// The class that the socket takes.
+        expected: String,
+    },
     /// The caller has to give a missing fact.
     Needed(Needed),
     /// A number that looks wrong. It is used only if the caller confirms it.
@@ -168,7 +178,7 @@ impl FaultKind {
             Self::BrokenText { .. } => "broken-text",
             Self::Domain { .. } | Self::NewValue { .. } | Self::ZeroConstantContactForce => "out-of-domain",
             Self::NoContacts { .. } => "no-contacts",
-            Self::Unresolved { .. } => "unresolved",
+            Self::Unresolved { .. } | Self::OtherSurface { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
             Self::NeedsAnswer(asks) => asks.question().code(),
             Self::ContactsExist { .. } => "contacts-exist",
@@ -286,6 +296,15 @@ impl FaultKind {
             Self::NewValue { property, value, expected, origin } => {
                 let value = readable(*value);
                 format!("the new {property} is {value}, expected {expected}: it comes from {origin}")
+            }
+            Self::Unresolved { owner, connectee, wanted } if connectee.is_empty() => {
+                format!("{owner} names nothing: a name or path is empty, expected the {wanted}")
+            }
+            Self::OtherSurface { owner, connectee, class, expected } => {
+                let is_other_socket = ["ContactSphere", "ContactHalfSpace"].contains(&class.as_str());
+                let why =
+                    if is_other_socket { ": the sockets of sphere and half-space are exchanged" } else { "" };
+                format!("{owner}: '{connectee}' is a {class}, expected a {expected}{why}")
             }
             Self::Unresolved { owner, connectee, wanted } => {
                 format!("{owner}: nothing called '{connectee}' is in the file, expected the {wanted}")

@@ -1,0 +1,327 @@
+//! Rules about what OpenSim refuses or ignores: objects in the wrong places, names that it does not know, and forms of other document
+//! versions.
+
+use osim_model::messages::shown;
+use osim_model::{
+    Class, ComponentId, Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind,
+    LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn, opensim_text,
+};
+
+use crate::rules::spheres::and_others;
+
+pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {
+    code: FindingCode::BodyWithoutJoint,
+    severity: Severity::Error,
+    verdict: Some(VerdictOn::Mass),
+    what: "A body has no joint.",
+    why: "OpenSim refuses the model: each body hangs on a joint. The mass of such a body would count in the sum.",
+    advice: "Give the body a joint, or take it out of the model",
+    repair: Repair::NotPossible("only you know where the body belongs"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/body_without_joint.osim" },
+};
+
+/// One finding for all bodies without a joint. Documents in the form of another version are left out.
+pub(super) fn find_body_without_joint(model: &Model) -> Vec<Finding> {
+    let (components, bodies) = (model.components(), model.skeleton().bodies_without_joint());
+    let Some(&first) = bodies.first().filter(|_| find_other_version(model).is_empty()) else {
+        return Vec::new();
+    };
+    let path = components.tree.path(first);
+    let others = and_others(bodies.len(), "another body, too", "other bodies, too");
+    let text = format!("{path} has no joint: OpenSim refuses the model{others}");
+    vec![Finding::at(&BODY_WITHOUT_JOINT, components.line(first), text).with_place(&path)]
+}
+
+pub(super) static OTHER_VERSION: Rule = Rule {
+    code: FindingCode::OtherVersion,
+    severity: Severity::Error,
+    verdict: None,
+    what: "The Version of the document is not that of its form.",
+    why: "Up to version 30504, joints are inside of bodies; later, they are in a JointSet. OpenSim reads a document as its Version says, and then finds no joints.",
+    advice: "Write the version with which the file was saved: the number at its begin was changed",
+    repair: Repair::NotPossible("only you know the version with which the file was saved"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "Version=\"40000\"",
+        bad: "Version=\"30000\"",
+    },
+};
+
+/// The first version whose joints are in a JointSet.
+const FIRST_WITH_JOINT_SET: u32 = 30505;
+
+pub(super) fn find_other_version(model: &Model) -> Vec<Finding> {
+    let document = model.document();
+    if !document.is_model() {
+        return Vec::new();
+    }
+    let (tree, version) = (document.tree(), document.version());
+    let members = |set: &str| {
+        let objects = tree.child(document.data_root(), set).and_then(|set| tree.child(set, "objects"));
+        objects.into_iter().flat_map(|objects| tree.children(objects))
+    };
+    let has_joint = |body: &ElementId| tree.child(*body, "Joint").is_some();
+    let (form, joint) = match version < FIRST_WITH_JOINT_SET {
+        true => ("its joints are in a JointSet, as in documents from 30505 on", members("JointSet").next()),
+        false => (
+            "its joints are inside of bodies, as in documents up to 30504",
+            members("BodySet").find(has_joint),
+        ),
+    };
+    let finding = |joint| {
+        let line = document.line(tree.span(joint).start);
+        Finding::at(&OTHER_VERSION, line, format!("the document says Version {version}, and {form}"))
+    };
+    joint.map(finding).into_iter().collect()
+}
+
+pub(super) static MISPLACED_OBJECT: Rule = Rule {
+    code: FindingCode::MisplacedObject,
+    severity: Severity::Error,
+    verdict: None,
+    what: "A force is in the geometry set, or contact geometry is in the force set.",
+    why: "OpenSim refuses a set with an object of another kind.",
+    advice: "Move the object to its own set",
+    repair: Repair::NotPossible("only numbers are changed, and the object has to move"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/sphere_in_force_set.osim" },
+};
+
+/// One finding for each set that has objects of another kind.
+pub(super) fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
+    let components = model.components();
+    let is_misplaced = |id: ComponentId, set: ComponentId| {
+        let tag = components.tag(id);
+        let is_of_other_kind = match components.tag(set) {
+            "ForceSet" => GEOMETRY_CLASSES.contains(&tag),
+            "ContactGeometrySet" => FORCE_CLASSES.contains(&tag),
+            _ => false,
+        };
+        let tree = components.doc(id).tree();
+        is_of_other_kind
+            && tree.parent(components.element(id)).is_some_and(|list| tree.name(list) == "objects")
+    };
+    let mut found: Vec<(ComponentId, ComponentId, usize)> = Vec::new();
+    for (id, component) in components.tree.iter() {
+        let Some(set) = component.parent.filter(|&set| is_misplaced(id, set)) else { continue };
+        match found.last_mut().filter(|(_, known, _)| *known == set) {
+            Some((.., count)) => *count += 1,
+            None => found.push((id, set, 1)),
+        }
+    }
+    let finding = |&(id, set, count): &(ComponentId, ComponentId, usize)| {
+        let path = components.tree.path(id);
+        let others = and_others(count, "another object, too", "other objects, too");
+        let text = format!("a {} is in the {}: {path}{others}", components.tag(id), components.tag(set));
+        Finding::at(&MISPLACED_OBJECT, components.line(id), text).with_place(&path)
+    };
+    found.iter().map(finding).collect()
+}
+
+pub(super) static IGNORED_CONTACTS: Rule = Rule {
+    code: FindingCode::IgnoredContacts,
+    severity: Severity::Warning,
+    verdict: None,
+    what: "Contacts stand where OpenSim does not read them.",
+    why: "OpenSim reads the first set of each kind, and of a set what is in its first <objects>. What stands elsewhere is in the file, but not in the simulation.",
+    advice: "Move the contacts into the <objects> of the set that OpenSim reads",
+    repair: Repair::NotPossible("only numbers are changed, and the contacts have to move"),
+    example: Example::Models { good: "format/v40000.osim", bad: "bad/forceset_no_objects.osim" },
+};
+
+/// One finding for each place with contacts that OpenSim does not read.
+pub(super) fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
+    let included = model.companions().filter(|(_, companion)| companion.included_by.is_some());
+    let files = std::iter::once(FileId::MAIN).chain(included.map(|(file, _)| file));
+    files.flat_map(|file| find_ignored_in(model, file)).collect()
+}
+
+fn find_ignored_in(model: &Model, file: FileId) -> Vec<Finding> {
+    let (document, components) = (model.file(file), model.components());
+    let tree = document.tree();
+    // Objects of classes that OpenSim does not know have a finding of their own.
+    let left_out = |id: ElementId| {
+        let mut above = std::iter::successors(Some(id), |&id| tree.parent(id));
+        above.any(|id| tree.name(id) == "defaults" || components.tree.skipped.contains(&(file, id)))
+    };
+    let is_contact = |id: ElementId| {
+        let tag = tree.name(id);
+        (FORCE_CLASSES.contains(&tag) || GEOMETRY_CLASSES.contains(&tag))
+            && tree.attribute(id, "name").is_some()
+    };
+    let mut places: Vec<(ElementId, ElementId, usize)> = Vec::new();
+    for id in
+        tree.elements().filter(|&id| is_contact(id) && components.at(file, id).is_none() && !left_out(id))
+    {
+        let Some(parent) = tree.parent(id) else { continue };
+        match places.last_mut().filter(|(_, known, _)| *known == parent) {
+            Some((.., count)) => *count += 1,
+            None => places.push((id, parent, 1)),
+        }
+    }
+    let finding = |&(first, parent, count): &(ElementId, ElementId, usize)| {
+        let name = tree.attribute(first, "name").unwrap_or_default();
+        let others = and_others(count, "another object, too", "other objects, too");
+        let place = place_in_words(document, parent);
+        let text = format!("OpenSim does not read {} {}, {place}{others}", tree.name(first), shown(&name));
+        Finding::at(&IGNORED_CONTACTS, document.line(tree.span(first).start), text)
+    };
+    places.iter().map(finding).collect()
+}
+
+/// Where an object stands that OpenSim does not read, if `parent` is the element around it.
+fn place_in_words(document: &Document, parent: ElementId) -> String {
+    let tree = document.tree();
+    let set = if tree.name(parent) == "objects" { tree.parent(parent).unwrap_or(parent) } else { parent };
+    let tag = tree.name(set);
+    let first = tree.parent(set).and_then(|above| tree.child(above, tag));
+    match first {
+        Some(first) if first != set => {
+            let line = document.line(tree.span(first).start);
+            format!("which is in a second <{tag}>: the first, in line {line}, counts")
+        }
+        _ if set != parent => format!("which is in a second <objects> of <{tag}>"),
+        _ => format!("which is in <{tag}>, outside of its <objects>"),
+    }
+}
+
+pub(super) static UNKNOWN_NAME: Rule = Rule {
+    code: FindingCode::UnknownName,
+    severity: Severity::Error,
+    verdict: None,
+    what: "A class or property of a contact has a name that OpenSim does not know.",
+    why: "OpenSim refuses an unknown class, and ignores an unknown property: the default of the property that was meant counts.",
+    advice: "Write the name that OpenSim knows",
+    repair: Repair::NotPossible("only numbers are changed, and names are left alone"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "<dissipation>2.25</dissipation>",
+        bad: "<disipation>2.25</disipation>",
+    },
+};
+
+static FORCE_CLASSES: [&str; 3] =
+    [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
+static GEOMETRY_CLASSES: [&str; 6] = [
+    "ContactSphere",
+    "ContactHalfSpace",
+    "ContactMesh",
+    "ContactEllipsoid",
+    "ContactCylinder",
+    "ContactTorus",
+];
+/// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
+const OLD_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
+/// Most wrong letters in a name that is nearly one of OpenSim's.
+const MOST_WRONG_LETTERS: usize = 2;
+
+/// Finds classes and properties of contacts, and of the sets around them, whose names are nearly OpenSim's names.
+pub(super) fn find_unknown_names(model: &Model) -> Vec<Finding> {
+    let included = model.companions().filter(|(_, companion)| companion.included_by.is_some());
+    let files = std::iter::once(FileId::MAIN).chain(included.map(|(file, _)| file));
+    files.flat_map(|file| find_unknown_names_in(model, file)).collect()
+}
+
+fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
+    let (document, components) = (model.file(file), model.components());
+    let tree = document.tree();
+    let mut found = Vec::new();
+    tree.walk(document.data_root(), |id| {
+        let Some((is_list, known)) = known_children(document, id) else { return false };
+        let path = |element: ElementId| {
+            let mut above = std::iter::successors(Some(element), |&id| tree.parent(id));
+            let component = above.find_map(|id| components.at(file, id));
+            component.map(|id| components.tree.path(id)).unwrap_or_default()
+        };
+        let mut report = |element: ElementId, path: &str, text: String| {
+            let line = document.line(tree.span(element).start);
+            found.push(Finding::at(&UNKNOWN_NAME, line, text).with_place(path));
+        };
+        for child in tree.children(id) {
+            let name = tree.name(child);
+            let meant = likely_name(name, known).filter(|meant| is_list || tree.child(id, meant).is_none());
+            let Some(meant) = meant else { continue };
+            let path = path(if is_list { child } else { id });
+            let what = if is_list { "the class" } else { "the element" };
+            report(child, &path, format!("{what} {name} of {path} has a name that OpenSim does not know: {meant} is meant"));
+        }
+        if let Some(flag) = ignored_flag(document, id) {
+            let path = path(id);
+            let text = format!(
+                "isDisabled of {path} is true, but documents from version {} on have appliesForce instead: the force is on",
+                LAST_VERSION_WITH_IS_DISABLED + 1
+            );
+            report(flag, &path, text);
+        }
+        true
+    });
+    found
+}
+
+/// The names of OpenSim that elements directly inside of `id` may have, and whether they are classes of a list; `None` if `id` is not one of
+/// the contacts, or of the sets around them.
+fn known_children(document: &Document, id: ElementId) -> Option<(bool, &'static [&'static str])> {
+    let tree = document.tree();
+    let of_list = |set: ElementId| match tree.name(set) {
+        "ForceSet" => Some(&FORCE_CLASSES[..]),
+        "ContactGeometrySet" => Some(&GEOMETRY_CLASSES[..]),
+        "HuntCrossleyForce::ContactParametersSet" => {
+            Some(&["HuntCrossleyForce::ContactParameters"] as &[&str])
+        }
+        _ => None,
+    };
+    let classes = [
+        Class::SmoothSphereHalfSpaceForce,
+        Class::ContactParameters,
+        Class::ContactSphere,
+        Class::ContactHalfSpace,
+    ];
+    match tree.name(id) {
+        "Model" => Some((false, &["ForceSet", "ContactGeometrySet"])),
+        "ForceSet" | "ContactGeometrySet" | "HuntCrossleyForce::ContactParametersSet" => {
+            Some((false, &["objects"]))
+        }
+        "objects" => Some((true, of_list(tree.parent(id)?)?)),
+        "HuntCrossleyForce" => Some((
+            false,
+            &[
+                "appliesForce",
+                "contact_parameters",
+                "HuntCrossleyForce::ContactParametersSet",
+                "transition_velocity",
+            ],
+        )),
+        "contact_parameters" => Some((false, &["HuntCrossleyForce::ContactParametersSet"])),
+        tag => {
+            classes.into_iter().find(|class| class.tag() == tag).map(|class| (false, class.element_order()))
+        }
+    }
+}
+
+/// The name among `known` that was probably meant by `name`; `None` if OpenSim knows `name`, or no known name is near.
+fn likely_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
+    if known.contains(&name) || name.len() <= 2 * MOST_WRONG_LETTERS {
+        return None;
+    }
+    let old = OLD_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
+    let distance = |known: &str| strsim::osa_distance(&known.to_lowercase(), &name.to_lowercase());
+    let near = || {
+        known
+            .iter()
+            .copied()
+            .min_by_key(|known| distance(known))
+            .filter(|known| distance(known) <= MOST_WRONG_LETTERS)
+    };
+    old.or_else(near)
+}
+
+/// The `isDisabled` of a contact force that OpenSim ignores although it would switch the force off.
+fn ignored_flag(document: &Document, force: ElementId) -> Option<ElementId> {
+    let tree = document.tree();
+    if document.version() <= LAST_VERSION_WITH_IS_DISABLED || !FORCE_CLASSES.contains(&tree.name(force)) {
+        return None;
+    }
+    let flag =
+        tree.child(force, "isDisabled").filter(|&flag| opensim_text::is_disabled(&tree.text_of(flag)))?;
+    let is_off = document.flag(force, "appliesForce").is_ok_and(|applies| applies == Some(false));
+    (!is_off).then_some(flag)
+}

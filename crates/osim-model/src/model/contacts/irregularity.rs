@@ -1,0 +1,125 @@
+//! Parts of a model that are written wrongly and were read all the same.
+
+use crate::model::components::{CONNECTEE_NAME, ComponentId, Connectee};
+use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader};
+use crate::model::document::Document;
+use crate::model::fault::FileId;
+use crate::xml::ElementId;
+
+/// A part of the model that was read although it is written wrongly. OpenSim may read it differently.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Irregularity {
+    /// The path `text` in the component `owner` leads to no component. The only component with its last name was taken instead.
+    TakenByName {
+        /// Component path of the object that contains the path.
+        owner: String,
+        /// Class of the object that contains the path.
+        class: String,
+        /// The path as the file writes it.
+        text: String,
+        /// The text that OpenSim finds: the component path of the object that was taken, or its name in documents that name bodies.
+        taken: String,
+        /// The element of the main file whose whole text is the path, if a new text can replace it.
+        socket: Option<ElementId>,
+        line: usize,
+    },
+    /// The socket of a joint, or of a frame, leads to no component.
+    LeadsNowhere {
+        /// Component path of the object that has the socket.
+        owner: String,
+        /// Name of the socket, such as `parent_frame`.
+        socket: &'static str,
+        /// The path as the file writes it; empty if there is none.
+        text: String,
+        line: usize,
+    },
+    /// The parameter set of a force has a `name` for which OpenSim does not look.
+    MisnamedSet {
+        /// Component path of the force.
+        force: String,
+        /// Name of the parameter set.
+        name: String,
+        line: usize,
+    },
+}
+
+impl ContactReader<'_> {
+    /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.
+    pub(super) fn record_sockets_of_joints(&mut self) {
+        for (id, _) in self.components.tree.iter() {
+            let tag = self.components.tag(id);
+            let sockets: &[(&'static str, &[&str])] = match tag {
+                "PhysicalOffsetFrame" => &[("parent", &[])],
+                _ if tag.ends_with("Joint") => {
+                    &[("parent_frame", &["parent_body"]), ("child_frame", &["child_body"])]
+                }
+                _ => continue,
+            };
+            if self.components.tag(self.components.tree.root_of(id)) != "Model" {
+                continue;
+            }
+            for &(socket, legacy) in sockets {
+                self.record_socket(id, socket, legacy);
+            }
+        }
+    }
+
+    fn record_socket(&mut self, id: ComponentId, socket: &'static str, legacy: &[&str]) {
+        let (text, line) = match self.components.connectee(id, socket, legacy) {
+            Some(connectee) => match self.components.frame(id, &connectee) {
+                Some(found) if found.by_name => {
+                    return self.record_component_taken_by_name(id, &connectee, found.component);
+                }
+                Some(_) => return,
+                None => {
+                    let document = self.components.doc(id);
+                    let line = document.line(document.tree().span(connectee.element).start);
+                    (connectee.text, line)
+                }
+            },
+            None => {
+                let (document, element) = (self.components.doc(id), self.components.element(id));
+                let Some(empty) = document.tree().child(element, &format!("socket_{socket}")) else { return };
+                (String::new(), document.line(document.tree().span(empty).start))
+            }
+        };
+        let owner = self.components.tree.path(id);
+        self.irregularities.push(Irregularity::LeadsNowhere { owner, socket, text, line });
+    }
+
+    pub(super) fn record_component_taken_by_name(
+        &mut self,
+        id: ComponentId,
+        connectee: &Connectee,
+        found: Option<ComponentId>,
+    ) {
+        if !self.taken_by_name.insert((id, connectee.text.clone())) {
+            return;
+        }
+        let path = found.map_or_else(|| "/ground".to_owned(), |id| self.components.tree.path(id));
+        let (document, element) = (self.components.doc(id), connectee.element);
+        let tag = document.tree().name(element);
+        let is_whole = self.components.file_of(id) == FileId::MAIN
+            && (connectee.legacy || (tag.starts_with("socket_") && !tag.ends_with(CONNECTEE_NAME)));
+        let name = path.rsplit('/').next().unwrap_or_default().to_owned();
+        self.irregularities.push(Irregularity::TakenByName {
+            owner: self.components.tree.path(id),
+            class: self.components.tag(id).to_owned(),
+            text: connectee.text.clone(),
+            taken: if connectee.legacy { name } else { path },
+            socket: is_whole.then_some(element),
+            line: document.line(document.tree().span(element).start),
+        });
+    }
+
+    pub(super) fn record_misnamed_set(&mut self, id: ComponentId, document: &Document, element: ElementId) {
+        let tree = document.tree();
+        let set = tree.children(element).find(|&child| tree.name(child) == CONTACT_PARAMETERS_SET);
+        if let Some(set) = set {
+            let name = tree.attribute(set, "name").unwrap_or_default().into_owned();
+            let force = self.components.tree.path(id);
+            let line = document.line(tree.span(set).start);
+            self.irregularities.push(Irregularity::MisnamedSet { force, name, line });
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Writes the paths of sockets whose paths lead nowhere.
+
+use osim_model::{ElementId, Fault, Irregularity, Model};
+
+use crate::edit::{Edit, edited};
+use crate::insert::escaped;
+use crate::objects::rebuilt::{EarlierNote, ObjectAction, ObjectChange, RebuiltModel};
+
+/// The tags of sockets, for reports.
+const TAGS: [&str; 7] = [
+    "socket_frame",
+    "socket_parent",
+    "socket_parent_frame",
+    "socket_child_frame",
+    "socket_sphere",
+    "socket_half_space",
+    "body_name",
+];
+
+/// Writes into each socket that was resolved by name the path of the component that was found. No other byte changes.
+///
+/// # Errors
+/// The model with these paths cannot be read.
+pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
+    let tree = model.document().tree();
+    let (mut edits, mut objects) = (Vec::new(), Vec::new());
+    let mut connect = |owner: &str, taken: &str, socket: ElementId| {
+        let tag = tree.name(socket);
+        edits.push(Edit { span: tree.raw_text(socket).span, text: escaped(taken) });
+        objects.push(ObjectChange {
+            action: ObjectAction::Connected,
+            class: TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket"),
+            name: owner.rsplit('/').next().unwrap_or_default().to_owned(),
+            path: owner.to_owned(),
+            body: Some(taken.to_owned()),
+            parameters: Vec::new(),
+        });
+    };
+    for irregularity in &model.irregularities {
+        if let Irregularity::TakenByName { owner, taken, socket: Some(socket), .. } = irregularity {
+            connect(owner, taken, *socket);
+        }
+    }
+    let mut rebuilt = RebuiltModel::new(edited(model, edits)?, objects, String::new());
+    rebuilt.earlier_note = EarlierNote::Untouched;
+    Ok(rebuilt)
+}
