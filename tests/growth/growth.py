@@ -36,6 +36,8 @@ IN_JUMPS = re.compile(
 )
 
 ALL = list(models.KINDS)
+# In what every verb may grow that is given a model: forces, spheres, joints and names.
+COMMON = ["forces", "spheres", "bodies", "chain", "same name", "named"]
 SOME = ["forces", "bodies", "circle", "chain+", "defaults"]
 MODEL, OUT = "MODEL", "OUT"
 DESIGN_OPTIONS = ["--indentation", "0.3", "--restitution", "0.5"]
@@ -72,7 +74,8 @@ VERBS = {
     "note": (["note", MODEL, "--contacts-mass", "80", "-o", OUT], ["bodies", "brackets"]),
     "remove": (["remove", MODEL, "-o", OUT], ["forces", "spheres", "shared"]),
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
-    "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name"]),
+    "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name", "defaults"]),
+    "convert smooth": (["convert", MODEL, "--to", "smooth", "-o", OUT], ["named", "one force", "many sets", "radii"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "ladder": (["sweep", MODEL, "--ladder", "2", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["forces"]),
     "steps": (["sweep", "SMALL", "--ladder", "COUNT", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["files"]),
@@ -82,6 +85,9 @@ VERBS = {
     "batch": (["batch", "TABLE", "-d", OUT, "--jobs", "1"], ["files"]),
     "points": (["sweep", "SMALL", "--grid", "stiffness=x1..x2/COUNT", "-d", OUT, "--jobs", "1"], ["files"]),
 }
+for words, kinds in VERBS.values():
+    if MODEL in words and not {"PLATES", "PLACES"} & set(words):
+        kinds += [kind for kind in COMMON if kind not in kinds]
 
 
 def main():

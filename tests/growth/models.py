@@ -5,6 +5,7 @@ it does not hide time that grows with its square.
 """
 
 import math
+import re
 
 HALF_PI = 1.5707963267948966
 FLOOR = (
@@ -68,6 +69,27 @@ def one_force(n):
     return model(feet(2), spheres(max(n, 2), foot), some)
 
 
+def named(n):
+    """n forces of the older kind that call their spheres by name."""
+    return model(feet(2), spheres(n, foot), [hunt_crossley(i, f"s{i} floor") for i in range(n)])
+
+
+def radii(n):
+    """A model as of `named`, with another radius for each sphere."""
+    some = [one.replace("<radius>0.032", f"<radius>{0.032 + 1e-6 * i:.6f}") for i, one in enumerate(spheres(n, foot))]
+    return model(feet(2), some, [hunt_crossley(i, f"s{i} floor") for i in range(n)])
+
+
+def many_sets(n):
+    """A force of the older kind for each foot, with a parameter set for each of n spheres together and one for the floor."""
+    parameters = re.search("<HuntCrossleyForce::ContactParameters>.*</HuntCrossleyForce::ContactParameters>", hunt_crossley(0, "GEOMETRY"))[0]
+    some = []
+    for side in range(2):
+        names = [*(f"s{i}" for i in range(n) if i % 2 == side), "floor"]
+        some.append(hunt_crossley(side, "GEOMETRY").replace(parameters, "".join(parameters.replace("GEOMETRY", name) for name in names)))
+    return model(feet(2), spheres(max(n, 2), foot), some)
+
+
 def shared_by_all(n):
     """n forces of the older kind, each with its own sphere and one of eight that they share."""
     some = [hunt_crossley(i, f"s{i} s{i % 8} floor") for i in range(n)]
@@ -105,6 +127,9 @@ KINDS = {
     "defaults": defaults,
     "shared": shared,
     "one force": one_force,
+    "named": named,
+    "radii": radii,
+    "many sets": many_sets,
     "shared+": shared_by_all,
     "same name": same_name,
     "findings": sunk_in,
