@@ -2,6 +2,7 @@
 
 use contact_scaling::modulus::SurfaceValues;
 use foldhash::{HashMap, HashMapExt, HashSet};
+use osim_model::messages::counted;
 use osim_model::{
     Anatomy, AnatomyJoint, AnatomySphere, Fault, FaultKind, Force, ForceKind, HalfSpace, Model, ParameterSet,
     Property, Rotation, Selected, SetId, Side, Sphere, SphereId, Surfaces,
@@ -297,10 +298,12 @@ fn refuse_repeated_pair(model: &Model, force: &Force) -> Result<(), Fault> {
         };
         if times * of_plane > 1 {
             let text = format!(
-                "{} names {} {times} and {} {of_plane} times, so that OpenSim presses this pair {} times, which forces of one sphere do not",
+                "{} names {} {} and {} {}, so that OpenSim presses this pair {} times, which forces of one sphere do not",
                 force.path,
                 sphere.name,
+                counted(times, "time"),
                 plane.name,
+                counted(of_plane, "time"),
                 times * of_plane
             );
             let otherwise = "name each of its surfaces once in OpenSim";
