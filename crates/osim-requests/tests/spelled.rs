@@ -19,7 +19,12 @@ fn command_line_of(request: &Request) -> String {
 
 /// The request that the program reads from a command line.
 fn read_back(line: &str) -> Request {
-    let words = shlex::split(line).unwrap_or_else(|| panic!("no shell takes this: {line}"));
+    // The crate does not know `$'a\nb'`, as bash and zsh read it.
+    let plain = line.replace("$'", "'");
+    let mut words = shlex::split(&plain).unwrap_or_else(|| panic!("no shell takes this: {line}"));
+    if plain != line {
+        words = words.iter().map(|word| word.replace(r"\n", "\n").replace(r"\t", "\t")).collect();
+    }
     assert_eq!(words[0], "osim-contact-scale");
     let verb = Verb::named(&words[1]).unwrap();
     let matches =
@@ -62,7 +67,7 @@ const EXAMPLES: &str = r##"{
     "dissipation": 1.5, "name": "falisse2022", "topics": ["C.2", "x/R"], "ascii": true,
     "motion": "walk 1.mot", "plates": "grf.mot", "loads": "grf.xml", "angles": "degrees", "low_pass": 6, "belt": -1.25, "belt_column": "belt speed",
     "moco_setup": "my walk.omoco", "from_moco_setup": "walk.omoco",
-    "fit": ["height"], "unbounded": true, "height_in": "spheres"
+    "fit": ["height"], "unbounded": true, "height_in": "spheres", "sockets": true
 }"##;
 
 /// A value of a field for a verb to which the value in [`EXAMPLES`] does not apply.
@@ -94,6 +99,8 @@ fn example_request_with_field(verb: Verb, schema: &Value, field: &str) -> Value 
     // A sweep needs a grid or a ladder.
     wanted.extend((verb == Verb::Sweep && !["ladder", "soft"].contains(&field)).then_some("grid"));
     wanted.extend((verb == Verb::Fit).then_some("radius"));
+    // A convert needs a class, unless it only corrects sockets.
+    wanted.extend((verb == Verb::Convert && field != "sockets").then_some("to"));
     // A set needs an assignment, unless it only levels feet.
     wanted.extend((verb == Verb::Set && field != "level").then_some("set"));
     wanted.extend((verb == Verb::Note && field != "stance_limbs").then_some("contacts_mass"));
