@@ -6,7 +6,7 @@ function results = drop_test(varargin)
 %       left out.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     height: Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25
+%     height: Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
 %         [default: 'x0.25']. Takes a number or a text.
 %     duration: How long to follow the body, s [default: 2]. Takes a number.
 %     samples: Points of the series [default: 1001]. Takes a whole number.
@@ -28,7 +28,7 @@ function results = drop_test(varargin)
 %         Takes a whole number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
+%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.

@@ -179,7 +179,7 @@ def add(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     no_note : bool, optional
@@ -255,7 +255,7 @@ def rescale_many(
     allow_outside : bool, optional
         Let rows name files to write outside the folder of the results, or of the table.
     dry_run : bool, optional
-        Write nothing, only show what would change.
+        Write nothing, only say what would change.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     jobs : int, optional
@@ -371,7 +371,7 @@ def check(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -551,7 +551,7 @@ def design(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     spheres : int, optional
@@ -630,7 +630,7 @@ def drop_test(
     subject : path, bytes or opensim.Model, optional
         A model as for `rescale`, or the name of a preset.
     height : float or str, optional
-        Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25.
+        Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25.
     duration : float, optional
         How long to follow the body, s.
     samples : int, optional
@@ -662,7 +662,7 @@ def drop_test(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -822,7 +822,7 @@ def fit(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -911,7 +911,7 @@ def inspect(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1001,7 +1001,7 @@ def motion(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1155,7 +1155,7 @@ def plot(
     gravity : float, optional
         Gravity, m/s2 [default: the model's]
     height : float or str, optional
-        Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25.
+        Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25.
     duration : float, optional
         How long to follow the body, s [default: 20 sqrt(R/g), of the slowest]
     quantity : {"indentation", "restitution", "peak-force"}, optional
@@ -1195,7 +1195,7 @@ def plot(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1369,7 +1369,7 @@ def rescale(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
@@ -1469,7 +1469,7 @@ def set(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1573,11 +1573,12 @@ def sweep(
     force : bool, optional
         Replace existing files.
     resume : bool, optional
-        Continue a sweep that was stopped or changed: make the models that are missing or out of date, and leave edited ones.
+        Go on with a sweep that was stopped or changed: make what is not there as it should be, leave what was
+        edited.
     no_note : bool, optional
         Leave no note (in the credits) in the models.
     dry_run : bool, optional
-        Write nothing, only show what would be made.
+        Write nothing, only say what would be made.
     jobs : int, optional
         Models to make at once [default: one per processor]
     radius : float or str, optional
@@ -1613,7 +1614,7 @@ def sweep(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     spheres : int, optional
@@ -1723,7 +1724,7 @@ def transfer(
     body_scale : str or list of str or dict, optional
         Factors of a body (or one, BODY=f); one or several in a list.
     radius_axis : {"x", "y", "z", "geomean", "min", "max"}, optional
-        How the radius of a sphere follows from the three factors of its body.
+        How a radius follows from three factors.
     moved_spheres : {"keep", "replace"}, optional
         Spheres that were moved or resized already: keep them, or place them again.
     strict : bool, optional
@@ -1735,7 +1736,7 @@ def transfer(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        Mass of this model, kg [default: the sum of its bodies]
+        What this model weighs, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
