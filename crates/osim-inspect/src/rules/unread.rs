@@ -281,6 +281,7 @@ fn known_children(document: &Document, id: ElementId) -> Option<(bool, &'static 
             Some((false, &["objects"]))
         }
         "objects" => Some((true, of_list(tree.parent(id)?)?)),
+        "components" => Some((true, &FORCE_CLASSES)),
         "HuntCrossleyForce" => Some((
             false,
             &[
