@@ -45,7 +45,7 @@ fn sentences_wrap_at_the_terminal_width() {
         let (whole, narrow) = (output_in_pipes(&dir, arguments), output_in_terminal(&dir, 60, arguments));
         for (whole, narrow) in [(whole.0, narrow.0), (whole.1, narrow.1)] {
             assert_eq!(words(&whole), words(&narrow), "{arguments}");
-            let is_text = |line: &&str| !line.starts_with("  $ ") && !line.trim_start().contains("   ");
+            let is_text = |line: &&str| !line.starts_with("$ ") && !line.trim_start().contains("   ");
             let text: String = narrow.lines().filter(is_text).map(|line| format!("{line}\n")).collect();
             assert!(longest_line(&text) <= 60, "{arguments}:\n{text}");
         }
@@ -56,7 +56,7 @@ fn sentences_wrap_at_the_terminal_width() {
 fn a_proposed_command_stays_on_one_line() {
     let dir = TestDir::with(&[("check/sunk_in.osim", "soft.osim")]);
     let (out, _) = output_in_terminal(&dir, 40, "check soft.osim");
-    let command = out.lines().find(|line| line.starts_with("  $ osim-contact-scale design ")).unwrap();
+    let command = out.lines().find(|line| line.starts_with("$ osim-contact-scale design ")).unwrap();
     assert!(command.ends_with("--constant-indentation 0.054"), "{command}");
 }
 

@@ -58,7 +58,7 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
         let mut all = format!("$ osim-contact-scale {call}\n");
         for columns in [60, 80, 120] {
             let (out, _) = terminal_output(dir.command(call), columns);
-            let text = out.lines().filter(|line| !line.starts_with("  $ "));
+            let text = out.lines().filter(|line| !line.starts_with("$ "));
             let longest = text.map(|line| line.chars().count()).max().unwrap_or_default();
             all.push_str(&format!("----- {columns} columns\n{out}"));
             assert!(
@@ -79,7 +79,7 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
 fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     let dir = models();
     let printed = dir.run("check scaled.osim --from generic.osim").failed().out();
-    let command = printed.lines().find_map(|line| line.strip_prefix("  $ osim-contact-scale ")).unwrap();
+    let command = printed.lines().find_map(|line| line.strip_prefix("$ osim-contact-scale ")).unwrap();
     dir.run(&format!("{command} -o by_command.osim")).succeeded();
     let fix = "check scaled.osim --from generic.osim --fix -o fixed.osim";
     dir.run(fix).succeeded().wrote(&["fixed.osim"]).says(&["fixed.osim: ", "written: fixed.osim"]);
@@ -91,7 +91,7 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
     assert!(dir.run("check whole.osim --deny warning").succeeded().out().contains("whole.osim: "));
     // A folder: the command that `check` prints for it.
     let folder = dir.run("check subjects --from generic.osim").failed().out();
-    assert_eq!(folder.lines().filter(|line| line.starts_with("  $ ")).count(), 1, "{folder}");
+    assert_eq!(folder.lines().filter(|line| line.starts_with("$ ")).count(), 1, "{folder}");
     dir.run("check subjects --from generic.osim --fix -d results").succeeded();
     assert_eq!(dir.text("results/subject02.osim"), dir.text("fixed.osim"));
 }

@@ -167,7 +167,7 @@ fn add_equals_the_command() {
     );
     // The front end's reader opens the files beside the model.
     let words = "add human.osim --feet calcn_r,calcn_l --count 3 --pad 0.01 --geometry-dir bones --radius 0.03 --class smooth \
-                 --indentation 0.2 --dynamic-friction 0.5 --output feet.osim";
+                 --indentation 0.2 --dynamic-friction 0.5 -o feet.osim";
     assert_same_change(
         &dir,
         words,

@@ -32,7 +32,7 @@ def command(verb, *models):
 
 def words(text):
     """The words of a text, without the lines of remedies: lines end elsewhere where a call is longer."""
-    return " ".join(line for line in text.splitlines() if not line.startswith(("  $ ", "  ocs."))).split()
+    return " ".join(line for line in text.splitlines() if not line.startswith(("$ ", "ocs."))).split()
 
 
 def differing_lines(expected, actual):

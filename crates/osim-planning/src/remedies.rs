@@ -76,6 +76,9 @@ impl RemedyTrials<'_> {
                 .map(|(step, _)| step);
             one.remedy = step_without_it.filter(|_| may_have_command(one)).map(|step| step.request.clone());
         }
+        let is_gone =
+            |one: &&FindingWithRemedy| remaining.last().is_some_and(|left| left.find_same(one).is_none());
+        found.corrected = warnings_and_errors(&found).filter(is_gone).count();
         found.steps = steps.into_iter().map(|step| step.request).collect();
         found
     }

@@ -43,6 +43,10 @@ pub struct CheckResult {
     #[serde(skip)]
     #[cfg_attr(feature = "schemas", schemars(skip))]
     pub steps: Vec<Request>,
+    /// How many errors and warnings are gone after all [`steps`](Self::steps).
+    #[serde(skip)]
+    #[cfg_attr(feature = "schemas", schemars(skip))]
+    pub corrected: usize,
     /// What else of the model follows its size, compared with the model that was scaled, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub similarity: Option<SizeList>,
@@ -120,6 +124,7 @@ impl CheckResult {
             findings,
             commands: Vec::new(),
             steps: Vec::new(),
+            corrected: 0,
             similarity: None,
         }
         .with_steps_of_remedies()

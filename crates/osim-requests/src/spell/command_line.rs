@@ -25,12 +25,12 @@ pub struct CommandLine;
 
 impl Dialect for CommandLine {
     fn input(&self, input: Input, example: Option<&Example>) -> String {
-        let name = match (input, example) {
+        let name = match input {
             _ if is_positional(input) => {
                 return example.map_or_else(|| input.name().to_ascii_uppercase(), ToString::to_string);
             }
-            (Input::Output, None | Some(Example::Placeholder(_))) => "-o".to_owned(),
-            (Input::OutputDir, None | Some(Example::Placeholder(_))) => "-d".to_owned(),
+            Input::Output => "-o".to_owned(),
+            Input::OutputDir => "-d".to_owned(),
             _ => option_name(input.name()),
         };
         example.map_or_else(|| name.clone(), |example| format!("{name} {example}"))
@@ -79,11 +79,13 @@ fn positional_words((_, value): &Field) -> Vec<String> {
 
 /// An option with its value, as one or several arguments.
 fn option_words(verb: Verb, (name, value): &Field) -> Vec<String> {
-    let is_one_word = option_named(verb, name).is_some_and(|option| option.list == List::Commas);
+    let registered = option_named(verb, name);
+    let is_one_word = registered.is_some_and(|option| option.list == List::Commas);
     let option = option_name(name);
+    let short = registered.and_then(|option| Some(format!("-{}", option.short?)));
     let valued = |text: String| match text.starts_with('-') {
         true => format!("{option}={}", shell_quoted(&text)),
-        false => format!("{option} {}", shell_quoted(&text)),
+        false => format!("{} {}", short.as_deref().unwrap_or(&option), shell_quoted(&text)),
     };
     match value {
         FieldValue::Map(properties) if name == "set" => {
@@ -205,10 +207,10 @@ mod tests {
     }
 
     #[test]
-    fn outputs_are_short_unless_they_have_a_value() {
+    fn outputs_are_short() {
         assert_eq!(spelled("`output` or `output_dir`"), "-o or -d");
         assert_eq!(spelled("`output=FILE`, `output_dir=DIR`"), "-o FILE, -d DIR");
-        assert_eq!(spelled("`output=a.svg`"), "--output a.svg");
+        assert_eq!(spelled("`output=a.svg`"), "-o a.svg");
     }
 
     #[test]

@@ -45,13 +45,21 @@ pub fn text(found: &CheckResult, words: &dyn FrontEnd, layout: Layout) -> String
     } else if let Some(good) = rows.good_in_words() {
         text.push_str(&layout.wrapped(&format!("good     {good}"), "         "));
     }
-    let without_command =
-        |finding: &&FindingWithRemedy| finding.severity >= Severity::Warning && finding.command.is_none();
+    let Counts { error, warning, .. } = found.counts;
+    let is_open = |finding: &&FindingWithRemedy| {
+        finding.severity >= Severity::Warning
+            && finding.command.is_none()
+            && found.corrected < error + warning
+    };
     if is_full {
         text.push_str(&explanations(found, layout));
-    } else if let Some(open) = found.findings.iter().find(without_command) {
-        let more = Phrase::template(&format!("What to do: `explain topics={}`", open.code()));
-        text.push_str(&format!("\n{}\n", more.spelled(words)));
+    } else if let Some(open) = found.findings.iter().find(is_open) {
+        let what = match open.code() {
+            // Only a mass is missing.
+            FindingCode::MassUnknown | FindingCode::MassSourcesDisagree => open.advice.to_string(),
+            code => Phrase::template(&format!("`explain topics={code}`")).spelled(words),
+        };
+        text.push_str(&format!("\n{}", layout.wrapped(&format!("What to do: {what}"), "  ")));
     }
     if let Some(list) = found.similarity.as_ref().filter(|list| is_full || list.is_worth_showing()) {
         text.push('\n');
@@ -172,14 +180,11 @@ fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
     let Counts { error, warning, .. } = found.counts;
     if error + warning > 0 {
         let counts = Counts { remark: 0, ..found.counts }.describe("");
-        let corrected = found.findings.iter().filter(|finding| finding.command.is_some()).count();
+        let right = share(found.corrected, error + warning);
         return match found.commands.len() {
             0 => counts,
-            1 => format!("{counts}; this command puts {} right:", share(corrected, error + warning)),
-            _ => format!(
-                "{counts}; these commands, one after the other, put {} right:",
-                share(corrected, error + warning)
-            ),
+            1 => format!("{counts}; this command puts {right} right:"),
+            _ => format!("{counts}; these commands, one after the other, put {right} right:"),
         };
     }
     let worst = |sign| rows.bad.iter().filter(|row| row.sign == sign).count();
@@ -194,9 +199,10 @@ fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
     }
 }
 
-/// "Some of all" findings in words: `it`, `both`, `all 3` or `2 of 3`.
+/// "Some of all" findings or models in words: `a part`, `it`, `both`, `all 3` or `2 of 3`.
 fn share(some: usize, all: usize) -> String {
     match (some, all) {
+        (0, _) => "a part".to_owned(),
         (_, 1) => "it".to_owned(),
         (2, 2) => "both".to_owned(),
         (some, all) if some == all => format!("all {all}"),
@@ -206,7 +212,7 @@ fn share(some: usize, all: usize) -> String {
 
 /// The commands, each on its own line. Lines are never broken, so that commands can be copied.
 fn command_lines(commands: &[String], words: &dyn FrontEnd) -> String {
-    let line = |command: &String| format!("  {}{}\n", words.prompt(), one_line(command.clone()));
+    let line = |command: &String| format!("{}{}\n", words.prompt(), one_line(command.clone()));
     commands.iter().map(line).collect()
 }
 
@@ -258,6 +264,8 @@ pub struct LibraryTable {
     codes: BTreeMap<(Reverse<Severity>, FindingCode), FoundInModels>,
     /// For each model that can be corrected, the steps that correct it.
     steps: Vec<Vec<Request>>,
+    /// The number of models that have no error or warning after their steps.
+    corrected: usize,
     without_contacts: usize,
     not_read: Vec<String>,
 }
@@ -281,6 +289,7 @@ impl LibraryTable {
             counts: Vec::new(),
             codes: BTreeMap::new(),
             steps: Vec::new(),
+            corrected: 0,
             without_contacts: 0,
             not_read: Vec::new(),
         }
@@ -303,6 +312,7 @@ impl LibraryTable {
         }
         self.counts.push(found.counts);
         if !found.steps.is_empty() {
+            self.corrected += usize::from(found.corrected == found.counts.error + found.counts.warning);
             self.steps.push(found.steps.clone());
         }
     }
@@ -331,7 +341,7 @@ impl LibraryTable {
         let (command, head) = (self.command(), self.headline());
         let head = match &command {
             Some(_) => {
-                format!("{head}; this command puts {} right:", share(self.steps.len(), self.bad_models()))
+                format!("{head}; this command puts {} right:", share(self.corrected, self.bad_models()))
             }
             None => head,
         };
@@ -340,11 +350,13 @@ impl LibraryTable {
             folder => wrapped_with_path(folder, &head, "  ", layout.width()),
         };
         text.extend(
-            command.map(|command| format!("  {}{}\n", words.prompt(), one_line(words.request(&command)))),
+            command.map(|command| format!("{}{}\n", words.prompt(), one_line(words.request(&command)))),
         );
         text.push('\n');
         if !self.codes.is_empty() {
-            text.push_str(&painted_rows(&format!("{}\n", self.table(&folder, layout)), layout));
+            let table = self.table(&folder, layout);
+            let rows = table.lines().map(|line| format!("{}\n", line.strip_prefix(' ').unwrap_or(line)));
+            text.push_str(&painted_rows(&rows.collect::<String>(), layout));
         }
         text.push_str(&layout.wrapped(&self.unchecked_in_words(), "  "));
         text
@@ -407,7 +419,7 @@ impl LibraryTable {
             table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
         }
         table.right_aligned(&[0]);
-        table.within(layout.columns)
+        table.within(layout.columns.map(|columns| columns + 1))
     }
 
     /// A sentence about the models that were not checked.
