@@ -5,6 +5,7 @@ use std::path::Path;
 
 use osim_inspect::CheckResult;
 use osim_model::files::{Files, InMemory};
+use osim_model::messages::Verb;
 use osim_model::{FindingCode, Severity};
 use osim_planning::{Inspector, open_with, prepare};
 use osim_requests::options::OutputOptions;
@@ -12,6 +13,21 @@ use osim_requests::{CheckRequest, Request};
 use serde_json::{Value, json};
 
 use super::cases::NAME;
+
+/// A finding as its code, its severity and its place.
+pub type Said = (FindingCode, Severity, Option<String>);
+
+/// A command that was run.
+pub struct Ran {
+    /// The name of the new file.
+    pub output: String,
+    /// The codes of the warnings and errors.
+    pub warned: BTreeSet<&'static str>,
+    /// All findings; `None` if no note is written, so that only the run knows what the contacts are made for.
+    pub said: Option<BTreeSet<Said>>,
+    /// The mass for which the contacts were scaled.
+    pub target_kg: Option<f64>,
+}
 
 /// Files in memory, and the options with which they are checked.
 #[derive(Clone)]
@@ -25,9 +41,17 @@ impl Desk {
         Self { files: InMemory::from_iter([(NAME, text)]), options: options.clone() }
     }
 
-    fn request(&self, model: &Path) -> CheckRequest {
+    /// Whether models are checked with any options.
+    pub fn has_options(&self) -> bool {
+        self.options != json!({})
+    }
+
+    fn request(&self, model: &Path, kg: Option<f64>) -> CheckRequest {
         let mut request = json!({"verb": "check", "models": [model]});
         request.as_object_mut().unwrap().extend(self.options.as_object().unwrap().clone());
+        if let Some(kg) = kg {
+            request["mass"] = kg.into();
+        }
         match Request::from_json(request.to_string().as_bytes()) {
             Ok(Request::Check(check)) => *check,
             other => panic!("{}: {other:?}", self.options),
@@ -36,15 +60,20 @@ impl Desk {
 
     /// The result of `check` for a file; `None` if the file cannot be read, or there is nothing to check.
     pub fn check(&self, model: &Path) -> Option<CheckResult> {
-        let inspector = Inspector::for_check(&self.request(model), &self.files);
+        self.check_at_mass(model, None)
+    }
+
+    /// The result of `check` for a file, with `--mass` if a mass is given.
+    pub fn check_at_mass(&self, model: &Path, kg: Option<f64>) -> Option<CheckResult> {
+        let inspector = Inspector::for_check(&self.request(model, kg), &self.files);
         let opened = open_with(model, inspector.set_files().companion_paths(), &self.files).ok()?;
         let inspected = inspector.inspect(&opened).ok()?;
         inspector.refuse_without_contacts(&opened, &inspected).ok()?;
         Some(inspector.check(&opened.model, &inspected, None, &self.files))
     }
 
-    /// Runs a command as it is printed. Returns the name of the new file and the codes of its findings. No file is overwritten.
-    pub fn run(&mut self, request: &Request) -> Result<(String, BTreeSet<&'static str>), String> {
+    /// Runs a command as it is printed. No file is overwritten.
+    pub fn run(&mut self, request: &Request) -> Result<Ran, String> {
         // As somebody who copies the text.
         let request =
             Request::from_json(request.to_json().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
@@ -71,7 +100,10 @@ impl Desk {
         }
         let name = output.to_string_lossy().into_owned();
         self.files.add(output, bytes);
-        Ok((name, warned))
+        let said = plan.findings.iter().map(|one| (one.code(), one.severity, one.place.clone()));
+        let said = plan.note().map(|_| said.collect());
+        let masses = plan.masses.as_ref().filter(|_| change.verb == Verb::Rescale);
+        Ok(Ran { output: name, warned, said, target_kg: masses.map(|masses| masses.target_mass_kg) })
     }
 
     /// The result of each verb for a file: the codes of its warnings, or the reason why it is refused.
@@ -99,7 +131,7 @@ impl Desk {
             fields.as_object_mut().unwrap().insert("models".to_owned(), json!([model]));
             fields.as_object_mut().unwrap().insert("output".to_owned(), "result.osim".into());
             let request = Request::from_json(fields.to_string().as_bytes()).unwrap();
-            let ran = self.clone().run(&request).map(|(_, warned)| warned);
+            let ran = self.clone().run(&request).map(|ran| ran.warned);
             (call, ran)
         };
         calls.into_iter().map(run).collect()

@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 
 use cases::{NAME, models, options};
 use damage::damages;
-use desk::{Desk, wrong};
+use desk::{Desk, Ran, Said, wrong};
 
 /// Numbers of commands that were run, and of commands that had the right effect.
 #[derive(Default)]
@@ -79,13 +79,15 @@ fn run_command(
     let said = Value::Object(request.to_map()).to_string();
     let model = request.to_map()["models"][0].as_str().unwrap().to_owned();
     let before = desk.check(Path::new(&model));
-    let made = match desk.run(request) {
+    let ran = match desk.run(request) {
         Err(why) => {
             counts.fails(name, "refused", &format!("{said}: {why}"));
             return None;
         }
-        Ok((made, _)) => made,
+        Ok(ran) => ran,
     };
+    let different = differs_from_check(desk, request, &ran);
+    let made = ran.output;
     let (Some(before), Some(after)) = (before, desk.check(Path::new(&made))) else {
         counts.fails(name, "cannot be checked", &said);
         return Some(made);
@@ -97,7 +99,10 @@ fn run_command(
     let codes = |set: &BTreeSet<(FindingCode, Option<String>)>| -> BTreeSet<_> {
         set.iter().map(|(code, _)| *code).collect()
     };
-    let mut held = true;
+    let mut held = different.is_none();
+    if let Some(different) = different {
+        counts.fails(name, "not what check says of the result", &format!("{said}: {different}"));
+    }
     let all_after: BTreeSet<_> = after
         .findings
         .iter()
@@ -136,6 +141,24 @@ fn run_command(
     }
     counts.remedies.1 += usize::from(held);
     Some(made)
+}
+
+/// A finding about the new model that only the run has, or only `check RESULT --mass M`, where M is the mass that the run scaled to. A run
+/// for some forces, and a check with options of its own, are not compared: each judges something else.
+fn differs_from_check(desk: &Desk, request: &Request, ran: &Ran) -> Option<String> {
+    let said =
+        ran.said.as_ref().filter(|_| !desk.has_options() && !request.to_map().contains_key("select"))?;
+    let found = desk.check_at_mass(Path::new(&ran.output), ran.target_kg)?;
+    let found: BTreeSet<Said> =
+        found.findings.iter().map(|one| (one.code(), one.severity, one.place.clone())).collect();
+    let of_models = |code: FindingCode| {
+        rules::with_code(|one| one == code).all(|rule| !matches!(rule.repair, Repair::OnlyInChange(_)))
+    };
+    let by_run = said.difference(&found).find(|(code, ..)| of_models(*code));
+    let by_check = found.difference(said).next();
+    by_run
+        .map(|one| format!("only the run: {one:?}"))
+        .or_else(|| by_check.map(|one| format!("only check: {one:?}")))
 }
 
 /// Runs every command of a model, each alone and then all one after the other.
@@ -214,7 +237,7 @@ fn try_commands_in_texts(name: &str, found: &CheckResult, desk: &Desk, kg: f64, 
             let Some(request) = filled(&call, kg) else { continue };
             counts.prose.0 += 1;
             let mut desk = desk.clone();
-            let ran = desk.run(&request).ok().and_then(|(made, _)| desk.check(Path::new(&made)));
+            let ran = desk.run(&request).ok().and_then(|ran| desk.check(Path::new(&ran.output)));
             let gone = ran.is_some_and(|left| left.findings.iter().all(|one| one.code() != finding.code()));
             counts.prose.1 += usize::from(gone);
             if !gone {
