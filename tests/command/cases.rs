@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use serde_json::Value;
 
-use crate::support::{HUMAN, TestDir, fixture, report_skip};
+use crate::support::{HUMAN, TestDir, corpus_folder, fixture, report_skip};
 
 /// A folder with copies of the files of a case; `None` after reporting that the test is skipped.
 pub(crate) fn dir_of_case(name: &str) -> Option<TestDir> {
@@ -422,6 +422,20 @@ fn other_columns_of_a_table_are_in_the_summary() {
 }
 
 #[test]
+fn unusual_friction_is_reported() {
+    for (case, code, severity) in [
+        ("friction_swapped", "dynamic-above-static", "warning"),
+        ("transition_velocity_mm", "odd-transition-velocity", "warning"),
+        ("transition-velocity-zero", "odd-transition-velocity", "remark"),
+    ] {
+        let Some(dir) = dir_of_case(case) else { return };
+        let report = check_json(&dir, "model.osim");
+        assert_eq!(finding_with_code(&report, code)["severity"], severity, "{case}");
+        assert_eq!(codes_of_severity(&report, "error"), BTreeSet::new(), "{case}");
+    }
+}
+
+#[test]
 fn common_headers_of_tables_are_understood() {
     let Some(dir) = dir_of_case("batch_column_file") else { return };
     dir.write("m.osim", fixture(HUMAN.0));
@@ -437,4 +451,45 @@ fn a_model_instead_of_a_table_is_refused_in_one_line() {
     let run = dir.run("batch human.osim -d out").usage_error().wrote_nothing();
     assert!(run.err().len() < 150, "{}", run.err());
     run.says(&["such as an OpenSim model", "table (.csv or .xlsx)"]);
+}
+
+#[test]
+fn a_transition_velocity_of_zero_is_scaled() {
+    let Some(dir) = dir_of_case("transition-velocity-zero") else { return };
+    let run = dir.run("check model.osim --full");
+    assert!(!(run.out() + &run.err()).contains("NaN"));
+    dir.run("model.osim --target-mass 30 --friction -o out.osim").succeeded();
+    assert!(codes_of_severity(&check_json(&dir, "out.osim"), "remark").contains("odd-transition-velocity"));
+}
+
+#[test]
+fn a_force_without_a_floor_is_reported() {
+    let Some(dir) = dir_of_case("hc_force_without_floor") else { return };
+    let report = check_json(&dir, "model.osim");
+    let found = finding_with_code(&report, "no-surfaces-meet");
+    assert_eq!(found["severity"], "warning");
+    assert!(found["place"].as_str().unwrap().ends_with("foot_r"), "{found}");
+}
+
+#[test]
+fn a_floor_that_is_named_twice_is_reported() {
+    let (Some(dir), Some(corpus)) =
+        (dir_of_case("floor_between_spheres"), corpus_folder("floor_between_spheres"))
+    else {
+        return;
+    };
+    let text = std::fs::read_to_string(corpus.join("v40000_scone_h0914m.osim")).unwrap();
+    assert!(text.contains("platform r_heel r_toe"));
+    dir.write("model.osim", text.replace("platform r_heel r_toe", "platform r_heel platform r_toe"));
+    let report = check_json(&dir, "model.osim");
+    let found = finding_with_code(&report, "surface-named-twice");
+    assert_eq!(found["severity"], "warning");
+    assert!(found["message"].as_str().unwrap().contains("platform"), "{found}");
+}
+
+#[test]
+fn a_stiffness_that_no_solver_can_handle_is_reported() {
+    let Some(dir) = dir_of_case("hc_stiffness_1e300") else { return };
+    let report = check_json(&dir, "model.osim");
+    assert!(codes_of_severity(&report, "warning").contains("too-stiff"), "{report}");
 }

@@ -119,7 +119,7 @@ pub struct FrictionValues {
 
 /// The friction of one sphere: friction force divided by normal force, at each slip speed.
 ///
-/// Coefficients are 0 or above, the transition velocity is above 0: checked once, in [`Friction::new`].
+/// Coefficients and the transition velocity are 0 or above: checked once, in [`Friction::new`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Friction(FrictionValues);
 
@@ -127,12 +127,12 @@ impl Friction {
     /// Checks the friction parameters and makes a friction of them.
     ///
     /// # Errors
-    /// [`DomainError`] unless coefficients are finite and 0 or above, and the transition velocity is finite and above 0.
+    /// [`DomainError`] unless the coefficients and the transition velocity are finite and 0 or above.
     pub fn new(values: FrictionValues) -> Result<Self, DomainError> {
         non_negative("static friction", values.static_friction)?;
         non_negative("dynamic friction", values.dynamic_friction)?;
         non_negative("viscous friction", values.viscous_friction)?;
-        positive("transition velocity", values.transition_velocity)?;
+        non_negative("transition velocity", values.transition_velocity)?;
         Ok(Self(values))
     }
 
@@ -143,6 +143,8 @@ impl Friction {
     }
 
     /// Friction force over normal force at the slip speed v (m/s): min(v/vt, 1) (μd + 2 (μs − μd)/(1 + (v/vt)²)) + μv v.
+    ///
+    /// With vt = 0 it is plain Coulomb friction: μd + μv v, and 0 at rest.
     ///
     /// Not in the paper: both contact classes of OpenSim use this formula of Simbody's `HuntCrossleyForce`.
     ///
@@ -160,7 +162,7 @@ impl Friction {
     pub fn coefficient(&self, slip_speed_m_s: f64) -> f64 {
         let FrictionValues { static_friction, dynamic_friction, viscous_friction, transition_velocity } =
             self.0;
-        let relative = slip_speed_m_s / transition_velocity;
+        let relative = if slip_speed_m_s == 0.0 { 0.0 } else { slip_speed_m_s / transition_velocity };
         let dry = dynamic_friction + 2.0 * (static_friction - dynamic_friction) / (1.0 + relative * relative);
         relative.min(1.0) * dry + viscous_friction * slip_speed_m_s
     }
@@ -294,7 +296,9 @@ mod tests {
         };
         let friction = Friction::new(values).unwrap();
         assert!((friction.coefficient(1.0) - 0.5).abs() < 1e-11);
-        assert!(Friction::new(FrictionValues { transition_velocity: 0.0, ..values }).is_err());
+        let coulomb = Friction::new(FrictionValues { transition_velocity: 0.0, ..values }).unwrap();
+        assert_eq!([0.0, 1e-9, 1.0].map(|speed| coulomb.coefficient(speed)), [0.0, 0.5, 0.5]);
+        assert!(Friction::new(FrictionValues { transition_velocity: -0.1, ..values }).is_err());
         assert!(Friction::new(FrictionValues { dynamic_friction: -0.1, ..values }).is_err());
         assert!(Friction::new(FrictionValues { viscous_friction: f64::NAN, ..values }).is_err());
     }

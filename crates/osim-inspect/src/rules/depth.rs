@@ -189,6 +189,36 @@ fn advice_for_other_number_of_limbs(carrying: f64) -> Phrase {
     ]
 }
 
+/// Contacts whose spheres sink in by less than this, x/R, are too stiff. Published contacts sink in by 0.06 or more.
+const LEAST_INDENTATION: f64 = 1e-3;
+
+pub(super) static TOO_STIFF: Rule = Rule {
+    code: FindingCode::TooStiff,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Solver),
+    what: "The contacts are far too stiff: at body weight on one limb, spheres sink in by less than 0.001 R.",
+    why: "No foot is so stiff, and a solver takes steps of microseconds, or fails. Published contacts sink in by 0.06 R or more. Mostly the stiffness is in another unit, or has a digit too many.",
+    advice: "Write the stiffness in N/m2, such as 1e6 for a human",
+    repair: Repair::NotPossible("only you know the right stiffness"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<stiffness>4.4876e7</stiffness>",
+        bad: "<stiffness>4.4876e13</stiffness>",
+    },
+};
+
+pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
+    // The smallest of them is the worst.
+    let negative = |sphere: &SphereFigures| Some(-sphere.value(Figure::Indentation)?);
+    let affected = check.spheres_with(|sphere| negative(sphere).filter(|x| *x > -LEAST_INDENTATION))?;
+    let x = four_significant(-affected.largest);
+    let text = format!(
+        "too stiff: at body weight on {} spheres sink {x} R into the floor (x/R by Hertz), expected at least {LEAST_INDENTATION}",
+        carrying_limbs(check)
+    );
+    Some(check.finding_at_sphere(&TOO_STIFF, &text, &affected).into())
+}
+
 pub(super) static BEYOND_HERTZ: Rule = Rule {
     code: FindingCode::BeyondHertz,
     severity: Severity::Remark,

@@ -1,15 +1,31 @@
-//! Rules about contact forces: their spheres, their elements in the file, and terrain. Terrain counts in no figure.
+//! Rules about contact forces: their surfaces, their elements in the file, and terrain. Terrain counts in no figure.
 
-use osim_model::messages::readable;
+use foldhash::{HashSet, HashSetExt};
+use osim_model::messages::{readable, shown};
 use osim_model::{
-    Body, Example, Finding, FindingCode, Force, ForceKind, Model, Repair, Rule, Selection, Severity, Sphere,
-    VerdictOn,
+    Body, Example, Finding, FindingCode, Force, ForceKind, Model, ParameterSet, Repair, Rule, Selection,
+    SetId, Severity, Side, Sphere, VerdictOn,
 };
 use osim_requests::options::{ClassChoice, ForceOptions};
 use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::{Remedies, exact_pattern};
-use crate::rules::spheres::about_spheres;
+use crate::rules::spheres::{about_spheres, and_others};
+
+/// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others.
+pub(super) fn about_forces(
+    model: &Model,
+    rule: &'static Rule,
+    describe: impl Fn(&Force, &ParameterSet) -> Option<String>,
+) -> Option<Finding> {
+    let forces = model.forces().iter();
+    let found = forces
+        .filter_map(|force| force.sets.iter().find_map(|set| Some((force, set, describe(force, set)?))));
+    let found: Vec<(&Force, &ParameterSet, String)> = found.collect();
+    let (force, set, text) = found.first()?;
+    let more = and_others(found.len(), "another force, too", "other forces, too");
+    Some(Finding::at(rule, set.line, format!("{text}{more}")).with_place(&force.path))
+}
 
 pub(super) static SEVERAL_SPHERES_ONE_FORCE: Rule = Rule {
     code: FindingCode::SeveralSpheres,
@@ -58,6 +74,113 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
         Finding::at(&SPHERE_IN_TWO_FORCES, sphere.line, text).with_place(&sphere.path)
     };
     shared.map(finding).collect()
+}
+
+/// Finds surfaces of a force that press nothing, press twice, or belong to the other foot: at most one finding for each rule.
+pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
+    type Describe = fn(&Model, &Force) -> Option<String>;
+    let rules: [(&Rule, Describe); 3] = [
+        (&SURFACE_NAMED_TWICE, describe_named_twice),
+        (&NO_SURFACES_MEET, describe_apart),
+        (&SPHERE_OF_OTHER_SIDE, describe_other_side),
+    ];
+    let find = |(rule, describe): (&'static Rule, Describe)| {
+        // Once for each force, not for each of its parameter sets.
+        about_forces(model, rule, |force, set| (set.id == SetId::FIRST).then(|| describe(model, force))?)
+    };
+    rules.into_iter().filter_map(find).collect()
+}
+
+pub(super) static SURFACE_NAMED_TWICE: Rule = Rule {
+    code: FindingCode::SurfaceNamedTwice,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Mass),
+    what: "A HuntCrossleyForce names a sphere or a floor more than once.",
+    why: "OpenSim presses each pair of surfaces as often as the force names it, so that contacts are several times as stiff as they look. A loop in a script that adds the floor with each sphere makes such a force.",
+    advice: "Name each surface once, in one of the force's parameter sets",
+    repair: Repair::NotPossible("only you know which parameter set is right"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>floor heel_l floor toe_l</geometry>",
+    },
+};
+
+fn describe_named_twice(model: &Model, force: &Force) -> Option<String> {
+    let mut spheres = HashSet::new();
+    let mut all = force.sets.iter().flat_map(|set| &set.spheres);
+    let sphere =
+        all.find(|sphere| !spheres.insert(**sphere)).and_then(|id| Some(model.sphere(*id)?.name.clone()));
+    let name = sphere.or_else(|| {
+        if force.sets.iter().map(|set| set.half_spaces).sum::<usize>() < 2 {
+            return None;
+        }
+        let mut planes = HashSet::new();
+        let mut all = force.sets.iter().flat_map(|set| model.half_spaces_of(set));
+        all.find(|plane| !planes.insert(plane.path.clone())).map(|plane| plane.name)
+    })?;
+    Some(format!("{} names {} more than once, and presses it each time", force.path, shown(&name)))
+}
+
+pub(super) static NO_SURFACES_MEET: Rule = Rule {
+    code: FindingCode::NoSurfacesMeet,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Mass),
+    what: "None of the surfaces of a HuntCrossleyForce can meet another one.",
+    why: "A sphere presses on a half-space or on a sphere of another body that the force names, too. Without one the force is always 0.",
+    advice: "Name the floor in the force",
+    repair: Repair::NotPossible("only you know which floor is right"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "<geometry>floor heel_l toe_l</geometry>",
+        bad: "<geometry>heel_l toe_l</geometry>",
+    },
+};
+
+fn describe_apart(model: &Model, force: &Force) -> Option<String> {
+    let has_others = force.sets.iter().any(|set| set.other_surfaces > 0);
+    if force.kind != ForceKind::HuntCrossley || has_others || !force.applies {
+        return None;
+    }
+    // Surfaces of one body never meet, and all bodies that are welded to ground are ground.
+    let body = |sphere: &Sphere| sphere.body.clone().filter(|_| !sphere.fixed);
+    let mut bodies = force.spheres().into_iter().filter_map(|id| model.sphere(id)).map(body);
+    let first = bodies.next();
+    let can_meet = first.is_some_and(|first| {
+        bodies.any(|body| body != first) || model.planes_of(force).iter().any(|plane| plane.body != first)
+    });
+    (!can_meet)
+        .then(|| format!("no two of the surfaces that {} names can meet: it presses nothing", force.path))
+}
+
+pub(super) static SPHERE_OF_OTHER_SIDE: Rule = Rule {
+    code: FindingCode::SphereOfOtherSide,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sides),
+    what: "A force of one side presses spheres of both sides.",
+    why: "Forces of feet are read by the names of the contact forces: the result of one foot then has a part of the other one's. In no published model it is so.",
+    advice: "Name the sphere of the force's own side, or move this one to the force of the other side",
+    repair: Repair::NotPossible("only you know which sphere is right"),
+    example: Example::Piece {
+        model: "format/v40000.osim",
+        good: "<geometry>floor heel_r toe_r</geometry>",
+        bad: "<geometry>floor heel_l toe_r</geometry>",
+    },
+};
+
+fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
+    let side = Side::of_name(&force.name)?;
+    let spheres = force.spheres().into_iter().filter_map(|id| model.sphere(id));
+    let sides = spheres.filter_map(|sphere| Some((sphere, Side::of_name(sphere.body.as_deref()?)?)));
+    let (own, other): (Vec<_>, Vec<_>) = sides.partition(|(_, of_body)| *of_body == side);
+    let (first, of_body) = other.first().filter(|_| !own.is_empty())?;
+    let more = and_others(other.len(), "another sphere, too", "other spheres, too");
+    Some(format!(
+        "{} presses {}, which is on the {} side{more}",
+        force.path,
+        shown(&first.name),
+        of_body.as_str()
+    ))
 }
 
 pub(super) static MOCO_DIALECT: Rule = Rule {

@@ -7,6 +7,7 @@ mod depth;
 mod figure_check;
 pub(crate) mod floors;
 mod forces;
+mod friction;
 mod misread;
 mod numbers;
 pub(crate) mod places;
@@ -43,16 +44,24 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN], misread::find_misread_values),
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
     (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
+    (&[&numbers::DEFAULT_OUTSIDE_RANGE], numbers::find_default_outside_range),
     (&[&components::INCLUDED_FILE], components::find_included_file),
     (&[&forces::DEAD_DERIVATIVE_SMOOTHING], forces::find_dead_derivative_smoothing),
     (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
     (&[&forces::SPHERE_IN_TWO_FORCES], forces::find_sphere_in_two_forces),
+    (
+        &[&forces::SURFACE_NAMED_TWICE, &forces::NO_SURFACES_MEET, &forces::SPHERE_OF_OTHER_SIDE],
+        forces::find_in_surfaces,
+    ),
     (&[&numbers::DEFAULT_STIFFNESS], numbers::find_default_stiffness),
     (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], numbers::find_zero_constant_contact_force),
     // This line also applies `SIDE_RULES`.
     (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_in_sides),
-    (&[&numbers::LARGE_FRICTION], numbers::find_large_friction),
-    (&[&numbers::NO_FRICTION, &numbers::NO_DISSIPATION], numbers::find_no_friction_or_dissipation),
+    (
+        &[&friction::LARGE_FRICTION, &friction::DYNAMIC_ABOVE_STATIC, &friction::ODD_TRANSITION_VELOCITY],
+        friction::find_odd_friction,
+    ),
+    (&[&friction::NO_FRICTION, &friction::NO_DISSIPATION], friction::find_no_friction_or_dissipation),
     (&[&components::CONTACT_DEFAULTS], components::find_contact_defaults),
     (&[&forces::MOCO_DIALECT], forces::find_moco_dialect),
     (&[&forces::TERRAIN], forces::find_terrain),
@@ -76,6 +85,7 @@ static SIDE_RULES: Table<fn(&BothSides<'_>) -> Option<Finding>> = &[
     (&[&spheres::CROWDED_SPHERES], spheres::find_crowded_spheres),
     (&[&spheres::ODD_RADIUS], spheres::find_odd_radius),
     (&[&spheres::ODD_PLACE], spheres::find_odd_place),
+    (&[&spheres::HEAVY_FOOT], spheres::find_heavy_foot),
 ];
 
 /// Rules about the floors that spheres press on.
@@ -89,6 +99,7 @@ static FLOOR_RULES: Table<fn(&Floors) -> Vec<Finding>> = &[
 /// Rules about the figures of spheres.
 static FIGURE_RULES: Table<fn(&FigureCheck<'_>) -> Option<FindingWithRemedy>> = &[
     (&[&depth::SUNK_IN], depth::find_sunk_in),
+    (&[&depth::TOO_STIFF], depth::find_too_stiff),
     (&[&depth::BEYOND_HERTZ], depth::find_beyond_hertz),
     (&[&depth::BEYOND_HERTZ_AT_TWO], depth::find_beyond_hertz_at_two),
     (&[&smoothing::BEYOND_HUNT_CROSSLEY], smoothing::find_beyond_hunt_crossley),

@@ -1,10 +1,10 @@
 //! Rules about unlikely numbers of a model.
 
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
-use osim_model::messages::{readable, shown};
+use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    Body, Example, Finding, FindingCode, Force, Model, Orientation, Origin, Property, Repair, Rule, SetId,
-    Severity, Value, VerdictOn,
+    Body, Example, Finding, FindingCode, JointCoordinate, Model, Orientation, Origin, Property, Repair, Rule,
+    SetId, Severity, Value, VerdictOn,
 };
 use osim_requests::Request;
 
@@ -46,6 +46,49 @@ pub(super) fn find_massless_body(model: &Model) -> Vec<Finding> {
     let text = format!("{} has a mass of 0 and an inertia{more}", shown(&first.name));
     let line = model.file(first.file).line(first.mass.offset);
     vec![Finding::at(&MASSLESS_BODY, line, text).with_place(&first.path)]
+}
+
+/// A default value may be outside its range by this much, rad or m, as in OpenSim.
+const RANGE_TOLERANCE: f64 = 1e-7;
+
+pub(super) static DEFAULT_OUTSIDE_RANGE: Rule = Rule {
+    code: FindingCode::DefaultOutsideRange,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Standing),
+    what: "The default value of a coordinate is outside the coordinate's own range. It is an error if the coordinate is clamped.",
+    why: "OpenSim reads radians and metres; mostly the value is in degrees or millimetres. It refuses a model with such a value in a clamped coordinate, and starts others from a pose that no joint has.",
+    advice: "Write the value in radians or metres, or correct the range",
+    repair: Repair::NotPossible("only you know the right pose"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/default_outside_range.osim" },
+};
+
+/// One finding for all coordinates whose default value is outside their range.
+pub(super) fn find_default_outside_range(model: &Model) -> Vec<Finding> {
+    let outside = |coordinate: &&JointCoordinate| {
+        coordinate.default.zip(coordinate.range).is_some_and(|(value, [least, most])| {
+            value < least - RANGE_TOLERANCE || value > most + RANGE_TOLERANCE
+        })
+    };
+    let joints = model.joints().iter();
+    let found: Vec<_> = joints
+        .flat_map(|joint| joint.coordinates.iter().filter(outside).map(move |one| (joint, one)))
+        .collect();
+    // A value that OpenSim refuses first.
+    let Some((joint, worst)) = found.iter().find(|(_, one)| one.clamped).or(found.first()) else {
+        return Vec::new();
+    };
+    let [least, most] = worst.range.unwrap_or_default().map(three_significant);
+    let text = format!(
+        "the default value of {} is {}, outside its range of {least} to {most} (radians or metres){}{}",
+        shown(&worst.name),
+        readable(worst.default.unwrap_or_default()),
+        if worst.clamped { ": OpenSim refuses the model" } else { "" },
+        and_others(found.len(), "another coordinate, too", "other coordinates, too")
+    );
+    let document = model.file(joint.file);
+    let line = document.line(document.tree().span(worst.element).start);
+    let severity = if worst.clamped { Severity::Error } else { Severity::Warning };
+    vec![Finding::at(&DEFAULT_OUTSIDE_RANGE, line, text).with_severity(severity)]
 }
 
 pub(super) static DEFAULT_STIFFNESS: Rule = Rule {
@@ -118,97 +161,6 @@ pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
 
 pub(super) fn set_suggested_constant_indentation(remedies: &Remedies<'_>) -> Option<Request> {
     remedies.design_constant_indentation(SUGGESTED_CONSTANT_INDENTATION)
-}
-
-/// A friction coefficient above this is not plausible. Between foot and floor it is 0.3 to 1, for the stickiest rubber about 2.
-const LARGEST_FRICTION: f64 = 10.0;
-
-pub(super) static LARGE_FRICTION: Rule = Rule {
-    code: FindingCode::LargeFriction,
-    severity: Severity::Warning,
-    verdict: Some(VerdictOn::Sizes),
-    what: "A coefficient of friction is larger than that of any surface.",
-    why: "Between a foot and a floor it is about 0.3 to 1. More than 10 is usually a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight.",
-    advice: "Write the right coefficient, such as 0.8",
-    repair: Repair::NotPossible("only you know the right number"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<static_friction>0.81</static_friction>",
-        bad: "<static_friction>81</static_friction>",
-    },
-};
-
-pub(super) fn find_large_friction(model: &Model) -> Vec<Finding> {
-    model.forces().iter().filter_map(find_large_friction_in).collect()
-}
-
-/// Finds the first friction coefficient of a force that is too large.
-fn find_large_friction_in(force: &Force) -> Option<Finding> {
-    let is_friction = |property| {
-        matches!(property, Property::StaticFriction | Property::DynamicFriction | Property::ViscousFriction)
-    };
-    let values = force.sets.iter().flat_map(|set| set.values.iter().map(move |value| (set, value)));
-    let (set, large) =
-        { values }.find(|(_, value)| is_friction(value.property) && value.number > LARGEST_FRICTION)?;
-    let text = format!(
-        "{} of {} is {}, expected at most {LARGEST_FRICTION}",
-        large.property,
-        force.path,
-        readable(large.number)
-    );
-    Some(Finding::at(&LARGE_FRICTION, set.line, text).with_place(&force.path))
-}
-
-pub(super) static NO_FRICTION: Rule = Rule {
-    code: FindingCode::NoFriction,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
-    what: "No contact has friction.",
-    why: "With all coefficients of friction 0, nothing stops a foot from sliding: a body that stands slides away at the first push.",
-    advice: "Nothing, if this is intended; else write the coefficients, such as 0.8",
-    repair: Repair::NotPossible("only you know the right numbers"),
-    example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
-};
-
-/// A dissipation below this, s/m, takes away almost no energy: 0.008 would take half a percent of the speed of an impact at 1 m/s.
-const LEAST_DISSIPATION_S_M: f64 = 1e-3;
-
-pub(super) static NO_DISSIPATION: Rule = Rule {
-    code: FindingCode::NoDissipation,
-    severity: Severity::Remark,
-    verdict: Some(VerdictOn::Solver),
-    what: "No contact has dissipation.",
-    why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
-    advice: "Nothing, if this is intended; else write the dissipation, for example for a restitution of {restitution}",
-    repair: Repair::NotPossible("only you know the right number"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<dissipation>0.4</dissipation>",
-        bad: "<dissipation>0</dissipation>",
-    },
-};
-
-/// Finds models in which no force on a floor has friction, or none has dissipation.
-pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
-    let on_floors = || model.forces().iter().filter(|force| model.meets_half_space(force));
-    let Some(first) = on_floors().next() else { return Vec::new() };
-    let are_all_below = |properties: &[Property], limit: f64| {
-        let sets = on_floors().flat_map(|force| &force.sets);
-        let mut values = sets.flat_map(|set| properties.iter().filter_map(|&property| set.value(property)));
-        values.all(|value| (0.0..limit).contains(&value.number))
-    };
-    let frictions = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
-    // Defaults of the class are no choice of anybody.
-    let is_written = |property| {
-        let mut values = on_floors().filter_map(|force| force.value(SetId::FIRST, property));
-        values.any(|value| value.origin != Origin::ClassDefault)
-    };
-    let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
-        .then(|| Finding::at(&NO_FRICTION, first.line, "all coefficients of friction are 0"));
-    let no_dissipation = are_all_below(&[Property::Dissipation], LEAST_DISSIPATION_S_M).then(|| {
-        Finding::at(&NO_DISSIPATION, first.line, "the dissipation of all contacts is 0 s/m or nearly 0")
-    });
-    no_friction.into_iter().chain(no_dissipation).map(|finding| finding.with_place(&first.path)).collect()
 }
 
 pub(super) static ANGLE_IN_DEGREES: Rule = Rule {

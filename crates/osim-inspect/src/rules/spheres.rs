@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    BodyShape, DVec3, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side,
+    Body, BodyShape, DVec3, Example, Finding, FindingCode, MassRequest, Model, Repair, Rule, Severity, Side,
     Sphere, VerdictOn,
 };
 
@@ -171,6 +171,8 @@ const RADIUS_OF_BONE: std::ops::RangeInclusive<f64> = 0.005..=0.3;
 /// A radius above this part of the longest bone is larger than the foot is high. It is odd if the spheres of the foot are also close
 /// together for it.
 const LARGE_RADIUS_OF_BONE: f64 = 0.15;
+/// A radius above this, m/kg^(1/3), is that of a model in another unit. Published radii on limbs are at most 0.07.
+const LARGEST_RADIUS_OF_MASS: f64 = 0.15;
 /// A radius above this part of the extent of the foot's sphere centres is large for them. Published radii are at most 0.3 if a foot has
 /// several spheres and no radius is above 0.15 of the bone.
 const LARGE_RADIUS_OF_EXTENT: f64 = 0.36;
@@ -198,9 +200,28 @@ pub(super) fn find_odd_radius(sides: &BothSides<'_>) -> Option<Finding> {
     };
     let mut odd: Vec<OddRadius<'_>> = sides.spheres().filter_map(find).collect();
     odd.sort_by(|a, b| b.times_limit().total_cmp(&a.times_limit()));
-    let worst = odd.first()?;
+    let Some(worst) = odd.first() else { return find_large_against_mass(sides) };
     let text = describe_odd_radius(worst, odd.len(), sides.model);
     about_spheres(&ODD_RADIUS, text, odd.iter().map(|odd| odd.sphere))
+}
+
+/// One finding for all radii on limbs that are too large against the mass, though not against the bones: all lengths are in another unit.
+fn find_large_against_mass(sides: &BothSides<'_>) -> Option<Finding> {
+    let kg = MassRequest::default().bodies_kg(sides.model).filter(|kg| *kg > 0.0)?;
+    let against_mass = |sphere: &Sphere| sphere.radius.number / libm::cbrt(kg);
+    let on_limbs = sides.spheres().filter(|(_, body, _)| sides.longest_bone_of_limb_m(body).is_some());
+    let large =
+        on_limbs.map(|(sphere, _, _)| sphere).filter(|one| against_mass(one) > LARGEST_RADIUS_OF_MASS);
+    let large: Vec<&Sphere> = large.collect();
+    let first = large.first()?;
+    let text = format!(
+        "radius of {} is {} m, and R / M^(1/3) is {} m/kg^(1/3), expected at most {LARGEST_RADIUS_OF_MASS}{}",
+        shown(&first.name),
+        readable(first.radius.number),
+        three_significant(against_mass(first)),
+        and_others(large.len(), "another radius, too", "other radii, too")
+    );
+    about_spheres(&ODD_RADIUS, text, large.iter().copied())
 }
 
 /// A sphere whose radius is too large or too small for its limb.
@@ -282,6 +303,52 @@ fn describe_odd_radius(worst: &OddRadius<'_>, count: usize, model: &Model) -> St
         },
         against_mass.unwrap_or_default()
     )
+}
+
+/// The number of bodies of a limb above its foot among which the heaviest one is found.
+const MOST_BODIES_ABOVE: usize = 8;
+
+pub(super) static HEAVY_FOOT: Rule = Rule {
+    code: FindingCode::HeavyFoot,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Mass),
+    what: "A body with spheres weighs more than each body of its limb above it.",
+    why: "A foot is lighter than the thigh: in published models it weighs 1 to 2 % of the body. A heavier one mostly has the mass of another body, or a wrong point, and swings as no foot does.",
+    advice: "Write the mass of the body in kg",
+    repair: Repair::NotPossible("only you know what the body weighs"),
+    example: Example::Piece {
+        model: "table1/human_62kg_smooth_sphere.osim",
+        good: "<mass>0.7734375</mass>",
+        bad: "<mass>7.734375</mass>",
+    },
+};
+
+/// One finding for all bodies with spheres that are heavier than the rest of their limb, if the limb has at least two bodies above.
+pub(super) fn find_heavy_foot(sides: &BothSides<'_>) -> Option<Finding> {
+    let bones = BodyBones::of(sides.model)?;
+    let all: HashMap<&str, &Body> =
+        sides.model.bodies().iter().map(|body| (body.name.as_str(), body)).collect();
+    let kg = |name: &str| all.get(name)?.mass_kg().ok().filter(|kg| *kg > 0.0);
+    let bodies: BTreeSet<&str> = sides.spheres().map(|(_, body, _)| body).collect();
+    let mut heavy = Vec::new();
+    for foot in bodies {
+        let (Some(side), Some(foot_kg)) = (Side::of_name(foot), kg(foot)) else { continue };
+        let parent = |body: &&str| Some(bones.joint_above(body)?.parent.as_str());
+        let above = std::iter::successors(parent(&foot), parent).take(MOST_BODIES_ABOVE);
+        let above = above.filter(|body| Side::of_name(body) == Some(side));
+        let above: Vec<(f64, &str)> = above.filter_map(|body| Some((kg(body)?, body))).collect();
+        let heaviest = above.iter().copied().max_by(|(a, _), (b, _)| a.total_cmp(b));
+        heavy.extend(
+            heaviest.filter(|(kg, _)| above.len() > 1 && foot_kg > *kg).map(|most| (foot, foot_kg, most)),
+        );
+    }
+    let (foot, foot_kg, (kg, above)) = heavy.first()?;
+    let more = and_others(heavy.len(), "another foot, too", "other feet, too");
+    let [foot_kg, kg] = [*foot_kg, *kg].map(three_significant);
+    let text = format!("{} weighs {foot_kg} kg, more than {} ({kg} kg){more}", shown(foot), shown(above));
+    let body = all.get(foot)?;
+    let line = sides.model.file(body.file).line(body.mass.offset);
+    Some(Finding::at(&HEAVY_FOOT, line, text).with_place(&body.path))
 }
 
 /// Spheres of one body are crowded if they extend over less than this part of the limb's longest bone. In the corpus they extend over 0.077

@@ -105,6 +105,7 @@ impl Property {
                 | Self::StaticFriction
                 | Self::DynamicFriction
                 | Self::ViscousFriction
+                | Self::TransitionVelocity
                 | Self::ConstantContactForce
                 | Self::Mass
         )

@@ -44,7 +44,7 @@ fields! {
         static_friction: Option<NotNegative>,
         dynamic_friction: Option<NotNegative>,
         viscous_friction: Option<NotNegative>,
-        transition_velocity: Option<Positive>,
+        transition_velocity: Option<NotNegative>,
     } where
         Needs("young", "poisson"), Needs("poisson", "young"), Excludes("indentation", "young"),
         Needs("impact_speed", "restitution"), Excludes("indentation", "from"), Excludes("young", "from"),
@@ -109,7 +109,7 @@ impl NumberOptions {
             (Property::StaticFriction, self.static_friction.map(NotNegative::get)),
             (Property::DynamicFriction, self.dynamic_friction.map(NotNegative::get)),
             (Property::ViscousFriction, self.viscous_friction.map(NotNegative::get)),
-            (Property::TransitionVelocity, self.transition_velocity.map(Positive::get)),
+            (Property::TransitionVelocity, self.transition_velocity.map(NotNegative::get)),
         ]
     }
 }

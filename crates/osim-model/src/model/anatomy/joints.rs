@@ -63,6 +63,10 @@ pub struct JointCoordinate {
     pub element: ElementId,
     /// `default_value`, rad or m; `None` if it is not a number.
     pub default: Option<f64>,
+    /// `range`, rad or m: the least and the largest value; `None` if the file has no such numbers.
+    pub range: Option<[f64; 2]>,
+    /// Whether OpenSim holds the value within the range (`clamped`). It refuses a default value outside.
+    pub clamped: bool,
 }
 
 impl ModelJoint {
@@ -203,8 +207,13 @@ fn default_coordinates(components: &Components, joint: ComponentId) -> Vec<Joint
         _ => 0,
     };
     let element = components.element(joint);
-    let coordinate =
-        |number| JointCoordinate { name: format!("_coord_{number}"), element, default: Some(0.0) };
+    let coordinate = |number| JointCoordinate {
+        name: format!("_coord_{number}"),
+        element,
+        default: Some(0.0),
+        range: None,
+        clamped: false,
+    };
     (0..count).map(coordinate).collect()
 }
 
@@ -223,7 +232,9 @@ fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordin
                 }
                 None => Some(0.0),
             };
-            JointCoordinate { name, element, default }
+            let range = numbers(document, element, "range").and_then(|values| values.try_into().ok());
+            let clamped = matches!(document.flag(element, "clamped"), Ok(Some(true)));
+            JointCoordinate { name, element, default, range, clamped }
         })
         .collect();
     Some(coordinates)

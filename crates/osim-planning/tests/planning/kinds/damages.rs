@@ -1,7 +1,7 @@
 //! The kinds of damage in `kinds.md` for which the right severity is a matter of judgement, and edits that do no harm.
 
 use super::published::{
-    BODY, Edited, FORCES, FRAME, Published, SPHERE, all, is_heel, is_left, text, times, triple,
+    BODY, Edited, FLOOR, FORCES, FRAME, Published, SPHERE, all, is_heel, is_left, text, times, triple,
 };
 
 /// A kind of damage: its name in the list, the codes of the findings about it, and the function that makes it.
@@ -17,6 +17,7 @@ pub const DAMAGES: &[Kind] = &[
             })
         },
     ),
+    ("all forces name one sphere", "sphere-in-two-forces", with_one_sphere),
     (
         "left feet on a second floor 50 mm higher",
         "uneven-bottoms unlevel-foot left-right-places floor-slopes not-on-floor",
@@ -29,13 +30,27 @@ pub const DAMAGES: &[Kind] = &[
         with_second_floor(m, "<location>0 0 0</location>", "0 0 0")
     }),
     ("floor 10 mm typed as 10 m", "not-on-floor", |m| m.floor("location", "0 -10 0")),
+    ("floor on thick platform frame, sign wrong", "not-on-floor", |m| m.floor("location", "0 0.3 0")),
+    ("floor on toes_l", "floor-on-limb", |m| {
+        let toes = m.body(&["toes"], "toes_l")?;
+        m.edit(FLOOR, FRAME, |_, old| {
+            Some(if old.contains('/') { format!("/bodyset/{toes}") } else { toes.clone() })
+        })
+    }),
     ("floor frame turned in degrees", "floor-upright angle-in-degrees", |m| {
         m.floor("orientation", "0 0 -90")
     }),
     ("floor turned by 45.5 deg", "floor-upright", |m| m.floor("orientation", "0 0 -0.77667151713747666")),
     ("all frictions 0 (ice)", "no-friction", |m| friction(m, "0")),
+    ("static friction 1e-5 with dynamic 0.8", "dynamic-above-static", |m| {
+        m.forces("static_friction", "1e-5")
+    }),
     ("static friction negative", "out-of-domain", |m| m.forces("static_friction", "-0.8")),
     ("viscous friction 500", "large-friction", |m| m.forces("viscous_friction", "500")),
+    ("viscous friction 5", "large-friction", |m| m.forces("viscous_friction", "5")),
+    ("transition velocity 0", "odd-transition-velocity", |m| m.forces("transition_velocity", "0")),
+    ("transition velocity 1e-9", "odd-transition-velocity", |m| m.forces("transition_velocity", "1e-9")),
+    ("transition velocity negative", "out-of-domain", |m| m.forces("transition_velocity", "-0.2")),
     ("dissipation negative", "out-of-domain", |m| m.forces("dissipation", "-2")),
     ("all dissipation 0", "no-dissipation", |m| m.forces("dissipation", "0")),
     ("dissipation 1e-300", "no-dissipation", |m| m.forces("dissipation", "1e-300")),
@@ -48,6 +63,11 @@ pub const DAMAGES: &[Kind] = &[
         let text = m.text.replace("dissipation>", "d-i-s>").replace("stiffness>", "dissipation>");
         Some(text.replace("d-i-s>", "stiffness>"))
     }),
+    ("columns shifted by one", "sunk-in default-stiffness", |m| {
+        Some(with_tags(m, &[&COLUMNS[1..], &COLUMNS[..1]].concat(), &COLUMNS))
+    }),
+    ("stiffness misspelt", "default-stiffness", |m| Some(with_tags(m, &["stiffness"], &["stifness"]))),
+    ("thousands with apostrophes", "odd-number", |m| m.forces("stiffness", "1'000'000")),
     ("stiffness lost its exponent", "sunk-in", |m| m.forces("stiffness", "1")),
     ("stiffness in psi (x1/6895)", "sunk-in", |m| m.forces_times("stiffness", 1.0 / 6895.0)),
     ("stiffness of a Kelvin spring (20000 N/m)", "sunk-in", |m| m.forces("stiffness", "20000")),
@@ -60,6 +80,10 @@ pub const DAMAGES: &[Kind] = &[
             })
         },
     ),
+    ("hertz and hunt_crossley smoothing swapped", "wide-transition force-before-contact floats", |m| {
+        let tags = ["hertz_smoothing", "hunt_crossley_smoothing"];
+        m.text.contains("<hertz_smoothing>").then(|| with_tags(m, &tags, &[tags[1], tags[0]]))
+    }),
     ("hertz_smoothing 3 not 300", "wide-transition force-before-contact floats", |m| {
         m.smoothing("hertz_smoothing", "3")
     }),
@@ -87,6 +111,11 @@ pub const DAMAGES: &[Kind] = &[
     ("radii in feet", "odd-radius", |m| m.radii(all, |radius| radius / 0.3048)),
     ("radius of a ball 0.11 (copied from soccer)", "odd-radius", |m| m.radii(all, |_| 0.11)),
     ("radius 1e-12 for all", "odd-radius", |m| m.radii(all, |_| 1e-12)),
+    ("one heel sphere typed to 5 kg mass body (radius 0)", "out-of-domain", |m| {
+        let heel = m.model.spheres().iter().find(|sphere| is_heel(&sphere.name))?.name.clone();
+        m.radii(|name| name == heel, |_| 0.0)
+    }),
+    ("radius misspelt", "out-of-domain", |m| Some(with_tags(m, &["radius"], &["raduis"]))),
     ("left radii 20 % larger", "left-right-differ", |m| m.radii(is_left, |radius| radius * 1.2)),
     (
         "radii of one pair halved",
@@ -130,6 +159,14 @@ pub const DAMAGES: &[Kind] = &[
         m.places(|name| name == first, |[_, y, z]| [1e6, y, z])
     }),
     (
+        "spheres on offset frames turned by 90 (degrees typed)",
+        "odd-place uneven-bottoms spheres-misplaced left-right-places",
+        |m| with_offset_frames(m, "<translation>0 0 0</translation><orientation>0 0 90</orientation>"),
+    ),
+    ("sphere frames moved in mm", "odd-place", |m| {
+        with_offset_frames(m, "<translation>0 -10 0</translation><orientation>0 0 0</orientation>")
+    }),
+    (
         "all toes deleted, both sides",
         "known-contacts left-right-missing one-side-only beyond-hertz sunk-in spheres-misplaced",
         |m| {
@@ -138,22 +175,39 @@ pub const DAMAGES: &[Kind] = &[
             })
         },
     ),
+    ("feet scaled 1.4, spheres left", "spheres-misplaced spheres-not-compared", |m| {
+        let is_foot = |name: &str| is_left_foot(&name.replace("_r", "_l"));
+        m.edit(&["Mesh"], &["scale_factors"], |name, old| is_foot(name).then(|| times(old, 1.4))?)
+    }),
     ("left foot scaled 1.4, spheres left", "spheres-misplaced left-right-places", |m| {
         m.edit(&["Mesh"], &["scale_factors"], |name, old| is_left_foot(name).then(|| times(old, 1.4))?)
     }),
+    ("whole model in cm", "odd-radius odd-place too-stiff", |m| Some(in_centimetres(&m.text))),
     ("torso's mass in grams", "contacts-of-another-mass sunk-in", |m| m.masses(is_torso, |kg| kg * 1000.0)),
     ("torso's mass x10", "contacts-of-another-mass sunk-in", |m| m.masses(is_torso, |kg| kg * 10.0)),
+    ("pelvis mass empty", "mass-unknown odd-number not-finite", |m| {
+        m.edit(BODY, &["mass"], |name, _| (name == "pelvis").then(String::new))
+    }),
     ("torso has mass 0", "massless-body", |m| m.masses(is_torso, |_| 0.0)),
     ("all masses a tenth", "contacts-of-another-mass", |m| m.masses(all, |kg| kg / 10.0)),
     ("masses of a child (x0.2)", "contacts-of-another-mass", |m| m.masses(all, |kg| kg * 0.2)),
+    ("masses of left and right foot mixed up with inertia (calcn 12.5 kg)", "heavy-foot", |m| {
+        m.masses(|name| name.contains("calcn"), |_| 12.5)
+    }),
     ("calcn_r weighs -1", "mass-unknown out-of-domain", |m| m.masses(|name| name == "calcn_r", |_| -1.0)),
     ("all masses 0", "massless-body mass-unknown", |m| m.masses(all, |_| 0.0)),
     ("left forces commented out", "one-side-only", |m| m.without_forces(is_left)),
+    ("pelvis_ty in mm", "default-outside-range", |m| m.default("pelvis_ty", |_| 950.0)),
+    ("ankle default 10 (degrees)", "default-outside-range", |m| m.default("ankle_angle", |_| 10.0)),
+    ("knee default -90 (degrees)", "default-outside-range", |m| m.default("knee_angle", |_| -90.0)),
     ("pelvis_ty with the wrong sign", "not-on-floor", |m| m.default("pelvis_ty", |value| -value)),
     ("False (capital) in appliesForce of the left side", "left-right-off", |m| with_forces_off(m, is_left)),
     ("gravity in ft/s2", "odd-gravity", |m| m.gravity("0 -32.17 0")),
     ("gravity in cm/s2", "gravity-too-large", |m| m.gravity("0 -981 0")),
     ("gravity in g (0 -1 0)", "odd-gravity", |m| m.gravity("0 -1 0")),
+    ("gravity one number only", "odd-number", |m| m.gravity("-9.81")),
+    ("gravity with commas 0, -9,81, 0", "odd-number", |m| m.gravity("0, -9,81, 0")),
+    ("gravity 0 9.81e0 -0 sign lost in v3", "gravity-not-down", |m| m.gravity("0 9.81e0 -0")),
     ("gravity tilted by 60 deg", "gravity-not-down floor-upright", |m| m.gravity("8.4957 -4.905 0")),
     ("gravity 0 -0.00981 0 (km)", "odd-gravity", |m| m.gravity("0 -0.00981 0")),
     ("gravity 0 -98.1 0", "odd-gravity", |m| m.gravity("0 -98.1 0")),
@@ -175,7 +229,13 @@ pub const HARMLESS: &[HarmlessEdit] = &[
     ("gravity as OpenSim has it", |m| m.gravity("0 -9.80665 0")),
     ("a pelvis that starts higher", |m| m.default("pelvis_ty", |value| value + 0.3)),
     ("hips that are flexed", |m| m.default("hip_flexion", |value| value + 0.2)),
-    ("knees that are flexed", |m| m.default("knee_angle", |value| value - 0.3)),
+    ("knees that are flexed", |m| {
+        let mut knees = m.model.joints().iter().flat_map(|joint| &joint.coordinates);
+        // Flexion is positive in some models.
+        let is_positive = knees
+            .any(|one| one.name.contains("knee_angle") && one.range.is_some_and(|[least, _]| least > -0.3));
+        m.default("knee_angle", |value| if is_positive { value + 0.3 } else { value - 0.3 })
+    }),
     ("a body that leans", |m| m.default("pelvis_tilt", |value| value - 0.15)),
     ("numbers with exponents", |m| {
         m.edit(FORCES, &["stiffness"], |_, old| Some(format!("{:e}", old.trim().parse::<f64>().ok()?)))
@@ -192,6 +252,77 @@ pub const HARMLESS: &[HarmlessEdit] = &[
         (text != m.text).then_some(text)
     }),
 ];
+
+const COLUMNS: [&str; 6] = [
+    "stiffness",
+    "dissipation",
+    "static_friction",
+    "dynamic_friction",
+    "viscous_friction",
+    "transition_velocity",
+];
+
+/// The text with other tags: each of `old` becomes that of `new` at its position.
+fn with_tags(m: &Published, old: &[&str], new: &[&str]) -> String {
+    let replaced = |text: String, from: &str, to: &str| {
+        text.replace(&format!("<{from}>"), &format!("<{to}>"))
+            .replace(&format!("</{from}>"), &format!("</{to}>"))
+    };
+    let marked = old.iter().fold(m.text.clone(), |text, tag| replaced(text, tag, &format!("{tag}-old")));
+    old.iter().zip(new).fold(marked, |text, (old, new)| replaced(text, &format!("{old}-old"), new))
+}
+
+/// The text with lengths in centimetres; meshes stay.
+fn in_centimetres(text: &str) -> String {
+    let tags = ["location", "location_in_parent", "translation", "mass_center", "radius"];
+    tags.iter().fold(text.to_owned(), |text, tag| {
+        let open = format!("<{tag}>");
+        let mut parts = text.split(&open);
+        let first = parts.next().unwrap_or_default().to_owned();
+        parts.fold(first, |made, part| {
+            let scaled =
+                part.split_once('<').and_then(|(numbers, rest)| Some((times(numbers, 100.0)?, rest)));
+            match scaled {
+                Some((numbers, rest)) => format!("{made}{open}{numbers}<{rest}"),
+                None => format!("{made}{open}{part}"),
+            }
+        })
+    })
+}
+
+/// The model whose forces all name its first sphere.
+fn with_one_sphere(m: &Published) -> Edited {
+    let names: Vec<&str> = m.model.spheres().iter().map(|sphere| sphere.name.as_str()).collect();
+    m.edit(FORCES, &["socket_sphere", "geometry"], |_, old| {
+        let mut words: Vec<String> = Vec::new();
+        for word in old.split_whitespace() {
+            let last = word.rsplit('/').next().unwrap_or(word);
+            let is_sphere = names.contains(&last);
+            let new = if is_sphere { word.replace(last, names[0]) } else { word.to_owned() };
+            if !words.contains(&new) {
+                words.push(new);
+            }
+        }
+        Some(words.join(" "))
+    })
+}
+
+/// The model whose spheres are on a new offset frame of their body, with the `place` in it.
+fn with_offset_frames(m: &Published, place: &str) -> Edited {
+    let tree = m.model.document().tree();
+    let on_frames = m.edit(SPHERE, &["socket_frame"], |_, old| Some(format!("{}/offset", old.trim())))?;
+    let carriers: Vec<&str> = m.model.spheres().iter().filter_map(|sphere| sphere.body.as_deref()).collect();
+    let bodies = tree.elements().filter(|&id| tree.name(id) == "Body");
+    let names = bodies
+        .filter_map(|id| Some((tree.child(id, "components"), tree.attribute(id, "name")?.into_owned())));
+    names.filter(|(_, name)| carriers.contains(&name.as_str())).try_fold(on_frames, |text, (components, name)| {
+        let tag = format!("<Body name=\"{name}\">");
+        let frame = format!(
+            "{tag}<components><PhysicalOffsetFrame name=\"offset\"><socket_parent>..</socket_parent>{place}</PhysicalOffsetFrame></components>"
+        );
+        components.is_none().then(|| text.replacen(&tag, &frame, 1))
+    })
+}
 
 fn is_torso(name: &str) -> bool {
     name.contains("torso")

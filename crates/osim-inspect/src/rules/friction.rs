@@ -1,0 +1,171 @@
+//! Rules about friction and dissipation of contacts.
+
+use osim_model::messages::readable;
+use osim_model::{
+    Example, Finding, FindingCode, Model, Origin, Property, Repair, Rule, SetId, Severity, VerdictOn,
+};
+
+use crate::rules::forces::about_forces;
+
+/// The largest plausible coefficient of static or dynamic friction: that of the stickiest rubber.
+const LARGEST_FRICTION: f64 = 2.0;
+/// A coefficient of viscous friction above this, s/m, glues feet to the floor. Published models have up to 0.6.
+const LARGEST_VISCOUS_FRICTION: f64 = 10.0;
+/// A coefficient of viscous friction above this, s/m, is a remark.
+const UNUSUAL_VISCOUS_FRICTION: f64 = 2.0;
+
+pub(super) static LARGE_FRICTION: Rule = Rule {
+    code: FindingCode::LargeFriction,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sizes),
+    what: "A coefficient of friction is larger than that of any surface. It is a remark for a viscous friction from 2 to 10 s/m.",
+    why: "Between a foot and a floor it is about 0.3 to 1, and for the stickiest rubber about 2. More mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight. Published models have a viscous friction of up to 0.6 s/m.",
+    advice: "Write the right coefficient, such as 0.8",
+    repair: Repair::NotPossible("only you know the right number"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<static_friction>0.81</static_friction>",
+        bad: "<static_friction>81</static_friction>",
+    },
+};
+
+/// Finds coefficients of friction and transition velocities that are unlikely: at most one finding for each rule.
+pub(super) fn find_odd_friction(model: &Model) -> Vec<Finding> {
+    [find_large_friction(model), find_dynamic_above_static(model), find_odd_transition_velocity(model)]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+fn find_large_friction(model: &Model) -> Option<Finding> {
+    let above = |largest_viscous: f64| {
+        let limits = [
+            (Property::StaticFriction, LARGEST_FRICTION),
+            (Property::DynamicFriction, LARGEST_FRICTION),
+            (Property::ViscousFriction, largest_viscous),
+        ];
+        about_forces(model, &LARGE_FRICTION, |force, set| {
+            let (large, limit) = limits.iter().find_map(|(property, limit)| {
+                Some((set.value(*property).filter(|value| value.number > *limit)?, limit))
+            })?;
+            let number = format!("{} {}", readable(large.number), large.property.unit());
+            let (property, path) = (large.property, &force.path);
+            Some(format!("{property} of {path} is {}, expected at most {limit}", number.trim_end()))
+        })
+    };
+    let unusual = || Some(above(UNUSUAL_VISCOUS_FRICTION)?.with_severity(Severity::Remark));
+    above(LARGEST_VISCOUS_FRICTION).or_else(unusual)
+}
+
+pub(super) static DYNAMIC_ABOVE_STATIC: Rule = Rule {
+    code: FindingCode::DynamicAboveStatic,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sizes),
+    what: "The dynamic friction is larger than the static friction.",
+    why: "No pair of materials is so: a foot that slides would be held more than one that rests. Mostly the two numbers were exchanged, or one lost its decimal point.",
+    advice: "Write the larger of the two as static_friction; most published models have 0.8 for both",
+    repair: Repair::NotPossible("only you know the right numbers"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<static_friction>0.81</static_friction>",
+        bad: "<static_friction>0.18</static_friction>",
+    },
+};
+
+fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
+    about_forces(model, &DYNAMIC_ABOVE_STATIC, |force, set| {
+        let [sliding, resting] = [Property::DynamicFriction, Property::StaticFriction]
+            .map(|property| set.value(property).map_or(0.0, |value| value.number));
+        // A negative coefficient is outside its domain, which is another finding.
+        (resting >= 0.0 && sliding > resting).then(|| {
+            let [sliding, resting] = [sliding, resting].map(readable);
+            format!("dynamic_friction of {} is {sliding}, but its static_friction {resting}", force.path)
+        })
+    })
+}
+
+/// A transition velocity above this, m/s, is faster than feet slide.
+const LARGEST_TRANSITION_VELOCITY: f64 = 5.0;
+/// A transition velocity up to this, m/s, is plain Coulomb friction. Published models have 0.01 to 0.2.
+const LEAST_TRANSITION_VELOCITY: f64 = 1e-4;
+
+pub(super) static ODD_TRANSITION_VELOCITY: Rule = Rule {
+    code: FindingCode::OddTransitionVelocity,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Solver),
+    what: "The transition velocity is above 5 m/s. It is a remark up to 0.0001 m/s.",
+    why: "Friction grows with the slip speed up to transition_velocity. Above 5 m/s a walking foot has hardly any friction; mostly the number is in mm/s. With 0 the friction is Coulomb's law: the dynamic coefficient at every speed, and no force at rest. A solver takes very small steps there. Published models have 0.01 to 0.2 m/s.",
+    advice: "Nothing, if Coulomb's law is intended; else write the velocity in m/s, such as 0.2",
+    repair: Repair::NotPossible("only you know the right number"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<transition_velocity>0.17</transition_velocity>",
+        bad: "<transition_velocity>170</transition_velocity>",
+    },
+};
+
+fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
+    let where_odd = |is_odd: fn(f64) -> bool, what: &str| {
+        about_forces(model, &ODD_TRANSITION_VELOCITY, |force, set| {
+            let speed = force.value(set.id, Property::TransitionVelocity)?.number;
+            let text = || format!("transition_velocity of {} is {} m/s, {what}", force.path, readable(speed));
+            is_odd(speed).then(text)
+        })
+    };
+    let coulomb =
+        || where_odd(|speed| (0.0..=LEAST_TRANSITION_VELOCITY).contains(&speed), "as in Coulomb's law");
+    let large = where_odd(|speed| speed > LARGEST_TRANSITION_VELOCITY, "expected at most 5 m/s");
+    large.or_else(|| Some(coulomb()?.with_severity(Severity::Remark)))
+}
+
+pub(super) static NO_FRICTION: Rule = Rule {
+    code: FindingCode::NoFriction,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Solver),
+    what: "No contact has friction.",
+    why: "With all coefficients of friction 0, nothing stops a foot from sliding: a body that stands slides away at the first push.",
+    advice: "Nothing, if this is intended; else write the coefficients, such as 0.8",
+    repair: Repair::NotPossible("only you know the right numbers"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/no_friction.osim" },
+};
+
+/// A dissipation below this, s/m, takes away almost no energy: 0.008 would take half a percent of the speed of an impact at 1 m/s.
+const LEAST_DISSIPATION_S_M: f64 = 1e-3;
+
+pub(super) static NO_DISSIPATION: Rule = Rule {
+    code: FindingCode::NoDissipation,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Solver),
+    what: "No contact has dissipation.",
+    why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
+    advice: "Nothing, if this is intended; else write the dissipation, for example for a restitution of {restitution}",
+    repair: Repair::NotPossible("only you know the right number"),
+    example: Example::Piece {
+        model: "check/within_limits.osim",
+        good: "<dissipation>0.4</dissipation>",
+        bad: "<dissipation>0</dissipation>",
+    },
+};
+
+/// Finds models in which no force on a floor has friction, or none has dissipation.
+pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
+    let on_floors = || model.forces().iter().filter(|force| model.meets_half_space(force));
+    let Some(first) = on_floors().next() else { return Vec::new() };
+    let are_all_below = |properties: &[Property], limit: f64| {
+        let sets = on_floors().flat_map(|force| &force.sets);
+        let mut values = sets.flat_map(|set| properties.iter().filter_map(|&property| set.value(property)));
+        values.all(|value| (0.0..limit).contains(&value.number))
+    };
+    let frictions = [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
+    // Defaults of the class are no choice of anybody.
+    let is_written = |property| {
+        let mut values = on_floors().filter_map(|force| force.value(SetId::FIRST, property));
+        values.any(|value| value.origin != Origin::ClassDefault)
+    };
+    let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
+        .then(|| Finding::at(&NO_FRICTION, first.line, "all coefficients of friction are 0"));
+    let no_dissipation = are_all_below(&[Property::Dissipation], LEAST_DISSIPATION_S_M).then(|| {
+        Finding::at(&NO_DISSIPATION, first.line, "the dissipation of all contacts is 0 s/m or nearly 0")
+    });
+    no_friction.into_iter().chain(no_dissipation).map(|finding| finding.with_place(&first.path)).collect()
+}
