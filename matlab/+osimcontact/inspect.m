@@ -30,10 +30,10 @@ function results = inspect(varargin)
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
 %         'spheres', one with a row for each of its entries. In GNU Octave, which has no tables, a
 %         struct of columns.

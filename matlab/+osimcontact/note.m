@@ -25,10 +25,10 @@ function results = note(varargin)
 %     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.
 %     resume: Skip models that summary says are done, if nothing has changed since. Takes true or false.
 %     shard: Only share I of N of the models, for job arrays. Takes a text.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.

@@ -17,8 +17,8 @@ function results = sweep(varargin)
 %     output_dir: Write the models into this folder [default: NAME.sweep beside the model]. Takes a
 %         text.
 %     force: Replace existing files. Takes true or false.
-%     resume: Go on with a sweep that was stopped or changed: make what is not there as it should be,
-%         leave what was edited. Takes true or false.
+%     resume: Continue a sweep that was stopped or changed: make the models that are missing or out of
+%         date, and leave edited ones. Takes true or false.
 %     no_note: Leave no note (in the credits) in the models. Takes true or false.
 %     dry_run: Write nothing, only say what would be made. Takes true or false.
 %     jobs: Models to make at once [default: one per processor]. Takes a whole number.
@@ -54,10 +54,10 @@ function results = sweep(varargin)
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
 %     exclude: No forces with such a name. Takes a text or a cell array of texts.
 %     skip_disabled: Leave out forces that are switched off. Takes true or false.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
 %         'error', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
 %         of columns.

@@ -193,7 +193,10 @@ fn a_map_of_absent_bodies_is_refused_by_its_option() {
     };
     refused("--body-map nope_r=calcn_r", &["--body-map nope_r=calcn_r", "calcn_r", "toes_r"]);
     refused("--body-map toes_r=nope", &["--body-map toes_r=nope", "no body nope", "it has pelvis"]);
-    refused("--body-map toes_r=calcn_r --body-map toes_r=toes_r", &["--body-map toes_r=toes_r", "before"]);
+    refused(
+        "--body-map toes_r=calcn_r --body-map toes_r=toes_r",
+        &["--body-map toes_r=toes_r", "already assigned"],
+    );
 }
 
 #[test]

@@ -266,7 +266,7 @@ fn add_asks_which_contact_of_a_mixed_reference_to_use() {
         &dir,
         table,
         false,
-        &["radii differ in reference.osim", "--radius METRES", "--reference-sphere NAME"],
+        &["the spheres of reference.osim have different radii", "--radius METRES", "--reference-sphere NAME"],
     );
     assert_refused(
         &dir,

@@ -227,7 +227,7 @@ fn two_rows_may_not_change_and_read_one_model() {
         dir.run("batch m.csv")
             .usage_error()
             .wrote_nothing()
-            .says(&["row 2", "would change human.osim itself"]);
+            .says(&["row 2", "would change human.osim in place"]);
     }
 }
 

@@ -23,7 +23,7 @@ fn the_reference_shows_which_side_is_wrong() {
         difference_message(&alone)
     );
     let expected =
-        "the one on the left is the odd one, since the contacts on the right are those of own.osim";
+        "the one on the left differs from the others, since the contacts on the right are those of own.osim";
     assert!(difference_message(&compared).ends_with(expected), "{}", difference_message(&compared));
     let advised = compared.commands.iter().find(|command| command.contains("set slip.osim")).unwrap();
     dir.run(advised.strip_prefix("osim-contact-scale ").unwrap()).succeeded();

@@ -40,7 +40,6 @@ fn sentences_wrap_at_the_terminal_width() {
         "explain sunk-in",
         "check noted.osim",
         "check soft.osim",
-        "reproduce",
     ] {
         let (whole, narrow) = (output_in_pipes(&dir, arguments), output_in_terminal(&dir, 60, arguments));
         for (whole, narrow) in [(whole.0, narrow.0), (whole.1, narrow.1)] {

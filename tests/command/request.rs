@@ -78,7 +78,7 @@ fn messages_for_matlab_are_spelled_in_matlab() {
 
     run_matlab_request(&json!({"verb": "design", "models": ["human.osim"]}))
         .usage_error()
-        .says(&["say for example 'Indentation', X"]);
+        .says(&["give for example 'Indentation', X"]);
     let unknown = json!({"verb": "set", "models": ["human.osim"], "set": {"stifness": 2, "radius": "x2"}});
     run_matlab_request(&unknown)
         .usage_error()

@@ -132,7 +132,7 @@ fn a_ladder_lists_indentations_by_both_laws() {
 fn new_faults_of_a_point_are_in_the_manifest_and_counted() {
     let dir = TestDir::with(&[EMU]);
     let run = dir.run("sweep emu.osim --grid stiffness=x0.001,x0.01,x1 -d out").succeeded();
-    run.says(&["2 of 3 models have errors or warnings that the model itself has not"]);
+    run.says(&["2 of 3 models have errors or warnings that the original model does not have"]);
     let worse: Vec<String> =
         manifest_rows(&dir, "out/emu_sweep.csv").iter().map(|row| row["worse"].clone()).collect();
     assert_eq!(worse, ["sunk-in", "sunk-in", ""]);

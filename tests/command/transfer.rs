@@ -271,7 +271,9 @@ fn level_spheres_get_the_radius_of_a_preset_and_stay_on_the_sole() {
     }
     for radius in ["--radius keep", "--radius isometric --keep radius", "--only stiffness", ""] {
         let call = call.replace("--radius isometric", radius);
-        dir.run(&call).usage_error().says(&["--level has no effect here: radii stay, and bottoms with them"]);
+        dir.run(&call)
+            .usage_error()
+            .says(&["--level has no effect here: radii stay, and the lowest points with them"]);
     }
 }
 

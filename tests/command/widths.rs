@@ -20,7 +20,7 @@ const OUTPUTS: [(&str, &str); 16] = [
     ("design", "design human.osim --indentation 0.16 --constant-indentation 0.05 --dry-run"),
     (
         "design_sheet",
-        "design --mass 62 --spheres 6 --indentation 0.16 --restitution 0.8 --constant-indentation 0.05",
+        "design --mass 62 --spheres 6 --radius 0.032 --indentation 0.16 --restitution 0.8 --constant-indentation 0.05",
     ),
     ("drop_test", "drop-test falisse2022 --compare moco-2d-gait"),
     ("explain", "explain C.8 spheres-left-behind stiffness output"),
