@@ -91,8 +91,8 @@ fn different_factors_of_meshes_on_one_body_are_refused() {
         );
     }
     let words = [
-        "calcn_r.vtp says 1.0200, 0.9000, 0.9500",
-        "talus.vtp says 1.1000",
+        "calcn_r.vtp gives 1.0200, 0.9000, 0.9500",
+        "talus.vtp gives 1.1000",
         "--body-scale calcn_r=x,y,z",
         "[body-scale]",
     ];
@@ -214,7 +214,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
     let report = dry_run_plan(&dir, "");
     let text = findings(&report);
     for body in ["calcn_r", "calcn_l"] {
-        assert!(text.contains(&format!("body {body}: mesh says 1.19")), "{text}");
+        assert!(text.contains(&format!("body {body}: mesh gives 1.19")), "{text}");
     }
     assert!(text.contains("but the distance is 1.019431 of the reference's; the first was used"), "{text}");
     assert_close_place(&planned_value(&report, "heel_r", "location"), [-0.012, -0.036, 0.00475]);
@@ -309,7 +309,7 @@ fn published_models_that_are_not_copies_get_factors() {
             assert_close(&foot["factors"][axis], expected / base);
         }
         assert_eq!(foot["sources"][0], "mesh");
-        let remark = format!("body {body}: mesh says 1.264");
+        let remark = format!("body {body}: mesh gives 1.264");
         assert!(
             findings(&moco).contains(&remark) && findings(&moco).contains("1.094"),
             "{}",

@@ -382,7 +382,7 @@ mod tests {
             assert!(message.contains(words), "{message}");
         };
         refused("a,speed\n1,2\n", None, "0 columns that begin with 'grid_'");
-        refused("grid_a,grid_b,grid_c,speed\n1,2,3,4\n", None, "say which columns");
+        refused("grid_a,grid_b,grid_c,speed\n1,2,3,4\n", None, "choose the columns");
         refused("a,speed\n1,2\n", Some("b"), "no column 'b'");
         refused("a,speed\n1,fast\n", Some("a"), "line 2, column 'speed': 'fast' is not a number");
     }

@@ -221,7 +221,7 @@ fn cells(number: &NumberRecord, is_narrow: bool) -> Vec<String> {
     let decimals = number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + MORE_DIGITS;
     let unit = if number.unit.is_empty() { String::new() } else { format!(", {}", number.unit) };
     vec![
-        format!("  {}{unit}", number.label),
+        format!(" {}{unit}", number.label),
         number.printed.to_owned(),
         format!("{:.decimals$}", number.computed),
         if is_narrow { String::new() } else { format!("{:+.decimals$}", number.difference) },

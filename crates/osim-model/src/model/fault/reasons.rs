@@ -206,7 +206,7 @@ impl FactorQuestion {
             Self::Meshes { body, meshes: [(one, by_one), (other, by_other)] } => phrase![
                 "the meshes of body {body} give different factors: {one} gives {}, {other} gives {}{}";
                 three(by_one).to_string(), three(by_other).to_string(),
-                body_scale_hint(": say which with ", &[body])
+                body_scale_hint(": give the right ones with ", &[body])
             ],
             Self::Sides { bodies: [one, other], factors: [by_one, by_other] } => phrase![
                 "left and right would get different factors, and this model is not a scaled copy of the reference: \

@@ -96,7 +96,7 @@ fn parameters(fit: &Fit, columns: Option<usize>) -> String {
         row("contact onset", onset, "m", "(1)");
     }
     table.right_aligned(&[1, 2, 3]);
-    table.within(columns)
+    table.fitted(columns.unwrap_or(usize::MAX))
 }
 
 fn restitution(fit: &Fit) -> String {
