@@ -16,7 +16,7 @@ function results = batch(varargin)
 %     no_note: Leave no note (in the credits) in the model. Takes true or false.
 %     allow_outside: Let rows name files to write outside the folder of the results, or of the table.
 %         Takes true or false.
-%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     dry_run: Write nothing, only show what would change. Takes true or false.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
 %     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.

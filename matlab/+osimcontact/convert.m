@@ -28,7 +28,7 @@ function results = convert(varargin)
 %     no_backup: With in_place: keep no backup. Takes true or false.
 %     force: Replace existing files. Takes true or false.
 %     no_note: Leave no note (in the credits) in the model. Takes true or false.
-%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     dry_run: Write nothing, only show what would change. Takes true or false.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
 %     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.

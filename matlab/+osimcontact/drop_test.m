@@ -6,8 +6,8 @@ function results = drop_test(varargin)
 %       left out.
 %
 %   Options, each a NAME and a VALUE (target_mass and TargetMass are the same):
-%     height: Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
-%         [default: 'x0.25']. Takes a number or a text.
+%     height: Height of the spheres' lowest points at the start: metres, or a factor of the radius like
+%         x0.25 [default: 'x0.25']. Takes a number or a text.
 %     duration: How long to follow the body, s [default: 2]. Takes a number.
 %     samples: Points of the series [default: 1001]. Takes a whole number.
 %     compare: Say how far this drop and that of OTHER (a model or preset) lie apart in dimensionless
@@ -28,7 +28,7 @@ function results = drop_test(varargin)
 %         Takes a whole number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
@@ -37,10 +37,10 @@ function results = drop_test(varargin)
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %     AsTable: true gives a table with a row for each result; the name of a list in the results, such as
 %         'series', one with a row for each of its entries. In GNU Octave, which has no tables, a struct
 %         of columns.

@@ -37,7 +37,7 @@ function results = fit(varargin)
 %     time_unit: Unit of the time [default: 's']. Takes 's' or 'ms'.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
@@ -51,7 +51,7 @@ function results = fit(varargin)
 %     no_backup: With in_place: keep no backup. Takes true or false.
 %     force: Replace existing files. Takes true or false.
 %     no_note: Leave no note (in the credits) in the model. Takes true or false.
-%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     dry_run: Write nothing, only show what would change. Takes true or false.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
 %     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.

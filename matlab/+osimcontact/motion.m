@@ -22,7 +22,7 @@ function results = motion(varargin)
 %     force: Replace existing files. Takes true or false.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.

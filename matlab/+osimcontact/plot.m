@@ -24,8 +24,8 @@ function results = plot(varargin)
 %         'radians'.
 %     presets: A file with presets of your own (TOML). Takes a text.
 %     gravity: Gravity, m/s2 [default: the model's]. Takes a number.
-%     height: Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25
-%         [default: 'x0.25']. Takes a number or a text.
+%     height: Height of the spheres' lowest points at the start: metres, or a factor of the radius like
+%         x0.25 [default: 'x0.25']. Takes a number or a text.
 %     duration: How long to follow the body, s [default: 20 sqrt(R/g), of the slowest]. Takes a number.
 %     quantity: What the colours show [default: 'indentation']. Takes 'indentation' or 'restitution' or
 %         'peak-force'.
@@ -57,7 +57,7 @@ function results = plot(varargin)
 %         Takes a whole number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     select: Only forces with such a name. Takes a text or a cell array of texts.
@@ -66,10 +66,10 @@ function results = plot(varargin)
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %
 %   RESULTS: a struct with the fields output (the file) and text (remarks on it).
 %

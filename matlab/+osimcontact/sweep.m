@@ -20,7 +20,7 @@ function results = sweep(varargin)
 %     resume: Continue a sweep that was stopped or changed: make the models that are missing or out of
 %         date, and leave edited ones. Takes true or false.
 %     no_note: Leave no note (in the credits) in the models. Takes true or false.
-%     dry_run: Write nothing, only say what would be made. Takes true or false.
+%     dry_run: Write nothing, only show what would be made. Takes true or false.
 %     jobs: Models to make at once [default: one per processor]. Takes a whole number.
 %     radius: Sphere radius in metres (with models also keep or a factor like x1.5). Takes a number or a
 %         text.
@@ -44,7 +44,7 @@ function results = sweep(varargin)
 %     gravity: Gravity, m/s2 [default: the model's, else 9.80665]. Takes a number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     spheres: Spheres that share the body weight, all stance limbs together [default: as found per

@@ -25,8 +25,8 @@ function results = transfer(varargin)
 %         or false.
 %     body_scale_file: The ScaleSet that the Scale Tool applied (its output_scale_file). Takes a text.
 %     body_scale: Factors of a body. Takes a struct or containers.Map, a text or a cell array of these.
-%     radius_axis: How a radius follows from three factors [default: 'geomean']. Takes 'x' or 'y' or 'z'
-%         or 'geomean' or 'min' or 'max'.
+%     radius_axis: How the radius of a sphere follows from the three factors of its body [default:
+%         'geomean']. Takes 'x' or 'y' or 'z' or 'geomean' or 'min' or 'max'.
 %     moved_spheres: Spheres that were moved or resized already: keep them, or place them again. Takes
 %         'keep' or 'replace'.
 %     strict: Refuse where spheres of one force follow bodies with different factors. Takes true or
@@ -37,7 +37,7 @@ function results = transfer(varargin)
 %         Takes a number.
 %     contacts_mass: Mass the contacts are made for now, kg [default: the note, else mass]. Takes a
 %         number.
-%     mass: What this model weighs, kg [default: the sum of its bodies]. Takes a number.
+%     mass: Mass of this model, kg [default: the sum of its bodies]. Takes a number.
 %     exclude_body: Leave these bodies out of the sum (props, platforms). Takes a text or a cell array
 %         of texts.
 %     radius: Radii: keep, isometric (as large against the body as the reference's), a radius in metres,
@@ -68,16 +68,16 @@ function results = transfer(varargin)
 %     no_backup: With in_place: keep no backup. Takes true or false.
 %     force: Replace existing files. Takes true or false.
 %     no_note: Leave no note (in the credits) in the model. Takes true or false.
-%     dry_run: Write nothing, only say what would change. Takes true or false.
+%     dry_run: Write nothing, only show what would change. Takes true or false.
 %     report: Write a page for browsers too (.html): tables, plots, findings. Takes a text.
 %     jobs: Models to work on at once [default: one per processor]. Takes a whole number.
 %     summary: Keep a line per model in this file (.csv or .ndjson). Takes a text.
 %     resume: Skip models that summary says are done, if nothing has changed since. Takes true or false.
 %     shard: Only share I of N of the models, for job arrays. Takes a text.
-%     yes: Go on where a number looks like a slip: the code of the error that asks. Takes
-%         'implausible-mass' or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or
-%         'implausible-place' or 'implausible-scale' or 'tilted-foot' or 'unequal-feet' or
-%         'wrong-afterwards' or 'many-models' or a cell array of these.
+%     yes: Confirm what looks like a mistake: the code of the error that asks. Takes 'implausible-mass'
+%         or 'mass-in-pounds' or 'against-note' or 'implausible-radius' or 'implausible-place' or
+%         'implausible-scale' or 'tilted-foot' or 'unequal-feet' or 'wrong-afterwards' or 'many-models'
+%         or a cell array of these.
 %     geometry: The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet. Takes
 %         a text.
 %     model: The model a standalone ForceSet belongs to, for its masses and joints. Takes a text.

@@ -179,13 +179,13 @@ def add(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
 
     Returns
     -------
@@ -255,7 +255,7 @@ def rescale_many(
     allow_outside : bool, optional
         Let rows name files to write outside the folder of the results, or of the table.
     dry_run : bool, optional
-        Write nothing, only say what would change.
+        Write nothing, only show what would change.
     report : path, optional
         Write a page for browsers too (.html): tables, plots, findings.
     jobs : int, optional
@@ -267,7 +267,7 @@ def rescale_many(
     shard : str, optional
         Only share I of N of the models, for job arrays.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     progress : bool or callable, optional
         Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model.
 
@@ -371,7 +371,7 @@ def check(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -385,7 +385,7 @@ def check(
     model : path, bytes or opensim.Model, optional
         The model a standalone ForceSet belongs to, for its masses and joints.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     jobs : int, optional
         Models to work on at once [default: one per processor]
     progress : bool or callable, optional
@@ -455,7 +455,7 @@ def convert(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
 
     Returns
     -------
@@ -551,7 +551,7 @@ def design(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     spheres : int, optional
@@ -567,7 +567,7 @@ def design(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
@@ -630,7 +630,7 @@ def drop_test(
     subject : path, bytes or opensim.Model, optional
         A model as for `rescale`, or the name of a preset.
     height : float or str, optional
-        Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25.
+        Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25.
     duration : float, optional
         How long to follow the body, s.
     samples : int, optional
@@ -662,7 +662,7 @@ def drop_test(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -676,7 +676,7 @@ def drop_test(
     model : path, bytes or opensim.Model, optional
         The model a standalone ForceSet belongs to, for its masses and joints.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
 
     Returns
     -------
@@ -822,7 +822,7 @@ def fit(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -834,7 +834,7 @@ def fit(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
@@ -911,7 +911,7 @@ def inspect(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -925,7 +925,7 @@ def inspect(
     model : path, bytes or opensim.Model, optional
         The model a standalone ForceSet belongs to, for its masses and joints.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     jobs : int, optional
         Models to work on at once [default: one per processor]
     progress : bool or callable, optional
@@ -1001,7 +1001,7 @@ def motion(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1062,7 +1062,7 @@ def note(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
@@ -1155,7 +1155,7 @@ def plot(
     gravity : float, optional
         Gravity, m/s2 [default: the model's]
     height : float or str, optional
-        Height of the sphere bottoms at the start: metres, or a factor of the radius like x0.25.
+        Height of the spheres' lowest points at the start: metres, or a factor of the radius like x0.25.
     duration : float, optional
         How long to follow the body, s [default: 20 sqrt(R/g), of the slowest]
     quantity : {"indentation", "restitution", "peak-force"}, optional
@@ -1195,7 +1195,7 @@ def plot(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1209,7 +1209,7 @@ def plot(
     model : path, bytes or opensim.Model, optional
         The model a standalone ForceSet belongs to, for its masses and joints.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
 
     Returns
     -------
@@ -1289,7 +1289,7 @@ def remove(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
 
     Returns
     -------
@@ -1369,7 +1369,7 @@ def rescale(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
@@ -1405,7 +1405,7 @@ def rescale(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
@@ -1469,7 +1469,7 @@ def set(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     select : str or list of str, optional
@@ -1481,7 +1481,7 @@ def set(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
@@ -1573,12 +1573,12 @@ def sweep(
     force : bool, optional
         Replace existing files.
     resume : bool, optional
-        Go on with a sweep that was stopped or changed: make what is not there as it should be, leave what was
-        edited.
+        Continue a sweep that was stopped or changed: make the models that are missing or out of date, and leave
+        edited ones.
     no_note : bool, optional
         Leave no note (in the credits) in the models.
     dry_run : bool, optional
-        Write nothing, only say what would be made.
+        Write nothing, only show what would be made.
     jobs : int, optional
         Models to make at once [default: one per processor]
     radius : float or str, optional
@@ -1614,7 +1614,7 @@ def sweep(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     spheres : int, optional
@@ -1628,7 +1628,7 @@ def sweep(
     skip_disabled : bool, optional
         Leave out forces that are switched off.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     progress : bool or callable, optional
         Show a bar (where tqdm is there), or call this with 1 and whether it failed for each model.
 
@@ -1724,7 +1724,7 @@ def transfer(
     body_scale : str or list of str or dict, optional
         Factors of a body (or one, BODY=f); one or several in a list.
     radius_axis : {"x", "y", "z", "geomean", "min", "max"}, optional
-        How a radius follows from three factors.
+        How the radius of a sphere follows from the three factors of its body.
     moved_spheres : {"keep", "replace"}, optional
         Spheres that were moved or resized already: keep them, or place them again.
     strict : bool, optional
@@ -1736,7 +1736,7 @@ def transfer(
     contacts_mass : float, optional
         Mass the contacts are made for now, kg [default: the note, else `mass`]
     mass : float, optional
-        What this model weighs, kg [default: the sum of its bodies]
+        Mass of this model, kg [default: the sum of its bodies]
     exclude_body : str or list of str, optional
         Leave these bodies out of the sum (props, platforms); one or several in a list.
     radius : float or str, optional
@@ -1768,7 +1768,7 @@ def transfer(
     no_note : bool, optional
         Leave no note (in the credits) in the model.
     yes : str or list of str, optional
-        Go on where a number looks like a slip: the code of the error that asks; one or several in a list.
+        Confirm what looks like a mistake: the code of the error that asks; one or several in a list.
     geometry : path, bytes or opensim.Model, optional
         The ContactGeometrySet (or model) that holds the spheres of a standalone ForceSet.
     model : path, bytes or opensim.Model, optional
