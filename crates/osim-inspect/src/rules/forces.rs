@@ -144,7 +144,12 @@ fn describe_apart(model: &Model, force: &Force) -> Option<String> {
     }
     // Surfaces of one body never meet, and all bodies that are welded to ground are ground.
     let body = |sphere: &Sphere| sphere.body.clone().filter(|_| !sphere.fixed);
-    let mut bodies = force.spheres().into_iter().filter_map(|id| model.sphere(id)).map(body);
+    let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
+    if !spheres.is_empty() && spheres.iter().all(|sphere| sphere.fixed) {
+        // Terrain has a finding of its own.
+        return None;
+    }
+    let mut bodies = spheres.into_iter().map(body);
     let first = bodies.next();
     let can_meet = first.is_some_and(|first| {
         bodies.any(|body| body != first) || model.planes_of(force).iter().any(|plane| plane.body != first)

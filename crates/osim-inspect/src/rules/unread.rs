@@ -175,10 +175,7 @@ fn place_in_words(document: &Document, parent: ElementId) -> String {
     let tag = tree.name(set);
     let first = tree.parent(set).and_then(|above| tree.child(above, tag));
     match first {
-        Some(first) if first != set => {
-            let line = document.line(tree.span(first).start);
-            format!("which is in a second <{tag}>: the first, in line {line}, counts")
-        }
+        Some(first) if first != set => format!("which is in a second <{tag}>: only the first counts"),
         _ if set != parent => format!("which is in a second <objects> of <{tag}>"),
         _ => format!("which is in <{tag}>, outside of its <objects>"),
     }

@@ -468,6 +468,7 @@ fn only_fixtures_about_sides_have_findings_about_sides() {
         "left_right_off",
         "left_right_places",
         "left_right_swapped",
+        "mass_against_length",
         "odd_place",
         "odd_radius",
         "one_side_only",

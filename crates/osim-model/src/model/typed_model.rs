@@ -51,7 +51,7 @@ pub struct Model {
 
 impl Model {
     /// Gravity that OpenSim uses if a model gives none, m/s².
-    pub const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
+    pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
 
     /// The contact spheres, in file order.
     pub fn spheres(&self) -> &[Sphere] {
@@ -143,7 +143,7 @@ impl Model {
     }
 
     /// The object that has the model's `gravity`, and its file; `None` for sets in separate files.
-    pub fn gravity_object(&self) -> Option<(FileId, ElementId)> {
+    fn gravity_object(&self) -> Option<(FileId, ElementId)> {
         let file = self.components.model_file()?;
         Some((file, self.file(file).data_root()))
     }

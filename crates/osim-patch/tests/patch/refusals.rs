@@ -31,6 +31,10 @@ fn every_bad_fixture_is_refused_or_listed_here() {
         "bad/blank_in_end_tag.osim",
         "bad/name_with_blank.osim",
         "bad/nul_byte.osim",
+        // `check` has an error for what OpenSim refuses without regard to contacts.
+        "bad/body_without_joint.osim",
+        "bad/sphere_in_force_set.osim",
+        "bad/version_of_bodies_with_joints.osim",
     ];
     let mut accepted: Vec<String> =
         fixtures("bad").into_iter().filter(|name| fault_of_bad_fixture(name).is_none()).collect();

@@ -371,7 +371,7 @@ mod tests {
         assert_refused("name,body,x,y\na,foot,1,2\n", Some(1), Some(1), "no column 'z'");
         assert_refused("name,body,x,y,z,radus\na,foot,1,2,3,4\n", Some(1), Some(6), "'radus' is not known");
         assert_refused("name,body,x,y,z,radius [mm]\na,foot,1,2,3,4\n", Some(1), Some(6), "not in metres");
-        assert_refused("name,body,x,X,y,z\na,foot,1,1,2,3\n", Some(1), Some(4), "say the same");
+        assert_refused("name,body,x,X,y,z\na,foot,1,1,2,3\n", Some(1), Some(4), "mean the same");
         assert_refused(
             "name,body,x,y,z,pos_x_in_local,pos_y_in_local,pos_z_in_local\n",
             Some(1),

@@ -199,7 +199,7 @@ fn a_change_that_makes_a_foot_uneven_says_so() {
         &json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*1_r"]}),
     );
     let [said] = said.as_slice() else { panic!("{said:?}") };
-    let expected = "the bottoms of calcn_r differed by 0 mm at the default pose and differ by 9.6 mm now, 0.231 R, from s1_r to s";
+    let expected = "the lowest points of calcn_r differed by 0 mm at the default pose and differ by 9.6 mm now, 0.231 R, from s1_r to s";
     assert!(said.starts_with(expected), "{said}");
     // Level again, with that radius.
     let again = json!({"verb": "set", "set": {"radius": "x1.3"}, "select": ["*_r"], "level": true});

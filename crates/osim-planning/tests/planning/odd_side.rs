@@ -22,7 +22,7 @@ fn the_table_of_known_contacts_shows_which_side_is_the_slip() {
     for (end, odd, known) in [("_l", "left", "right"), ("_r", "right", "left")] {
         let found = message(&check_text(&human_with_one_stiffer_side(end)), FindingCode::LeftRightDiffer);
         let expected = format!(
-            "; the one on the {odd} is the odd one, since the contacts on the {known} are those of Falisse et al. (2022)"
+            "; the one on the {odd} differs from the others, since the contacts on the {known} are those of Falisse et al. (2022)"
         );
         assert!(found.ends_with(&expected), "{found}");
     }

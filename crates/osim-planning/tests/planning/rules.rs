@@ -24,7 +24,7 @@ fn texts_are_spelled_as_the_command_says_it() {
         (
             FindingCode::AlreadyAtTarget,
             "else --mass, else the sum of the bodies.",
-            "Say what the contacts were made for with --contacts-mass KG, or take those of a known model with \
+            "Give the mass that the contacts were made for with --contacts-mass KG, or take those of a known model with \
              transfer --from MODEL",
         ),
         (

@@ -14,9 +14,10 @@ mod spheres;
 mod text;
 
 pub(crate) use equation_error::EquationError;
-pub(crate) use function::{Function, Parameter, RULES, RustFunction, rule_by_name};
+pub(crate) use function::{Function, RustFunction, rule_by_name};
 pub(crate) use laws::continuation_steps;
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
+pub(crate) use text::{Parameter, RULES};
 
 /// All functions that take numbers, in the order of the paper.
 pub(crate) fn all() -> impl Iterator<Item = &'static Function> {

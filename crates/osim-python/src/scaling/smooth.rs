@@ -5,9 +5,9 @@ use contact_scaling::equations::symbols::{
 };
 use contact_scaling::{DomainError, Hertz, SmoothSphere, SmoothingValues, smoothing};
 
-use crate::scaling::function::Returns::Value;
 use crate::scaling::function::{Function, function};
 use crate::scaling::laws::hertz;
+use crate::scaling::text::Returns::Value;
 
 pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(

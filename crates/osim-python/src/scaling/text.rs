@@ -1,9 +1,40 @@
-//! Makes the docstring of an equation from the register, in the layout of NumPy's docstrings.
+//! The arguments and results of equations, and docstrings made of them and the register, in the layout of NumPy's docstrings.
 
 use contact_scaling::equations::symbols::{P, Symbol};
 use contact_scaling::equations::{Equation, Form, reference};
+use contact_scaling::modulus::MixingRule;
 
-use super::function::{Parameter, RULES, Returns};
+/// An argument of an equation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Parameter {
+    /// Name of the argument in Python.
+    pub name: &'static str,
+    /// Symbol of the argument in the formula, with its meaning and unit.
+    pub symbol: Symbol,
+    /// Value of the argument if the call leaves it out.
+    pub default: Option<f64>,
+}
+
+/// The kind of result that an equation has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Returns {
+    /// A value of the quantity that the symbol means.
+    Value(Symbol),
+    /// A factor of this symbol from one animal to another.
+    Factor(Symbol),
+}
+
+impl Returns {
+    pub(crate) fn symbol(&self) -> Symbol {
+        match self {
+            Self::Value(symbol) | Self::Factor(symbol) => *symbol,
+        }
+    }
+}
+
+/// The rules for the common modulus of two surfaces, by their names in Python. The first is OpenSim's rule, and the default.
+pub(crate) const RULES: [(&str, MixingRule); 2] =
+    [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
 
 /// The type of an argument that is an array or one number, in docstrings.
 const ARRAY_TYPE: &str = "float or array_like";

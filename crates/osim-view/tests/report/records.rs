@@ -55,7 +55,7 @@ fn a_failure_is_told_in_the_words_of_its_front_end() {
         "{\"schema_version\":1,\"model\":\"walker.osim\",\"error\":{\"code\":\"refused\",\"message\":\"the model has no \
          gravity: give --gravity G\",\"line\":null,\"column\":null}}\n"
     );
-    assert!(text(&Python).contains("say gravity=G"));
+    assert!(text(&Python).contains("give gravity=G"));
 }
 
 #[test]

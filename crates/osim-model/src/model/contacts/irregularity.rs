@@ -1,47 +1,10 @@
-//! Parts of a model that are written wrongly and were read all the same.
+//! Finds parts of a model that are written wrongly and were read all the same.
 
 use crate::model::components::{CONNECTEE_NAME, ComponentId, Connectee};
-use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader};
+use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, Irregularity};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::ElementId;
-
-/// A part of the model that was read although it is written wrongly. OpenSim may read it differently.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Irregularity {
-    /// The path `text` in the component `owner` leads to no component. The only component with its last name was taken instead.
-    TakenByName {
-        /// Component path of the object that contains the path.
-        owner: String,
-        /// Class of the object that contains the path.
-        class: String,
-        /// The path as the file writes it.
-        text: String,
-        /// The text that OpenSim finds: the component path of the object that was taken, or its name in documents that name bodies.
-        taken: String,
-        /// The element of the main file whose whole text is the path, if a new text can replace it.
-        socket: Option<ElementId>,
-        line: usize,
-    },
-    /// The socket of a joint, or of a frame, leads to no component.
-    LeadsNowhere {
-        /// Component path of the object that has the socket.
-        owner: String,
-        /// Name of the socket, such as `parent_frame`.
-        socket: &'static str,
-        /// The path as the file writes it; empty if there is none.
-        text: String,
-        line: usize,
-    },
-    /// The parameter set of a force has a `name` for which OpenSim does not look.
-    MisnamedSet {
-        /// Component path of the force.
-        force: String,
-        /// Name of the parameter set.
-        name: String,
-        line: usize,
-    },
-}
 
 impl ContactReader<'_> {
     /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.

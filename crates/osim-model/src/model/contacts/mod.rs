@@ -17,10 +17,9 @@ use crate::model::{Fault, Model, Property};
 use crate::xml::opensim_text;
 pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
-pub use irregularity::Irregularity;
 pub use planes::GroundPlane;
 pub(crate) use read::ContactReader;
-pub use read::LAST_VERSION_WITH_IS_DISABLED;
+pub use read::{Irregularity, LAST_VERSION_WITH_IS_DISABLED};
 
 /// One sphere that a force presses on a surface, with the data for the contact laws: from [`loaded_spheres`].
 ///

@@ -6,7 +6,6 @@ use crate::model::components::{Base, ComponentId, Components, Connectee};
 use crate::model::contacts::force::{
     Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
 };
-use crate::model::contacts::irregularity::Irregularity;
 use crate::model::document::Document;
 use crate::model::fault::{Fault, FaultKind};
 use crate::model::property::{Class, Property, Value};
@@ -402,4 +401,41 @@ fn parameter_sets_of(document: &Document, force: ElementId) -> Option<ElementId>
         })
     };
     with_name(|name| name == "contact_parameters").or_else(|| with_name(str::is_empty))
+}
+
+/// A part of the model that was read although it is written wrongly. OpenSim may read it differently.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Irregularity {
+    /// The path `text` in the component `owner` leads to no component. The only component with its last name was taken instead.
+    TakenByName {
+        /// Component path of the object that contains the path.
+        owner: String,
+        /// Class of the object that contains the path.
+        class: String,
+        /// The path as the file writes it.
+        text: String,
+        /// The text that OpenSim finds: the component path of the object that was taken, or its name in documents that name bodies.
+        taken: String,
+        /// The element of the main file whose whole text is the path, if a new text can replace it.
+        socket: Option<ElementId>,
+        line: usize,
+    },
+    /// The socket of a joint, or of a frame, leads to no component.
+    LeadsNowhere {
+        /// Component path of the object that has the socket.
+        owner: String,
+        /// Name of the socket, such as `parent_frame`.
+        socket: &'static str,
+        /// The path as the file writes it; empty if there is none.
+        text: String,
+        line: usize,
+    },
+    /// The parameter set of a force has a `name` for which OpenSim does not look.
+    MisnamedSet {
+        /// Component path of the force.
+        force: String,
+        /// Name of the parameter set.
+        name: String,
+        line: usize,
+    },
 }
