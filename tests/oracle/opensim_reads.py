@@ -45,6 +45,7 @@ def run_job(job):
     except Exception as error:  # OpenSim throws its own kinds; all mean that the file was not read
         return {"loads": False, "error": str(error)}
     reading = {"loads": True, "connects": True, "error": None}
+    joints = model.getJointSet().getSize()
     try:
         model.finalizeConnections()
     except Exception as error:
@@ -60,6 +61,9 @@ def run_job(job):
         opensim.OpenSimObject.setSerializeAllDefaults(True)
         reading["dump"] = model.dump()
     reading |= simulated(model)
+    if model.getJointSet().getSize() > joints:
+        # To connect a body without a joint, OpenSim adds one; what was only read cannot be built (invalid MobilizedBodyIndex).
+        reading |= {"builds": False, "total_mass": None, "build_error": "a body has no joint"}
     # In what cannot be built, OpenSim may look for the body of a frame for ever.
     reading["uncounted"] = sorted(welded - welded_bodies(model, welded) - {"/ground"}) if reading["builds"] else []
     return reading

@@ -85,6 +85,9 @@ def test_odd_bytes_are_back(path, tmp_path):
     bare, added, second = (tmp_path / f"{name}.osim" for name in ("bare", "added", "again"))
     assert command.run("remove", path, "-o", bare).status == 0
     options = ["--from", ONE_FOOT, "--reference-mass", "61.5", "--mass", "50", "--body-scale", "calcn_r=1.1,0.9,1.2"]
+    if "bare_names" in path.stem:
+        # OpenSim does not find the frame of the floor, which no contact used before: one has to confirm it.
+        options += ["--yes", "wrong-afterwards"]
     outcome = command.run("add", bare, *options, "-o", added)
     assert outcome.status == 0, outcome
     assert command.run("remove", added, "-o", second).status == 0
