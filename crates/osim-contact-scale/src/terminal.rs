@@ -15,7 +15,6 @@ use osim_view::report::layout::{WIDTH, broken};
 use terminal_size::Width;
 
 /// Standard output and standard error of the command.
-#[derive(Debug)]
 pub(crate) struct Terminal {
     gone: bool,
     /// Whether texts for people are left out, except errors.

@@ -19,14 +19,12 @@ pub(crate) enum PlaneKind {
     OnLimb,
 }
 
-#[derive(Debug)]
 pub(crate) struct JudgedPlane {
     pub(crate) plane: ContactPlane,
     pub(crate) kind: PlaneKind,
 }
 
 /// All planes that moving spheres press on by forces that are switched on, with the judgement of each.
-#[derive(Debug)]
 pub(crate) struct Floors(Vec<JudgedPlane>);
 
 impl Floors {

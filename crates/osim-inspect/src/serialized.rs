@@ -85,7 +85,6 @@ pub(crate) fn optional_phrase<S: Serializer>(
 
 /// The schema of an object whose fields come from a register. It allows no other fields and describes each field.
 #[cfg(feature = "schemas")]
-#[derive(Debug)]
 pub struct ObjectSchema<'g> {
     generator: &'g mut SchemaGenerator,
     properties: Map<String, Value>,

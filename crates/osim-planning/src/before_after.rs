@@ -14,7 +14,6 @@ use crate::scene::{BodyFall, Scene};
 use crate::{ModelFeet, PreparedChange, prepared_change};
 
 /// Inspections and checks of a model before and after a planned change, with texts in the words of a front end.
-#[derive(Debug)]
 pub struct BeforeAfter {
     /// Inspection and check of the old model.
     pub before: (Inspection, CheckResult),

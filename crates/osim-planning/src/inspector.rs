@@ -21,7 +21,6 @@ use crate::prepared_change::check_with_trials;
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::rules;
 
-#[derive(Debug)]
 pub struct Inspector {
     options: InspectOptions,
     set_files: SetFiles,
@@ -38,7 +37,6 @@ pub struct Inspector {
     answers: Option<AnswerOptions>,
 }
 
-#[derive(Debug)]
 struct GenericModel {
     anatomy: Anatomy,
     contacts: ReferenceContacts,
@@ -57,7 +55,6 @@ struct GenericModel {
 }
 
 /// The files that show the right places of spheres.
-#[derive(Debug)]
 struct ReferenceFiles {
     from: PathBuf,
     body_scale_file: Option<PathBuf>,

@@ -14,7 +14,6 @@ use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestF
 use crate::opening::{open_with, read};
 
 /// The contacts of a model along a recorded motion, compared with force plates if the request has some.
-#[derive(Debug)]
 pub struct MotionResult {
     pub opened: OpenModel,
     pub motion: FileName,

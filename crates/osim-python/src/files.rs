@@ -13,7 +13,6 @@ use pyo3::pybacked::PyBackedBytes;
 pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Reads files from memory first, then from the disk if `with_disk`.
-#[derive(Debug)]
 pub(crate) struct RequestFiles {
     memory: Memory,
     with_disk: bool,

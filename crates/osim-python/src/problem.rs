@@ -16,7 +16,6 @@ use serde_json::Value;
 const MODULE: &str = "osim_contact_scale._errors";
 
 /// A failure or fault that is about to become an exception of Python.
-#[derive(Debug)]
 pub(crate) struct Problem {
     class: &'static str,
     code: &'static str,

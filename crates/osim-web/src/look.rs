@@ -21,7 +21,6 @@ use crate::knowledge::Fields;
 use crate::problem::Problem;
 
 /// An opened model, with the files of a standalone force set or geometry set.
-#[derive(Debug)]
 pub(crate) struct OpenedModel {
     pub(crate) path: PathBuf,
     pub(crate) set_files: SetFiles,

@@ -57,7 +57,6 @@ const DEPTHS: [FindingCode; 3] =
 
 /// An index of the findings about one state of a model, to look up a finding about another state of the model. Of equal findings it has the
 /// first.
-#[derive(Debug)]
 pub struct FindingIndex<'f> {
     findings: &'f [FindingWithRemedy],
     /// Findings about spheres, by their code. Such a finding is about all spheres; its place is the worst sphere, which can be another

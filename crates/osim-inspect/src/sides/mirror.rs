@@ -143,7 +143,6 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
     images.into_iter().map(|image| image.distance(place)).reduce(f64::min)
 }
 
-#[derive(Debug)]
 pub(crate) struct BodyPairs {
     /// Pairs of bodies by their common name without the side. Sorted, so that sums have the same last bit in each run.
     by_name: BTreeMap<String, BodiesOfSameName>,

@@ -16,7 +16,6 @@ use crate::sides::pairs::{SetsBySphere, SpherePairs, UnpairedSphere};
 pub(crate) use pairs::{SAME_PLACE_OF_BONE, SideSphere, SpherePair, place_key};
 
 /// The contacts of both sides of a model. Spheres at mirrored places are paired.
-#[derive(Debug)]
 pub struct BothSides<'m> {
     pub(crate) model: &'m Model,
     forces_by_path: HashMap<&'m str, &'m Force>,
@@ -186,7 +185,6 @@ pub(crate) struct SideDifference {
 }
 
 /// The numbers that most contacts of a model have. They show which of two sides is wrong.
-#[derive(Debug)]
 pub(crate) struct Majorities<'m> {
     model: &'m Model,
     /// The counts of all numbers; they are made when the first difference is found.
@@ -256,7 +254,6 @@ fn values_of_set<'m>(force: &'m Force, set: &'m ParameterSet) -> impl Iterator<I
 }
 
 /// A parameter set on the right and its counterpart on the left.
-#[derive(Debug)]
 pub(crate) struct SetPair<'m> {
     pub right: (&'m Force, &'m ParameterSet),
     pub left: (&'m Force, &'m ParameterSet),

@@ -180,7 +180,6 @@ pub(crate) struct SideSphere<'m> {
 }
 
 /// For each sphere, the parameter sets by which it meets a floor, in file order.
-#[derive(Debug)]
 pub(crate) struct SetsBySphere<'m>(BTreeMap<SphereId, Vec<(&'m Force, &'m ParameterSet)>>);
 
 impl<'m> SetsBySphere<'m> {

@@ -27,7 +27,6 @@ pub(super) struct RunContext<'r> {
 }
 
 /// The outcome for one model. `S` is the type of the front end's text about the model.
-#[derive(Debug)]
 pub struct Outcome<S> {
     /// The model's line in a summary.
     pub record: Record,

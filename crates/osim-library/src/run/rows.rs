@@ -162,7 +162,6 @@ impl TableRows<'_> {
 
 /// The folder that the rows of a table may write into. A table often comes from somebody else, and its cells must not reach all files
 /// of the user.
-#[derive(Debug)]
 struct WritableFolder {
     folder: PathBuf,
     /// The path without links, `.` and `..`.

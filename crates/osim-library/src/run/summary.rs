@@ -16,7 +16,6 @@ use crate::run::summary_lines::SummaryFormat;
 use crate::run::task::Task;
 use crate::write::{PendingFile, WriteMode};
 
-#[derive(Debug)]
 pub(super) struct SummaryWriter {
     format: SummaryFormat,
     /// The folder in which relative names in the lines begin, as a path from the folder of the summary.
@@ -27,7 +26,6 @@ pub(super) struct SummaryWriter {
     summary: Mutex<OrderedLines>,
 }
 
-#[derive(Debug)]
 struct OrderedLines {
     file: PendingFile,
     /// Names of the user's own columns; `None` before the first line.

@@ -14,7 +14,6 @@ use crate::source::{Origin, Stamp};
 use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
 
 /// The new bytes of the files that a planned change affects.
-#[derive(Debug)]
 pub struct ResultBytes<'m> {
     pub model: Patch<'m>,
     /// The geometry set that changes with a standalone force set.
@@ -22,7 +21,6 @@ pub struct ResultBytes<'m> {
 }
 
 /// The changed bytes of a standalone geometry set.
-#[derive(Debug)]
 pub struct GeometryResult<'m> {
     pub file: FileId,
     pub path: PathBuf,

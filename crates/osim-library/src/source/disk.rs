@@ -65,7 +65,6 @@ impl Files for OrdinaryFiles {
 }
 
 /// Reads files from the disk, and keeps a [`Stamp`] of each file that was read.
-#[derive(Debug)]
 struct StampedDisk {
     kinds: FileKinds,
     stamps: RefCell<HashMap<PathBuf, Stamp>>,
@@ -154,13 +153,11 @@ fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileE
 }
 
 /// Bytes of a model and of the files that belong to it, and the paths that they come from.
-#[derive(Debug)]
 pub struct Loaded {
     pub files: ModelFiles,
     pub origin: Origin,
 }
 
-#[derive(Debug)]
 pub struct Origin {
     path: PathBuf,
     /// Stamps of files on the disk; standard input and models in memory have none.

@@ -18,7 +18,6 @@ use crate::file_access::sha256_of_parts;
 use crate::write::replace::backup_names;
 use crate::write::temporary;
 
-#[derive(Debug)]
 #[cfg_attr(
     not(any(target_os = "linux", target_vendor = "apple")),
     expect(dead_code, reason = "other systems cannot do it, and say only that")

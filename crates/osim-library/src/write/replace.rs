@@ -13,7 +13,6 @@ use crate::file_access;
 use crate::paths::{folder_of, resolved};
 
 /// A new file under its temporary name.
-#[derive(Debug)]
 pub struct PendingFile {
     temporary: NamedTempFile,
     /// The target as the user named it.

@@ -64,7 +64,6 @@ fn unknown_constraint(document: &Document, constraint: ElementId) -> PoseFault {
 }
 
 /// The values of all coordinates of a model at the default pose.
-#[derive(Debug)]
 pub(crate) struct CoordinateValues {
     /// The known values of coordinates by name, rad or m.
     pub(crate) values: HashMap<String, f64>,

@@ -270,7 +270,6 @@ macro_rules! phrase {
 pub struct PartsInText(RefCell<(Phrase, String)>);
 
 /// A part that [`phrase!`] puts into a text.
-#[derive(Debug)]
 pub struct PartInText<'t>(&'t PartsInText, Vec<Part>);
 
 impl PartsInText {

@@ -33,7 +33,6 @@ impl RowFault {
     }
 }
 
-#[derive(Debug)]
 pub(super) struct RowCells {
     pub verb: Verb,
     pub model: PathBuf,

@@ -64,7 +64,6 @@ pub trait FrontEnd: Speller {
 pub(super) type Field = (String, FieldValue);
 
 /// The fields of a request, in the order in which a call lists them.
-#[derive(Debug)]
 pub(super) struct Fields {
     pub(super) verb: Verb,
     /// Whether the verb changes models that it names.
@@ -76,7 +75,6 @@ pub(super) struct Fields {
 }
 
 /// The value of a field, for spelling.
-#[derive(Debug)]
 pub(super) enum FieldValue {
     /// An option without a value.
     Flag,

@@ -20,7 +20,6 @@ use crate::report::plan::{
 };
 
 /// A change of a model, and its effects. The texts of the plan, the inspections and the checks are already in the words of the front end.
-#[derive(Debug)]
 pub struct ChangedModelOnPage<'c> {
     pub plan: &'c Plan,
     /// Inspection and check of the model before the change.

@@ -19,7 +19,6 @@ const UNEQUAL_FACTORS: &str = "unequal";
 const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
 
 /// The entry of one model on a page.
-#[derive(Debug)]
 pub struct Entry {
     pub(super) model: String,
     pub(super) outcome: String,

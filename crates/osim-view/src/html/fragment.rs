@@ -6,7 +6,6 @@ use serde::Serialize;
 use crate::html::explained::Topics;
 
 /// The sections of one model on the page.
-#[derive(Debug)]
 pub(super) struct Fragment {
     pub(super) detail: DetailLevel,
     pub(super) sections: Vec<Section>,

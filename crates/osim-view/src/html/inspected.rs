@@ -17,7 +17,6 @@ use crate::report::extent::Extent;
 use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
 
 /// A model that was inspected, and the data about it for a page.
-#[derive(Debug)]
 pub struct InspectedModelOnPage<'m> {
     pub options: &'m InspectOptions,
     pub model: &'m OpenModel,

@@ -256,7 +256,6 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
 // Findings of many models as one table.
 
 /// The results of checking all models of a call, collected for one table.
-#[derive(Debug)]
 pub struct LibraryTable {
     call: CheckRequest,
     counts: Vec<Counts>,

@@ -139,7 +139,6 @@ fn split_sentence(line: &str) -> (&str, &str) {
 
 /// A table drawn only with letters that old consoles have. A cell is one line; invisible letters in it are escaped. Empty columns are left
 /// out.
-#[derive(Debug)]
 pub struct TextTable {
     header: Vec<String>,
     rows: Vec<Vec<String>>,

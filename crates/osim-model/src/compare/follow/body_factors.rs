@@ -84,7 +84,6 @@ const SHORTEST_OF_BONE: f64 = 0.2;
 
 /// A joint below a body that both models have, with its place in each model. The places are seen from the origin of the body at the default
 /// pose.
-#[derive(Debug)]
 pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
     /// Location in the reference model, m.

@@ -21,7 +21,6 @@ const TOLERANCE_OF_DIFFERENT_MODELS: f64 = 0.05;
 const LARGEST_MESH_RATIO: f64 = 2.0;
 
 /// The factors that each source gives one body.
-#[derive(Debug)]
 pub(super) struct BodyFactorSources<'a> {
     pub(super) body: &'a str,
     /// Sources with their factors, the preferred source first.

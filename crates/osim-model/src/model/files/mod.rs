@@ -250,13 +250,11 @@ fn read_companion(
 }
 
 /// A model that was read, with the names of its files: from [`ModelFiles::open`].
-#[derive(Debug)]
 pub struct OpenModel {
     pub model: Model,
     names: FileNames,
 }
 
-#[derive(Debug)]
 struct FileNames {
     main: FileName,
     /// The name of each file, and whether the model includes it.
