@@ -55,34 +55,27 @@ enum TextForm {
 }
 use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
 
-/// A property: its tag, the form of its text, and its default in OpenSim. If there is no default, OpenSim refuses the model.
+/// A property, or several of one form: the tags with blanks between them, the form of the text, and the default in OpenSim. If there is no
+/// default, OpenSim refuses the model.
 type WrittenProperty = (&'static str, TextForm, Option<&'static str>);
 
 const ZERO: Option<&str> = Some("0 0 0");
-const OF_GEOMETRY: &[WrittenProperty] = &[("location", Numbers(3), ZERO), ("orientation", Numbers(3), ZERO)];
-const OF_FRAME: &[WrittenProperty] = &[("translation", Numbers(3), ZERO), ("orientation", Numbers(3), ZERO)];
+const OF_GEOMETRY: &[WrittenProperty] = &[("location orientation", Numbers(3), ZERO)];
+const OF_FRAME: &[WrittenProperty] = &[("translation orientation", Numbers(3), ZERO)];
 const OF_JOINT: &[WrittenProperty] = &[
     // Documents before version 4 have the frames of a joint in the joint itself.
-    ("location_in_parent", OldNumbers(Some(3)), None),
-    ("orientation_in_parent", OldNumbers(Some(3)), None),
-    ("location", OldNumbers(Some(3)), None),
-    ("orientation", OldNumbers(Some(3)), None),
+    ("location_in_parent orientation_in_parent location orientation", OldNumbers(Some(3)), None),
     ("reverse", Flag, Some("false")),
     ("radii_x_y_z", Numbers(3), None),
 ];
-const OF_CURVE: &[WrittenProperty] = &[("x", OldNumbers(None), None), ("y", OldNumbers(None), None)];
+const OF_CURVE: &[WrittenProperty] = &[("x y", OldNumbers(None), None)];
 const OF_CONSTRAINT: &[WrittenProperty] = &[
     ("isEnforced", Flag, Some("true")),
     ("isDisabled", OldFlag, Some("false")),
     ("scale_factor", Numbers(1), Some("1")),
     ("constant_distance", Numbers(1), None),
-    ("location_body_1", Numbers(3), ZERO),
-    ("location_body_2", Numbers(3), ZERO),
-    ("orientation_body_1", Numbers(3), ZERO),
-    ("orientation_body_2", Numbers(3), ZERO),
-    ("line_direction_vec", Numbers(3), ZERO),
-    ("point_on_line", Numbers(3), ZERO),
-    ("point_on_follower", Numbers(3), ZERO),
+    ("location_body_1 location_body_2 orientation_body_1 orientation_body_2", Numbers(3), ZERO),
+    ("line_direction_vec point_on_line point_on_follower", Numbers(3), ZERO),
 ];
 
 /// The properties of `class` on which a pose, a mass or a contact force depends, without the properties of contacts that are a [`Value`].
@@ -92,22 +85,13 @@ fn written_properties(class: &str) -> &'static [WrittenProperty] {
         "Body" => &[
             ("mass_center", Numbers(3), ZERO),
             ("inertia", Numbers(6), Some("0 0 0 0 0 0")),
-            ("inertia_xx", Numbers(1), None),
-            ("inertia_yy", Numbers(1), None),
-            ("inertia_zz", Numbers(1), None),
-            ("inertia_xy", Numbers(1), None),
-            ("inertia_xz", Numbers(1), None),
-            ("inertia_yz", Numbers(1), None),
+            ("inertia_xx inertia_yy inertia_zz inertia_xy inertia_xz inertia_yz", Numbers(1), None),
         ],
         "Mesh" | "VisibleObject" | "DisplayGeometry" => &[("scale_factors", Numbers(3), Some("1 1 1"))],
         "Coordinate" => &[
-            ("default_value", Numbers(1), Some("0")),
-            ("default_speed_value", Numbers(1), Some("0")),
+            ("default_value default_speed_value", Numbers(1), Some("0")),
             ("range", Numbers(2), Some("-10 10")),
-            ("clamped", Flag, Some("false")),
-            ("locked", Flag, Some("false")),
-            ("prescribed", Flag, Some("false")),
-            ("is_free_to_satisfy_constraints", Flag, Some("false")),
+            ("clamped locked prescribed is_free_to_satisfy_constraints", Flag, Some("false")),
         ],
         "TransformAxis" => &[("axis", Numbers(3), Some("1 0 0"))],
         "Constant" => &[("value", Numbers(1), None)],
@@ -123,9 +107,11 @@ fn written_properties(class: &str) -> &'static [WrittenProperty] {
         "SmoothSphereHalfSpaceForce" => &[
             ("appliesForce", Flag, Some("true")),
             // As Moco 0.1 to 0.3 wrote them.
-            ("contact_sphere_location", Numbers(3), ZERO),
-            ("contact_half_space_location", Numbers(3), ZERO),
-            ("contact_half_space_orientation", Numbers(3), ZERO),
+            (
+                "contact_sphere_location contact_half_space_location contact_half_space_orientation",
+                Numbers(3),
+                ZERO,
+            ),
         ],
         _ if class.ends_with("Frame") => OF_FRAME,
         _ if class.ends_with("Joint") => OF_JOINT,
@@ -155,7 +141,9 @@ fn find_in_texts(model: &Model) -> Vec<Finding> {
             {
                 return false;
             }
-            for property in written_properties(tree.name(element)) {
+            let all = written_properties(tree.name(element)).iter();
+            for property in all.flat_map(|&(tags, form, of)| tags.split(' ').map(move |tag| (tag, form, of)))
+            {
                 if let Some((rule, element_of_text, text)) = misread_text(document, element, property) {
                     let path = path_of_part(document, path(), component.element, element);
                     let line = document.line(tree.span(element_of_text).start);
@@ -191,7 +179,7 @@ fn path_of_part(document: &Document, path: String, whole: ElementId, part: Eleme
 fn misread_text(
     document: &Document,
     object: ElementId,
-    &(tag, form, default): &WrittenProperty,
+    (tag, form, default): WrittenProperty,
 ) -> Option<(&'static Rule, ElementId, String)> {
     if matches!(form, OldFlag) && document.version() > LAST_VERSION_WITH_IS_DISABLED {
         return None;
