@@ -42,12 +42,9 @@ impl LibraryFault {
     /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them.
     pub(crate) fn results_exist(which: impl Display, first: &Path, resume: &Phrase) -> Self {
         Self::new(phrase![
-            format!("{which} exist already, such as {}: continue the earlier run (", first.display()),
-            resume,
-            "), replace them (",
-            Input::Force,
-            "), or choose another folder with ",
-            Input::OutputDir.with_placeholder("DIR"),
+            "{which} exist already, such as {}: continue the earlier run ({}), replace them ({}), or choose another \
+            folder with {}";
+            first.display().to_string(), resume, Input::Force, Input::OutputDir.with_placeholder("DIR")
         ])
     }
 

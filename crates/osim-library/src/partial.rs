@@ -37,11 +37,8 @@ impl PartialFile {
             return Ok(());
         }
         Err(LibraryFault::new(phrase![
-            format!("{} was left by a run that was stopped: continue it (", path.display()),
-            Input::Resume,
-            "), or start again (",
-            Input::Force,
-            ")",
+            "{} was left by a run that was stopped: continue it ({}), or start again ({})";
+            path.display().to_string(), Input::Resume, Input::Force
         ]))
     }
 

@@ -35,12 +35,10 @@ static ALREADY_AT_TARGET: Rule = Rule {
 
 pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     let message = phrase![
-        format!("contacts are taken as made for {} kg already (", readable(contacts_mass.kg)),
-        &contacts_mass.source.describe(),
-        "); if they were made for another mass, give ",
+        "contacts are taken as made for {} kg already ({}); if they were made for another mass, give {} or {}";
+        readable(contacts_mass.kg), &contacts_mass.source.describe(),
         Input::ContactsMass.with_placeholder("KG"),
-        " or ",
-        Verb::Transfer.call().with_placeholder(Input::From, "MODEL"),
+        Verb::Transfer.call().with_placeholder(Input::From, "MODEL")
     ];
     Finding::new(&ALREADY_AT_TARGET, message)
 }

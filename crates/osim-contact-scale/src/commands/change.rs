@@ -96,10 +96,8 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
     if let Some(kg) = mass {
         let kg = kg.to_string();
         let text: Phrase = phrase![
-            "nothing was scaled: ",
-            Input::Mass.with_value(kg.as_str()),
-            " is what the model weighs; to scale its contacts, say ",
-            Input::TargetMass.with_value(kg.as_str()),
+            "nothing was scaled: {} is what the model weighs; to scale its contacts, say {}";
+            Input::Mass.with_value(kg.as_str()), Input::TargetMass.with_value(kg.as_str())
         ];
         session.terminal.remark(&text.spelled(session.words))?;
     }

@@ -62,12 +62,8 @@ fn advice_if_made_for_this_body(check: &FigureCheck<'_>) -> Option<Phrase> {
     let made_for = check.inspected.contacts_mass_kg.as_ref().filter(|mass| mass.recorded)?;
     let weighs_kg = check.inspected.figures.mass_kg.filter(|&kg| same_mass(kg, made_for.value))?;
     Some(phrase![
-        format!("They were made for {} kg (", readable(weighs_kg)),
-        &made_for.description,
-        format!(
-            "), which the body weighs: make them stiffer, for a relative indentation of {}",
-            INDENTATION.value
-        ),
+        "They were made for {} kg ({}), which the body weighs: make them stiffer, for a relative indentation of {}";
+        readable(weighs_kg), &made_for.description, INDENTATION.value.to_string()
     ])
 }
 

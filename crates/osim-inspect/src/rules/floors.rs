@@ -302,10 +302,9 @@ pub(crate) fn find_sources_disagree(model: &Model, options: &InspectOptions) -> 
     }
     let (noted, present) = (readable(noted), readable(present));
     let message = phrase![
-        format!(
-            "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {present} m/s2: set <gravity>"
-        ),
-        Input::Gravity.either(phrase![", or give ", Input::Gravity.with_value(noted)], ""),
+        "its contacts are made for {noted} m/s2 (note in the file), and its gravity is {present} m/s2: set \
+        <gravity>{}";
+        Input::Gravity.either(phrase![", or give ", Input::Gravity.with_value(noted.as_str())], "")
     ];
     Some(Finding::new(&GRAVITY_SOURCES_DISAGREE, message))
 }

@@ -150,9 +150,8 @@ fn check_options(
         && !folder.is_dir()
     {
         return refused(phrase![
-            format!("the folder {} is not there: make it, or write with ", folder.display()),
-            Input::OutputDir.with_placeholder("DIR"),
-            ", which makes it",
+            "the folder {} is not there: make it, or write with {}, which makes it";
+            folder.display().to_string(), Input::OutputDir.with_placeholder("DIR")
         ]);
     }
     if to_stdout && several {

@@ -53,11 +53,8 @@ impl SummaryWriter {
         let replace = options.resume || force;
         let exists = || {
             LibraryFault::new(phrase![
-                format!("{} exists already: continue it (", path.display()),
-                Input::Resume,
-                "), replace it (",
-                Input::Force,
-                "), or choose another name",
+                "{} exists already: continue it ({}), replace it ({}), or choose another name";
+                path.display().to_string(), Input::Resume, Input::Force
             ])
         };
         if !replace && path.exists() {

@@ -86,10 +86,8 @@ impl PendingFile {
         }
         if existing.is_some() && mode == WriteMode::New {
             return Err(LibraryFault::new(phrase![
-                format!("{} exists already: choose another name with ", shown.display()),
-                Input::Output,
-                ", or replace it with ",
-                Input::Force,
+                "{} exists already: choose another name with {}, or replace it with {}";
+                shown.display().to_string(), Input::Output, Input::Force
             ]));
         }
         let cannot = || format!("cannot write into {}", folder_of(&shown).display());
@@ -215,12 +213,9 @@ fn write_all(file: &mut File, slices: &mut [IoSlice<'_>]) -> std::io::Result<()>
 /// The fault of a file whose owner cannot be kept.
 fn fault_of_other_owner(shown: &Path) -> LibraryFault {
     LibraryFault::new(phrase![
-        format!(
-            "{} belongs to another user or group, and changed it would be yours: let its owner change it, or write to \
-             another name with ",
-            shown.display()
-        ),
-        Input::Output,
+        "{} belongs to another user or group, and changed it would be yours: let its owner change it, or write to \
+        another name with {}";
+        shown.display().to_string(), Input::Output
     ])
 }
 

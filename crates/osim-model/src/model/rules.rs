@@ -36,11 +36,8 @@ pub(crate) struct MassFromSource {
 /// The finding that another source gives another mass than the source that was used.
 pub(crate) fn mass_sources_disagree(taken: &MassFromSource, other: &MassFromSource) -> Finding {
     let message = phrase![
-        format!("contacts are taken as made for {} kg (", readable(taken.kg)),
-        &taken.source,
-        "), but ",
-        &other.source,
-        format!(" says {} kg", readable(other.kg)),
+        "contacts are taken as made for {} kg ({}), but {} says {} kg";
+        readable(taken.kg), &taken.source, &other.source, readable(other.kg)
     ];
     Finding::new(&MASS_SOURCES_DISAGREE, message)
 }

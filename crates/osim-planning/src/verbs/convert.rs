@@ -81,10 +81,8 @@ fn refuse_smoothing(request: &ConvertRequest, to: ForceKind) -> Result<(), Reque
     match given.filter(|_| to == ForceKind::HuntCrossley) {
         Some(input) => {
             let needs = phrase![
-                input,
-                " needs ",
-                Input::To.with_value("smooth"),
-                ": a HuntCrossleyForce is not smoothed"
+                "{} needs {}: a HuntCrossleyForce is not smoothed";
+                input, Input::To.with_value("smooth")
             ];
             Err(RequestFault::refused(input, needs))
         }

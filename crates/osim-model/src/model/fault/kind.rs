@@ -249,11 +249,9 @@ impl FaultKind {
             ],
             Self::ZeroConstantContactForce => phrase![
                 "the new constant_contact_force is 0, and OpenSim computes NaN with 0 whenever the sphere does not \
-                 slip, so in every model at rest: give it a small value, such as that of ",
-                Verb::Design.call().with_value(
-                    Input::ConstantIndentation,
-                    limits::SUGGESTED_CONSTANT_INDENTATION.to_string()
-                ),
+                slip, so in every model at rest: give it a small value, such as that of {}";
+                Verb::Design.call()
+                    .with_value(Input::ConstantIndentation, limits::SUGGESTED_CONSTANT_INDENTATION.to_string())
             ],
             Self::StrictlyRefused { text } => {
                 phrase![text.clone(), " (refused because of ", Input::Strict, ")"]

@@ -1,6 +1,6 @@
 //! Facts that the caller has to give, because the files do not contain them.
 
-use crate::messages::{Input, Phrase, phrase, readable};
+use crate::messages::{Input, Part, Phrase, phrase, readable};
 use crate::model::fault::reasons::{
     FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass,
     shared_sphere,
@@ -193,11 +193,8 @@ impl Needed {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::BodyMass { body } => phrase![
-                format!("body '{body}' has no mass (OpenSim reads NaN): give it a <mass>"),
-                Input::Mass.either(
-                    phrase![", or give the mass of the model with ", Input::Mass.with_placeholder("KG")],
-                    ""
-                ),
+                "body '{body}' has no mass (OpenSim reads NaN): give it a <mass>{}";
+                where_taken(Input::Mass, ", or give the mass of the model with ", "KG", "")
             ],
             Self::ModelMass { bodies, kg } => phrase![
                 match bodies {
@@ -213,11 +210,9 @@ impl Needed {
                 ),
             ],
             Self::MassOfLoop => phrase![
-                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a body twice",
-                Input::Mass.either(
-                    phrase![": give the mass of the model with ", Input::Mass.with_placeholder("KG")],
-                    ""
-                ),
+                "joints form a loop with a WeldJoint or FreeJoint between bodies, where OpenSim counts the mass of a \
+                body twice{}";
+                where_taken(Input::Mass, ": give the mass of the model with ", "KG", "")
             ],
             Self::ContactsMass { noted_kg, doubt, input } => contacts_mass(*noted_kg, *doubt, *input),
             Self::KnownContactsMass { title, made_for_kg, bodies_kg, input } => {
@@ -231,9 +226,8 @@ impl Needed {
                 let each: Vec<_> =
                     trees.iter().map(|tree| format!("{} (forces {})", tree.top, tree.forces)).collect();
                 phrase![
-                    "contact spheres are on bodies that are joined only through ground: ",
-                    each.join("; "),
-                    input.either(phrase![": choose the forces with ", input.with_placeholder("GLOB")], ""),
+                    "contact spheres are on bodies that are joined only through ground: {}{}";
+                    each.join("; "), where_taken(*input, ": choose the forces with ", "GLOB", "")
                 ]
             }
             other => other.about_spheres(),
@@ -272,29 +266,15 @@ impl Needed {
                 unmatched.join(", "), Input::Radius.with_placeholder("METRES"),
                 Input::ReferenceSphere.with_placeholder("NAME"), Input::Radius.with_value("keep")
             ],
-            Self::BodyFactors { body, axes } => phrase![
-                format!("how body {body} was scaled along {} is not in the files", joined_axes(axes)),
-                Input::BodyScale.either(
-                    phrase![
-                        ": say it with ",
-                        Input::BodyScale.with_value(format!("{body}=x,y,z")),
-                        Input::BodyScaleFile.either(
-                            phrase![
-                                ", or give the ScaleSet that was applied with ",
-                                Input::BodyScaleFile.with_placeholder("FILE")
-                            ],
-                            ""
-                        ),
-                    ],
-                    Input::BodyScaleFile.either(
-                        phrase![
-                            ": give the ScaleSet that was applied with ",
-                            Input::BodyScaleFile.with_placeholder("FILE")
-                        ],
-                        ""
-                    ),
-                ),
-            ],
+            Self::BodyFactors { body, axes } => {
+                let factors = Input::BodyScale.with_value(format!("{body}=x,y,z"));
+                let file = |text| where_taken(Input::BodyScaleFile, text, "FILE", "");
+                let both = phrase![": say it with {}{}"; factors, file(", or give the ScaleSet that was applied with ")];
+                phrase![
+                    "how body {body} was scaled along {} is not in the files{}";
+                    joined_axes(axes), Input::BodyScale.either(both, file(": give the ScaleSet that was applied with "))
+                ]
+            }
             Self::Factors(question) => question.phrase(),
             Self::MovedSpheres { model, spheres } => phrase![
                 "spheres of {model} were moved or resized already, by another tool or by hand: {}: keep them with \
@@ -319,19 +299,12 @@ impl Needed {
                 Input::BodyScaleFile,
             ],
             Self::Geometry => phrase![
-                "this is a ForceSet without its model: its spheres are in another file, ",
-                Input::Geometry
-                    .either(phrase!["name it with ", Input::Geometry.with_placeholder("FILE")], WHOLE_MODELS),
+                "this is a ForceSet without its model: its spheres are in another file, {}";
+                where_taken(Input::Geometry, "name it with ", "FILE", WHOLE_MODELS)
             ],
             Self::ForceSet => phrase![
-                "this is a ContactGeometrySet, which has no forces: ",
-                Input::Geometry.either(
-                    phrase![
-                        "name the ForceSet file and give this one as ",
-                        Input::Geometry.with_placeholder("FILE")
-                    ],
-                    WHOLE_MODELS,
-                ),
+                "this is a ContactGeometrySet, which has no forces: {}";
+                where_taken(Input::Geometry, "name the ForceSet file and give this one as ", "FILE", WHOLE_MODELS)
             ],
             Self::Load => phrase![
                 "an indentation needs a load: give {} or {}";
@@ -351,6 +324,16 @@ impl Needed {
             ],
         }
     }
+}
+
+/// Advice to give `input`, for verbs that take it: `advice` and then the input. For other verbs the text is `otherwise`.
+fn where_taken(
+    input: Input,
+    advice: &'static str,
+    placeholder: &'static str,
+    otherwise: &'static str,
+) -> Part {
+    input.either(phrase![advice, input.with_placeholder(placeholder)], otherwise)
 }
 
 /// The names of one, two or three axes in a sentence: `x, y and z`.

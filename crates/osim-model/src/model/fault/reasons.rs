@@ -109,9 +109,8 @@ pub(super) fn shared_sphere(sphere: &str, changed: &str, left: &[String], can_ch
 pub(super) fn contacts_mass(noted_kg: Option<f64>, doubt: NoteDoubt, input: Input) -> Phrase {
     let noted = noted_kg.map(|kg| format!(" (the note says {} kg)", readable(kg)));
     phrase![
-        format!("it is not certain which mass {} made for, because ", contacts_are(input)),
-        doubt.as_str(),
-        noted.unwrap_or_default(),
+        "it is not certain which mass {} made for, because {}{}{}";
+        contacts_are(input), doubt.as_str(), noted.unwrap_or_default(),
         input.either(phrase![": give that mass with ", input.with_placeholder("KG")], "")
     ]
 }
