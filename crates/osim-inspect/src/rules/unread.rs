@@ -4,7 +4,7 @@
 use osim_model::messages::shown;
 use osim_model::{
     Class, ComponentId, Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind,
-    LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn, opensim_text,
+    GEOMETRY_CLASSES, LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn, opensim_text,
 };
 
 use crate::rules::spheres::and_others;
@@ -100,21 +100,17 @@ pub(super) fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
         is_of_other_kind
             && tree.parent(components.element(id)).is_some_and(|list| tree.name(list) == "objects")
     };
-    let mut found: Vec<(ComponentId, ComponentId, usize)> = Vec::new();
-    for (id, component) in components.tree.iter() {
-        let Some(set) = component.parent.filter(|&set| is_misplaced(id, set)) else { continue };
-        match found.last_mut().filter(|(_, known, _)| *known == set) {
-            Some((.., count)) => *count += 1,
-            None => found.push((id, set, 1)),
-        }
-    }
-    let finding = |&(id, set, count): &(ComponentId, ComponentId, usize)| {
+    let misplaced = components
+        .tree
+        .iter()
+        .filter_map(|(id, component)| Some((id, component.parent.filter(|&set| is_misplaced(id, set))?)));
+    let finding = |(id, set, count)| {
         let path = components.tree.path(id);
         let others = and_others(count, "another object, too", "other objects, too");
         let text = format!("a {} is in the {}: {path}{others}", components.tag(id), components.tag(set));
         Finding::at(&MISPLACED_OBJECT, components.line(id), text).with_place(&path)
     };
-    found.iter().map(finding).collect()
+    count_neighbours(misplaced).into_iter().map(finding).collect()
 }
 
 pub(super) static IGNORED_CONTACTS: Rule = Rule {
@@ -130,9 +126,25 @@ pub(super) static IGNORED_CONTACTS: Rule = Rule {
 
 /// One finding for each place with contacts that OpenSim does not read.
 pub(super) fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
+    files_of_model(model).flat_map(|file| find_ignored_in(model, file)).collect()
+}
+
+/// The main file and the files that it includes.
+fn files_of_model(model: &Model) -> impl Iterator<Item = FileId> {
     let included = model.companions().filter(|(_, companion)| companion.included_by.is_some());
-    let files = std::iter::once(FileId::MAIN).chain(included.map(|(file, _)| file));
-    files.flat_map(|file| find_ignored_in(model, file)).collect()
+    std::iter::once(FileId::MAIN).chain(included.map(|(file, _)| file))
+}
+
+/// The first of neighbouring `items` with one parent, the parent, and the number of these items; for each run of such neighbours.
+fn count_neighbours<T: PartialEq>(items: impl Iterator<Item = (T, T)>) -> Vec<(T, T, usize)> {
+    let mut counted: Vec<(T, T, usize)> = Vec::new();
+    for (item, parent) in items {
+        match counted.last_mut().filter(|(_, known, _)| *known == parent) {
+            Some((.., count)) => *count += 1,
+            None => counted.push((item, parent, 1)),
+        }
+    }
+    counted
 }
 
 fn find_ignored_in(model: &Model, file: FileId) -> Vec<Finding> {
@@ -148,24 +160,16 @@ fn find_ignored_in(model: &Model, file: FileId) -> Vec<Finding> {
         (FORCE_CLASSES.contains(&tag) || GEOMETRY_CLASSES.contains(&tag))
             && tree.attribute(id, "name").is_some()
     };
-    let mut places: Vec<(ElementId, ElementId, usize)> = Vec::new();
-    for id in
-        tree.elements().filter(|&id| is_contact(id) && components.at(file, id).is_none() && !left_out(id))
-    {
-        let Some(parent) = tree.parent(id) else { continue };
-        match places.last_mut().filter(|(_, known, _)| *known == parent) {
-            Some((.., count)) => *count += 1,
-            None => places.push((id, parent, 1)),
-        }
-    }
-    let finding = |&(first, parent, count): &(ElementId, ElementId, usize)| {
+    let is_ignored = |id| is_contact(id) && components.at(file, id).is_none() && !left_out(id);
+    let ignored = tree.elements().filter(|&id| is_ignored(id)).filter_map(|id| Some((id, tree.parent(id)?)));
+    let finding = |(first, parent, count)| {
         let name = tree.attribute(first, "name").unwrap_or_default();
         let others = and_others(count, "another object, too", "other objects, too");
         let place = place_in_words(document, parent);
         let text = format!("OpenSim does not read {} {}, {place}{others}", tree.name(first), shown(&name));
         Finding::at(&IGNORED_CONTACTS, document.line(tree.span(first).start), text)
     };
-    places.iter().map(finding).collect()
+    count_neighbours(ignored).into_iter().map(finding).collect()
 }
 
 /// Where an object stands that OpenSim does not read, if `parent` is the element around it.
@@ -198,14 +202,6 @@ pub(super) static UNKNOWN_NAME: Rule = Rule {
 
 static FORCE_CLASSES: [&str; 3] =
     [ForceKind::HuntCrossley.as_str(), ForceKind::SmoothSphereHalfSpace.as_str(), "ElasticFoundationForce"];
-static GEOMETRY_CLASSES: [&str; 6] = [
-    "ContactSphere",
-    "ContactHalfSpace",
-    "ContactMesh",
-    "ContactEllipsoid",
-    "ContactCylinder",
-    "ContactTorus",
-];
 /// Classes of early versions of Moco that OpenSim does not have, with the classes that took their place.
 const OLD_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "SmoothSphereHalfSpaceForce")];
 /// Most wrong letters in a name that is nearly one of OpenSim's.
@@ -213,9 +209,7 @@ const MOST_WRONG_LETTERS: usize = 2;
 
 /// Finds classes and properties of contacts, and of the sets around them, whose names are nearly OpenSim's names.
 pub(super) fn find_unknown_names(model: &Model) -> Vec<Finding> {
-    let included = model.companions().filter(|(_, companion)| companion.included_by.is_some());
-    let files = std::iter::once(FileId::MAIN).chain(included.map(|(file, _)| file));
-    files.flat_map(|file| find_unknown_names_in(model, file)).collect()
+    files_of_model(model).flat_map(|file| find_unknown_names_in(model, file)).collect()
 }
 
 fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {

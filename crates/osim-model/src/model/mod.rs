@@ -55,7 +55,7 @@ pub use choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAx
 pub use components::{Companion, Component, ComponentId, ComponentTree, Components};
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
-    Force, ForceId, ForceKind, FrameProperty, GroundPlane, HalfSpace, Irregularity,
+    Force, ForceId, ForceKind, FrameProperty, GEOMETRY_CLASSES, GroundPlane, HalfSpace, Irregularity,
     LAST_VERSION_WITH_IS_DISABLED, LoadedSphere, Orientation, ParameterSet, SetId, Slot, Sphere, SphereId,
     Surfaces, contact_of_pair, contact_of_set, loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
 };

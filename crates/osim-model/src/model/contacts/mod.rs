@@ -19,7 +19,7 @@ pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, Sp
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
 pub use planes::GroundPlane;
 pub(crate) use read::ContactReader;
-pub use read::{Irregularity, LAST_VERSION_WITH_IS_DISABLED};
+pub use read::{GEOMETRY_CLASSES, Irregularity, LAST_VERSION_WITH_IS_DISABLED};
 
 /// One sphere that a force presses on a surface, with the data for the contact laws: from [`loaded_spheres`].
 ///

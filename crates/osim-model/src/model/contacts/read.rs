@@ -373,7 +373,7 @@ impl ParameterSet {
     }
 }
 
-const GEOMETRY_CLASSES: [&str; 6] = [
+pub static GEOMETRY_CLASSES: [&str; 6] = [
     "ContactSphere",
     "ContactHalfSpace",
     "ContactMesh",
