@@ -21,11 +21,7 @@ pub(super) static CONNECTEE_BY_NAME: Rule = Rule {
     why: "OpenSim looks for paths only, so it refuses the model.",
     advice: "Write the path that the message says",
     repair: Repair::Command("writes the paths of sockets that OpenSim finds, and changes no other byte"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<socket_frame>/bodyset/calcn_r</socket_frame>",
-        bad: "<socket_frame>calcn_r</socket_frame>",
-    },
+    example: Example::ElementText { tag: "socket_frame", good: "/bodyset/calcn_r", bad: "calcn_r" },
 };
 
 /// The request that writes the paths of sockets, if a socket in question can be written.

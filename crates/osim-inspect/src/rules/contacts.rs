@@ -76,11 +76,7 @@ pub(crate) static MASS_UNKNOWN: Rule = Rule {
     why: "Every factor follows from these masses.",
     advice: "Give `mass=KG` or `contacts_mass=KG`, or correct the masses of the bodies",
     repair: Repair::NotPossible("only you know the mass of the model"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<mass>61.5</mass>",
-        bad: "<mass>-1</mass>",
-    },
+    example: Example::ElementText { tag: "mass", good: "61.5", bad: "-1" },
 };
 
 /// The finding that a mass is not known. `fault` says why.

@@ -20,11 +20,7 @@ pub(super) static SUNK_IN: Rule = Rule {
     repair: Repair::Command(
         "designs or multiplies the stiffness as for beyond-hertz; on more than two limbs takes over published contacts for two stance limbs; makes the lowest points level where the lower spheres carry the body alone",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<stiffness>4.4876e7</stiffness>",
-        bad: "<stiffness>1e6</stiffness>",
-    },
+    example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e6" },
 };
 
 pub(super) fn find_sunk_in(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -196,11 +192,7 @@ pub(super) static TOO_STIFF: Rule = Rule {
     why: "No foot is so stiff, and a solver takes steps of microseconds, or fails. Published contacts sink in by 0.06 R or more. Mostly the stiffness is in another unit, or has a digit too many.",
     advice: "Write the stiffness in N/m2, such as 1e6 for a human",
     repair: Repair::NotPossible("only you know the right stiffness"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<stiffness>4.4876e7</stiffness>",
-        bad: "<stiffness>4.4876e13</stiffness>",
-    },
+    example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "4.4876e13" },
 };
 
 pub(super) fn find_too_stiff(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -225,11 +217,7 @@ pub(super) static BEYOND_HERTZ: Rule = Rule {
     repair: Repair::NotPossible(
         "a remark: most published contacts are outside this limit, and their authors chose that",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<stiffness>4.4876e7</stiffness>",
-        bad: "<stiffness>1e7</stiffness>",
-    },
+    example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "1e7" },
 };
 
 pub(super) fn find_beyond_hertz(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -251,11 +239,7 @@ pub(super) static BEYOND_HERTZ_AT_TWO: Rule = Rule {
     why: "A foot carries more than body weight in running and landing. At twice body weight the relative indentation is above {indentation}, up to which Hertz' law is accurate.",
     advice: "Nothing, if the model only walks; else make the spheres stiffer, larger or more, for a relative indentation of {indentation} at two body weights",
     repair: Repair::NotPossible("walking is within the limit; whether the model runs, only you know"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<stiffness>4.4876e7</stiffness>",
-        bad: "<stiffness>2.5e7</stiffness>",
-    },
+    example: Example::ElementText { tag: "stiffness", good: "4.4876e7", bad: "2.5e7" },
 };
 
 pub(super) fn find_beyond_hertz_at_two(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {

@@ -46,10 +46,10 @@ pub(super) static FLOOR_UPSIDE_DOWN: Rule = Rule {
     repair: Repair::NotPossible(
         "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<orientation>0 0 -1.5707963267948966</orientation>",
-        bad: "<orientation>0 0 1.5707963267948966</orientation>",
+    example: Example::ElementText {
+        tag: "orientation",
+        good: "0 0 -1.5707963267948966",
+        bad: "0 0 1.5707963267948966",
     },
 };
 
@@ -67,11 +67,7 @@ pub(super) static FLOOR_UPRIGHT: Rule = Rule {
     repair: Repair::NotPossible(
         "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<orientation>0 0 -1.5707963267948966</orientation>",
-        bad: "<orientation>0 0 0</orientation>",
-    },
+    example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 0" },
 };
 
 pub(super) fn find_upright(floors: &Floors) -> Vec<Finding> {
@@ -117,11 +113,7 @@ pub(super) static FLOOR_SLOPES: Rule = Rule {
     why: "On a slope only the part of gravity along its normal presses spheres into it; values under body weight use that part. Published slopes have up to 20.5 degrees.",
     advice: "Nothing, if this is intended; else turn the half-space",
     repair: Repair::NotPossible("only you know whether a slope is intended"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<orientation>0 0 -1.5707963267948966</orientation>",
-        bad: "<orientation>0 0 -1.4</orientation>",
-    },
+    example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -1.4" },
 };
 
 pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
@@ -147,11 +139,7 @@ pub(crate) static NO_GRAVITY: Rule = Rule {
     why: "Nothing holds the body on its floor, so it drifts away after the first push; without body weight indentations are not judged. All published models in our tests have gravity.",
     advice: "Set gravity in the model, usually to 0 -9.80665 0, or look at it under another one with `check MODEL gravity=G`",
     repair: Repair::NotPossible("only you know the gravity"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<gravity>0 -9.81 0</gravity>",
-        bad: "<gravity>0 0 0</gravity>",
-    },
+    example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 0 0" },
 };
 
 /// Finds a model without gravity. `are_floors` says whether moving spheres press on any plane.
@@ -177,11 +165,7 @@ pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {
     repair: Repair::NotPossible(
         "gravity has to be corrected in the file; the finding names the line and what to write",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<gravity>0 -9.81 0</gravity>",
-        bad: "<gravity>0 -9810 0</gravity>",
-    },
+    example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -9810 0" },
 };
 
 /// A gravity above this, m/s², probably is in another unit.
@@ -219,11 +203,7 @@ pub(crate) static ODD_GRAVITY: Rule = Rule {
     why: "32.17 is the Earth's gravity in feet, 98.1 and 0.00981 have a misplaced decimal point or another unit, and 1 is in multiples of the Earth's. Loads, indentations and speeds of impact follow gravity.",
     advice: "Write gravity in m/s², usually 0 -9.80665 0; nothing, if another gravity is intended",
     repair: Repair::NotPossible("only you know the gravity"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<gravity>0 -9.81 0</gravity>",
-        bad: "<gravity>0 -32.17 0</gravity>",
-    },
+    example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 -32.17 0" },
 };
 
 /// Finds a gravity that is unlike the Earth's, unless the note says that the contacts are made for it.
@@ -249,11 +229,7 @@ pub(crate) static GRAVITY_NOT_DOWN: Rule = Rule {
     repair: Repair::NotPossible(
         "gravity has to be corrected in the file; the finding names the line and what to write",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<gravity>0 -9.81 0</gravity>",
-        bad: "<gravity>0 9.81 0</gravity>",
-    },
+    example: Example::ElementText { tag: "gravity", good: "0 -9.81 0", bad: "0 9.81 0" },
 };
 
 /// Components of a direction that are smaller than this are rounding errors.

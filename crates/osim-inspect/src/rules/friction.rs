@@ -22,11 +22,7 @@ pub(super) static LARGE_FRICTION: Rule = Rule {
     why: "Between a foot and a floor it is about 0.3 to 1, and for the stickiest rubber about 2. More mostly is a percentage, or lacks its decimal point; a foot that slides is then stopped by a force of many times its weight. Published models have a viscous friction of up to 0.6 s/m.",
     advice: "Write the right coefficient, such as 0.8",
     repair: Repair::NotPossible("only you know the right number"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<static_friction>0.81</static_friction>",
-        bad: "<static_friction>81</static_friction>",
-    },
+    example: Example::ElementText { tag: "static_friction", good: "0.81", bad: "81" },
 };
 
 /// Finds coefficients of friction and transition velocities that are unlikely: at most one finding for each rule.
@@ -65,11 +61,7 @@ pub(super) static DYNAMIC_ABOVE_STATIC: Rule = Rule {
     why: "No pair of materials is so: a foot that slides would be held more than one that rests. Mostly the two numbers were exchanged, or one lost its decimal point.",
     advice: "Write the larger of the two as static_friction; most published models have 0.8 for both",
     repair: Repair::NotPossible("only you know the right numbers"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<static_friction>0.81</static_friction>",
-        bad: "<static_friction>0.18</static_friction>",
-    },
+    example: Example::ElementText { tag: "static_friction", good: "0.81", bad: "0.18" },
 };
 
 fn find_dynamic_above_static(model: &Model) -> Option<Finding> {
@@ -97,11 +89,7 @@ pub(super) static ODD_TRANSITION_VELOCITY: Rule = Rule {
     why: "Friction grows with the slip speed up to transition_velocity. Above 5 m/s a walking foot has hardly any friction; mostly the number is in mm/s. With 0 the friction is Coulomb's law: the dynamic coefficient at every speed, and no force at rest. A solver takes very small steps there. Published models have 0.01 to 0.2 m/s.",
     advice: "Nothing, if Coulomb's law is intended; else write the velocity in m/s, such as 0.2",
     repair: Repair::NotPossible("only you know the right number"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<transition_velocity>0.17</transition_velocity>",
-        bad: "<transition_velocity>170</transition_velocity>",
-    },
+    example: Example::ElementText { tag: "transition_velocity", good: "0.17", bad: "170" },
 };
 
 fn find_odd_transition_velocity(model: &Model) -> Option<Finding> {
@@ -140,11 +128,7 @@ pub(super) static NO_DISSIPATION: Rule = Rule {
     why: "Contacts that take away no energy bounce for ever: a body that lands on them does not come to rest.",
     advice: "Nothing, if this is intended; else write the dissipation, for example for a restitution of {restitution}",
     repair: Repair::NotPossible("only you know the right number"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<dissipation>0.4</dissipation>",
-        bad: "<dissipation>0</dissipation>",
-    },
+    example: Example::ElementText { tag: "dissipation", good: "0.4", bad: "0" },
 };
 
 /// Finds models in which no force on a floor has friction, or none has dissipation.

@@ -288,11 +288,7 @@ pub(super) static NOT_FINITE: Rule = Rule {
     why: "JSON has no NaN and no infinity: such a number is null there. What OpenSim computes from it is meaningless.",
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>nan</radius>",
-    },
+    example: Example::ElementText { tag: "radius", good: "0.0325", bad: "nan" },
 };
 
 /// Why a value is not finite, in words that follow the name of the value.
@@ -308,11 +304,7 @@ pub(super) static ODD_NUMBER: Rule = Rule {
     why: "OpenSim reads the start of a text as far as it looks like a number and ignores the rest, or silently takes its default. This holds for contacts, for masses, and for all that a pose depends on: frames, joints, coordinates.",
     advice: "Write numbers plainly, like 1.5e6, with blanks between them, and flags as true or false",
     repair: Repair::NotPossible("only you know which value is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>0,0325</radius>",
-    },
+    example: Example::ElementText { tag: "radius", good: "0.0325", bad: "0,0325" },
 };
 
 /// What is odd about the writing of a value, in words that follow the name of the value.
@@ -328,11 +320,7 @@ pub(super) static OUT_OF_DOMAIN: Rule = Rule {
     why: "OpenSim accepts it and computes NaN or meaningless numbers; such a model is not changed.",
     advice: "Correct the number in the model",
     repair: Repair::NotPossible("only you know which number is right"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<radius>0.0325</radius>",
-        bad: "<radius>-0.0325</radius>",
-    },
+    example: Example::ElementText { tag: "radius", good: "0.0325", bad: "-0.0325" },
 };
 
 /// Why a value is outside its domain, in words that follow the name of the value. A default stiffness is left to another rule.

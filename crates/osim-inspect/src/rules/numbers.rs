@@ -137,11 +137,7 @@ pub(super) static ZERO_CONSTANT_CONTACT_FORCE: Rule = Rule {
     why: "Simbody divides by the root of the squared slip speed plus constant_contact_force: with 0, the force is NaN whenever the sphere does not slip, even without friction. Scaling leaves a value of 0 as it is.",
     advice: "Give it a small value, for example for a constant indentation of {suggested_indentation} of the radius",
     repair: Repair::Command("designs constant_contact_force for a small constant indentation"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<constant_contact_force>9e-07</constant_contact_force>",
-        bad: "<constant_contact_force>0</constant_contact_force>",
-    },
+    example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0" },
 };
 
 pub(super) fn find_zero_constant_contact_force(model: &Model) -> Vec<Finding> {
@@ -173,11 +169,7 @@ pub(super) static ANGLE_IN_DEGREES: Rule = Rule {
     repair: Repair::NotPossible(
         "the floor has to be corrected in the file; the finding names the line and what to write",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<orientation>0 0 -1.5707963267948966</orientation>",
-        bad: "<orientation>0 0 -90</orientation>",
-    },
+    example: Example::ElementText { tag: "orientation", good: "0 0 -1.5707963267948966", bad: "0 0 -90" },
 };
 
 /// Finds half-spaces that are turned by more than a whole turn, so their angles are probably in degrees. Each orientation is reported once.

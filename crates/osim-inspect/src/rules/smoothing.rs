@@ -20,11 +20,7 @@ pub(super) static FLOATS: Rule = Rule {
     why: "constant_contact_force is far too large for the spheres, or hertz_smoothing far too small: the force before contact holds the body in the air.",
     advice: "Make constant_contact_force smaller and hertz_smoothing larger, until the spheres touch the floor",
     repair: Repair::Command("designs constant_contact_force so that the spheres touch the floor"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<constant_contact_force>9e-07</constant_contact_force>",
-        bad: "<constant_contact_force>0.0001</constant_contact_force>",
-    },
+    example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "0.0001" },
 };
 
 pub(super) fn find_floats(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -65,11 +61,7 @@ pub(super) static FORCE_BEFORE_CONTACT: Rule = Rule {
     why: "Smoothing gives a force before contact (Fig. C.5): the floor pushes the foot away as if the spheres were larger. In Falisse et al. (2022), where this did no harm, the force is 0.074 of the share.",
     advice: "Make constant_contact_force smaller",
     repair: Repair::Command("designs constant_contact_force so that the share comes down to the limit"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<constant_contact_force>9e-07</constant_contact_force>",
-        bad: "<constant_contact_force>4e-06</constant_contact_force>",
-    },
+    example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "4e-06" },
 };
 
 pub(super) fn find_force_before_contact(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -91,11 +83,7 @@ pub(super) static LARGE_CONSTANT_INDENTATION: Rule = Rule {
     why: "constant_contact_force is a squared indentation and does not grow with the sphere by itself: OpenSim's default of 1e-5 m2, made for spheres of 32 mm, is 3.2 mm. On smaller spheres it holds the body up before they touch (C.2).",
     advice: "Make constant_contact_force smaller, for a constant indentation of {constant_indentation} of the radius at most; where spheres sink in by less than {indentation} R, of {suggested_indentation}",
     repair: Repair::Command("designs constant_contact_force for the limit"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<constant_contact_force>9e-07</constant_contact_force>",
-        bad: "<constant_contact_force>1.5e-05</constant_contact_force>",
-    },
+    example: Example::ElementText { tag: "constant_contact_force", good: "9e-07", bad: "1.5e-05" },
 };
 
 pub(super) fn find_large_constant_indentation(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -117,11 +105,7 @@ pub(super) static WIDE_TRANSITION: Rule = Rule {
     why: "hertz_smoothing is an inverse length: OpenSim's default of 300 1/m, made for spheres of 32 mm, spreads the onset of contact over 10 mm. On smaller spheres that is a large part of the radius, half of it before they touch (C.7).",
     advice: "Make hertz_smoothing larger, so that contact switches on over {suggested_width} of the radius",
     repair: Repair::Command("designs hertz_smoothing for a width within the limit"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<hertz_smoothing>310</hertz_smoothing>",
-        bad: "<hertz_smoothing>100</hertz_smoothing>",
-    },
+    example: Example::ElementText { tag: "hertz_smoothing", good: "310", bad: "100" },
 };
 
 pub(super) fn find_wide_transition(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {
@@ -149,11 +133,7 @@ pub(super) static BEYOND_HUNT_CROSSLEY: Rule = Rule {
     repair: Repair::NotPossible(
         "a remark: most published contacts are outside this limit, and their authors chose that",
     ),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<dissipation>0.4</dissipation>",
-        bad: "<dissipation>2</dissipation>",
-    },
+    example: Example::ElementText { tag: "dissipation", good: "0.4", bad: "2" },
 };
 
 pub(super) fn find_beyond_hunt_crossley(check: &FigureCheck<'_>) -> Option<FindingWithRemedy> {

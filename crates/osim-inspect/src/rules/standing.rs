@@ -18,11 +18,7 @@ pub(super) static NOT_ON_FLOOR: Rule = Rule {
     why: "A simulation that starts there is thrown into the air by forces of many body weights, or falls first. Most published models have such a default pose, and their simulations start from another one.",
     advice: "Nothing, if simulations start from a pose of their own; else give the coordinate the value that `inspect MODEL` says",
     repair: Repair::NotPossible("only numbers of contacts are changed"),
-    example: Example::Piece {
-        model: "check/within_limits.osim",
-        good: "<location>0 -0.05 0</location>",
-        bad: "<location>0 0.9 0</location>",
-    },
+    example: Example::ElementText { tag: "location", good: "0 -0.05 0", bad: "0 0.9 0" },
 };
 
 /// A finding for each body that does not start on its floor.

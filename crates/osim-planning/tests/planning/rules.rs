@@ -131,17 +131,24 @@ fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes(&plan.findings)
 }
 
+/// Codes of the findings in a model with the text `good`, and with `bad` in its place.
+fn codes_with_piece(mut files: InMemory, model: &str, good: &str, bad: &str) -> [BTreeSet<FindingCode>; 2] {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(model);
+    let text = std::fs::read_to_string(path).unwrap();
+    assert!(text.contains(good), "{model} has no {good}");
+    let before = codes_of_check(model, &files);
+    files.add(model, text.replacen(good, bad, 1).into_bytes());
+    [before, codes_of_check(model, &files)]
+}
+
 /// Codes of the findings in the good and in the bad example of a rule; `None` if a test in another file makes the example.
 fn codes_of_example(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
-    let mut files = fixtures();
+    let files = fixtures();
     match example {
-        Example::Piece { model, good, bad } => {
-            let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(model);
-            let text = std::fs::read_to_string(path).unwrap();
-            assert!(text.contains(good), "{model} has no {good}");
-            let before = codes_of_check(model, &files);
-            files.add(model, text.replacen(good, bad, 1).into_bytes());
-            Some([before, codes_of_check(model, &files)])
+        Example::Piece { model, good, bad } => Some(codes_with_piece(files, model, good, bad)),
+        Example::ElementText { tag, good, bad } => {
+            let [good, bad] = [good, bad].map(|text| format!("<{tag}>{text}</{tag}>"));
+            Some(codes_with_piece(files, "check/within_limits.osim", &good, &bad))
         }
         Example::Models { good, bad } => Some([good, bad].map(|model| codes_of_check(model, &files))),
         Example::Request { good, bad } => Some([good, bad].map(|request| codes_of_request(request, &files))),

@@ -158,6 +158,12 @@ pub enum Example {
         good: &'static str,
         bad: &'static str,
     },
+    /// In `check/within_limits.osim`, the text of the first element `tag` with the text `good` becomes `bad`: then there is a finding.
+    ElementText {
+        tag: &'static str,
+        good: &'static str,
+        bad: &'static str,
+    },
     Models {
         good: &'static str,
         bad: &'static str,
