@@ -121,13 +121,21 @@ def test_the_scheduler_is_killed(case, client, start, tmp_path):
     assert len(case.finish(client)) >= 4
 
 
+def session_of(pid):
+    """The session of a process; None if it has just ended."""
+    try:
+        return os.getsid(pid)
+    except ProcessLookupError:
+        return None
+
+
 def test_the_program_is_killed(case, client, start, tmp_path):
     program = start(script(tmp_path, PROGRAM), case.words("here"))
     wait_for(case.marked(12))
     os.kill(program.pid, signal.SIGKILL)
     program.wait()
     # The processes of the models end with it.
-    wait_for(lambda: not [pid for pid in processes("simulate._server") if os.getsid(pid) == program.pid], 10)
+    wait_for(lambda: not [pid for pid in processes("simulate._server") if session_of(pid) == program.pid], 10)
     assert len(case.finish(client)) >= 4
 
 
@@ -174,7 +182,7 @@ def test_models_that_run_end_with_the_program(case, start, tmp_path, number):
     wait_for(case.marked(2))
     os.kill(program.pid, number)
     program.wait(timeout=20)
-    wait_for(lambda: not [pid for pid in processes("simulate._server") if os.getsid(pid) == program.pid], 10)
+    wait_for(lambda: not [pid for pid in processes("simulate._server") if session_of(pid) == program.pid], 10)
 
 
 def test_what_was_not_begun_is_taken_back(case, client):
