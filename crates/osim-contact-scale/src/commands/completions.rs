@@ -60,7 +60,7 @@ fn with_known_words(command: Command, shell: Shell) -> Command {
 fn with_files(script: &str) -> String {
     let (mut completed, mut words, mut before) = (String::new(), String::new(), "");
     for line in script.split_inclusive('\n') {
-        if let Some(all) = line.trim().strip_prefix("opts=\"") {
+        if let Some(all) = line.trim_ascii().strip_prefix("opts=\"") {
             let is_value = |word: &&str| !word.starts_with('-') && !all.contains("--version");
             let values: Vec<&str> = all.trim_end_matches('"').split(' ').filter(is_value).collect();
             words = values.join(" ");
@@ -73,7 +73,7 @@ fn with_files(script: &str) -> String {
             "esac" => line.replace("${opts}", &words),
             _ => line.replace(" || ${COMP_CWORD} -eq 2 ]]", " ]]"),
         });
-        before = line.trim();
+        before = line.trim_ascii();
     }
     completed
 }

@@ -46,7 +46,7 @@ fn find_large_friction(model: &Model) -> Option<Finding> {
             })?;
             let number = format!("{} {}", readable(large.number), large.property.unit());
             let (property, path) = (large.property, &force.path);
-            Some(format!("{property} of {path} is {}, expected at most {limit}", number.trim_end()))
+            Some(format!("{property} of {path} is {}, expected at most {limit}", number.trim_ascii_end()))
         })
     };
     let unusual = || Some(above(UNUSUAL_VISCOUS_FRICTION)?.with_severity(Severity::Remark));

@@ -183,7 +183,8 @@ fn add_dropped_content(tree: &Tree, parent: ElementId, dropped: &mut Vec<String>
 
 fn dropped_content(tree: &Tree, force: ElementId) -> Vec<String> {
     let comments = tree.content(force).filter(|piece| piece.kind == PieceKind::Comment);
-    let texts = comments.map(|piece| piece.text.trim_start_matches("<!--").trim_end_matches("-->").trim());
+    let texts =
+        comments.map(|piece| piece.text.trim_start_matches("<!--").trim_end_matches("-->").trim_ascii());
     let own = texts.filter(|text| !COMMENTS_OF_OPENSIM.split('|').any(|start| text.starts_with(start)));
     let mut dropped: Vec<String> = own.map(|text| format!("the comment '{}'", shown(text))).collect();
     add_dropped_content(tree, force, &mut dropped);

@@ -60,7 +60,7 @@ const RULES: &[Equation] = &[
     Equation {
         label: "level",
         aliases: &[],
-        title: "The lowest point stays on the sole, or moves to the lowest one of its foot",
+        title: "The lowest point stays on the sole, or moves to the lowest of its foot",
         forms: &[
             Form { variant: "rescale, transfer", ..rule("new centre = centre + (R_b − R_a) up") },
             Form { variant: "set, add", ..rule("new centre = centre − (h − h_min) n") },
