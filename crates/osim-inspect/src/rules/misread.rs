@@ -20,7 +20,9 @@ const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
 
 /// Finds numbers and flags that are written oddly, numbers that are not finite, and contacts and masses outside their domain.
 pub(super) fn find_misread_values(model: &Model) -> Vec<Finding> {
-    find_in_values(model).into_iter().chain(find_in_texts(model)).collect()
+    struct InTexts(Vec<Finding>);
+    let InTexts(in_texts) = model.derived_from_bodies(|model| InTexts(find_in_texts(model)));
+    find_in_values(model).into_iter().chain(in_texts.iter().cloned()).collect()
 }
 
 fn find_in_values(model: &Model) -> Vec<Finding> {

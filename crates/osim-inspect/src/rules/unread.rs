@@ -9,6 +9,20 @@ use osim_model::{
 
 use crate::rules::spheres::and_others;
 
+/// Applies all rules of this file.
+pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
+    struct Unread(Vec<Finding>);
+    let rules = [
+        find_body_without_joint,
+        find_other_version,
+        find_misplaced_objects,
+        find_ignored_contacts,
+        find_unknown_names,
+    ];
+    let find_all = |model: &Model| Unread(rules.iter().flat_map(|find| find(model)).collect());
+    model.derived_from_bodies(find_all).0.clone()
+}
+
 pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {
     code: FindingCode::BodyWithoutJoint,
     severity: Severity::Error,
@@ -21,7 +35,7 @@ pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {
 };
 
 /// One finding for all bodies without a joint. Documents in the form of another version are left out.
-pub(super) fn find_body_without_joint(model: &Model) -> Vec<Finding> {
+fn find_body_without_joint(model: &Model) -> Vec<Finding> {
     let (components, bodies) = (model.components(), model.skeleton().bodies_without_joint());
     let Some(&first) = bodies.first().filter(|_| find_other_version(model).is_empty()) else {
         return Vec::new();
@@ -50,7 +64,7 @@ pub(super) static OTHER_VERSION: Rule = Rule {
 /// The first version whose joints are in a JointSet.
 const FIRST_WITH_JOINT_SET: u32 = 30505;
 
-pub(super) fn find_other_version(model: &Model) -> Vec<Finding> {
+fn find_other_version(model: &Model) -> Vec<Finding> {
     let document = model.document();
     if !document.is_model() {
         return Vec::new();
@@ -87,7 +101,7 @@ pub(super) static MISPLACED_OBJECT: Rule = Rule {
 };
 
 /// One finding for each set that has objects of another kind.
-pub(super) fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
+fn find_misplaced_objects(model: &Model) -> Vec<Finding> {
     let components = model.components();
     let is_misplaced = |id: ComponentId, set: ComponentId| {
         let tag = components.tag(id);
@@ -125,7 +139,7 @@ pub(super) static IGNORED_CONTACTS: Rule = Rule {
 };
 
 /// One finding for each place with contacts that OpenSim does not read.
-pub(super) fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
+fn find_ignored_contacts(model: &Model) -> Vec<Finding> {
     files_of_model(model).flat_map(|file| find_ignored_in(model, file)).collect()
 }
 
@@ -208,7 +222,7 @@ const OLD_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "Smoo
 const MOST_WRONG_LETTERS: usize = 2;
 
 /// Finds classes and properties of contacts, and of the sets around them, whose names are nearly OpenSim's names.
-pub(super) fn find_unknown_names(model: &Model) -> Vec<Finding> {
+fn find_unknown_names(model: &Model) -> Vec<Finding> {
     files_of_model(model).flat_map(|file| find_unknown_names_in(model, file)).collect()
 }
 
@@ -227,9 +241,14 @@ fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
             let line = document.line(tree.span(element).start);
             found.push(Finding::at(&UNKNOWN_NAME, line, text).with_place(path));
         };
+        // Lists have many objects of one class.
+        let mut last = ("", None);
         for child in tree.children(id) {
             let name = tree.name(child);
-            let meant = likely_name(name, known).filter(|meant| is_list || tree.child(id, meant).is_none());
+            if name != last.0 {
+                last = (name, likely_name(name, known));
+            }
+            let meant = last.1.filter(|meant| is_list || tree.child(id, meant).is_none());
             let Some(meant) = meant else { continue };
             let path = path(if is_list { child } else { id });
             let what = if is_list { "the class" } else { "the element" };
@@ -295,13 +314,12 @@ fn likely_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
         return None;
     }
     let old = OLD_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
-    let distance = |known: &str| strsim::osa_distance(&known.to_lowercase(), &name.to_lowercase());
     let near = || {
-        known
-            .iter()
-            .copied()
-            .min_by_key(|known| distance(known))
-            .filter(|known| distance(known) <= MOST_WRONG_LETTERS)
+        let lower = name.to_lowercase();
+        let alike = known.iter().filter(|known| known.len().abs_diff(name.len()) <= MOST_WRONG_LETTERS);
+        let alike = alike.map(|&known| (strsim::osa_distance(&known.to_lowercase(), &lower), known));
+        let near = alike.filter(|(wrong_letters, _)| *wrong_letters <= MOST_WRONG_LETTERS);
+        near.min_by_key(|(wrong_letters, _)| *wrong_letters).map(|(_, known)| known)
     };
     old.or_else(near)
 }
