@@ -23,6 +23,7 @@ mod bytes;
 mod cases;
 mod cases_unread;
 mod check;
+mod check_output;
 mod check_sides;
 mod convert;
 mod corpus;

@@ -63,7 +63,7 @@ impl Columns {
     ///
     /// No column `model`, a column that appears twice, a column whose name is nearly that of a field, or another unknown column without
     /// `keeps_others`.
-    pub(super) fn of(header: &[String], keeps_others: bool) -> Result<Self, Phrase> {
+    pub(super) fn from_header(header: &[String], keeps_others: bool) -> Result<Self, Phrase> {
         let known = fields();
         let has = |name: &str| header.iter().any(|cell| field_of_header(cell) == name);
         let names: Vec<&str> = header
@@ -234,7 +234,7 @@ mod tests {
     use super::*;
 
     fn columns_of(header: &[&str]) -> Result<Columns, Phrase> {
-        Columns::of(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>(), true)
+        Columns::from_header(&header.iter().map(|&cell| cell.to_owned()).collect::<Vec<_>>(), true)
     }
 
     #[test]
@@ -270,7 +270,12 @@ mod tests {
         let columns = columns_of(&header).unwrap();
         assert_eq!(columns.unmarked_user_columns(), ["subject", "age", "sex", "height", "site"]);
         let header = header.map(str::to_owned);
-        assert!(Columns::of(&header, false).unwrap_err().to_string().contains("'age' is not an option of"));
+        assert!(
+            Columns::from_header(&header, false)
+                .unwrap_err()
+                .to_string()
+                .contains("'age' is not an option of")
+        );
     }
 
     #[test]
@@ -284,7 +289,7 @@ mod tests {
     fn all_columns_that_are_wrong_are_named_at_once() {
         let header =
             ["subject", "model", "target-mas", "age", "mass", "mass", "jobs", "#sex"].map(str::to_owned);
-        let message = Columns::of(&header, false).unwrap_err().to_string();
+        let message = Columns::from_header(&header, false).unwrap_err().to_string();
         for column in ["subject", "target-mas", "age"] {
             let wrong = format!("the column '{column}' is not an option of");
             assert!(message.contains(&wrong), "{message}");

@@ -59,7 +59,7 @@ impl Table {
     /// It is not a table, or its first row does not name fields of changes.
     pub fn read(bytes: &[u8], folder: &Path, keeps_others: bool) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
-        let columns = Columns::of(&sheet.header, keeps_others)?;
+        let columns = Columns::from_header(&sheet.header, keeps_others)?;
         let masses = Masses::of(&sheet, &columns);
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }

@@ -1,0 +1,120 @@
+//! `check`: what it prints, its exit status, and what it says of published models.
+
+use std::collections::BTreeSet;
+
+use crate::check::check_report;
+use crate::support::{HUMAN, TestDir, corpus_folder, fixture};
+
+#[test]
+fn the_exit_status_is_that_of_the_worst_finding() {
+    let dir_with = |fixture: &str| TestDir::with(&[(fixture, "model.osim")]);
+    let (remark, warning, error) = (
+        dir_with("check/beyond_hertz_at_two.osim"),
+        dir_with("check/wide_transition.osim"),
+        dir_with("check/floats.osim"),
+    );
+    dir_with("check/within_limits.osim").run("check model.osim --deny warning").succeeded();
+    remark.run("check model.osim --deny warning").succeeded();
+    warning.run("check model.osim").succeeded();
+    warning.run("check model.osim --deny warning").failed();
+    error.run("check model.osim").failed();
+    error.run("check model.osim --deny sometimes").usage_error();
+}
+
+#[test]
+fn check_prints_tables_json_and_csv() {
+    let dir = TestDir::with(&[
+        HUMAN,
+        ("check/within_limits.osim", "lib/good.osim"),
+        ("check/floats.osim", "lib/floats.osim"),
+        ("check/wide_transition.osim", "lib/wide.osim"),
+        ("bad/no_contacts.osim", "lib/bones.osim"),
+        ("bad/not_xml.osim", "lib/broken.osim"),
+    ]);
+    dir.run("check human.osim").succeeded().wrote_nothing().matches_snapshot("check");
+    dir.run("check human.osim --format json").succeeded().matches_snapshot("check_json");
+    dir.run("check lib").failed().wrote_nothing().matches_snapshot("check_folder");
+    dir.run("check lib --format csv").failed().matches_snapshot("check_csv");
+    dir.run("check lib --format json").failed().matches_snapshot("check_folder_json");
+    dir.run("check lib/good.osim --deny warning").succeeded().matches_snapshot("check_good");
+    dir.run("check lib/bones.osim").succeeded().matches_snapshot("check_no_contacts");
+}
+
+#[test]
+fn tables_fit_80_columns() {
+    for fixture in ["check/floats.osim", "format/mixed_radii.osim", "format/terrain_welded.osim"] {
+        let dir = TestDir::with(&[(fixture, "model.osim"), ("check/within_limits.osim", "other.osim")]);
+        for arguments in ["check model.osim", "check model.osim other.osim"] {
+            let text = dir.run(arguments).out();
+            assert!(!text.contains('\u{1b}'));
+            for line in text.lines().filter(|line| !line.starts_with("$ ")) {
+                assert!(line.chars().count() <= 80, "{line}");
+            }
+        }
+    }
+}
+
+#[test]
+fn published_models_have_the_documented_findings() {
+    let Some(folder) = corpus_folder("published_models_have_the_documented_findings") else { return };
+    let report_of = |model: &str| {
+        let dir = TestDir::new();
+        dir.write("model.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+        check_report(&dir, "model.osim")
+            .findings
+            .into_iter()
+            .map(|finding| finding.code)
+            .collect::<BTreeSet<_>>()
+    };
+    // Falisse's smoothing "does not have the issue" of the paper's Fig. C.5; its indentation and damping are beyond both laws.
+    assert_eq!(
+        report_of("v40000_falisse_2022_human"),
+        BTreeSet::from(
+            ["beyond-hertz", "beyond-hunt-crossley", "known-contacts", "not-on-floor"].map(String::from)
+        )
+    );
+    // The same contacts under 78 kg.
+    assert!(report_of("v40000_opencap_lai_arnold_crlf").contains("contacts-of-another-mass"));
+    let dhondt = report_of("v40000_dhondt_2024_3seg_human");
+    assert!(dhondt.contains("force-before-contact") && dhondt.contains("large-constant-indentation"));
+    assert!(report_of("v40000_moco_2d_gait").contains("dead-derivative-smoothing"));
+    // None of them has a warning, and `check` says so in one line.
+    for model in [
+        "v40000_falisse_2022_human",
+        "v40000_dhondt_2024_3seg_human",
+        "v40000_human_12_hunt_crossley",
+        "v40000_opencap_lai_arnold_crlf",
+        "v40000_moco_2d_gait",
+        "v30000_osim_rl_gait9dof18musc_crlf",
+        "v30000_scone_h0914m",
+        "v40000_scone_h0914m",
+        "v40000_toy_landing",
+        "v20302_dynamic_jumper",
+        "v40000_dynamic_jumper",
+        "v20001_bouncing_ball_hunt_crossley",
+        "v40000_bouncing_ball_smooth",
+        "v30000_bouncing_block",
+        "v20303_bouncing_block",
+    ] {
+        let dir = TestDir::new();
+        dir.write("m.osim", std::fs::read(folder.join(format!("{model}.osim"))).unwrap());
+        let out = dir.run("check m.osim --deny warning").succeeded().out();
+        // What the published contacts have is in no row of its own; a pose, a mass or a floor of this model is.
+        let start = out.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(start.contains("; the contact parameters are those of"), "{model}: {out}");
+        let is_good = start.starts_with("m.osim: nothing is wrong;");
+        let is_bad = |line: &str| ["error ", "warning "].iter().any(|sign| line.starts_with(sign));
+        assert!(!out.lines().any(is_bad), "{model}: {out}");
+        assert_eq!(is_good, !out.lines().any(|line| line.starts_with("remark ")), "{model}: {out}");
+    }
+    let landing = report_of("v40000_toy_landing");
+    assert!(landing.contains("mixed-radii") && !landing.contains("beyond-hertz"));
+}
+
+#[test]
+fn a_finding_without_a_command_leads_to_its_explanation() {
+    let dir = TestDir::new();
+    dir.write("model.osim", fixture("check/doubled_spheres.osim"));
+    let run = dir.run("check model.osim").failed();
+    assert!(run.out().ends_with("\n\nWhat to do: explain doubled-spheres\n"), "{}", run.out());
+}
