@@ -107,7 +107,7 @@ impl Model {
     }
 
     /// The value that `make` computes from this model. It is computed once for each type, and shared with models that differ only in
-    /// numbers of contacts. It must therefore depend only on bodies, joints and constraints, and on names and texts that are no numbers
+    /// numbers of contacts. It must therefore depend only on bodies, joints and constraints, and on names and on texts other than numbers
     /// of contacts.
     pub fn derived_from_bodies<T: Any + Send + Sync>(&self, make: impl FnOnce(&Self) -> T) -> &T {
         self.body_facts.derived.get_or_make(|| make(self))
