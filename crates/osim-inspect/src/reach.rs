@@ -213,8 +213,14 @@ impl BodyBones {
         Some(toes.in_parent_m[0] / TOES_BEGIN_M).filter(|factor| PLAUSIBLE_FACTORS.contains(factor))
     }
 
+    /// How far `place_m`, in the frame of the calcaneus `body`, is ahead of the ankle, m.
+    pub(crate) fn ahead_of_ankle_m(&self, body: &str, place_m: DVec3) -> Option<f64> {
+        let (ankle_m, forward) = self.ankle_and_forward(body)?;
+        Some((place_m - ankle_m).dot(forward))
+    }
+
     /// The place of the ankle in the calcaneus `body`, m, and the direction in which the foot points, both in the frame of `body`.
-    pub(crate) fn ankle_and_forward(&self, body: &str) -> Option<(DVec3, DVec3)> {
+    fn ankle_and_forward(&self, body: &str) -> Option<(DVec3, DVec3)> {
         if !body.to_lowercase().contains("calc") {
             return None;
         }

@@ -169,6 +169,7 @@ fn find_in_sides(model: &Model) -> Vec<Finding> {
     let mut findings = sides::find_differences(&sides);
     findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
     findings.extend(places::find_no_heel(&sides));
+    findings.extend(places::find_toes_at_ankle(&sides));
     findings
 }
 

@@ -315,8 +315,7 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
     let bones = BodyBones::of(sides.model)?;
     let mut rearmost: BTreeMap<&str, (f64, &Sphere)> = BTreeMap::new();
     for (sphere, body, place_m) in sides.spheres() {
-        let Some((ankle_m, forward)) = bones.ankle_and_forward(body) else { continue };
-        let ahead_m = (place_m - ankle_m).dot(forward);
+        let Some(ahead_m) = bones.ahead_of_ankle_m(body, place_m) else { continue };
         let least = rearmost.entry(body).or_insert((ahead_m, sphere));
         if ahead_m < least.0 {
             *least = (ahead_m, sphere);
@@ -341,6 +340,34 @@ pub(super) fn find_no_heel(sides: &BothSides<'_>) -> Option<Finding> {
             .with_severity(Severity::Remark)
             .with_advice("Nothing, if this is intended; else look at the places of the heel's spheres"),
     )
+}
+
+/// A sphere that is named after the toes and is ahead of the ankle by less than this part of the limb's longest bone has the place that it
+/// has on the toes. The spheres of published models are at least 0.2 ahead.
+const TOES_AHEAD_OF_ANKLE: f64 = 0.15;
+
+/// The finding that spheres of the toes are on a calcaneus, near the ankle.
+pub(super) fn find_toes_at_ankle(sides: &BothSides<'_>) -> Option<Finding> {
+    let bones = BodyBones::of(sides.model)?;
+    let mut near = Vec::new();
+    for (sphere, body, place_m) in sides.spheres() {
+        let name = sphere.name.to_lowercase();
+        let is_toe =
+            !name.contains("heel") && ["toe", "hallux", "phal"].iter().any(|word| name.contains(word));
+        let ahead_m = bones.ahead_of_ankle_m(body, place_m).filter(|_| is_toe);
+        let Some((ahead_m, bone_m)) = ahead_m.zip(sides.longest_bone_of_limb_m(body)) else { continue };
+        if ahead_m < TOES_AHEAD_OF_ANKLE * bone_m {
+            near.push((ahead_m, sphere));
+        }
+    }
+    let (ahead_m, first) = near.first()?;
+    let text = format!(
+        "{} is named after the toes and is {} mm ahead of the ankle, on {}",
+        shown(&first.name),
+        three_significant(1e3 * ahead_m),
+        shown(first.body.as_deref().unwrap_or_default())
+    );
+    about_spheres(&SPHERES_MISPLACED, text, near.iter().map(|(_, sphere)| *sphere))
 }
 
 pub(super) static SPHERES_NOT_COMPARED: Rule = Rule {

@@ -226,8 +226,10 @@ pub(super) static LEFT_RIGHT_PLACES: Rule = Rule {
 /// One finding for all pairs of spheres whose places are not mirror images. It is about the pair that is farthest apart; spheres on bodies
 /// that are not counterparts count as the farthest.
 pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
+    let are_copied = sides.pairs.iter().all(|pair| pair.right.place_m == pair.left.place_m);
+    let limit = if are_copied { COPIED_PLACE_OF_BONE } else { SAME_PLACE_OF_BONE };
     let mut far_pairs: Vec<(f64, &SpherePair<'_>)> =
-        sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair)?, pair))).collect();
+        sides.pairs.iter().filter_map(|pair| Some((distance_too_far(pair, limit)?, pair))).collect();
     far_pairs.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     let (_, worst) = far_pairs.first()?;
     let more = and_others(far_pairs.len(), "another pair, too", "other pairs, too");
@@ -235,11 +237,14 @@ pub(super) fn find_left_right_places(sides: &BothSides<'_>) -> Option<Finding> {
     about_spheres(&LEFT_RIGHT_PLACES, text, far_pairs.iter().map(|(_, pair)| pair.left.sphere))
 }
 
-/// The distance between the places of a pair, as a part of the limb's longest bone, if it is too large.
-fn distance_too_far(pair: &SpherePair<'_>) -> Option<f64> {
+/// Like [`SAME_PLACE_OF_BONE`], if all numbers of the left places are those of the right ones: they were copied, not mirrored.
+const COPIED_PLACE_OF_BONE: f64 = 0.002;
+
+/// The distance between the places of a pair, as a part of the limb's longest bone, if it exceeds `limit`.
+fn distance_too_far(pair: &SpherePair<'_>, limit: f64) -> Option<f64> {
     let Some(bodies) = &pair.bodies else { return Some(f64::INFINITY) };
     let apart = bodies.apart_m(pair.right.place_m, pair.left.place_m)? / bodies.bone_m?;
-    (apart > SAME_PLACE_OF_BONE).then_some(apart)
+    (apart > limit).then_some(apart)
 }
 
 fn describe_places(pair: &SpherePair<'_>) -> String {

@@ -144,6 +144,8 @@ pub const DAMAGES: &[Kind] = &[
     }),
     ("all spheres on the hands", "spheres-misplaced", |m| m.carriers(|body| m.body(&["hand"], body))),
     ("left places not mirrored", "left-right-places spheres-misplaced", |m| {
+        // Places in the middle of the foot are their own mirror images.
+        m.model.spheres().iter().find(|sphere| is_left(&sphere.name) && sphere.location_m[2] != 0.0)?;
         m.places(is_left, |[x, y, z]| [x, y, -z])
     }),
     ("left places +30 mm sideways (stance too wide)", "left-right-places", |m| {
