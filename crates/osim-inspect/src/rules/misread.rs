@@ -1,6 +1,6 @@
 //! Rules about the texts of numbers and flags: how they are written, and the domains of numbers.
 
-use osim_model::opensim_text::{self, are_plain_numbers};
+use osim_model::opensim_text::{self, plain_numbers};
 use osim_model::{
     Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind, LAST_VERSION_WITH_IS_DISABLED,
     Model, Repair, Rule, Severity, Value, VerdictOn,
@@ -143,8 +143,12 @@ fn find_in_texts(model: &Model) -> Vec<Finding> {
             {
                 return false;
             }
-            let all = written_properties(tree.name(element)).iter();
-            for property in all.flat_map(|&(tags, form, of)| tags.split(' ').map(move |tag| (tag, form, of)))
+            let class = tree.name(element);
+            // Names of properties are in lower case.
+            let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
+            let all = if is_object { written_properties(class) } else { &[] };
+            for property in
+                all.iter().flat_map(|&(tags, form, of)| tags.split(' ').map(move |tag| (tag, form, of)))
             {
                 if let Some((rule, element_of_text, text)) = misread_text(document, element, property) {
                     let path = path_of_part(document, path(), component.element, element);
@@ -188,11 +192,10 @@ fn misread_text(
     }
     let element = document.property_element(object, tag)?;
     let raw = document.tree().raw_text(element);
-    if raw.in_one_piece && form.is_plain(&raw.text) {
+    if let Some(read) = raw.in_one_piece.then(|| form.plain_numbers(&raw.text)).flatten() {
         if let Some(text) = unequal_counts(document, object, tag, &raw.text) {
             return Some((&ODD_NUMBER, element, text));
         }
-        let read = opensim_text::numbers(&raw.text).filter(|_| matches!(form, Numbers(_)))?;
         // A coordinate may be without bounds.
         let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
         let listed = || format!("is {}", read.iter().map(f64::to_string).collect::<Vec<_>>().join(" "));
@@ -239,12 +242,13 @@ fn shown_text(text: &str) -> String {
 }
 
 impl TextForm {
-    /// Whether a person and OpenSim read the text alike.
-    fn is_plain(self, text: &str) -> bool {
+    /// The numbers of a text, none if it is a flag; `None` if a person and OpenSim do not read the text alike.
+    fn plain_numbers(self, text: &str) -> Option<Vec<f64>> {
+        let is_flag = || ["true", "false", "0", "1"].iter().any(|flag| flag.eq_ignore_ascii_case(text));
         match self {
-            Numbers(count) => are_plain_numbers(text, count),
-            Flag | OldFlag => ["true", "false", "0", "1"].contains(&text.to_ascii_lowercase().as_str()),
-            OldNumbers(count) => are_old_numbers(text, count),
+            Numbers(count) => plain_numbers(text).filter(|numbers| numbers.len() == count),
+            Flag | OldFlag => is_flag().then(Vec::new),
+            OldNumbers(count) => are_old_numbers(text, count).then(Vec::new),
         }
     }
 
@@ -269,8 +273,7 @@ impl TextForm {
 fn are_old_numbers(text: &str, count: Option<usize>) -> bool {
     let words = old_words(text);
     let is_finite = |word: &&str| {
-        are_plain_numbers(word, 1)
-            && opensim_text::numbers(word).is_some_and(|numbers| numbers.iter().all(|one| one.is_finite()))
+        plain_numbers(word).is_some_and(|numbers| matches!(numbers[..], [one] if one.is_finite()))
     };
     count.is_none_or(|count| words.len() == count) && !words.is_empty() && words.iter().all(is_finite)
 }

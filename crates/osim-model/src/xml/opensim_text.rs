@@ -120,24 +120,26 @@ pub fn triple(text: &str) -> Option<[f64; 3]> {
     (count > 0 && count % 3 == 0).then_some(first)
 }
 
-/// Whether a text is `count` numbers that a person and OpenSim read alike. Commas after all numbers but the last are harmless.
+/// The numbers of a text that a person and OpenSim read alike; `None` for another text. Commas after all numbers but the last are harmless.
 ///
 /// ```
-/// use osim_model::xml::opensim_text::are_plain_numbers;
+/// use osim_model::xml::opensim_text::plain_numbers;
 ///
-/// assert!(are_plain_numbers("0.1 -2e-3 inf", 3) && are_plain_numbers("1, 2, 3", 3));
-/// for text in ["0.1,0.2,0.3", "0,5 1 2", "1 2 3,", "1x 2 3", "1 2", "1 2 3 4 5 6", ""] {
-///     assert!(!are_plain_numbers(text, 3), "{text}");
+/// assert_eq!(plain_numbers("0.1 -2e-3 inf"), Some(vec![0.1, -2e-3, f64::INFINITY]));
+/// assert_eq!(plain_numbers("1, 2, 3"), Some(vec![1.0, 2.0, 3.0]));
+/// for text in ["0.1,0.2,0.3", "0,5 1 2", "1 2 3,", "1x 2 3", ""] {
+///     assert_eq!(plain_numbers(text), None, "{text}");
 /// }
 /// ```
-pub fn are_plain_numbers(text: &str, count: usize) -> bool {
-    let is_number = |word: &str| number_at_start(word).is_some_and(|(_, length)| length == word.len());
-    let before_comma = |word: &str| is_number(word.strip_suffix(',').unwrap_or(word));
-    let all: Vec<&str> = list_words(text).collect();
-    all.len() == count
-        && all
-            .split_last()
-            .is_some_and(|(last, others)| is_number(last) && others.iter().all(|word| before_comma(word)))
+pub fn plain_numbers(text: &str) -> Option<Vec<f64>> {
+    let mut ends_with_comma = true;
+    let number = |word: &str| {
+        let (value, length) = number_at_start(word)?;
+        ends_with_comma = word.len() > length;
+        (word.get(length..).is_some_and(|rest| rest.is_empty() || rest == ",")).then_some(value)
+    };
+    let all: Vec<f64> = list_words(text).map(number).collect::<Option<_>>()?;
+    (!ends_with_comma).then_some(all)
 }
 
 /// A flag, true or false; `None` if OpenSim cannot read it and uses its default.
