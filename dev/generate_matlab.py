@@ -23,6 +23,7 @@ HEADER = "% Made by dev/generate_matlab.py from the schemas of requests and resu
 WIDTH = 100
 OWN_FUNCTIONS = {
     "apply": "Make the changes of a plan in a live model of OpenSim's own bindings",
+    "predsim": "Give a scaled model contacts that fit it, in a new file for PredSim",
     "program": "Say where the program is, or ask for it",
     "read_table": "Read a table (CSV) that the program wrote",
 }

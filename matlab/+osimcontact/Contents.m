@@ -25,6 +25,7 @@
 %   sweep      - One file per point of a grid, or per step of a ladder, and a table that says what is in which.
 %   transfer   - Gives a model the contacts of another model or of a preset, at its own size.
 %   apply      - Make the changes of a plan in a live model of OpenSim's own bindings.
+%   predsim    - Give a scaled model contacts that fit it, in a new file for PredSim.
 %   program    - Say where the program is, or ask for it.
 %   read_table - Read a table (CSV) that the program wrote.
 

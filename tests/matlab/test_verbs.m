@@ -15,7 +15,7 @@ end
 
 function help_is_found()
     % By its usual command, before a function was called and afterwards.
-    for name = [functions_of_verbs(), {'apply', 'program', 'read_table'}]
+    for name = [functions_of_verbs(), {'apply', 'predsim', 'program', 'read_table'}]
         must(~isempty(strfind(help(['osimcontact.' name{1}]), upper(name{1}))), 'there is no help of %s', name{1});
     end
     osimcontact.program();
@@ -106,7 +106,7 @@ end
 function functions = functions_of_verbs()
     files = dir(fullfile(package(), '*.m'));
     functions = cellfun(@(name) name(1:end - 2), {files.name}, 'UniformOutput', false);
-    functions = setdiff(functions, {'Contents', 'apply', 'program', 'read_table'});
+    functions = setdiff(functions, {'Contents', 'apply', 'predsim', 'program', 'read_table'});
 end
 
 function text = help_of(name)
