@@ -33,10 +33,9 @@ python   tests/pyright
 #   tells    what prints its version
 #
 # rust:     what dev/requirements.txt lists looks at licences and sources of dependencies.
-# programs: octave runs the package for MATLAB, groff sets the manual, strace sees what reaches the disk, setpriv and
-#           unshare take permissions and make small disks (util-linux), readelf looks into the archive's program, pdfinfo reads
-#           figures, valgrind
-#           counts instructions.
+# programs: octave runs the package for MATLAB, jython the scripts for OpenSim's GUI, groff sets the manual, strace sees what
+#           reaches the disk, setpriv and unshare take permissions and make small disks (util-linux), readelf looks into the
+#           archive's program, pdfinfo reads figures, valgrind counts instructions.
 # shells:   each reads the completions made for it.
 # oracle:   Python for the comparison with the real OpenSim. Its packages are in the table further below.
 # browser:  opens reports; pdftotext reads what they print. The tests run in the oracle's Python. npm brings axe-core, by
@@ -54,6 +53,7 @@ rust      rustfmt        1.8      rust                cargo fmt --version
 rust      clippy         0.1      rust                cargo clippy --version
 rust      python3        3.11     apt:python3-venv    python3 -c 'import ensurepip, platform; print(platform.python_version())'
 programs  octave         7        apt:octave          octave --version
+programs  jython         2.7      apt:jython          dpkg-query -W jython
 programs  groff          1.22     apt:groff-base      groff --version
 programs  strace         6        apt:strace          strace --version
 programs  setpriv        2.38     apt:util-linux      setpriv --version

@@ -58,6 +58,8 @@ def contents(program, target, metadata):
     add("LICENSES-OF-LIBRARIES.txt", licences(metadata, COMMAND, target))
     for shell, name in SHELLS.items():
         add(f"completions/{name}", output_of(str(program), "completions", shell))
+    for name in tracked("dev/release/opensim-gui"):
+        add(f"opensim-gui/{Path(name).name}", (ROOT / name).read_bytes())
     if "windows" in target:
         add("inspect.bat", (ROOT / "dev/release/inspect.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
     else:

@@ -24,8 +24,8 @@ import console_examples
 COMMAND = "osim-contact-scale"
 MODEL = "human_62kg_smooth_sphere.osim"
 EXPECTED = ["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE", "LICENSES-OF-LIBRARIES.txt", "docs/README.md",
-            "docs/install.md", "schemas/README.md", "matlab/+osimcontact/rescale.m", f"completions/{COMMAND}.bash", f"completions/_{COMMAND}",
-            f"completions/{COMMAND}.fish"]
+            "docs/install.md", "schemas/README.md", "matlab/+osimcontact/rescale.m", "opensim-gui/RescaleContacts.py",
+            f"completions/{COMMAND}.bash", f"completions/_{COMMAND}", f"completions/{COMMAND}.fish"]
 
 
 def unpack(archive, into):
