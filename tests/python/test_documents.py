@@ -18,7 +18,7 @@ from conftest import TOP
 
 pytest.importorskip("pandas", reason="pandas is not installed: the pages show its tables")
 
-PAGES = ("docs/tutorial.md", "docs/python.md", "python/README.md")
+PAGES = ("docs/tutorial.md", "docs/python.md", "docs/work.md", "python/README.md")
 
 #: A Python block, and the text block that says what it prints.
 BLOCK = re.compile(r"^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?", re.M | re.S)
