@@ -284,7 +284,7 @@ pub(super) const STIFFNESS: &[Equation] = &[
             form("Hertz", "k̂ = 3 / (2 x̂)", "stiffness::dimensionless_hertz", "1"),
         ],
         symbols: &[K_HAT, K, R, N, F_C_ALL, X_HAT],
-        source: "Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3)",
+        source: "Van Bijlert (2026), appendix B, which cites Alexander et al. (1986). The second form: (B.2), (3)",
     },
     Equation {
         label: "B.4",
