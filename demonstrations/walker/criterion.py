@@ -58,10 +58,10 @@ def forward(path, series):
 
 
 def succeeded(row):
-    """The two counts of a row: by the solver and the finer mesh, and by the forward simulation, too."""
-    mesh = int(row["solved"]) == 1 and row["solved_twice"] == "1"
-    mesh = mesh and all(abs(float(row[name])) < CHANGE for name in ("effort_change", "force_change"))
-    return mesh, mesh and float(row["held"]) == 1.0
+    """The three counts of a row: at twice the mesh the effort is the same, the force is so too, and the controls hold for the step."""
+    effort = int(row["solved"]) == 1 and row["solved_twice"] == "1" and abs(float(row["effort_change"])) < CHANGE
+    force = effort and abs(float(row["force_change"])) < CHANGE
+    return effort, force, force and float(row["held"]) == 1.0
 
 
 def wilson(count, total, z=1.959963984540054):
@@ -77,6 +77,6 @@ def wilson(count, total, z=1.959963984540054):
 
 
 def in_words(count, total):
-    """A count with its interval, in words."""
+    """A count with its interval in percent, in words."""
     low, high = wilson(count, total)
-    return f"{count} ({100 * low:.0f} to {100 * high:.0f} %)"
+    return f"{count} ({100 * low:.0f}..{100 * high:.0f})"

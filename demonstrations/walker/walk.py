@@ -88,7 +88,8 @@ def solved(path, guess, mesh, length=1.0, max_iterations=3000, is_warm_start=Fal
         "active_bounds": len(active(series, limits)),
         "nearest_bound": min(distances(series, limits).values()),
         "cost_of_transport": cost_of_transport(series, length),
-        "peak_force_bw": max(series["force_r_bw"]),
+        # One foot over a cycle: in half a cycle, the left foot does what the right one does in the other half.
+        "peak_force_bw": max(max(series[f"force_{side}_bw"]) for side in SIDES),
     }
     return numbers, series
 
