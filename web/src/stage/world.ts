@@ -2,11 +2,13 @@
 
 import {
   AmbientLight, ArrowHelper, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, GridHelper, Group, LineBasicMaterial,
-  LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Scene as World, SphereGeometry, Vector3, WebGLRenderer,
+  LineSegments, Matrix4, Mesh, MeshLambertMaterial, Object3D, PerspectiveCamera, Raycaster, Scene as World, SphereGeometry, Vector2, Vector3,
+  WebGLRenderer,
 } from "three";
 
 import type { Bones, PlacedSphere, PlayedMotion, Scene, Vector } from "../engine/space";
 import { ForceArrows } from "./force_arrows";
+import { footWedge, limb, spheresOfFeet } from "./limbs";
 import { floorHeight, liftToRest } from "./rest";
 
 /** The part of the model in the view. */
@@ -52,7 +54,7 @@ export class Stage {
   readonly target = new Vector3();
   readonly #renderer: WebGLRenderer;
   readonly #world = new World();
-  /** The parts that fall together: bones, lines, and the current or new spheres. */
+  /** The parts that fall together: bones or limbs, and the current or new spheres. */
   readonly #body = new Group();
   readonly #oldSpheres = new Group();
   readonly #floor = new Group();
@@ -86,9 +88,9 @@ export class Stage {
   /** Draws one object of each kind, because the first drawing takes long: its shaders are compiled. */
   warmUp(): void {
     const all = new Group();
-    const { ball, bone, line, old } = this.#materials;
+    const { ball, bone, foot, old } = this.#materials;
     const arrow = new ArrowHelper(new Vector3(0, 1, 0), new Vector3(), 1, this.#colours.force);
-    all.add(new Mesh(BALL, ball), new Mesh(BALL, bone), new LineSegments(RINGS, line), new LineSegments(RINGS, old), arrow, grid(1, this.#colours.floor));
+    all.add(new Mesh(BALL, ball), new Mesh(BALL, bone), new Mesh(BALL, foot), new LineSegments(RINGS, old), arrow, grid(1, this.#colours.floor));
     this.#world.add(all);
     this.#renderer.render(this.#world, this.camera);
     clearGroup(all).removeFromParent();
@@ -229,6 +231,14 @@ export class Stage {
     this.render();
   }
 
+  /** The path of the sphere at a place of the picture, in shares of its width and height. */
+  sphereAt(x: number, y: number): string | undefined {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(2 * x - 1, 1 - 2 * y), this.camera);
+    const [hit] = ray.intersectObjects([...this.#balls.values()], false);
+    return [...this.#balls].find(([, ball]) => ball === hit?.object)?.[0];
+  }
+
   resize(width: number, height: number): void {
     if (width === 0 || height === 0) return;
     this.#renderer.setSize(width, height, false);
@@ -286,9 +296,27 @@ export class Stage {
     }
     const surfaces = this.#bones?.surfaces ?? [];
     for (const { body, points, triangles } of surfaces) this.#bodyGroups.get(body)?.add(boneMesh(points, triangles, this.#materials.bone));
-    const withBones = new Set(surfaces.map(({ body }) => body));
+    this.#addLimbs(scene, new Set(surfaces.map(({ body }) => body)));
+  }
+
+  /** Adds a capsule to each body without bones, and a wedge to each foot without bones. */
+  #addLimbs(scene: Scene, withBones: ReadonlySet<string>): void {
+    const joints = scene.lines.flatMap(({ body, from_m: from, to_m: to }) => {
+      const rest = this.#bodyGroups.get(body)?.matrix;
+      return rest ? [from, to].map((end) => new Vector3(...end).applyMatrix4(rest)) : [];
+    });
+    const inWedge = new Set<string>();
+    for (const foot of spheresOfFeet(scene.spheres)) {
+      const [group, bodies] = [this.#bodyGroups.get(foot[0]?.body ?? ""), foot.map(({ body }) => body)];
+      if (!group || bodies.some((body) => withBones.has(body))) continue;
+      const wedge = new Mesh(footWedge(foot, joints, scene.axes), this.#materials.foot);
+      wedge.geometry.applyMatrix4(group.matrix.clone().invert());
+      group.add(wedge);
+      for (const body of bodies) inWedge.add(body);
+    }
+    const thickest = 0.06 * bodyHeight(scene);
     for (const { body, from_m: from, to_m: to } of scene.lines) {
-      if (!withBones.has(body)) this.#bodyGroups.get(body)?.add(lineBetween(from, to, this.#materials.line));
+      if (!withBones.has(body) && !inWedge.has(body)) this.#bodyGroups.get(body)?.add(limb(from, to, thickest, this.#materials.bone));
     }
   }
 
@@ -428,10 +456,6 @@ function boneMesh(points: readonly number[], triangles: readonly number[], mater
   return new Mesh(geometry, material);
 }
 
-function lineBetween(from: Vector, to: Vector, material: LineBasicMaterial): LineSegments {
-  return new LineSegments(new BufferGeometry().setFromPoints([new Vector3(...from), new Vector3(...to)]), material);
-}
-
 /** Three circles, one in each plane, as the outline of a sphere. */
 function rings(): BufferGeometry {
   const COUNT = 48;
@@ -451,7 +475,8 @@ function materials({ accent, bone, old }: Colours) {
   return {
     ball: new MeshLambertMaterial({ color: new Color(accent), transparent: true, opacity: 0.85 }),
     bone: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide }),
-    line: new LineBasicMaterial({ color: new Color(bone) }),
+    // The spheres inside a foot are seen through it.
+    foot: new MeshLambertMaterial({ color: new Color(bone), side: DoubleSide, transparent: true, opacity: 0.4, depthWrite: false }),
     // Old spheres are drawn over everything around them.
     old: new LineBasicMaterial({ color: new Color(old), depthTest: false }),
   };

@@ -18,7 +18,9 @@ const TARGETS: readonly [ViewTarget, string][] = [["feet", "Feet"], ["right", "R
 const DIRECTIONS: readonly [ViewDirection, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
 /** Most missing meshes that are named. */
 const MAX_NAMED = 4;
-const KEYS = "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
+/** A pointer that moves further than this drags. */
+const MOST_CLICK_PIXELS = 4;
+const KEYS = "Click a sphere to read its numbers. Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
 
 export class StageView {
   readonly #section = byId("stage");
@@ -27,6 +29,8 @@ export class StageView {
   readonly #inWords = el("details", { class: "section" });
   readonly #remark = el("p", { class: "quiet stage-remark" });
   readonly #meshes = el("p", { class: "quiet stage-remark" });
+  /** The numbers of the sphere that was clicked. */
+  readonly #clicked = el("p", { class: "stage-clicked", role: "status" });
   readonly #stage: Stage | undefined;
   readonly #fall: FallView;
   readonly #recording: RecordingView;
@@ -51,7 +55,7 @@ export class StageView {
       if (played) this.#stage?.pose(played, moment);
       else this.#stage?.unpose();
     }, () => this.#now?.axes[1] ?? [0, 1, 0]);
-    const frame = el("div", { class: "stage-frame" }, this.#canvas);
+    const frame = el("div", { class: "stage-frame" }, this.#canvas, this.#clicked);
     const bars = [
       choices("Show", TARGETS, this.#target, (looked) => this.#setView(looked, this.#direction)),
       choices("From", DIRECTIONS, this.#direction, (from) => this.#setView(this.#target, from)),
@@ -63,6 +67,7 @@ export class StageView {
     this.#section.append(el("h2", { id: "stage-title", class: "hidden" }, "The body"));
     if (this.#stage) {
       addControls(this.#stage);
+      this.#wireClicks(this.#stage);
       new ResizeObserver(() => this.#stage?.resize(frame.clientWidth, frame.clientHeight)).observe(frame);
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
       this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
@@ -114,9 +119,25 @@ export class StageView {
     this.#recording.stop();
     this.#stage?.unpose();
     this.#stage?.show({ now, after, standing: this.#standing });
+    setText(this.#clicked, "");
     setAttribute(this.#canvas, "aria-label", `${now.spheres.length} contact spheres under the body, which can be turned; in words below`);
     setText(this.#remark, poseRemark(now, this.#standing));
     if (this.#inWords.open) this.#words.replaceChildren(describeScene(now, after));
+  }
+
+  /** A click on a sphere says its numbers. A drag turns the view. */
+  #wireClicks(stage: Stage): void {
+    let [x, y] = [0, 0];
+    this.#canvas.addEventListener("pointerdown", (event) => ([x, y] = [event.clientX, event.clientY]));
+    this.#canvas.addEventListener("click", (event) => {
+      if (Math.hypot(event.clientX - x, event.clientY - y) > MOST_CLICK_PIXELS) return;
+      const box = this.#canvas.getBoundingClientRect();
+      const path = stage.sphereAt((x - box.left) / box.width, (y - box.top) / box.height);
+      const find = (scene: Scene | undefined) => scene?.spheres.find((sphere) => sphere.path === path);
+      const [before, after] = [find(this.#now), find(this.#after)];
+      const shown = after ?? before;
+      setText(this.#clicked, shown ? describeSphere(shown, after ? before : undefined) : "");
+    });
   }
 
   #showFalls(model: OpenModel): void {
@@ -188,10 +209,21 @@ function describeScene(now: Scene, after: Scene | undefined): HTMLElement {
   return el("div", { class: "wide", role: "group", "aria-label": "Contact spheres in words", tabindex: 0 }, table);
 }
 
+function describeSphere(sphere: PlacedSphere, before: PlacedSphere | undefined): string {
+  const { name, body, force_bw: force, relative_indentation: depth } = sphere;
+  const carries = force === null ? "" : `, carries ${digits(force, 3)} of the body weight`;
+  const sinks = depth === null ? "" : ` and sinks in ${digits(depth, 3)} of its radius`;
+  return `${name} on ${body}: radius ${radii(sphere, before)} mm${carries}${sinks}`;
+}
+
+/** The radius, mm, after and before a change. */
+function radii(sphere: PlacedSphere, before: PlacedSphere | undefined): string {
+  const [radius, old] = [sphere, before ?? sphere].map(({ radius_m: metres }) => digits(metres * 1000, 3));
+  return before && before.radius_m !== sphere.radius_m ? `${old} → ${radius}` : `${radius}`;
+}
+
 function row(sphere: PlacedSphere, before: PlacedSphere | undefined): HTMLElement {
   const cell = (text: string) => el("td", {}, text);
   const number = (value: number | null) => (value === null ? "–" : digits(value, 3));
-  const radius = number(sphere.radius_m * 1000);
-  const radiusText = before && before.radius_m !== sphere.radius_m ? `${number(before.radius_m * 1000)} → ${radius}` : radius;
-  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(radiusText), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
+  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(radii(sphere, before)), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
 }
