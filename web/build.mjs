@@ -13,7 +13,7 @@ import { assemble } from "./build/page.mjs";
 import { OUTPUT, PAGE } from "./build/paths.mjs";
 import { checkTypes } from "./build/types.mjs";
 
-const MOST_BYTES = 2_500_000;
+const MOST_BYTES = 3_000_000;
 
 const known = new Set(["--skip-engine"]);
 const unknown = process.argv.slice(2).filter((word) => !known.has(word));

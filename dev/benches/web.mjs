@@ -13,7 +13,7 @@ import { CORPUS, fixture, lacking, PAGE, PROGRAM } from "../../tests/web/support
 
 const ROUNDS = 15;
 const STEPS = 200;
-const LIMITS = { ready: 300, open: 500, step: 16, stepLate: 33, size: 2_500_000 };
+const LIMITS = { ready: 300, open: 500, step: 16, stepLate: 33, size: 3_000_000 };
 /** Bones in the view, each with the same mesh. */
 const BONES = 20;
 const MODEL = CORPUS ? join(CORPUS, "v40000_falisse_2022_human.osim") : fixture("table1/human_62kg_smooth_sphere.osim");

@@ -44,8 +44,7 @@ const SCREENS = {
   },
   "a remedy that was applied": async (user) => {
     await user.open(given("check/sunk_in.osim"));
-    await user.button(/^Apply: Design/).first().click();
-    await user.opened("sunk_in.scaled.osim");
+    await user.keepProposal("sunk_in.scaled.osim");
     await user.settled();
   },
   "several models": async (user) => {
@@ -58,7 +57,7 @@ const SCREENS = {
   "an error with a question": async (user) => {
     await user.open(HUMAN);
     await user.field("Target mass (kg)").fill("62000");
-    await user.result.getByRole("group", { name: /answer/ }).waitFor();
+    await user.outcome.getByRole("group", { name: /answer/ }).waitFor();
     await user.settled();
   },
   "a broken file": async (user) => {
@@ -94,7 +93,7 @@ for (const [name, show] of Object.entries(SCREENS)) {
 
 inChromium("the explanation is a dialog without findings", async (user) => {
   await user.open(HUMAN);
-  await user.unfold("Do the contacts fit the mass?");
+  await user.unfold("good");
   await user.region("human.osim").getByRole("link", { name: "beyond-hertz" }).first().click();
   await user.page.getByRole("dialog", { name: "Explanation" }).waitFor();
   assert.deepEqual(await axeFindings(user.page), []);

@@ -29,7 +29,7 @@ inChromium("a number that is not one is found when it is needed, and marked", as
   const file = given("bad/number_word.osim");
   await user.open(file);
   await user.field("Target mass (kg)").fill("80");
-  const alert = user.result.getByRole("alert");
+  const alert = user.outcome.getByRole("alert");
   await alert.getByText("number_word.osim:30:17").waitFor();
   assert.match(await alert.getByRole("paragraph").first().innerText(), /^error stiffness is 'abc', expected a number/i);
   assert.equal(await alert.locator("mark").textContent(), "abc");
@@ -67,7 +67,7 @@ inChromium("an answer that only the user has is a field; filled in, the change w
   await user.drop(ball, geometry);
   await user.region("forces.xml").getByRole("group", { name: "Your answer" }).getByLabel("File of the contact geometry set").selectOption("geometry.xml");
   await user.field("Target mass (kg)").fill("80");
-  const question = user.result.getByRole("group", { name: /answer/ });
+  const question = user.outcome.getByRole("group", { name: /answer/ });
   await question.getByLabel("Mass the contacts were made for (kg)").fill("61.5");
   await user.page.keyboard.press("Tab");
   await downloadsWhatTheCommandMakes(user, [ball, geometry], "forces.scaled.xml", ["geometry.scaled.xml"]);
@@ -76,10 +76,10 @@ inChromium("an answer that only the user has is a field; filled in, the change w
 inChromium("a number that is unlikely is asked about, and can be meant", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("62000");
-  const question = user.result.getByRole("group", { name: /answer/ });
+  const question = user.outcome.getByRole("group", { name: /answer/ });
   await question.getByLabel("Target mass (kg)").waitFor();
   await user.button("This is correct: continue", question).click();
-  await user.result.getByRole("alert").filter({ hasText: /^error the radius of/i }).waitFor();
+  await user.outcome.getByRole("alert").filter({ hasText: /^error the radius of/i }).waitFor();
   await user.button("This is correct: continue", question).click();
   await downloadsWhatTheCommandMakes(user, [HUMAN], "human.scaled.osim");
   assert.match(await user.spelled(), /--yes implausible-mass.*--yes implausible-radius|--yes implausible-mass,implausible-radius/);

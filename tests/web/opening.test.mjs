@@ -13,8 +13,9 @@ const MOUSE = given("table1/mouse_smooth_sphere.osim", "mouse.osim");
 
 inChromium("a model that is dropped is summed up and its feet are drawn", async (user) => {
   await user.drop(HUMAN);
-  const model = await user.opened("human.osim");
-  const facts = await model.getByRole("definition").allTextContents();
+  await user.opened("human.osim");
+  await user.details.getByRole("term").filter({ hasText: "Gravity" }).waitFor();
+  const facts = await user.details.getByRole("definition").allTextContents();
   assert.match(facts[0], /^62 kg/);
   assert.ok(facts.includes("12 × SmoothSphereHalfSpaceForce"), facts.join("; "));
   assert.ok(facts.includes("9.81 m/s²"));
@@ -73,8 +74,8 @@ inChromium("a force set is opened with its geometry", async (user) => {
     given("format/standalone_ForceSet.xml", "forces.xml"), given("format/standalone_ContactGeometrySet.xml", "geometry.xml"));
   const set = user.region("forces.xml");
   await set.getByRole("group", { name: "Your answer" }).getByLabel("File of the contact geometry set").selectOption("geometry.xml");
-  const opened = await user.opened("forces.xml");
-  assert.match((await opened.getByRole("definition").allTextContents()).join("; "), /1 × SmoothSphereHalfSpaceForce/);
+  await user.opened("forces.xml");
+  assert.match((await user.details.getByRole("definition").allTextContents()).join("; "), /1 × SmoothSphereHalfSpaceForce/);
 });
 
 inChromium("a model with a part in another file says that it is missing, and is whole once it is there", async (user) => {
@@ -82,24 +83,24 @@ inChromium("a model with a part in another file says that it is missing, and is 
   await user.choose([model]);
   await user.page.getByText(/parts\/bodies\.xml/).first().waitFor();
   await user.drop(part);
-  const region = await user.opened(model.name);
-  assert.match((await region.getByRole("definition").allTextContents())[0], /^62 kg sum of 9 bodies/);
+  await user.opened(model.name);
+  assert.match((await user.details.getByRole("definition").allTextContents())[0], /^62 kg sum of 9 bodies/);
 });
 
 inChromium("a folder is opened with what is in it, also what models take from other folders of it", async (user) => {
   const { model, part } = modelInTwoFiles();
   const folder = new Folder({ ...model, name: `lab/${model.name}` }, { ...part, name: `lab/${part.name}` });
   await user.choose(join(folder.path, "lab"), user.button("Open a folder…"));
-  const region = await user.opened(`lab/${model.name}`);
+  await user.opened(`lab/${model.name}`);
   folder.end();
-  assert.match((await region.getByRole("definition").allTextContents())[0], /^62 kg sum of 9 bodies/);
+  assert.match((await user.details.getByRole("definition").allTextContents())[0], /^62 kg sum of 9 bodies/);
 });
 
 inChromium("a published model is opened", { corpus: true }, async (user) => {
   const name = "v40000_falisse_2022_human.osim";
   await user.open({ name, bytes: readFileSync(published(name)) });
-  const model = await user.opened(name);
-  assert.match((await model.getByRole("definition").allTextContents()).join("; "), /12 × SmoothSphereHalfSpaceForce/);
+  await user.opened(name);
+  assert.match((await user.details.getByRole("definition").allTextContents()).join("; "), /12 × SmoothSphereHalfSpaceForce/);
 });
 
 /** A model whose bodies are in a file of another folder. */

@@ -28,19 +28,18 @@ const PICTURES = {
       await user.field("Target mass (kg)").fill("200");
       await user.done("human.scaled.osim");
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
-      await user.page.waitForTimeout(10_500);
+      await user.page.waitForTimeout(3500);
     },
   },
   followed: {
     width: 1040, height: 640,
     show: async (user) => {
       await user.open(given("scale_tool/scaled_smooth.osim", "scaled.osim"), given("scale_tool/generic_smooth.osim", "generic.osim"));
-      await user.button("scaled.osim").click();
       await user.opened("scaled.osim");
-      await user.button("Scaled from generic.osim? Let its contacts follow the bones").click();
+      await user.button("Move the spheres with the bones and make the contacts right for 52 kg").click();
       await user.done("scaled.scaled.osim");
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
-      await user.page.waitForTimeout(10_500);
+      await user.page.waitForTimeout(3500);
       await scrollToTop(user, user.region("scaled.osim"));
     },
   },
@@ -50,7 +49,7 @@ const PICTURES = {
       const meshes = ["r_human_foot", "l_human_foot", "r_human_toes", "l_human_toes"].map((name) => given(`feet/Geometry/${name}.vtp`));
       await user.open(given("feet/human_40000.osim", "human.osim"), ...meshes);
       await user.settled();
-      await user.page.waitForTimeout(10_500);
+      await user.page.waitForTimeout(3500);
     },
   },
   library: {
@@ -62,7 +61,7 @@ const PICTURES = {
       await user.field("Target mass (kg)").fill("80");
       await user.button("Show what would change in all models").click();
       await user.announced(/would change/);
-      await user.page.waitForTimeout(10_500);
+      await user.page.waitForTimeout(3500);
       await scrollToTop(user, user.region("40 models"));
     },
   },
@@ -73,7 +72,7 @@ const PICTURES = {
       await user.page.getByRole("img", { name: /upward force/ }).first().waitFor();
       await user.page.getByRole("radio", { name: "Side", exact: true }).check();
       await user.page.getByRole("slider", { name: "Time of the motion" }).fill("90");
-      await user.page.waitForTimeout(10_500);
+      await user.page.waitForTimeout(3500);
       await scrollToTop(user, user.region("The body"));
     },
   },
@@ -83,7 +82,7 @@ async function openModel(user) {
   await user.open(HUMAN);
   await user.settled();
   // What happened last is not in the picture any more.
-  await user.page.waitForTimeout(10_500);
+  await user.page.waitForTimeout(3500);
   return user.region("human.osim");
 }
 

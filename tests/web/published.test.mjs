@@ -46,7 +46,7 @@ async function rowsOf(user, title) {
     model: one.querySelector("th").textContent,
     outcome: one.querySelector(".outcome").textContent,
     message: one.querySelector(".outcome .message")?.textContent,
-    place: one.querySelector(".outcome details code")?.textContent,
+    place: one.querySelector(".outcome .quiet code")?.textContent,
   }))));
 }
 

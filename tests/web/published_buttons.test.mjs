@@ -38,7 +38,7 @@ async function compareVerb(user, folder, { name: verb, words }, model) {
   const refused = refusal(await folder.run(verb, model, ...words, "--format", "json"));
   if (refused) {
     assert.equal(await user.settled(), "failed", `${model}: ${refused.message}`);
-    const message = await user.result.getByRole("alert").getByRole("paragraph").first().innerText();
+    const message = await user.outcome.getByRole("alert").getByRole("paragraph").first().innerText();
     assert.ok(sameReason(refused.message, message), `${refused.message}\n${message}`);
     return;
   }

@@ -14,16 +14,16 @@ inChromium("the slider follows the number, and the number the slider", async (us
   await number.fill("100");
   assert.equal(await slider.getAttribute("aria-valuetext"), "100 kg");
   await slider.press("ArrowRight");
-  // A step is the 120th part of the way from a quarter to four times.
-  assert.ok(Math.abs(Number(await number.inputValue()) / (100 * 16 ** (1 / 120)) - 1) < 0.02, await number.inputValue());
+  // A step is the 200th part of a power of ten.
+  assert.ok(Math.abs(Number(await number.inputValue()) / (100 * 10 ** 0.005) - 1) < 0.01, await number.inputValue());
   await slider.press("Home");
-  assert.equal(await number.inputValue(), "15.5");
+  assert.ok(Number(await number.inputValue()) <= 0.0209, "the mouse is on the slider");
   await slider.press("End");
-  assert.equal(await number.inputValue(), "248");
+  assert.ok(Number(await number.inputValue()) >= 1190, "the giraffe is on the slider");
   // What is typed reaches further than the slider.
-  await number.fill("0.02");
-  assert.equal(await slider.getAttribute("aria-valuetext"), "20 g");
-  assert.equal(await number.inputValue(), "0.02");
+  await number.fill("0.002");
+  assert.equal(await slider.getAttribute("aria-valuetext"), "2 g");
+  assert.equal(await number.inputValue(), "0.002");
   await number.fill("62");
   assert.ok(Math.abs(10 ** Number(await slider.inputValue()) - 62) < 0.5);
 });
@@ -54,5 +54,5 @@ inChromium("what would change follows the slider while it moves, and ends where 
   const mass = Number(await user.field("Target mass (kg)").inputValue());
   const expected = (mass / 62) ** (1 / 3);
   const factor = Number(/×([\d.]+)/.exec(await row.innerText())[1]);
-  assert.ok(Math.abs(factor / expected - 1) < 1e-6, `${factor}, expected ${expected}`);
+  assert.ok(Math.abs(factor / expected - 1) < 1e-3, `${factor}, expected ${expected}`);
 });

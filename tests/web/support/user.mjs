@@ -28,6 +28,23 @@ export class User {
     return this.region("What would change");
   }
 
+  /** The third step: what becomes of the change, with its verdicts, errors and questions. */
+  get outcome() {
+    return this.region("The result");
+  }
+
+  /** The second step: the original, and the button for what the check proposes. */
+  get proposal() {
+    return this.page.locator("#proposal");
+  }
+
+  /** Clicks what the check proposes, keeps it, and waits for the model that it makes. */
+  async keepProposal(name) {
+    await this.proposal.getByRole("group", { name: "Most likely" }).getByRole("button").click();
+    await this.done(name);
+    await this.keep(name);
+  }
+
   /** The buttons that are always in sight. */
   get acts() {
     return this.page.getByRole("group", { name: "What to do with this model" });
@@ -79,7 +96,7 @@ export class User {
   /** Waits until a model is shown; returns its region of the page. */
   async opened(name) {
     const region = this.region(name);
-    await region.getByRole("term").filter({ hasText: "Gravity" }).waitFor();
+    await region.locator("details.verdict").first().waitFor();
     return region;
   }
 
@@ -148,9 +165,9 @@ export class User {
     return spelled;
   }
 
-  /** Unfolds a question about the model. */
-  async unfold(question) {
-    await this.page.locator("details.verdict summary").filter({ hasText: question }).click();
+  /** Unfolds a row of verdicts about the model. */
+  async unfold(row) {
+    await this.page.locator(`#model details.verdict[data-on=${row}] summary`).first().click();
   }
 
   get details() {

@@ -2,7 +2,7 @@
 
 import { toFailure } from "../engine/failure";
 import type { Change, Failure, Request } from "../engine/types";
-import { counted } from "../dom/number";
+import { counted, digits } from "../dom/number";
 import type { FileEntry, FileKind } from "../files/kinds";
 import { findForm } from "../forms/all";
 import { answersFor } from "../state/answers";
@@ -10,8 +10,6 @@ import { atStep, currentFile, type OpenModel, withStep } from "../state/model";
 import type { Session } from "../state/session";
 import { inspect } from "./inspect";
 import { removeFiles, listFiles } from "./file_list";
-
-const KEPT_SECTIONS = ["changes"];
 
 /** Applies `request` to a model; returns the failure, if there is one. */
 export async function apply(session: Session, id: number, text: string, request: Request): Promise<Failure | undefined> {
@@ -33,14 +31,13 @@ async function keepChange(session: Session, model: OpenModel, text: string, requ
   if (planned.unchanged) return pageFailure("unchanged", `${text}: nothing to change`);
   const conflict = nameConflict(session, model, planned);
   if (conflict) return pageFailure("name-taken", conflict);
-  const { change, next } = await session.engine.keep(fullRequest, KEPT_SECTIONS);
+  const { change, next } = await session.engine.keep(fullRequest, []);
   listFiles(session, resultFiles(change));
   session.remember(change.explained);
-  const result = { name: next.model, names: next.names, request: fullRequest, sections: change.sections };
-  const step = { ...result, text: text.replace(/\.$/, ""), counts: changeCounts(change, "did") };
+  const step = { name: next.model, names: next.names, text: text.replace(/\.$/, "") };
   for (const name of next.names) session.saved.delete(name);
   session.update(model.id, (open) => withStep(open, step));
-  session.announce(`Done: ${step.text}. ${step.counts}.`);
+  session.announce(`Done: ${step.text}.`);
   // The new step replaces steps that were undone; their files are removed.
   const undone = model.steps.slice(model.stepCount).flatMap(({ names }) => names);
   await removeFiles(session, undone.filter((name) => !next.names.includes(name)));
@@ -61,21 +58,30 @@ function pageFailure(code: string, message: string): Failure {
   return { code, message, needs_answer: false, fields: [] };
 }
 
-type Tense = "would" | "did";
+/** Properties that are said by name; the others are counted. */
+const NAMED = ["radius", "stiffness", "dissipation"];
 
-/** How many numbers and objects change, as a text. */
-export function changeCounts({ record, unchanged }: Change, tense: Tense): string {
-  if (unchanged) return "Nothing to change";
-  const [change, are] = tense === "did" ? ["changed", ""] : ["change", "are "];
-  const objects = [...new Set(record.objects.map((object) => object.change))].map((kind) => {
-    const count = record.objects.filter((object) => object.change === kind).length;
-    return `${counted(count, "object")} ${are}${kind}`;
+/** What a change does, as a sentence: "12 spheres move; radius ×1.09, stiffness ×1.09 and 2 other properties change." */
+export function changeText({ record: { objects, changes }, unchanged }: Change): string {
+  if (unchanged) return "Nothing to change.";
+  const kinds = [...new Set(objects.map(({ change, class: kind }) => `${change} ${kind}`))].map((key) => {
+    const [change = "", kind = ""] = key.split(" ");
+    const count = objects.filter((one) => one.change === change && one.class === kind).length;
+    return `${count} × ${kind} ${change}`;
   });
-  const numbers = new Set(record.changes.map(({ property }) => property));
-  const properties = counted(numbers.size, "property", "properties");
-  const changes = record.changes.length > 0 ? [`${counted(record.changes.length, "number")} of ${properties} ${change}`] : [];
-  const text = [...changes, ...objects].join(", ");
-  return text === "" ? `Only the note about the contacts ${tense === "did" ? "changed" : "changes"}` : text;
+  const moved = changes.filter(({ property }) => property === "location").length;
+  const properties = [...new Set(changes.map(({ property }) => property))].filter((property) => property !== "location");
+  const named = properties.filter((property) => NAMED.includes(property)).map((property) => {
+    const factors = new Set(changes.filter((one) => one.property === property).map(({ factor }) => factor));
+    const [factor] = factors;
+    return factors.size === 1 && typeof factor === "number" ? `${property} ×${digits(factor)}` : property;
+  });
+  const others = properties.length - named.length;
+  const all = [...named, ...(others > 0 ? [counted(others, named.length > 0 ? "other property" : "property", named.length > 0 ? "other properties" : "properties")] : [])];
+  const last = all.pop();
+  const list = last === undefined ? [] : [`${all.length > 0 ? `${all.join(", ")} and ` : ""}${last} ${properties.length === 1 ? "changes" : "change"}`];
+  const parts = [...kinds, ...(moved > 0 ? [counted(moved, "sphere moves", "spheres move")] : []), ...list];
+  return parts.length === 0 ? "Only the note about the contacts changes." : `${parts.join("; ")}.`;
 }
 
 /** The results of a change as files: other models may take their contacts from them. */

@@ -4,7 +4,7 @@ import { toFailure } from "../engine/failure";
 import { QUESTIONS } from "../forms/all";
 import { answersFor } from "../state/answers";
 import type { Inspected } from "../engine/types";
-import { currentFile, hasMisplacedSpheres, isSameMass, type OpenModel, type Original } from "../state/model";
+import { currentFile, hasMisplacedSpheres, isSameMass, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 
 // Sections that are visible at once, and sections that open on demand and are computed later.
@@ -21,10 +21,10 @@ export async function inspect(session: Session, id: number): Promise<void> {
   try {
     const inspected = await session.engine.inspect(file, answersFor(model, QUESTIONS), QUICK_SECTIONS);
     session.remember(inspected.explained);
-    update({ inspected, failure: null, originals: [] });
+    update({ inspected, failure: null });
     measureOpen();
     if (session.chosen.value === id) void inspectDetails(session, id);
-    if (session.chosen.value !== null) void findOriginals(session, session.chosen.value, id);
+    if (session.chosen.value !== null) void findOriginal(session, session.chosen.value);
   } catch (error) {
     const failure = toFailure(error);
     // If the failure is about a file that the model is compared with, the facts about the model stay on the screen.
@@ -49,22 +49,22 @@ export async function inspectDetails(session: Session, id: number): Promise<void
 /** More models than this are not compared with one. */
 const MAX_ORIGINALS = 5;
 
-/** Finds the open models from which this one was scaled: all of them, or whether the model `just` inspected is one. */
-export async function findOriginals(session: Session, id: number, just = id): Promise<void> {
+/** Finds the open model from which this one was scaled; unless the user has said it, the model is compared with that one from now on. */
+export async function findOriginal(session: Session, id: number): Promise<string | undefined> {
   const model = session.findModel(id);
   const inspected = model?.inspected;
-  if (!model || !inspected) return;
-  const file = currentFile(model);
-  const isCandidate = (other: OpenModel) => other.id !== id && (just === id || other.id === just) && mayBeOriginal(other, inspected);
-  const originals: Original[] = [];
-  for (const other of session.models.value.filter(isCandidate).slice(0, MAX_ORIGINALS)) {
+  if (!model || !inspected || model.answers.get("from") !== undefined) return model?.answers.text("from");
+  const candidates = session.models.value.filter((other) => other.id !== id && !model.seen.has(other.origin) && mayBeOriginal(other, inspected));
+  for (const other of candidates.slice(0, MAX_ORIGINALS)) {
     const from = currentFile(other);
-    const compared = await session.engine.inspect(file, { ...answersFor(model, QUESTIONS), from }, []).catch(() => null);
-    const request = compared?.findings.find(({ remedy }) => remedy?.request.verb === "transfer")?.remedy?.request;
-    if (request) originals.push({ file: from, request });
+    model.seen.add(other.origin);
+    const compared = await session.engine.inspect(currentFile(model), { ...answersFor(model, QUESTIONS), from }, []).catch(() => null);
+    if (!compared?.findings.some(({ remedy }) => remedy?.request.verb === "transfer")) continue;
+    model.answers.set("from", from);
+    if (session.chosen.value !== id) await inspect(session, id);
+    return from;
   }
-  const others = (open: OpenModel) => (just === id ? [] : open.originals.filter((one) => !originals.some((found) => found.file === one.file)));
-  session.update(id, (open) => (open.inspected === inspected ? { ...open, originals: [...others(open), ...originals] } : open));
+  return undefined;
 }
 
 /** Whether a model has the bodies of another, and contacts that fit its own bodies. */

@@ -14,7 +14,7 @@ export async function keepResult(session: Session): Promise<Failure | undefined>
   const { request } = preview;
   const model = session.models.value.find((open) => currentFile(open) === request.models?.[0]);
   if (!model || session.keeping.value) return undefined;
-  const failure = await apply(session, model.id, describeRequest(request, findForm(request.verb)), request);
+  const failure = await apply(session, model.id, describeRequest(request, findForm(request.verb), model.inspected?.inspection.mass_kg), request);
   if (failure) return failure;
   // The form is cleared: the same change would otherwise be previewed on top of itself.
   session.values.clear();

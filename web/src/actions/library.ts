@@ -5,10 +5,11 @@ import type { Change, Request } from "../engine/types";
 import { counted, digits } from "../dom/number";
 import { findForm } from "../forms/all";
 import { isEmpty, problems } from "../forms/request";
+import type { Value } from "../forms/values";
 import { save } from "../download/save";
-import type { OpenModel, Outcome } from "../state/model";
+import { currentFile, type OpenModel, type Outcome } from "../state/model";
 import type { Session } from "../state/session";
-import { changeCounts } from "./apply";
+import { changeText } from "./apply";
 import { requestFor } from "./row";
 
 /** Whether the form has a change that can be made in all models. */
@@ -42,6 +43,15 @@ export function downloadAll(session: Session): Promise<void> {
   });
 }
 
+/** Lets the spheres of all models follow their bones from one that they were scaled from, and downloads the results. */
+export function followAll(session: Session, from: string): Promise<void> {
+  // The preview is of a model that changes.
+  const scaled = session.models.value.find((model) => currentFile(model) !== from);
+  if (scaled) session.chosen.set(scaled.id);
+  session.setVerb("transfer", new Map<string, Value>([["from", from], ["follow_bodies", true], ["level", true]]));
+  return downloadAll(session);
+}
+
 /** Runs one task at a time, because there is one archive. */
 async function exclusively(session: Session, act: () => Promise<void>): Promise<void> {
   if (session.changingAll.value) return;
@@ -63,7 +73,8 @@ async function forEachModel(session: Session, ask: (request: Request) => Promise
   let failed = 0;
   let done = 0;
   for (const { model, request } of rows) {
-    if (!request) continue;
+    // A model that gives its contacts to the others stays as it is.
+    if (!request || request["from"] === currentFile(model)) continue;
     const outcome = model.inspected ? await toOutcome(ask(request)) : failedToOpen(model);
     if (outcome?.state === "failed") failed += 1;
     else if (outcome) done += 1;
@@ -92,5 +103,5 @@ async function toOutcome(answer: Promise<Change>): Promise<Outcome> {
 function shortText(change: Change): string {
   const factors = new Set(change.record.changes.filter(({ property }) => property === "stiffness").map(({ factor }) => factor));
   const [factor] = factors;
-  return factors.size === 1 && typeof factor === "number" ? `stiffness ×${digits(factor)}` : changeCounts(change, "would");
+  return factors.size === 1 && typeof factor === "number" ? `stiffness ×${digits(factor)}` : changeText(change);
 }

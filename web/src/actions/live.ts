@@ -155,6 +155,7 @@ function plan(session: Session): Plan {
 // Hints for forms that need a value. An empty form of another verb is a request: `remove` then removes all contacts.
 const EMPTY_HINTS: Readonly<Record<string, string>> = {
   rescale: "Give a target mass, or a radius, to see what would change.",
+  add: "Choose where the contacts come from: another model or a preset, a table, or the bodies that touch the ground.",
   design: "Say what you want, such as a relative indentation, to see what would change.",
 };
 const NEEDS_INPUT = new Set(Object.keys(EMPTY_HINTS));

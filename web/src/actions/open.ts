@@ -7,7 +7,7 @@ import { type GivenFile, readFile, type ReadFile } from "../files/read";
 import { expandArchives } from "../files/unzip";
 import { newModel, type OpenModel, uses } from "../state/model";
 import type { Session } from "../state/session";
-import { inspect, inspectAgain } from "./inspect";
+import { findOriginal, inspect, inspectAgain } from "./inspect";
 import { refreshPresets } from "./presets";
 import { putFile } from "./file_list";
 import { replacedFiles, restoreFiles, type SortedFiles, sortFiles } from "./replace";
@@ -47,6 +47,11 @@ async function openNow(
   const names = models === "open" ? (await modelsToOpen(session, accepted)).filter((name) => !replaced.has(name) || old.has(name)) : [];
   const opened: number[] = [];
   for (const name of names) opened.push(await openModel(session, name));
+  for (const id of opened.length > 1 ? opened.slice(0, 2) : []) {
+    const original = await findOriginal(session, id);
+    // Of a model and its original, the scaled one is the one to work on.
+    if (original !== undefined && opened.length === 2) session.chosen.set(id);
+  }
   const [first] = sorted.alreadyOpen;
   if (first && opened.length === 0) session.chosen.set(first.id);
   const presetFailures = accepted.some(({ kind }) => kind === "presets") ? await refreshPresets(session) : [];
@@ -71,8 +76,9 @@ async function modelsToOpen(session: Session, files: readonly ReadFile[]): Promi
 async function openModel(session: Session, name: string): Promise<number> {
   const before = session.models.value.find(({ origin }) => origin === name);
   if (!before) return openAsModel(session, name, session.model()?.inspected == null);
-  const { id, answers, targetMass } = before;
-  session.update(id, () => ({ ...newModel(name), id, answers, targetMass }));
+  const { id, answers, targetMass, seen } = before;
+  seen.clear();
+  session.update(id, () => ({ ...newModel(name), id, answers, targetMass, seen }));
   if (session.model()?.inspected == null) session.chosen.set(id);
   await inspect(session, id);
   return id;

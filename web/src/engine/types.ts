@@ -85,7 +85,6 @@ export interface ChangeRecord {
   target_mass_kg: number | null;
   objects: { change: string; class: string; name: string }[];
   changes: { property: string; from: unknown; to: unknown; factor: number | null }[];
-  findings: { severity: Finding["severity"]; message: string; had_before: boolean }[];
   remarks: string[];
 }
 
@@ -100,6 +99,9 @@ export interface Change {
   results: ResultFile[];
   sections: Section[];
   explained?: Explained[];
+  /** About the new model, if the request asks for findings. */
+  verdicts: Verdict[] | null;
+  findings: Finding[] | null;
   /** The new model in three dimensions, and falls on the contacts before and after, if the request asks for them. */
   scene: Scene | null;
   falls: Fall[];

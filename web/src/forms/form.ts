@@ -28,15 +28,10 @@ export function showForm(form: Form, context: Context): FormView {
     const setCount = groupedFields.filter((field) => context.values.get(field.name) !== undefined).length;
     setText(count, setCount > 0 ? `(${setCount} set)` : "");
     setText(hint, relationHint(form, context));
-    return setCount;
   };
-  /** Shows a new form, or a form whose values were all replaced. Groups with a field that has a value are open. */
-  const showAll = (choices: boolean) => {
-    if (update(choices, null) > 0) more.open = true;
-  };
-  showAll(true);
-  const end = context.values.watch((name) => void (name === null ? showAll(false) : update(false, name)));
-  return { element, refresh: () => void update(true, null), end };
+  update(true, null);
+  const end = context.values.watch((name) => update(false, name));
+  return { element, refresh: () => update(true, null), end };
 }
 
 function elementOf(controls: ReadonlyMap<string, Control>, name: string): HTMLElement {

@@ -1,4 +1,4 @@
-// A slider for masses around that of the model, and buttons for common masses. Each step is a factor, not a number of kilograms.
+// A slider for masses, and buttons for common masses. Each step is a factor, not a number of kilograms.
 
 import { button, el, setText } from "../dom/element";
 import { digits, kilograms } from "../dom/number";
@@ -6,15 +6,16 @@ import { numberIn } from "./check";
 import type { Context, Control } from "./context";
 import type { Field } from "./declaration";
 
-/** The slider goes from a quarter of the model's mass to four times. Typed numbers can go further. */
-const RANGE = Math.log10(4);
-const STEPS = 120;
-/** Animals of Table 1 of the paper, kg. */
+/** A step of the slider in powers of ten: 1.2 %. */
+const STEP = 0.005;
+/** The slider goes from a quarter of the model's mass to four times, and holds all animals. Typed numbers can go further. */
+const RANGE = 4;
+/** Animals of Table 1 of the paper, kg, the lightest first. */
 const ANIMALS: readonly [string, number][] = [["mouse", 0.0209], ["emu", 37.8], ["human", 62], ["horse", 545], ["giraffe", 1190]];
 
 export function massSlider(field: Field, context: Context): Control {
   const slider = el("input", { type: "range", class: "slider", "aria-label": `${field.label}, slider` });
-  const marks = [0, 0.5, 1].map((share) => mark(share));
+  const marks = [el("span"), el("span"), el("span")] as const;
   const scale = el("div", { class: "scale", "aria-hidden": "true" }, ...marks);
   const set = (mass: number) => context.values.choose(field.name, digits(mass, 6));
   const ownButton = button("", () => set(context.modelMass() ?? 0), { class: "small" });
@@ -30,9 +31,14 @@ export function massSlider(field: Field, context: Context): Control {
     setText(ownButton, `own mass: ${kilograms(modelMass ?? 0)}`);
     if (middle !== (modelMass ?? 62)) {
       middle = modelMass ?? 62;
-      const [least, most] = [Math.log10(middle) - RANGE, Math.log10(middle) + RANGE];
-      Object.assign(slider, { min: String(least), max: String(most), step: String((2 * RANGE) / STEPS) });
-      for (const [index, factor] of [0.25, 1, 4].entries()) setText(marks[index] ?? scale, massText(middle * factor));
+      const masses = [middle / RANGE, middle * RANGE, ...ANIMALS.map(([, mass]) => mass)];
+      const [least, most] = [Math.floor(Math.log10(Math.min(...masses)) / STEP) * STEP, Math.ceil(Math.log10(Math.max(...masses)) / STEP) * STEP];
+      Object.assign(slider, { min: String(least), max: String(most), step: String(STEP) });
+      for (const [index, place] of [least, Math.log10(middle), most].entries()) {
+        const element = marks[index] ?? scale;
+        setText(element, massText(10 ** place));
+        element.style.left = `${(100 * (place - least)) / (most - least)}%`;
+      }
     }
     const typed = typedMass(field, context);
     const mass = typed ?? middle;
@@ -58,10 +64,4 @@ function massAt(place: number): string {
 function massText(mass: number): string {
   if (mass < 0.1) return `${digits(mass * 1000, 3)} g`;
   return mass < 10_000 ? `${digits(mass, 3)} kg` : `${digits(mass / 1000, 3)} t`;
-}
-
-function mark(share: number): HTMLElement {
-  const element = el("span");
-  element.style.left = `${share * 100}%`;
-  return element;
 }

@@ -1,6 +1,6 @@
 // An open model and the changes that were applied to it.
 
-import type { Failure, Inspected, Request, Section } from "../engine/types";
+import type { Failure, Inspected } from "../engine/types";
 import { Values } from "../forms/values";
 
 /** A change that was applied: it made a new file. */
@@ -10,10 +10,6 @@ export interface Step {
   name: string;
   /** All files that the change made. */
   names: string[];
-  request: Request;
-  /** Sections that show the change. */
-  sections: Section[];
-  counts: string;
 }
 
 /** The outcome of the current change for one of several models. */
@@ -33,22 +29,16 @@ export interface OpenModel {
   /** The target mass of this model, if several models are changed at once. */
   readonly targetMass: string;
   readonly outcome: Outcome | null;
-  /** Open models from which this one was scaled, each with the change that lets its spheres follow. */
-  readonly originals: readonly Original[];
-}
-
-/** A file from which a model was scaled, and the request for the change that `check` proposes. */
-export interface Original {
-  file: string;
-  request: Request;
+  /** Files of open models that were compared with this one, to find its original: each once. */
+  readonly seen: Set<string>;
 }
 
 let last = 0;
 
 export function newModel(origin: string): OpenModel {
   last += 1;
-  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null, originals: [] };
-  return { id: last, origin, answers: new Values(), ...start };
+  const start = { steps: [], stepCount: 0, inspected: null, failure: null, targetMass: "", outcome: null };
+  return { id: last, origin, answers: new Values(), seen: new Set(), ...start };
 }
 
 /** The file of the model after its current step. */

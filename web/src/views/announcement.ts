@@ -1,11 +1,12 @@
-// Shows the last event in one line near the top, for screen readers, too.
+// Shows the last event in one line that covers no button, for screen readers, too.
 
 import { byId, setText } from "../dom/element";
 import { toFailure } from "../engine/failure";
 import type { Session } from "../state/session";
 
-// Time for which the line stays visible while the page is scrolled.
-const FRESH_MS = 10_000;
+/** Time for which the line stays visible, for each line of text that a person has to read. */
+const FRESH_MS = 3000;
+const LINE_LETTERS = 90;
 
 export function showAnnouncements(session: Session): void {
   const line = byId("announcement");
@@ -15,7 +16,7 @@ export function showAnnouncements(session: Session): void {
     if (text === "") return;
     line.classList.add("fresh");
     clearTimeout(timer);
-    timer = setTimeout(() => line.classList.remove("fresh"), FRESH_MS);
+    timer = setTimeout(() => line.classList.remove("fresh"), FRESH_MS * Math.ceil(text.length / LINE_LETTERS));
   });
   // Unexpected failures are shown, too.
   addEventListener("unhandledrejection", ({ reason }) => session.announce(`This did not work: ${toFailure(reason).message}.`));

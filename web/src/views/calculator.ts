@@ -79,7 +79,7 @@ function figureRow({ name, value, unit, equation, given, limit }: Sheet["figures
   const links = equation.split(/, /).filter(Boolean).flatMap((label, index) => [index > 0 ? ", " : "", equationLink(label)]);
   return el("tr", {},
     el("th", { scope: "row" }, quantityName(name, unit)),
-    el("td", { class: outside ? "outside" : undefined }, value === null ? "–" : digits(value, 8)),
+    el("td", { class: outside ? "outside" : undefined }, value === null ? "–" : digits(value)),
     el("td", { class: "words" }, unitText(unit)), el("td", { class: "words" }, ...links), el("td", { class: "words" }, remarks));
 }
 

@@ -1,19 +1,18 @@
 // The part of the page for a change: a verb and its form.
 
-import { button, el } from "../dom/element";
+import { button, byId, el } from "../dom/element";
 import { CHANGES, findForm } from "../forms/all";
 import type { Context } from "../forms/context";
 import { showForm, type FormView } from "../forms/form";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 
-/** Creates this part of the page. */
-export function changeView(session: Session, addFile: Context["addFile"]): HTMLElement {
-  const section = el("section", { id: "change", "aria-labelledby": "change-title" });
+export function changeView(session: Session, addFile: Context["addFile"]): void {
+  const section = byId("change");
   const about = el("p", { class: "quiet about", id: "verb-about" });
   const place = el("div", { id: "form" });
   const clear = button("Clear the form", () => session.values.clear(), { class: "small", id: "clear" });
-  section.append(el("h2", { id: "change-title", class: "hidden" }, "Change this model"), verbs(session), about, place, el("p", { class: "clear" }, clear));
+  section.append(el("h2", { id: "change-title" }, "Change this model"), verbs(session), about, place, el("p", { class: "clear" }, clear));
   const context = formContext(session, session.values, { prefix: "form", commit: "input", addFile });
   let formView: FormView | undefined;
   session.verb.watch((verb) => {
@@ -32,7 +31,9 @@ export function changeView(session: Session, addFile: Context["addFile"]): HTMLE
   session.models.watch(refresh);
   session.files.watch(refresh);
   session.presets.watch(refresh);
-  return section;
+  const update = () => (section.hidden = !session.model()?.inspected);
+  session.models.watch(update);
+  session.chosen.watch(update);
 }
 
 /** Radio buttons for the verbs. */

@@ -5,7 +5,8 @@ import { digits } from "../dom/number";
 const SVG = "http://www.w3.org/2000/svg";
 const WIDTH = 600;
 const LEFT = 34;
-const BOTTOM = 20;
+const BOTTOM = 24;
+const LETTER_PX = 11.5;
 
 /** A curve: `kind` is its look, null is a gap. */
 export interface Curve {
@@ -22,6 +23,9 @@ export class Curves {
     this.element.setAttribute("viewBox", `0 0 ${WIDTH} ${height}`);
     this.element.setAttribute("role", "img");
     this.element.setAttribute("class", "curves");
+    // The picture is as wide as its place; its letters stay as large.
+    const size = () => (this.element.style.fontSize = `${(LETTER_PX * WIDTH) / Math.max(1, this.element.clientWidth)}px`);
+    new ResizeObserver(size).observe(this.element);
   }
 
   /** Draws curves over the time from `start` to `end`; `about` describes them for screen readers. */

@@ -1,46 +1,78 @@
-// The table of several open models.
+// The table of several open models, and what can be done with all of them.
 
 import { close } from "../actions/close";
-import { canChangeAll, changeAll, downloadAll } from "../actions/library";
-import { findOriginals, inspectDetails } from "../actions/inspect";
+import { canChangeAll, changeAll, downloadAll, followAll } from "../actions/library";
+import { findOriginal, inspectDetails } from "../actions/inspect";
 import { button, byId, el, setAttribute, setText } from "../dom/element";
 import { keepingFocus } from "../dom/focus";
 import { counted, kilograms } from "../dom/number";
-import { boxedTable, type Head, headCells } from "../dom/table";
-import { findForm } from "../forms/all";
+import { boxedTable } from "../dom/table";
+import type { Failure } from "../engine/types";
+import { CALCULATOR, findForm } from "../forms/all";
 import { valueProblem } from "../forms/check";
+import type { Context } from "../forms/context";
 import { currentFile, type OpenModel, type Outcome } from "../state/model";
 import type { Session } from "../state/session";
-import { failureElements } from "./failure";
+import { formContext } from "./context";
+import { failureElements, failureView } from "./failure";
 
-const FACTS = ["mass", "made for", "limbs", "spheres", "findings"];
-const CAPTION = "Models that are open. The change in the form below can be done to all of them; a target mass in a row is for that model.";
+/** The columns with facts of a model; null is not known. */
+const FACTS: readonly [title: string, fact: (model: OpenModel) => number | null | undefined][] = [
+  ["mass", ({ inspected }) => inspected?.inspection.mass_kg],
+  ["made for", ({ inspected }) => inspected?.inspection.contacts_mass_kg?.value],
+  ["limbs", ({ inspected }) => inspected?.inspection.limbs?.length],
+  ["spheres", ({ inspected }) => inspected?.inspection.spheres.length],
+  ["findings", ({ inspected }) => inspected?.findings.length],
+];
+const MASSES = new Set(["mass", "made for"]);
+const CAPTION = "Models that are open, those that failed first. A target mass in a row is for that model. Click a heading to sort.";
 
 export class LibraryView {
   readonly #section = byId("library");
+  readonly #box = el("details");
   readonly #heads = el("tr");
   readonly #rows = el("tbody");
   readonly #changeAll: HTMLButtonElement;
   readonly #zip: HTMLButtonElement;
+  readonly #follow: HTMLButtonElement;
+  readonly #original = el("select", { id: "library-original" });
+  readonly #mass = el("input", { type: "text", inputmode: "decimal", id: "library-mass", class: "mass", autocomplete: "off" });
+  readonly #massField = el("span", {}, el("label", { for: "library-mass" }, "Target mass of all (kg) "), this.#mass);
   readonly #title = el("h2", { id: "library-title" });
   readonly #shownRows = new Map<number, { model: OpenModel; chosen: boolean; mass: boolean; row: HTMLElement }>();
+  readonly #question;
+  #isPair: boolean | undefined;
+  #sorted = { column: "", down: false };
 
-  constructor(readonly session: Session) {
-    this.#changeAll = button("Show what would change in all models", () => void changeAll(session), { class: "primary", id: "change-all" });
+  constructor(readonly session: Session, addFile: Context["addFile"]) {
+    this.#changeAll = button("Show what would change in all models", () => void changeAll(session), { id: "change-all" });
     this.#zip = button("Change all and download a ZIP", () => void downloadAll(session), { id: "download-all" });
+    this.#follow = button("", () => void followAll(session, this.#original.value), { id: "follow-all" });
+    const context = formContext(session, session.values, { prefix: "library-question", commit: "change", addFile });
+    this.#question = failureView(() => findForm(session.verb.value) ?? CALCULATOR, context, this.#changeAll);
     const box = boxedTable("Models", CAPTION, this.#heads, this.#rows);
-    const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#changeAll, this.#zip);
-    this.#section.append(this.#title, box, buttons);
+    const original = el("span", {}, el("label", { for: "library-original" }, "All were scaled from "), this.#original);
+    const follow = el("div", { class: "buttons", role: "group", "aria-label": "Scaled models" }, original, this.#follow);
+    const buttons = el("div", { class: "buttons", role: "group", "aria-label": "All models" }, this.#massField, this.#changeAll, this.#zip);
+    this.#box.append(el("summary", {}, this.#title), follow, buttons, this.#question.element, box);
+    this.#section.append(this.#box);
+    this.#original.addEventListener("change", () => this.#updateButtons());
+    this.#mass.addEventListener("input", () => session.values.set("target_mass", this.#mass.value.trim()));
     session.models.watch(() => this.#update());
     session.chosen.watch((id) => {
       this.#update();
       if (id === null) return;
       void inspectDetails(session, id);
-      void findOriginals(session, id);
+      void findOriginal(session, id);
     });
     session.changingAll.watch(() => this.#updateButtons());
     session.verb.watch(() => this.#clearOutcomes());
-    session.values.watch(() => this.#clearOutcomes());
+    session.values.watch(() => {
+      // One answer is for all models.
+      const isAnswer = this.#question.element.contains(document.activeElement);
+      this.#clearOutcomes();
+      if (isAnswer) void changeAll(session);
+    });
   }
 
   #update(): void {
@@ -48,12 +80,63 @@ export class LibraryView {
     this.#section.hidden = models.length < 2;
     if (this.#section.hidden) return;
     setText(this.#title, counted(models.length, "model"));
+    // A model and its original are no library: the steps stay in sight.
+    const isPair = models.length === 2 && models.some(({ answers }) => models.some((other) => currentFile(other) === answers.text("from")));
+    if (isPair !== this.#isPair) this.#box.open = !isPair;
+    this.#isPair = isPair;
     const mass = findForm(this.session.verb.value)?.fields.some(({ name }) => name === "target_mass") ?? false;
-    this.#heads.replaceChildren(...headCells(heads(mass)));
-    const rows = models.map((model) => this.#row(model, mass));
-    const isSameCell = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
-    if (!isSameCell) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
+    this.#massField.hidden = !mass;
+    if (document.activeElement !== this.#mass) this.#mass.value = this.session.values.text("target_mass");
+    this.#showHeads(mass);
+    const rows = this.#inOrder(models).map((model) => this.#row(model, mass));
+    const isSameOrder = rows.length === this.#rows.children.length && rows.every((row, index) => row === this.#rows.children[index]);
+    if (!isSameOrder) keepingFocus(this.#rows, () => byId("model-title"), () => this.#rows.replaceChildren(...rows));
+    const failures = models.flatMap(({ outcome }) => (outcome?.state === "failed" ? outcome.failure : []));
+    this.#question.show(failures.find((failure) => failure.needs_answer));
+    this.#updateOriginals(models);
     this.#updateButtons();
+  }
+
+  /** Models that failed first, then by the column that was clicked. */
+  #inOrder(models: readonly OpenModel[]): OpenModel[] {
+    const { column, down } = this.#sorted;
+    const fact = FACTS.find(([title]) => title === column)?.[1];
+    const compare = (one: OpenModel, other: OpenModel): number => {
+      if (fact) return (fact(one) ?? Infinity) - (fact(other) ?? Infinity) || 0;
+      const text = column === "result" ? ({ outcome }: OpenModel) => outcomeText(outcome) : currentFile;
+      return column === "" ? 0 : text(one).localeCompare(text(other), undefined, { numeric: true });
+    };
+    const rank = (model: OpenModel) => (failureOf(model) ? 0 : 1);
+    return [...models].sort((one, other) => rank(one) - rank(other) || (down ? -1 : 1) * compare(one, other));
+  }
+
+  #showHeads(mass: boolean): void {
+    const head = (title: string, kind?: string) => {
+      const { column, down } = this.#sorted;
+      const sort = () => {
+        this.#sorted = { column: title, down: column === title && !down };
+        this.#update();
+      };
+      const order = column !== title ? undefined : down ? "descending" : "ascending";
+      return el("th", { scope: "col", class: kind, "aria-sort": order }, button(title, sort, { class: "link" }));
+    };
+    const massHead = mass ? [el("th", { scope: "col" }, "target mass (kg)")] : [];
+    const last = el("th", { scope: "col" }, el("span", { class: "hidden" }, "close"));
+    const heads = [head("model", "words"), ...FACTS.map(([title]) => head(title)), ...massHead, head("result", "words"), last];
+    keepingFocus(this.#heads, () => this.#title, () => this.#heads.replaceChildren(...heads));
+  }
+
+  /** Lists the models; the one that others were found to be scaled from is chosen. */
+  #updateOriginals(models: readonly OpenModel[]): void {
+    const names = models.map(currentFile);
+    const found = models.map(({ answers }) => answers.text("from")).find((name) => names.includes(name)) ?? "";
+    const before = this.#original.value || found;
+    const key = names.join("\n");
+    if (this.#original.dataset["names"] !== key) {
+      this.#original.replaceChildren(el("option", { value: "" }, "not set"), ...names.map((name) => el("option", { value: name }, name)));
+      this.#original.dataset["names"] = key;
+    }
+    this.#original.value = names.includes(before) ? before : "";
   }
 
   /** Removes the outcomes of all models after the user edited the change in the form. */
@@ -65,6 +148,12 @@ export class LibraryView {
 
   #updateButtons(): void {
     const can = canChangeAll(this.session);
+    const scaled = this.session.models.value.length - 1;
+    setText(this.#follow, `Move the spheres of ${counted(scaled, "model")} with the bones, and download a ZIP`);
+    this.#follow.disabled = this.#original.value === "";
+    this.#follow.classList.toggle("primary", !this.#follow.disabled);
+    this.#changeAll.classList.toggle("primary", this.#follow.disabled);
+    setAttribute(this.#follow, "aria-disabled", this.session.changingAll.value && "true");
     for (const one of [this.#changeAll, this.#zip]) {
       one.disabled = !can;
       // `disabled` would take the focus away from the button.
@@ -95,7 +184,7 @@ export class LibraryView {
     const name = `Target mass of ${currentFile(model)} (kg)`;
     const input = el("input", { type: "text", inputmode: "decimal", class: "mass", "aria-label": name, autocomplete: "off" });
     input.value = model.targetMass;
-    input.placeholder = "as in the form";
+    input.placeholder = "as above";
     const field = findForm(this.session.verb.value)?.fields.find(({ name: one }) => one === "target_mass");
     const problem = (field && model.targetMass !== "" && valueProblem(field, model.targetMass)) || "";
     const problemText = el("p", { class: "problem", id: `mass-problem-${model.id}`, role: "alert" }, problem);
@@ -120,43 +209,28 @@ function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
   if (row.children.length === 0) row.append(...cells);
   for (const [index, cell] of cells.entries()) {
     const oldCell = row.children[index];
-    if (oldCell && !isSameCell(oldCell, cell)) oldCell.replaceWith(cell);
+    if (oldCell && !oldCell.isEqualNode(cell)) oldCell.replaceWith(cell);
   }
 }
 
-function isSameCell(one: Element, other: Element): boolean {
-  // An open error is equal to a closed one.
-  const closed = one.cloneNode(true) as Element;
-  closed.querySelector("details")?.removeAttribute("open");
-  return closed.isEqualNode(other);
+/** The cells with the facts of a model; dashes for what is not known. */
+function cells(model: OpenModel): HTMLElement[] {
+  return FACTS.map(([title, fact]) => {
+    const value = fact(model);
+    return el("td", {}, value == null ? "–" : MASSES.has(title) ? kilograms(value) : String(value));
+  });
 }
 
-function heads(mass: boolean): Head[] {
-  const massHead = mass ? [{ text: "target mass (kg)" }] : [];
-  const facts = FACTS.map((text) => ({ text }));
-  return [{ text: "model", words: true }, ...facts, ...massHead, { text: "result", words: true }, { text: "close", hidden: true }];
+/** Why a model could not be opened or changed. */
+function failureOf({ failure, outcome }: OpenModel): Failure | undefined {
+  return failure ?? (outcome?.state === "failed" ? outcome.failure : undefined);
 }
 
-/** The cells with the facts of a model; dashes if it could not be opened. */
-function cells({ inspected }: OpenModel): HTMLElement[] {
-  if (!inspected) return FACTS.map(() => el("td", {}, "–"));
-  const { mass_kg: mass, contacts_mass_kg: contactsMass, limbs, spheres } = inspected.inspection;
-  const counts = [limbs?.length, spheres.length, inspected.findings.length].map((count) => (count === undefined ? "–" : String(count)));
-  const masses = [mass, contactsMass?.value].map((kg) => (kg == null ? "–" : kilograms(kg)));
-  return [...masses, ...counts].map((text) => el("td", {}, text));
-}
-
-function outcomeCell({ failure, outcome }: OpenModel): HTMLElement {
-  const failed = failure ?? (outcome?.state === "failed" ? outcome.failure : undefined);
-  if (!failed) return el("td", { class: "words outcome" }, outcomeText(outcome));
-  const summary = el("summary", {}, el("span", { class: "tag error" }, "error"), " ", short(failed.message));
-  return el("td", { class: "words outcome" }, el("details", {}, summary, ...failureElements(failed)));
+function outcomeCell(model: OpenModel): HTMLElement {
+  const failed = failureOf(model);
+  return el("td", { class: "words outcome" }, ...(failed ? failureElements(failed) : [outcomeText(model.outcome)]));
 }
 
 function outcomeText(outcome: Outcome | null): string {
   return outcome && outcome.state !== "failed" ? outcome.text : "";
-}
-
-function short(message: string): string {
-  return message.length > 70 ? `${message.slice(0, 70)}…` : message;
 }

@@ -1,15 +1,15 @@
-// Shows the effect of the change in the form.
+// The third step: the result of the change in the form with its own verdicts; and beside it what would change.
 
-import { changeCounts } from "../actions/apply";
+import { changeText } from "../actions/apply";
 import { byId, el, setText } from "../dom/element";
-import { findForm } from "../forms/all";
+import { CALCULATOR, findForm } from "../forms/all";
 import type { Context } from "../forms/context";
-import { CALCULATOR } from "../forms/all";
 import type { Preview, Session } from "../state/session";
 import { formContext } from "./context";
 import { diffView } from "./diff";
 import { failureView } from "./failure";
 import { type SectionPlace, place } from "./sections";
+import { openRows, verdictRows } from "./verdicts";
 
 const SECTIONS = ["changes", "reference", "plots", "state", "feet", "findings", "figures"];
 const PREFIX = "result";
@@ -19,7 +19,8 @@ const TITLES: Readonly<Record<string, { title: string }>> = { changes: { title: 
 export class ResultView {
   readonly #section = byId("result");
   readonly #status = el("p", { class: "status", id: "result-status", tabindex: -1 });
-  readonly #findings = el("ul", { class: "change-findings" });
+  readonly #outcome = byId("outcome");
+  readonly #verdicts = el("div", { class: "verdicts" });
   readonly #places = new Map<string, SectionPlace>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
   readonly #doneBox = el("div", { class: "done", hidden: true });
   readonly #live = el("p", { class: "hidden", role: "status", "aria-live": "polite" });
@@ -32,13 +33,14 @@ export class ResultView {
     const context = formContext(session, session.values, { prefix: "question", commit: "change", addFile });
     this.#failure = failureView(() => findForm(session.verb.value) ?? CALCULATOR, context, this.#status);
     this.#diff = diffView(session);
-    this.#doneBox.append(this.#findings, ...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
-    this.#section.append(
-      el("h2", { id: "result-title" }, "What would change"), this.#status, this.#failure.element, this.#doneBox, this.#live);
+    this.#doneBox.append(...[...this.#places.values()].map(({ element }) => element), this.#diff.element);
+    const head = el("div", { class: "head" }, el("span", { class: "step", "aria-hidden": "true" }, "3"), el("h2", { id: "outcome-title" }, "The result"));
+    this.#outcome.append(head, this.#status, this.#failure.element, this.#verdicts, this.#live);
+    this.#section.append(el("h2", { id: "result-title" }, "What would change"), this.#doneBox);
     session.files.watch(() => this.#failure.refresh());
     this.#watchPlots();
     session.preview.watch((preview) => this.#show(preview));
-    const update = () => (this.#section.hidden = !session.model()?.inspected);
+    const update = () => (this.#outcome.hidden = !session.model()?.inspected);
     session.models.watch(update);
     session.chosen.watch(update);
   }
@@ -52,7 +54,8 @@ export class ResultView {
     if (preview.state === "none") for (const { show } of this.#places.values()) show(undefined);
     setText(this.#status, statusText(preview));
     this.#failure.show(preview.state === "failed" ? preview.failure : undefined);
-    this.#doneBox.hidden = !done;
+    this.#doneBox.hidden = this.#section.hidden = !done;
+    this.#verdicts.hidden = !done || preview.change.unchanged;
     if (done) this.#showDone(preview);
     this.#updates += 1;
     this.#section.dataset["update"] = String(this.#updates);
@@ -65,9 +68,9 @@ export class ResultView {
       // An outdated section stays until the new one comes.
       if (sections.has(id) || preview.complete) show(sections.get(id));
     }
-    const { findings } = preview.change.record;
-    this.#findings.hidden = findings.length === 0;
-    this.#findings.replaceChildren(...findings.map(({ severity, message, had_before: hadBefore }) => el("li", {}, el("span", { class: `tag ${severity}` }, severity), hadBefore ? " as before: " : " ", message)));
+    const { verdicts, findings } = preview.change;
+    if (verdicts && findings) this.#verdicts.replaceChildren(...verdictRows(verdicts, findings, openRows(this.#verdicts)));
+    this.#outcome.dataset["complete"] = String(preview.complete);
     this.#diff.ask(preview.request);
   }
 
@@ -94,6 +97,6 @@ function statusText(preview: Preview): string {
     case "none": return "";
     case "hint": return preview.text;
     case "failed": return "This cannot be done yet.";
-    case "done": return `${changeCounts(preview.change, "would")}.`;
+    case "done": return changeText(preview.change);
   }
 }

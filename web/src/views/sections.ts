@@ -2,6 +2,7 @@
 
 import { el, setText } from "../dom/element";
 import { parseHtml } from "../dom/markup";
+import { digits } from "../dom/number";
 import type { Section } from "../engine/types";
 
 export interface SectionPlace {
@@ -33,9 +34,23 @@ export function place({ prefix, id, folded = false, title }: Options): SectionPl
     if (section === undefined || section.html === shownHtml) return;
     shownHtml = section.html;
     setText(heading, title ?? section.title);
-    replaceContent(body, parseHtml(section.html));
+    const content = parseHtml(section.html);
+    for (const cell of content.querySelectorAll("td")) shorten(cell);
+    replaceContent(body, content);
   };
   return { element, show };
+}
+
+/** Shows a number with four digits; all of them are its title. */
+function shorten(cell: HTMLElement): void {
+  const place = cell.querySelector("b") ?? cell;
+  const whole = place.textContent ?? "";
+  const [, sign = "", number = ""] = /^(×?)(-?\d[\d.]{4,}(?:e-?\d+)?)$/.exec(whole) ?? [];
+  const significant = number.replace(/e.*|\D/g, "").replace(/^0+/, "");
+  if (significant.length <= 4) return;
+  const short = `${sign}${digits(Number(number))}`;
+  cell.title = whole;
+  place.textContent = short;
 }
 
 /** Replaces the content of `body`, and restores scroll positions and the focus. */

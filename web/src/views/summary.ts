@@ -14,7 +14,7 @@ export function summary({ inspection }: Inspected): HTMLElement {
     ["Limbs", limbs(inspection)],
     ["Spheres", [String(inspection.spheres.length)]],
     ["Forces", [forces(inspection)]],
-    ["Gravity", [inspection.gravity_m_s2 == null ? "unknown" : `${digits(inspection.gravity_m_s2, 6)} m/s²`]],
+    ["Gravity", [inspection.gravity_m_s2 == null ? "unknown" : `${digits(inspection.gravity_m_s2)} m/s²`]],
   ];
   return el("dl", { class: "summary" }, ...rows.flatMap(([term, content]) => [el("dt", {}, term), el("dd", {}, ...content)]));
 }
@@ -45,4 +45,13 @@ function forces({ forces: all }: Inspection): string {
   const counts = new Map<string, number>();
   for (const { type } of all) counts.set(type, (counts.get(type) ?? 0) + 1);
   return [...counts].map(([type, count]) => `${count} × ${type}`).join(", ");
+}
+
+/** A sentence about the masses of a model. */
+export function describeModel({ mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): string {
+  const weighs = bodyMass === null ? "It is not known what it weighs" : `Weighs ${kilograms(bodyMass)}`;
+  if (forces.length === 0) return `${weighs}; it has no contacts.`;
+  if (knownContacts && contactsMass?.source !== "note") return `${weighs}; its contacts are those of ${knownContacts.title}, made for ${kilograms(knownContacts.made_for_kg)}.`;
+  const words = contactsMass ? `its contacts were made for ${kilograms(contactsMass.value)}` : "nobody wrote down which mass its contacts were made for";
+  return `${weighs}; ${words}.`;
 }

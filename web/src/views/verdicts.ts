@@ -1,37 +1,65 @@
-// The questions about a model, each with its answer in one line and its findings below, on demand.
+// The six questions about a model in the rows and words of `check`: the worst first, what is good in one row.
 
 import { el } from "../dom/element";
 import type { Finding, Verdict } from "../engine/types";
-import { type Apply, findingItems } from "./findings";
+import { findingItems } from "./findings";
 import { sentence } from "./failure";
 
-const SIGNS: Readonly<Record<Verdict["sign"], [string, string]>> = {
-  good: ["✓", "yes"], remark: ["i", "remark"], warning: ["!", "warning"], error: ["×", "no"], unknown: ["?", "not known"],
-};
+const WORST_FIRST = ["error", "warning", "remark"];
+/** Findings that known contacts were published with are remarks of these codes. */
+const AS_PUBLISHED = new Set([
+  "known-contacts", "beyond-hertz", "beyond-hunt-crossley", "dead-derivative-smoothing", "force-before-contact", "large-constant-indentation",
+  "sunk-in", "wide-transition",
+]);
 
-/** The verdicts with their findings, then the findings that belong to no verdict. */
-export function verdictList(verdicts: readonly Verdict[], findings: readonly Finding[], apply: Apply, open: ReadonlySet<string>): HTMLElement {
-  const otherFindings = findings.filter(({ code }) => !verdicts.some(({ codes }) => codes.includes(code)));
-  const lines = verdicts.map((verdict) => verdictElement(verdict, findings.filter(({ code }) => verdict.codes.includes(code)), apply, open.has(verdict.on)));
-  const others = otherFindings.length > 0 ? [el("h4", {}, "Also"), el("ul", { class: "findings" }, ...findingItems(otherFindings, apply))] : [];
-  return el("div", { class: "verdicts" }, ...lines, ...others);
+/** The rows; those in `open` are unfolded. */
+export function verdictRows(verdicts: readonly Verdict[], findings: readonly Finding[], open: ReadonlySet<string>): HTMLElement[] {
+  const isKnown = findings.some(({ code }) => code === "known-contacts");
+  const isAsPublished = ({ code, severity }: Finding) => isKnown && severity === "remark" && AS_PUBLISHED.has(code);
+  const answers = verdicts.map((verdict) => {
+    const its = findings.filter(({ code }) => verdict.codes.includes(code));
+    return { ...verdict, its, published: its.length > 0 && its.every(isAsPublished) };
+  });
+  const others = findings.filter((finding) => !isAsPublished(finding) && !verdicts.some(({ codes }) => codes.includes(finding.code)));
+  const fileRows = others.map((finding) => ({ on: "file", sign: finding.severity, text: finding.message, place: finding.place, its: [finding] }));
+  const bad = [...answers.filter(({ sign, published }) => !published && WORST_FIRST.includes(sign)), ...fileRows];
+  bad.sort((one, other) => WORST_FIRST.indexOf(one.sign) - WORST_FIRST.indexOf(other.sign));
+  const good = answers.filter(({ sign, published }) => published || sign === "good");
+  const unknown = answers.filter(({ sign }) => sign === "unknown");
+  return [
+    ...bad.map(({ on, sign, text, place, its }) => row(sign, on, withPlace(text, place), el("ul", { class: "findings" }, ...findingItems(its)), open)),
+    ...together("good", good, open), ...together("unknown", unknown, open),
+  ];
 }
 
-/** The verdicts that are open in a list, before it is created again. */
-export function openVerdicts(box: Element): Set<string> {
+/** The rows that are unfolded in a box, before it is filled again. */
+export function openRows(box: Element): Set<string> {
   return new Set([...box.querySelectorAll<HTMLDetailsElement>("details.verdict[open]")].map(({ dataset }) => dataset["on"] ?? ""));
 }
 
-function verdictElement({ question, on, sign, text, place }: Verdict, findings: readonly Finding[], apply: Apply, open: boolean): HTMLElement {
-  const [mark, signText] = SIGNS[sign];
-  const where = place !== null && !text.includes(place) ? ` ${place}` : "";
-  const head = el("summary", {},
-    el("span", { class: `sign ${sign}`, role: "img", "aria-label": signText }, mark), " ",
-    el("span", { class: "asked" }, question), " ", el("span", { class: "short quiet" }, text));
-  // Findings with a button are open at first.
-  const acts = findings.some(({ remedy, severity }) => remedy && severity !== "remark");
-  const body = findings.length > 0
-    ? el("ul", { class: "findings" }, ...findingItems(findings, apply))
-    : el("p", {}, sentence(text), el("span", { class: "quiet" }, where));
-  return el("details", { class: "verdict", "data-on": on, open: open || acts }, head, body);
+interface Answer extends Verdict {
+  its: readonly Finding[];
+  published: boolean;
+}
+
+/** One row for several verdicts, such as "good floor, sides; solver as published". */
+function together(sign: Verdict["sign"], answers: readonly Answer[], open: ReadonlySet<string>): HTMLElement[] {
+  if (answers.length === 0) return [];
+  const names = (published: boolean) => answers.filter((one) => one.published === published).map(({ on }) => on).join(", ");
+  const [why] = sign === "unknown" ? answers.map(({ text }) => `: ${text}`) : [];
+  const parts = [names(false) && `${names(false)}${why ?? ""}`, names(true) && `${names(true)} as published`].filter(Boolean);
+  const items = answers.map(({ question, text }) => el("li", {}, el("strong", {}, question), " ", sentence(text)));
+  const remarks = findingItems(answers.flatMap(({ its }) => its));
+  return [row(sign, sign, parts.join("; "), el("ul", { class: "findings" }, ...items, ...remarks), open)];
+}
+
+function withPlace(text: string, place: string | null): string {
+  const name = place?.split("/").pop() ?? "";
+  return text.includes(name) ? text : `${text} (${name})`;
+}
+
+function row(sign: string, on: string, text: string, body: HTMLElement, open: ReadonlySet<string>): HTMLElement {
+  const name = on === sign ? [] : [el("strong", {}, on), " "];
+  const head = el("summary", {}, el("span", { class: `tag ${sign}` }, sign), " ", ...name, el("span", {}, text));
+  return el("details", { class: "verdict", "data-on": on, open: open.has(on) }, head, body);
 }
