@@ -7,6 +7,7 @@ const WIDTH = 600;
 const LEFT = 34;
 const BOTTOM = 24;
 const LETTER_PX = 11.5;
+const MOST_MARKED = 4;
 
 /** A curve: `kind` is its look, null is a gap. */
 export interface Curve {
@@ -35,11 +36,12 @@ export class Curves {
     const floor = this.height - BOTTOM;
     const y = (value: number) => floor - ((floor - 6) * (value - least)) / (most - least);
     this.#count = Math.max(1, ...curves.map(({ values }) => values.length));
-    const marks = [0, 1, Math.floor(most)].filter((mark, index, all) => all.indexOf(mark) === index);
+    const highest = Math.floor(most);
+    // A mark at 1 would be written over the one at 0 if the curve is high.
+    const marks = highest > MOST_MARKED ? [0, highest] : [...new Set([0, 1, highest])];
     const axes = marks.flatMap((mark) => [line("grid", LEFT, y(mark), WIDTH, y(mark)), label(String(mark), LEFT - 6, y(mark) + 4, "end")]);
     const ends = [
-      label(`${digits(start, 3)} s`, LEFT, this.height - 4, "start"), label(`${digits(end, 3)} s`, WIDTH - 2, this.height - 4, "end"),
-      label(title, (LEFT + WIDTH) / 2, this.height - 4, "middle"),
+      label(title, LEFT, this.height - 4, "start"), label(`${digits(start, 3)} to ${digits(end, 3)} s`, WIDTH - 2, this.height - 4, "end"),
     ];
     this.#cursor.setAttribute("y2", String(floor));
     this.element.setAttribute("aria-label", about);

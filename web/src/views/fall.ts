@@ -36,7 +36,7 @@ export class FallView {
     const words = falls.map(describeFall).join(" ");
     setText(this.#summary, words);
     const curves = complete.map(({ name, forces_bw: values }) => ({ kind: name === "before" ? "old" as const : "new" as const, values }));
-    this.#curves.show(curves, "force in body weights against time", `Drop test: ${words}`, 0, seconds);
+    this.#curves.show(curves, "force in body weights", `Drop test: ${words}`, 0, seconds);
   }
 
   #completeFalls(): readonly Fall[] {

@@ -151,8 +151,8 @@ export class LibraryView {
     const scaled = this.session.models.value.length - 1;
     setText(this.#follow, `Move the spheres of ${counted(scaled, "model")} with the bones, and download a ZIP`);
     this.#follow.disabled = this.#original.value === "";
-    this.#follow.classList.toggle("primary", !this.#follow.disabled);
-    this.#changeAll.classList.toggle("primary", this.#follow.disabled);
+    this.#follow.classList.toggle("primary", !can && !this.#follow.disabled);
+    this.#changeAll.classList.toggle("primary", can);
     setAttribute(this.#follow, "aria-disabled", this.session.changingAll.value && "true");
     for (const one of [this.#changeAll, this.#zip]) {
       one.disabled = !can;

@@ -98,8 +98,9 @@ export class RecordingView {
     this.#curves = feet.map(({ name, model, plates }) => {
       const curves = new Curves(110);
       const measured = plates ? [{ kind: "old" as const, values: upward(plates) }] : [];
-      const title = `${name}: upward force in body weights${plates ? ", plates dashed" : ""}`;
-      curves.show([...measured, { kind: "new" as const, values: upward(model) }], title, `${title}; in words below`, start, end);
+      const dashed = plates ? ", plates dashed" : "";
+      const about = `${name}: upward force in body weights${dashed}; in words below`;
+      curves.show([...measured, { kind: "new" as const, values: upward(model) }], `${name}, body weights${dashed}`, about, start, end);
       return curves;
     });
     this.#plots.replaceChildren(...this.#curves.map(({ element }) => element));
