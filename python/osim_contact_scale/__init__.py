@@ -23,9 +23,10 @@ from . import _native
 
 if TYPE_CHECKING:
     from . import scaling
+    from . import simulate as simulate
     from . import types as types
     from ._answers import Answer, DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
-    from ._errors import ContactScaleError, ModelError, NeedsAnswer, OutputError, RequestError
+    from ._errors import ContactScaleError, ContactScaleWarning, ModelError, NeedsAnswer, OutputError, RequestError
     from ._figure import Figure
     from ._findings import Finding, Findings, Remedy
     from ._many import many
@@ -64,6 +65,7 @@ __all__ = [
     "Answer",
     "Check",
     "ContactScaleError",
+    "ContactScaleWarning",
     "DesignSheet",
     "DropTest",
     "Explanation",
@@ -114,7 +116,10 @@ _HOMES = {
         ("Answer", "DesignSheet", "DropTest", "Explanation", "Fit", "Motion", "Preset", "Presets", "Reproduction"),
         "_answers",
     ),
-    **dict.fromkeys(("ContactScaleError", "ModelError", "NeedsAnswer", "OutputError", "RequestError"), "_errors"),
+    **dict.fromkeys(
+        ("ContactScaleError", "ContactScaleWarning", "ModelError", "NeedsAnswer", "OutputError", "RequestError"),
+        "_errors",
+    ),
     **dict.fromkeys(("Finding", "Findings", "Remedy"), "_findings"),
     **dict.fromkeys(("Check", "Inspection"), "_survey"),
     "Figure": "_figure",
@@ -123,7 +128,7 @@ _HOMES = {
     "many": "_many",
     "set_threads": "_threads",
 }
-_MODULES = ("scaling", "types")
+_MODULES = ("scaling", "simulate", "types")
 
 if not TYPE_CHECKING:
 
@@ -138,4 +143,4 @@ if not TYPE_CHECKING:
         return value
 
     def __dir__():
-        return sorted({*globals(), *__all__, *_MODULES, "set"})
+        return sorted({*__all__, *_MODULES, "set"})

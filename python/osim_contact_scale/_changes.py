@@ -11,7 +11,7 @@ from typing import Any, get_args
 from . import _native
 from ._errors import RequestError
 from ._gaps import explain_gaps, find_gaps, log_gaps
-from ._keywords import is_path, to_fields, to_path
+from ._keywords import is_file_object, is_path, to_fields, to_path
 from ._kinds import kind_of
 from ._option_names import ChangingVerb
 from ._progress import progress_callback
@@ -66,7 +66,7 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
     ContactScaleError
         Rows are wrong, or a result exists already. Nothing was written.
     """
-    source = _paths_or_table(models)
+    source = to_rows(models) if is_file_object(models) else _paths_or_table(models)
     if not _is_table(source):
         message = "expected a table with a row for each model: a DataFrame, a dictionary of columns, a list of dictionaries, or a .csv file"
         alternative = (
@@ -85,13 +85,12 @@ def batch(models: Any, keep: Any, keywords: Mapping[str, Any], progress: Progres
     user = user_columns(column_names(source, rows), keep)
     visible = visible_rows(rows, user)
     gaps = find_gaps(visible, kind_of(source) is not None)
-    _refuse_nameless(rows, visible)
     log_gaps(gaps, visible)
-    data = models_csv(visible)
     try:
-        records = _change_rows(to_fields("batch", keywords), data, len(rows), progress)
-    except RequestError as error:
-        raise explain_gaps(error, gaps) from None
+        _refuse_nameless(rows, visible)
+        records = _change_rows(to_fields("batch", keywords), models_csv(visible), len(rows), progress)
+    except (RequestError, TypeError) as error:
+        raise explain_gaps(error, gaps, _row_names(source, len(rows))) from None
     places = _rows_of_records(records, rows)
     if places is None:
         return _text_table(records)
@@ -125,6 +124,15 @@ def _refuse_nameless(rows: Sequence[Mapping[str, Any]], visible: Sequence[Mappin
         lines = [f"table: row {number}, column 'model': empty, expected the model's file name" for number in wrong]
         count_phrase = "1 row is" if len(wrong) == 1 else f"{len(wrong)} rows are"
         raise RequestError("usage", "\n".join([f"{count_phrase} wrong, so nothing was written:", *lines]))
+
+
+def _row_names(source: Any, count: int) -> list[str]:
+    """The rows of a table as messages name them: by the label of a DataFrame's index, and by their position from 0."""
+    names = [f"row {position}" for position in range(count)]
+    index = getattr(source, "index", None) if kind_of(source) is not None else None
+    if index is None or list(index) == list(range(count)):
+        return names
+    return [f"{printable(str(label))} ({name})" for label, name in zip(index, names)]
 
 
 def _rows_of_records(records: Sequence[Mapping[str, Any]], rows: Sequence[Any]) -> list[int] | None:

@@ -2,9 +2,26 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import sys
+import warnings
 from typing import Any
 
 from ._text import clipped, printable
+
+
+class ContactScaleWarning(UserWarning):
+    """Something about a call or its result that should be looked at."""
+
+
+def warn(message: str) -> None:
+    """Gives a warning at the line of the caller's program that called this package."""
+    package = os.path.dirname(__file__)
+    frame, level = sys._getframe(1), 2
+    while frame.f_back is not None and os.path.dirname(frame.f_code.co_filename) == package:
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, ContactScaleWarning, stacklevel=level)
 
 
 class ContactScaleError(Exception):
@@ -45,7 +62,9 @@ class ContactScaleError(Exception):
         position = "" if line is None or column is None else f":{line}:{column}"
         text = message if is_named or not name else f"{clipped(name)}{position}: {message}"
         excerpt_text = "" if excerpt is None else f"\n{line or '':>6} | {clipped(printable(excerpt.expandtabs(2)))}"
-        super().__init__(text + excerpt_text)
+        super().__init__()
+        # Not by the constructor, which OSError leaves to `__new__`.
+        self.args = (text + excerpt_text,)
         self.code = code
         self.message = message
         self.path = path
@@ -53,6 +72,9 @@ class ContactScaleError(Exception):
         self.column = column
         self.excerpt = excerpt
         self.keywords = tuple(keywords)
+
+    # That of Python's OSError is about its number.
+    __str__ = Exception.__str__
 
     def __reduce__(self) -> tuple[Any, ...]:
         return _unpickled, (type(self), self.code, self.message, self.__dict__)
@@ -64,7 +86,18 @@ def _unpickled(kind: type[ContactScaleError], code: str, message: str, state: di
 
 
 class ModelError(ContactScaleError):
-    """A model, or a file that it needs, cannot be used."""
+    """A model, or a file that it needs, cannot be used. If the file is missing, this is a `FileNotFoundError`, too."""
+
+    def __new__(cls, code: str, message: str, **details: Any) -> ModelError:
+        is_missing = cls is ModelError and "there is no such file" in message
+        kind = MissingFile if is_missing else cls
+        return super(ModelError, kind).__new__(kind)
+
+
+class MissingFile(ModelError, FileNotFoundError):
+    def __init__(self, code: str, message: str, **details: Any) -> None:
+        super().__init__(code, message, **details)
+        self.errno, self.filename = errno.ENOENT, self.path
 
 
 class NeedsAnswer(ContactScaleError):
@@ -89,4 +122,18 @@ class RequestError(ContactScaleError, ValueError):
 
 
 class OutputError(ContactScaleError):
-    """A file cannot be written: it exists already, the folder is read-only, or the disk is full. No file is half written."""
+    """A file cannot be written: the folder is read-only, the disk is full, or it exists already. No file is half written.
+
+    If it exists already, this is a `FileExistsError`, too.
+    """
+
+    def __new__(cls, code: str, message: str, **details: Any) -> OutputError:
+        exists = cls is OutputError and " exists already" in message
+        kind = ExistingFile if exists else cls
+        return super(OutputError, kind).__new__(kind)
+
+
+class ExistingFile(OutputError, FileExistsError):
+    def __init__(self, code: str, message: str, **details: Any) -> None:
+        super().__init__(code, message, **details)
+        self.errno = errno.EEXIST

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 import logging
 import numbers
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ._errors import RequestError
+from ._errors import RequestError, warn
 from ._rows import is_blank, is_missing
 from ._text import printable
 
@@ -56,13 +57,16 @@ def _is_numeric(values: Iterable[Any]) -> bool:
 def log_gaps(gaps: Mapping[str, Gaps], rows: Sequence[Mapping[str, Any]]) -> None:
     """Logs where an option is left out because its value is missing.
 
-    pandas fills gaps with NaN. In a column of numbers, a gap thus looks like a failed calculation, and the log has a warning.
+    pandas fills gaps with NaN. In a column of numbers, a gap thus looks like a failed calculation, which is a warning.
     """
     for name, gap in gaps.items():
-        level = logging.WARNING if gap.nan and gap.is_numeric else logging.INFO
         empty = "empty (NaN)" if gap.nan else "empty"
         count = _count_phrase(len(gap.places), len(rows))
-        log.log(level, "column %s: %s %s: the option is left out there", printable(name), count, empty)
+        message = f"column {printable(name)}: {count} {empty}: the option is left out there"
+        if gap.nan and gap.is_numeric:
+            warn(message)
+        else:
+            log.info("%s", message)
     if blank := sum(map(is_blank, rows)):
         log.info("%s empty and left out", _count_phrase(blank, len(rows)))
 
@@ -71,17 +75,26 @@ def _count_phrase(some: int, rows: int) -> str:
     return f"{some} of {rows} rows {'is' if some == 1 else 'are'}" if rows > 1 else "the row is"
 
 
-def explain_gaps(error: RequestError, gaps: Mapping[str, Gaps]) -> RequestError:
-    """An error about a table, with the empty columns of each row that it names, and with the way to keep own columns."""
+def explain_gaps(error: Exception, gaps: Mapping[str, Gaps], row_names: Sequence[str]) -> Exception:
+    """An error about a table, with the names and the empty columns of the rows in it, and with the way to keep own columns.
+
+    In the table that Rust reads, the first row is row 2; a DataFrame has no such lines.
+    """
 
     def with_empty_columns(match: re.Match[str]) -> str:
         place, column = int(match["row"]) - 2, match["column"]
         empty_gaps = {name: gap for name, gap in gaps.items() if place in gap.places and column in (None, name)}
         empty = ", ".join(f"{name} (NaN)" if place in gap.nan else name for name, gap in empty_gaps.items())
-        return f"{match[0]} (empty there: {empty})" if empty_gaps else match[0]
+        row_name = row_names[place] if 0 <= place < len(row_names) else f"row {match['row']}"
+        named = match[0].replace(f"row {match['row']}", row_name, 1)
+        return f"{named} (empty there: {empty})" if empty_gaps else named
 
     pattern = r"^table: row (?P<row>\d+)(, column '(?P<column>[^']*)')?:.*$"
-    message = re.sub(pattern, with_empty_columns, error.message, flags=re.MULTILINE)
-    if "is not an option of" in message:
-        message += '; columns of your own are kept by their names, keep=["age"]'
-    return error if message == error.message else RequestError(error.code, message, keywords=error.keywords)
+    message = re.sub(pattern, with_empty_columns, str(error), flags=re.MULTILINE)
+    if unknown := re.findall(r"the column '([^']*)' is not an option of", message):
+        message += f"; columns of your own are kept by their names, keep={json.dumps(unknown, ensure_ascii=False)}"
+    if message == str(error):
+        return error
+    if isinstance(error, RequestError):
+        return RequestError(error.code, message, keywords=error.keywords)
+    return TypeError(message)

@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping, Sequence
 from keyword import iskeyword
 from pathlib import Path, PurePath
-from typing import Any, TypeGuard
+from typing import Any, BinaryIO, TypeGuard
 
 from . import _live
 from ._errors import ModelError, RequestError
@@ -118,6 +118,11 @@ def is_path(source: Any) -> TypeGuard[str | os.PathLike[str]]:
     return isinstance(source, (str, os.PathLike))
 
 
+def is_file_object(source: Any) -> TypeGuard[BinaryIO]:
+    """Whether a value is an open file, or one in memory."""
+    return hasattr(source, "read") and hasattr(source, "readlines")
+
+
 def to_model(source: Source, memory: Memory) -> Any:
     """The name of a model in a request. A model that is in no file goes into `memory` under that name.
 
@@ -135,6 +140,12 @@ def to_model(source: Source, memory: Memory) -> Any:
             message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model"
             raise RequestError("usage", message)
         return _file_name(to_path(source), memory)
+    if is_file_object(source):
+        data, name = source.read(), getattr(source, "name", None)
+        if not isinstance(data, bytes):
+            kind = type(source).__name__
+            raise TypeError(f'a {kind} reads text: open the model as bytes, open(path, "rb"), or give its path')
+        return _remember(name if isinstance(name, str) else UNNAMED, data, memory)
     if _live.is_model(source):
         name, data = _live.to_bytes(source)
         return _remember(name or UNNAMED, data, memory)

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from . import _live, _native, _plan_tables
-from ._errors import RequestError
+from ._errors import OutputError, RequestError, warn
 from ._findings import Findings
 from ._frames import to_frame
 from ._html import heading, html_table, paragraph
-from ._keywords import Memory, expand_home, to_fields, to_model, with_companions
+from ._keywords import UNNAMED, Memory, expand_home, to_fields, to_model, with_companions
 from ._named_values import NamedValues, clipped
 from ._text import printable
 from .types import LiveModel, Source, Table
@@ -48,9 +48,11 @@ def plan(verb: str, source: Source, keywords: Mapping[str, Any], tables: Mapping
     for remark in planned.remarks:
         log.info("%s: %s", printable(planned.path), remark)
     for finding in planned.findings:
-        is_new = finding.severity != "remark" and not finding.had_before
-        level = logging.WARNING if is_new else logging.INFO
-        log.log(level, "%s: %s", printable(planned.path), finding.message)
+        message = f"{printable(planned.path)}: {finding.message}"
+        if finding.severity != "remark" and not finding.had_before:
+            warn(message)
+        else:
+            log.info("%s", message)
     return planned
 
 
@@ -226,6 +228,10 @@ class Result(NamedValues):
             "force": force,
             "geometry_output": geometry_output,
         }
+        is_named = output is not None or output_dir is not None or in_place
+        if self.path == UNNAMED and self._folder is None and not is_named:
+            message = "this model came from memory, and has no file yet: name one with output="
+            raise OutputError("output", message, keywords=("output",))
         self._check_current_folder(output, output_dir)
         fields = to_fields(self.verb, {name: value for name, value in options.items() if value is not False})
         del fields["verb"]
@@ -233,7 +239,7 @@ class Result(NamedValues):
         for path in backups:
             log.info("%s: the old model is kept as %s", printable(self.path), printable(str(path)))
         for remark in remarks:
-            log.warning("%s: %s", printable(self.path), remark)
+            warn(f"{printable(self.path)}: {remark}")
         return list(paths)
 
     def _check_current_folder(self, *outputs: Any) -> None:

@@ -27,6 +27,11 @@ def to_rows(data: Any) -> list[dict[str, Any]]:
         Two columns have one name.
     """
     data = to_known_table(data)
+    kind = type(data).__name__
+    if kind in ("DataArray", "Dataset") and hasattr(data, "to_dataframe"):
+        raise TypeError(f"expected a table, not {kind}: to_dataframe() makes a table of it")
+    if hasattr(data, "read"):
+        raise TypeError(f"expected a table, not {kind}: give the path of the file, or read it, as by pandas.read_csv")
     if hasattr(data, "to_dict") and hasattr(data, "columns"):
         _refuse_same_names([str(name) for name in data.columns])
         rows = data.to_dicts() if hasattr(data, "to_dicts") else data.to_dict("records")

@@ -10,6 +10,7 @@ from typing import Any
 
 from . import _native, _survey, _sweep
 from ._answers import DesignSheet, DropTest, Explanation, Fit, Motion, Preset, Presets, Reproduction
+from ._errors import warn
 from ._figure import Figure
 from ._keywords import Memory, to_fields, to_model, to_models, to_path, with_companions
 from ._result import Result, plan
@@ -49,7 +50,7 @@ def drop_test(subject: Source | None, keywords: Mapping[str, Any]) -> DropTest:
         fields["subject"] = model
     record, text, remarks = _native.drop_test(fields, memory)
     for remark in remarks:
-        log.warning("%s", remark.strip())
+        warn(remark.strip().removeprefix("warning: "))
     return DropTest(record, text)
 
 

@@ -12,7 +12,17 @@ from ._errors import ContactScaleError
 from ._findings import COLUMNS, Findings
 from ._frames import to_frame
 from ._html import heading, html_table, paragraph
-from ._keywords import MODELS, InMemory, Memory, expand_home, is_path, to_fields, to_models, with_companions
+from ._keywords import (
+    MODELS,
+    InMemory,
+    Memory,
+    expand_home,
+    is_file_object,
+    is_path,
+    to_fields,
+    to_models,
+    with_companions,
+)
 from ._named_values import NamedValues, repr_line
 from ._progress import progress_callback
 from ._similarity import Similarity
@@ -92,7 +102,8 @@ def as_list(sources: Any) -> list[Any]:
     if hasattr(sources, "columns") or isinstance(sources, Mapping):
         kind = type(sources).__name__
         raise TypeError(f'expected models, not a {kind}: name its column of paths, as in table["model"]')
-    is_one = is_path(sources) or isinstance(sources, (bytes, bytearray, memoryview)) or _live.is_model(sources)
+    is_bytes = isinstance(sources, (bytes, bytearray, memoryview)) or is_file_object(sources)
+    is_one = is_path(sources) or is_bytes or _live.is_model(sources)
     return [sources] if is_one or not isinstance(sources, Iterable) else list(sources)
 
 

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import logging
 import operator
 import os
 from typing import Any
 
-from ._errors import RequestError
-
-log = logging.getLogger("osim_contact_scale")
+from ._errors import RequestError, warn
 
 #: More threads than any computer has processors.
 _MAX_THREADS = 4096
@@ -64,8 +61,8 @@ def default_thread_count() -> int | None:
         return int(text)
     if text and text != _reported_value:
         _reported_value = text
-        message = "%s=%r: expected a whole number, 1 or more and at most %d: one thread per processor is used"
-        log.warning(message, _ENVIRONMENT_VARIABLE, text[:40], _MAX_THREADS)
+        expected = f"expected a whole number, 1 or more and at most {_MAX_THREADS}: one thread per processor is used"
+        warn(f"{_ENVIRONMENT_VARIABLE}={text[:40]!r}: {expected}")
     return None
 
 

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import logging
 import re
 import sys
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
-from ._errors import RequestError
+from ._errors import RequestError, warn
 from ._kinds import kind_of
 from ._option_names import ROW_OPTIONS, RUN_OPTIONS
 from ._rows import option_name
 from ._tables import all_columns, polars_table, table
 from ._text import printable
-
-log = logging.getLogger("osim_contact_scale")
 
 #: Names of columns that the result has itself.
 _RESULT_COLUMNS = re.compile(
@@ -84,10 +81,10 @@ def _suggestion(name: str, names: Iterable[str]) -> str:
 
 
 def _warn_if_misspelt(name: str) -> None:
-    """Logs a warning if the name of a user's column is nearly that of an option: it may be misspelt."""
+    """Gives a warning if the name of a user's column is nearly that of an option: it may be misspelt."""
     suggestion = _suggestion(option_name(name), ROW_OPTIONS)
     if suggestion:
-        log.warning("the column %s is kept as yours, because it is not an option%s", repr(printable(name)), suggestion)
+        warn(f"the column {printable(name)!r} is kept as yours, because it is not an option{suggestion}")
 
 
 def column_names(original: Any, rows: Sequence[Mapping[str, Any]]) -> list[str]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar
+from typing import TYPE_CHECKING, Any, BinaryIO, Protocol, TypeVar
 
 from ._option_names import Property, Question
 
@@ -35,6 +35,11 @@ __all__ = [
     "Table",
     "TableLike",
 ]
+
+
+def __dir__() -> list[str]:
+    return list(__all__)
+
 
 StrPath = str | os.PathLike[str]
 """The name of a file or folder."""
@@ -64,8 +69,8 @@ class ModelInMemory(Protocol):
         """The model as bytes."""
 
 
-Source = str | os.PathLike[str] | bytes | bytearray | memoryview | ModelInMemory | LiveModel
-"""A model: the path of its file, its bytes, a result of this package, or an `opensim.Model`."""
+Source = str | os.PathLike[str] | bytes | bytearray | memoryview | BinaryIO | ModelInMemory | LiveModel
+"""A model: the path of its file, its bytes, a file opened for them, a result of this package, or an `opensim.Model`."""
 
 Sources = Source | Iterable[Source]
 """One model or several: paths, folders, bytes, results or live models."""

@@ -1,5 +1,6 @@
 """Every failure is an exception with code, message and place, and never ends Python."""
 
+import io
 import os
 import pickle
 import subprocess
@@ -20,6 +21,38 @@ def test_line_and_column():
     assert str(error).startswith(f"{error.path}:30:26: ")
     back = pickle.loads(pickle.dumps(error))
     assert (type(back), str(back), back.__dict__) == (type(error), str(error), error.__dict__)
+
+
+def test_files_that_are_missing_or_there_already(tmp_path):
+    for call in (ocs.check, lambda path: ocs.rescale(path, target_mass=80), lambda path: ocs.fit(path, radius=0.01)):
+        with pytest.raises(FileNotFoundError, match="there is no such file") as caught:
+            call(tmp_path / "gone.osim")
+        assert isinstance(caught.value, ocs.ModelError) and caught.value.errno == 2
+    back = pickle.loads(pickle.dumps(caught.value))
+    assert (type(back), str(back)) == (type(caught.value), str(caught.value))
+    (tmp_path / "there.osim").touch()
+    with pytest.raises(FileExistsError, match="exists already") as existing:
+        ocs.rescale(HUMAN, target_mass=80).write(tmp_path / "there.osim")
+    assert isinstance(existing.value, ocs.OutputError) and existing.value.errno == 17
+
+
+def test_open_files_are_taken_or_refused_by_name():
+    expected = ocs.rescale(HUMAN, target_mass=80)
+    with open(HUMAN, "rb") as file:
+        result = ocs.rescale(file, target_mass=80)
+    assert (result.path, result.to_bytes()) == (str(HUMAN), expected.to_bytes())
+    assert len(ocs.check(io.BytesIO(HUMAN.read_bytes()))) == 1
+    with open(HUMAN) as file:
+        with pytest.raises(TypeError, match=r'TextIOWrapper reads text: .*open\(path, "rb"\)'):
+            ocs.check(file)
+        with pytest.raises(TypeError, match="not TextIOWrapper: give the path"):
+            ocs.rescale_many(file)
+
+
+def test_a_warning_has_a_category_and_the_line_of_the_call():
+    with pytest.warns(ocs.ContactScaleWarning) as caught:
+        ocs.set(HUMAN, constant_contact_force=1e-4)
+    assert {warning.filename for warning in caught} == {__file__}
 
 
 def test_missing_keywords_are_named():
@@ -151,7 +184,7 @@ def test_wrong_rows_have_a_line_each():
     rows = [{"model": HUMAN, "target_mass": "x"}, {"model": "nowhere.osim", "target_mass": 70}]
     with pytest.raises(ocs.RequestError) as caught:
         ocs.rescale_many(rows, dry_run=True)
-    assert [line.split(":")[1].split(",")[0] for line in str(caught.value).splitlines()[1:]] == [" row 2", " row 3"]
+    assert [line.split(":")[1].split(",")[0] for line in str(caught.value).splitlines()[1:]] == [" row 0", " row 1"]
 
 
 def test_the_home_folder(tmp_path, monkeypatch):

@@ -67,14 +67,22 @@ def test_what_type_checkers_see_is_what_there_is():
         node.body for node in tree.body if isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
     )
     names = {alias.name: node.module for node in seen for alias in node.names}
-    assert {*names} == {*ocs.__all__} - {"__version__"} | {"set", "types"}
+    assert {*names} == {*ocs.__all__} - {"__version__"} | {"set", "simulate", "types"}
     for name, home in names.items():
         value = getattr(ocs, name)
         where = f"osim_contact_scale.{home}" if home else f"osim_contact_scale.{name}"
         assert value is (getattr(sys.modules[where], name) if home else sys.modules[where]), name
         assert name in dir(ocs)
+    assert {*dir(ocs)} == {*ocs.__all__, "scaling", "set", "simulate", "types"}
+    assert dir(ocs.simulate) == ["Drop", "Function", "Results", "Stand", "WorkersLost", "run"]
     with pytest.raises(AttributeError, match="rescael"):
         ocs.rescael  # noqa: B018
+
+
+def test_the_package_runs_as_the_command():
+    ran = subprocess.run([sys.executable, "-m", "osim_contact_scale", "--version"], capture_output=True, text=True)
+    assert (ran.returncode, ran.stdout) == (0, f"osim-contact-scale {ocs.__version__}\n")
+    assert subprocess.run([sys.executable, "-m", "osim_contact_scale", "rescal"], capture_output=True).returncode == 2
 
 
 def test_importing_waits_for_nothing_that_is_not_used_yet():

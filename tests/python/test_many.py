@@ -225,12 +225,12 @@ def test_threads_may_be_a_number_of_numpy(human):
 
 
 @pytest.mark.parametrize("text", ["²", "0", "-1", "two", "9" * 5000])
-def test_an_environment_that_says_nothing_useful_is_reported_once(text, monkeypatch, caplog):
+def test_an_environment_that_says_nothing_useful_is_reported_once(text, monkeypatch):
     ocs.set_threads(None)
     monkeypatch.setenv("OSIM_CONTACT_SCALE_THREADS", text)
-    with caplog.at_level("WARNING", "osim_contact_scale"):
+    with pytest.warns(ocs.ContactScaleWarning) as caught:
         assert len(ocs.inspect(HUMAN)) == len(ocs.inspect(HUMAN)) == 1
-    said = [record.getMessage() for record in caplog.records]
+    said = [str(warning.message) for warning in caught]
     assert len(said) == 1 and "OSIM_CONTACT_SCALE_THREADS" in said[0] and len(said[0]) < 250
 
 

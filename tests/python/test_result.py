@@ -128,6 +128,8 @@ def test_a_model_of_bytes_has_no_file_yet(human, tmp_path, monkeypatch):
     result = ocs.rescale(human.read_bytes(), target_mass=500)
     with pytest.raises(ocs.OutputError, match=r"came from memory, and has no file .*output="):
         result.write(in_place=True)
+    with pytest.raises(ocs.OutputError, match=r"came from memory, and has no file yet: .*output="):
+        result.write()
     assert [path.name for path in result.write("model.osim")] == ["model.osim"]
     with pytest.raises(ocs.OutputError):
         result.write("model.osim")

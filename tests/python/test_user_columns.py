@@ -3,6 +3,7 @@
 import shutil
 import subprocess
 import sys
+import warnings
 
 import osim_contact_scale as ocs
 import pytest
@@ -102,12 +103,11 @@ def test_a_column_that_is_not_kept_is_an_error_that_says_how():
         ocs.rescale_many(subjects(masss=62), dry_run=True, keep=[name for name in OWN_COLUMNS if name != "height"])
 
 
-def test_a_name_that_is_nearly_an_option_is_reported(caplog):
-    with caplog.at_level("INFO", "osim_contact_scale"):
+def test_a_name_that_is_nearly_an_option_is_reported():
+    with pytest.warns(ocs.ContactScaleWarning, match=r"target_mas' .*did you mean 'target_mass'") as caught:
         results = ocs.rescale_many(subjects(target_mas=5), keep=True, dry_run=True)
     assert list(results["target_mas"]) == [5] * 4
-    (said,) = (record.getMessage() for record in caplog.records if "target_mas'" in record.getMessage())
-    assert "did you mean 'target_mass'" in said
+    assert [warning.filename for warning in caught] == [__file__]
 
 
 @pytest.mark.parametrize(
@@ -171,9 +171,12 @@ def test_options_are_those_of_the_program():
 def messages(caplog, table, **call):
     """Messages of a run, by their level."""
     caplog.clear()
-    with caplog.at_level("INFO", "osim_contact_scale"):
+    with caplog.at_level("INFO", "osim_contact_scale"), warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
         ocs.rescale_many(table, dry_run=True, **call)
-    return {record.getMessage(): record.levelname for record in caplog.records if " rows " in record.getMessage()}
+    said = {str(warning.message): "WARNING" for warning in caught}
+    said |= {record.getMessage(): record.levelname for record in caplog.records}
+    return {message: level for message, level in said.items() if " rows " in message}
 
 
 def test_gaps_are_reported_once_for_each_column(caplog):
@@ -199,16 +202,16 @@ def test_gaps_are_reported_once_for_each_column(caplog):
 def test_an_error_about_a_row_says_what_is_empty_in_it():
     with pytest.raises(ocs.RequestError) as caught:
         ocs.rescale_many(subjects(target_mass=[70, None, 90, 100], mass=[62, None, 62, 62]), keep=True, dry_run=True)
-    assert "row 3: what to do is missing" in str(caught.value)
+    assert "table: ('a', 1) (row 1): what to do is missing" in str(caught.value)
     assert "(empty there: target_mass (NaN), mass (NaN))" in str(caught.value)
     table = subjects(model=[str(HUMAN), None, str(HUMAN), str(HUMAN)])
-    with pytest.raises(ocs.RequestError, match=r"row 3, column 'model': empty, .*\(empty there: model \(NaN\)\)"):
+    with pytest.raises(ocs.RequestError, match=r"\(row 1\), column 'model': empty, .*\(empty there: model \(NaN\)\)"):
         ocs.rescale_many(table, keep=True, dry_run=True)
 
 
 def test_a_row_with_only_user_columns_is_an_error_and_an_empty_one_is_left_out(caplog):
     rows = [{"model": HUMAN, "target_mass": 70, "id": 1}, {"model": None, "target_mass": None, "id": 2}]
-    with pytest.raises(ocs.RequestError, match=r"1 row is wrong, .*\ntable: row 3, column 'model': empty"):
+    with pytest.raises(ocs.RequestError, match=r"1 row is wrong, .*\ntable: row 1, column 'model': empty"):
         ocs.rescale_many(rows, keep=["id"], dry_run=True)
     rows[1]["id"] = None
     assert messages(caplog, rows, keep=["id"]) == {"1 of 2 rows is empty and left out": "INFO"}

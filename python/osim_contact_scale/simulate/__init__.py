@@ -45,3 +45,7 @@ def __getattr__(name: str) -> Any:
             missing = f"simulations need {error.name}, which the extra `simulate` brings: pip install {error.name}"
             raise ModuleNotFoundError(missing, name=error.name) from None
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return list(__all__)
