@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
-"""Writes two files of python/osim_contact_scale/ from the schemas of requests.
+"""Writes three files of python/osim_contact_scale/ from the schemas of requests and results.
 
 _verbs.py has a typed function with a docstring for each verb; _option_names.py the names of options that a table may have as columns, and of
-those that name files.
+those that name files; _answer_fields.py the types of the numbers and texts of answers.
 
     python3 dev/generate_python.py           writes them
     python3 dev/generate_python.py --check   fails where they differ, as after a new option in Rust
 """
 
 import difflib
+import json
 import keyword
 import re
 import sys
@@ -19,7 +20,9 @@ from pathlib import Path
 
 from request_schemas import Field, Verb, verbs
 
-FOLDER = Path(__file__).resolve().parent.parent / "python" / "osim_contact_scale"
+TOP = Path(__file__).resolve().parent.parent
+FOLDER = TOP / "python" / "osim_contact_scale"
+RESULTS = TOP / "schemas" / "results"
 
 WRITTEN = "a plan is written by Result.write"
 NOT_FOR_PYTHON = "Python shows results itself, and has no exit status"
@@ -136,7 +139,7 @@ def shape_of(verb: Verb) -> Shape:
 
 def main() -> int:
     is_check, differs = "--check" in sys.argv[1:], False
-    for name, text in {"_verbs.py": module(), "_option_names.py": options()}.items():
+    for name, text in {"_verbs.py": module(), "_option_names.py": options(), "_answer_fields.py": answer_fields()}.items():
         path = FOLDER / name
         if not is_check:
             path.write_text(text, encoding="utf-8")
@@ -181,6 +184,25 @@ def options() -> str:
     return OPTIONS_HEAD + "\n".join([*(literal(name, *of) for name, of in words.items()), *sets])
 
 
+def answer_fields() -> str:
+    """A class for each answer: its numbers and texts, for type checkers and editors."""
+    answers = {"DropTest": "drop-test", "Motion": "motion", "Fit": "fit", "DesignSheet": "design", "Preset": "preset", "Reproduction": "reproduction", "Explanation": "explanation"}
+    kinds = {"number": "float", "integer": "int", "string": "str", "boolean": "bool", "null": "None"}
+    parts = [ANSWER_FIELDS_HEAD]
+    for name, result in answers.items():
+        schema = json.loads((RESULTS / f"{result}.schema.json").read_text(encoding="utf-8"))
+        types: dict[str, str] = {}
+        for variant in schema.get("oneOf", [schema]):
+            for field_name, value in variant["properties"].items():
+                words = [value["type"]] if isinstance(value.get("type"), str) else value.get("type", ["object"])
+                if all(word in kinds for word in words) and field_name != "schema_version":
+                    types[field_name] = " | ".join(kinds[word] for word in words)
+        if name == "DesignSheet":
+            types |= dict.fromkeys(schema["$defs"]["DesignFigure"]["properties"]["name"]["enum"], "float")
+        parts.append("\n".join([f"class {name}Fields:", "    __slots__ = ()", "", *(f"    {field_name}: {kind}" for field_name, kind in types.items()), ""]))
+    return "\n\n".join(parts)
+
+
 def literal(name: str, meaning: str, words: Iterable[str]) -> str:
     wrapped = textwrap.fill(", ".join(f'"{word}"' for word in words), 118, initial_indent="    ", subsequent_indent="    ", break_on_hyphens=False)
     return f"#: {meaning}\n{name} = Literal[\n{wrapped},\n]\n"
@@ -192,6 +214,11 @@ from __future__ import annotations
 
 from typing import Literal
 
+'''
+
+ANSWER_FIELDS_HEAD = '''"""Types of the numbers and texts of answers. Written by dev/generate_python.py from the schemas of results: do not edit."""
+
+from __future__ import annotations
 '''
 
 HEAD = '''"""The verbs as functions. Written by dev/generate_python.py from the schemas of requests: do not edit."""

@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from . import _native
+from ._answer_fields import (
+    DesignSheetFields,
+    DropTestFields,
+    ExplanationFields,
+    FitFields,
+    MotionFields,
+    PresetFields,
+    ReproductionFields,
+)
 from ._frames import to_frame, unit_from_name
 from ._html import preformatted
-from ._named_values import NamedValues, clipped, repr_line, repr_lines
+from ._named_values import LINE, NamedValues, clipped, repr_line, repr_lines
 from ._tables import all_columns, table
 from .types import Table
 
@@ -54,20 +63,34 @@ class Answer(NamedValues, Mapping[str, Any]):
     def __str__(self) -> str:
         return self.text
 
+    #: Names of values that `repr` shows first.
+    _FIRST: ClassVar[tuple[str, ...]] = ()
+
     def __repr__(self) -> str:
-        plain = ((name, value) for name, value in self._values().items() if isinstance(value, (str, int, float)))
-        # A long text, such as a source, is shortened, so that the others fit.
-        fields = (f"{name}={clipped(repr(value), 40)}" for name, value in plain if name != "schema_version")
-        return repr_line(type(self).__name__, ", ".join(fields) or ", ".join(self._values()))
+        values = self._values()
+        names = dict.fromkeys([*(name for name in self._FIRST if name in values), *values])
+        kind, text = type(self).__name__, ""
+        for name in names:
+            value = values[name]
+            if name == "schema_version" or not isinstance(value, (str, int, float)):
+                continue
+            # A long text, such as a source, is shortened, so that the others fit.
+            short = format(value, ".6g") if isinstance(value, float) else clipped(repr(value), 40)
+            field = f"{', ' if text else ''}{name}={short}"
+            if len(kind) + len(text) + len(field) > LINE - len("<: , …>"):
+                return f"<{kind}: {text}, …>"
+            text += field
+        return repr_line(kind, text or ", ".join(values))
 
     def _repr_html_(self) -> str:
         return preformatted(self.text, "print() and .text have all")
 
 
-class DropTest(Answer):
+class DropTest(Answer, DropTestFields):
     """A simulated fall on the contacts of a model or preset."""
 
     __slots__ = ()
+    _FIRST = ("model", "mass_kg", "peak_force_bw", "final_relative_indentation", "restitution_exact")
 
     @property
     def series(self) -> Table:
@@ -84,7 +107,7 @@ class DropTest(Answer):
         return to_frame(lambda: self.series)
 
 
-class Motion(Answer):
+class Motion(Answer, MotionFields):
     """The contacts of a model along a recorded motion.
 
     Attributes
@@ -119,7 +142,7 @@ class Motion(Answer):
         return type(self), (self.record, self.text, self._columns)
 
 
-class Fit(Answer):
+class Fit(Answer, FitFields):
     """Contact parameters from a measurement."""
 
     __slots__ = ()
@@ -141,7 +164,7 @@ class Fit(Answer):
         )
 
 
-class DesignSheet(Answer):
+class DesignSheet(Answer, DesignSheetFields):
     """Quantities that the equations compute from each other, without a model: each by its name.
 
     Examples
@@ -152,6 +175,7 @@ class DesignSheet(Answer):
     """
 
     __slots__ = ()
+    _FIRST = ("radius_m", "stiffness", "dissipation", "relative_indentation")
 
     def _values(self) -> Mapping[str, Any]:
         # The quantities of a design sheet are also found by their names.
@@ -172,10 +196,11 @@ class DesignSheet(Answer):
         return _frame_from_rows(rows)
 
 
-class Preset(Answer):
+class Preset(Answer, PresetFields):
     """Contacts that are published or that the user has defined."""
 
     __slots__ = ()
+    _FIRST = ("name", "mass_kg", "radius_m", "stiffness", "dissipation")
 
     def frame(self) -> pd.DataFrame:
         """One row with its numbers; dimensionless ones have `dimensionless_` before their names.
@@ -213,7 +238,7 @@ class Presets(list[Preset]):
         return preformatted("\n".join(preset.text for preset in self), "each preset by itself has its own")
 
 
-class Reproduction(Answer):
+class Reproduction(Answer, ReproductionFields):
     """The numbers that the paper prints, and those that its equations give."""
 
     __slots__ = ()
@@ -230,7 +255,7 @@ class Reproduction(Answer):
         )
 
 
-class Explanation(Answer):
+class Explanation(Answer, ExplanationFields):
     """An explanation of an equation, a finding or an error."""
 
     __slots__ = ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Iterable, Mapping
 from typing import Any
 
@@ -10,6 +11,9 @@ from ._text import printable
 
 #: Most characters of a line of `repr`; a cell of a notebook shows about as many.
 LINE = 160
+
+#: Characters of a number.
+_NUMBER = "0123456789.eE+-"
 
 
 class NamedValues:
@@ -68,9 +72,14 @@ def repr_line(kind: str, text: str) -> str:
 
 
 def clipped(text: str, length: int) -> str:
-    """A printable text, shortened to this length."""
+    """A printable text, shortened to this length, but not inside a number."""
     text = printable(text)
-    return text if len(text) <= length else f"{text[: length - 1]}…"
+    if len(text) <= length:
+        return text
+    start = text[: length - 1]
+    if text[length - 1] in _NUMBER and (number := re.search(r"[\d.][\d.eE+-]*$", start)):
+        start = start[: number.start()]
+    return f"{start}…"
 
 
 def repr_lines(head: str, entries: Iterable[str], count: int, limit: int = 8) -> str:

@@ -165,6 +165,8 @@ def test_representations_are_short(shown_objects, name):
     said = repr(thing)
     assert len(said.splitlines()) <= 10 and len(said) < 2000 and said.startswith("<")
     assert type(thing).__name__ in said
+    # The year in a source is not a number of the object.
+    assert not re.search(r"\d…", said.replace("(2…", "")), said
     if name != "Figure":
         assert 20 < len(thing._repr_html_()) <= CELL and "style=" not in thing._repr_html_()
 

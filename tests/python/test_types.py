@@ -72,7 +72,9 @@ assert_type(ocs.rescale_many([{"model": "a.osim", "target_mass": 70}], keep=True
 assert_type(ocs.rescale_many(pl.DataFrame({"model": ["a.osim"]})), pl.DataFrame)
 assert_type(ocs.sweep("a.osim", grid={"stiffness": ["x1", 2.0], "radius": 0.1}), ocs.Sweep)
 assert_type(ocs.sweep("a.osim", ladder=3, indentation=0.2), ocs.Sweep)
-ocs.drop_test("a.osim").peak_force_bw
+assert_type(ocs.drop_test("a.osim").peak_force_bw, float)
+assert_type(ocs.design(mass=62, indentation=0.1).stiffness, float)
+assert_type(ocs.check(open("a.osim", "rb")), ocs.Check)
 ocs.rescale("a.osim")  # type: ignore[call-arg]
 ocs.rescale("a.osim", target_mass=None)  # type: ignore[arg-type]
 ocs.rescale("a.osim", target_mass=70, only="radios")  # type: ignore[arg-type]
