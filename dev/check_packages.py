@@ -42,6 +42,9 @@ def unpacked(packages, folder):
         with tarfile.open(package) as archive:
             archive.extractall(folder / "crates", filter="data")
         place = f"crates/{package.stem}"
+        for licence in ("LICENSE-MIT", "LICENSE-APACHE"):
+            if (folder / place / licence).read_bytes() != (ROOT / licence).read_bytes():
+                sys.exit(f"error: {place}/{licence} is not the project's")
         names[tomllib.loads((folder / place / "Cargo.toml").read_text())["package"]["name"]] = place
     text = (ROOT / "Cargo.toml").read_text()
     profiles = text[text.index("[profile.") :]
