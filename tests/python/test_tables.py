@@ -74,7 +74,7 @@ def test_assignments_may_be_a_mapping_or_a_list():
 
 @pytest.mark.parametrize("item", ["a;b", "", " a", "a "])
 def test_items_that_cannot_be_separated_again_are_refused(item):
-    with pytest.raises(ocs.RequestError, match=r"row 2, column 'exclude'.*item of a list"):
+    with pytest.raises(ocs.RequestError, match=r"row 0, column 'exclude'.*item of a list"):
         result_of_row(exclude=["contact_s1_r", item])
 
 
@@ -223,7 +223,7 @@ def test_keywords_with_an_underscore_are_columns(tmp_path):
 
 def test_models_without_a_file_are_refused_with_a_sentence():
     for model in (HUMAN.read_bytes(), ocs.rescale(HUMAN, target_mass=80)):
-        with pytest.raises(TypeError, match="row 2, column 'model': a table takes paths"):
+        with pytest.raises(TypeError, match="row 0, column 'model': a table takes paths"):
             ocs.rescale_many([{"model": model, "target_mass": 70}], dry_run=True)
 
 
