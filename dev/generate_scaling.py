@@ -111,7 +111,7 @@ def main() -> int:
 def module() -> str:
     functions = _native.equations()
     names = sorted([name for name, *_ in functions] + ["continuation_steps"])
-    exported = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n"
+    exported = "__all__ = [\n" + "".join(f'    "{name}",\n' for name in names) + "]\n\n\ndef __dir__() -> list[str]:\n    return list(__all__)\n"
     functions_by_name = {name: function(name, *rest) for name, *rest in functions}
     functions_by_name["continuation_steps"] = with_nan(STEPS, "steps", "    ")
     examples = examples_of(names)

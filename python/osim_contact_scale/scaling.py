@@ -104,6 +104,10 @@ __all__ = [
 ]
 
 
+def __dir__() -> list[str]:
+    return list(__all__)
+
+
 @overload
 def hertz_force(*, composite_modulus: Scalar, radius: Scalar, indentation: Scalar, shape_factor: Scalar = ..., nan: Literal["raise", "propagate"] = ...) -> float: ...
 @overload
@@ -1600,7 +1604,7 @@ def dimensionless_stiffness(*, stiffness: Number, radius: Number, load: Number, 
 
     References
     ----------
-    (B.3): Van Bijlert (2026), appendix B, which cites Alexander et al. (1986). The second form: (B.2), (3).
+    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
 
     Examples
     --------
@@ -1643,7 +1647,7 @@ def dimensionless_hertz_stiffness(*, relative_indentation: Number, nan: Literal[
 
     References
     ----------
-    (B.3): Van Bijlert (2026), appendix B, which cites Alexander et al. (1986). The second form: (B.2), (3).
+    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
 
     Examples
     --------
