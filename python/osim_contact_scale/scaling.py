@@ -1604,7 +1604,7 @@ def dimensionless_stiffness(*, stiffness: Number, radius: Number, load: Number, 
 
     References
     ----------
-    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+    (B.3): Van Bijlert (2026), appendix B, which cites Alexander et al. (1986). The second form: (B.2), (3).
 
     Examples
     --------
@@ -1647,7 +1647,7 @@ def dimensionless_hertz_stiffness(*, relative_indentation: Number, nan: Literal[
 
     References
     ----------
-    (B.3): Van Bijlert (2026), appendix B; Alexander et al. (1986). The second form follows from (B.2) and (3).
+    (B.3): Van Bijlert (2026), appendix B, which cites Alexander et al. (1986). The second form: (B.2), (3).
 
     Examples
     --------
