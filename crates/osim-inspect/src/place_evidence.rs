@@ -152,13 +152,8 @@ impl<'m> From<Vec<SphereCentre<'m>>> for DigestedCentres<'m> {
 pub(crate) enum LayoutMatch {
     /// The bones have the published size, or the spheres moved as the bones grew.
     AsPublished,
-    /// The bones have another size than published. `growth` is for one of the bones.
-    OtherSize {
-        title: &'static str,
-        body: String,
-        /// The size of the bone over the published size, along x, y and z.
-        growth: [f64; 3],
-    },
+    /// The bones have another size than published. `growth` is that of one of the bones, along x, y and z.
+    OtherSize { title: &'static str, body: String, growth: [f64; 3] },
 }
 
 /// The published layout whose places the spheres of `model` have; `None` if no layout is known, or nothing shows how large the bones are.

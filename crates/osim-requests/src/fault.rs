@@ -5,43 +5,18 @@ use osim_model::messages::{Dialect, Input, Phrase, phrase, shown};
 
 #[derive(Debug, Clone, PartialEq)]
 pub enum RequestFault {
-    /// The request has no field of this name.
-    UnknownField {
-        /// The name of the field as the caller gave it.
-        field: String,
-        /// Name of the field that was probably meant.
-        nearest: Option<String>,
-    },
-    /// A field cannot take its value.
-    BadValue {
-        field: String,
-        /// The value of the field as the caller gave it.
-        value: String,
-        /// The expected form of the value, in words.
-        reason: String,
-    },
-    Missing {
-        field: &'static str,
-    },
+    /// The request has no field of this name; `nearest` was probably meant.
+    UnknownField { field: String, nearest: Option<String> },
+    /// A field cannot take its value, for a reason that says the expected form.
+    BadValue { field: String, value: String, reason: String },
+    /// A field that every such request has is missing.
+    Missing { field: &'static str },
     /// A field that has no meaning without another field.
-    Needs {
-        /// Name of the field that is given.
-        field: &'static str,
-        /// Name of the field that is missing.
-        other: &'static str,
-    },
+    Needs { field: &'static str, other: &'static str },
     /// Only one of two fields can be given.
-    Excludes {
-        field: &'static str,
-        other: &'static str,
-    },
-    /// A request that makes no sense for any model.
-    Refused {
-        /// The input that causes the refusal, if it is a single one.
-        input: Option<Input>,
-        /// The reason for the refusal, and advice.
-        message: Phrase,
-    },
+    Excludes { field: &'static str, other: &'static str },
+    /// A request that makes no sense for any model, with advice. `input` causes it, if it is a single one.
+    Refused { input: Option<Input>, message: Phrase },
 }
 
 impl RequestFault {

@@ -235,12 +235,10 @@ fn common_mirror(bodies: &BTreeMap<String, BodiesOfSameName>) -> DVec3 {
 /// A point of a body, which is compared with the same point of the body on the other side.
 #[derive(Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Landmark {
+    /// The centre of mass of a body.
     CentreOfMass,
     /// A joint, by its name without its side. `is_below` says whether it leads to a child of the body and not to its parent.
-    Joint {
-        name: String,
-        is_below: bool,
-    },
+    Joint { name: String, is_below: bool },
 }
 
 /// Centres of mass and joints of the bodies `paired`, which have counterparts.

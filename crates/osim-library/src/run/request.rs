@@ -175,12 +175,10 @@ fn check_options(
 /// Details of each model that a front end needs besides the plan of its change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelDetail {
+    /// Only the result.
     ResultOnly,
-    /// Inspections and checks of the model before and after the change.
-    BeforeAfter {
-        /// Whether the feet before and after the change are included.
-        feet: bool,
-    },
+    /// Inspections and checks of the model before and after the change, perhaps with the feet.
+    BeforeAfter { feet: bool },
 }
 
 /// A front end that starts a run. Threads of the run call its methods.

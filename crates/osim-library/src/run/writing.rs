@@ -50,14 +50,12 @@ impl<'m> ResultBytes<'m> {
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Written {
+    /// Nothing was written, for a reason.
     Nothing(&'static str),
     /// The model was written to standard output.
     Stdout,
     /// The paths of the model and of its geometry set, if that was written, too; and their backups.
-    Files {
-        paths: Vec<PathBuf>,
-        kept: Vec<PathBuf>,
-    },
+    Files { paths: Vec<PathBuf>, kept: Vec<PathBuf> },
 }
 
 impl Written {

@@ -60,14 +60,10 @@ pub struct SweepEnd {
 
 enum VariantOutcome {
     /// The variant is written, and `row` is its line in the table.
-    Row {
-        row: Vec<u8>,
-        number: usize,
-        contacts: String,
-        earlier: bool,
-        worse: bool,
-    },
+    Row { row: Vec<u8>, number: usize, contacts: String, earlier: bool, worse: bool },
+    /// The variant cannot be made.
     Failed(Failure),
+    /// The sweep was interrupted before the variant.
     NotBegun,
 }
 

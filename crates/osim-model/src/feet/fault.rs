@@ -17,61 +17,33 @@ pub enum FeetFault {
         "no mesh is attached to body {body}: name another body, or give the places of the spheres in a table"
     )]
     NoMesh { body: String },
-    /// The mesh file is in none of the folders.
+    /// The mesh file, by its name in the model, is in none of the folders.
     #[error(
         "body {body} shows mesh {mesh}, which is in none of the folders {}: copy it there, or name the folder that has it",
         shown_paths(.folders)
     )]
-    MeshMissing {
-        body: String,
-        /// Name of the mesh file, as the model writes it.
-        mesh: String,
-        folders: Vec<PathBuf>,
-    },
+    MeshMissing { body: String, mesh: String, folders: Vec<PathBuf> },
     /// The mesh file exists but cannot be opened.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
-    Unreadable {
-        body: String,
-        /// Name of the mesh file, as the model writes it.
-        mesh: String,
-        file: PathBuf,
-        fault: FileError,
-    },
+    Unreadable { body: String, mesh: String, file: PathBuf, fault: FileError },
     /// The file is not a mesh of a bone.
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
-    Mesh {
-        body: String,
-        /// Name of the mesh file, as the model writes it.
-        mesh: String,
-        file: PathBuf,
-        /// Why the file is not a usable mesh.
-        fault: MeshFault,
-    },
+    Mesh { body: String, mesh: String, file: PathBuf, fault: MeshFault },
     /// The mesh has scale factors that no bone can have.
     #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
-    Factors {
-        body: String,
-        /// Name of the mesh file, as the model writes it.
-        mesh: String,
-        factors: [f64; 3],
-    },
+    Factors { body: String, mesh: String, factors: [f64; 3] },
     /// The model has no gravity, so no direction is up.
     #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
     NoGravity,
     /// A value in a request is out of its range.
     #[error("{what} is {value}, expected {expected}")]
     Request { what: &'static str, value: f64, expected: &'static str },
-    /// The bottoms of some spheres would be closer than 1 mm.
+    /// The bottoms of some spheres would be closer than 1 mm. At most `fits` spheres are not.
     #[error(
         "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
         listed_names(.bodies)
     )]
-    TooManySpheres {
-        bodies: Vec<String>,
-        count: usize,
-        /// The largest number of spheres that fit.
-        fits: usize,
-    },
+    TooManySpheres { bodies: Vec<String>, count: usize, fits: usize },
     /// The place of a body at the default pose is not known.
     #[error(transparent)]
     Pose(#[from] PoseFault),

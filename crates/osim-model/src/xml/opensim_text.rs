@@ -33,11 +33,10 @@ pub enum NumberFault {
     /// The element has no text, or only white space.
     Empty,
     /// OpenSim reads a number from the start of the text and ignores the rest.
-    Prefix {
-        opensim_reads: f64,
-    },
+    Prefix { opensim_reads: f64 },
     /// OpenSim cannot read a number from the text and uses its default without a message.
     Unreadable,
+    /// A comment or an element interrupts the number.
     Interrupted,
 }
 

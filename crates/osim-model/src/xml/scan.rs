@@ -36,12 +36,9 @@ pub enum SyntaxFault {
     /// There is text before or after the root element.
     #[error("text outside the outermost element, expected the end of the file")]
     TextOutsideRoot,
-    /// The file ends before an element is closed.
+    /// The file ends before an element is closed: this is the innermost one.
     #[error("<{tag}> is never closed: the file looks truncated, copy it again from where it came")]
-    Unclosed {
-        /// Tag of the innermost open element.
-        tag: String,
-    },
+    Unclosed { tag: String },
     /// An end tag has another name than its start tag.
     #[error("</{found}> closes <{expected}>, expected </{expected}>")]
     MismatchedEnd { expected: String, found: String },

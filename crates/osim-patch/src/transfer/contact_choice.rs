@@ -19,18 +19,13 @@ const ANY_GRAVITY: f64 = 9.80665;
 
 /// The contact of the reference that each sphere of the model gets.
 pub(crate) enum ContactChoice<'t> {
+    /// All spheres get one contact.
     One(&'t ReferenceContact),
     /// All spheres get the contact of one named sphere of the reference; the radius of that sphere (m) is also used.
-    Named {
-        contact: &'t ReferenceContact,
-        radius_m: f64,
-    },
+    Named { contact: &'t ReferenceContact, radius_m: f64 },
     /// Each sphere gets the contact of the sphere with the same name in the reference. All moving spheres of the chosen
     /// forces have such a sphere.
-    Paired {
-        first: &'t ReferenceContact,
-        by_name: HashMap<&'t str, &'t ReferenceContact>,
-    },
+    Paired { first: &'t ReferenceContact, by_name: HashMap<&'t str, &'t ReferenceContact> },
 }
 
 pub(crate) struct ReferenceRadii<'t> {

@@ -169,11 +169,8 @@ pub enum ScalingRule {
     /// The paper's equations (10) and (14).
     #[default]
     Paper,
-    /// PredSim's rule: stiffness ∝ mass / height², dissipation ∝ 1 / height; smoothing stays.
-    PredSim {
-        /// Height of this model over that of the reference.
-        height_ratio: f64,
-    },
+    /// PredSim's rule: stiffness ∝ mass / height², dissipation ∝ 1 / height; smoothing stays. The ratio is that of this model's height to the reference's.
+    PredSim { height_ratio: f64 },
 }
 
 // The contacts of a model, as a reference for others.

@@ -22,29 +22,11 @@ pub enum CopyDifference {
     /// The reference has too few bodies for an answer: some factors always explain one joint.
     Fragment,
     /// A joint connects other bodies in the model than in the reference.
-    Joint {
-        joint: String,
-        /// The bodies that the joint connects in the model.
-        here: [String; 2],
-        /// The bodies that the joint connects in the reference.
-        there: [String; 2],
-    },
-    /// No factor explains the offset of a joint.
-    Offset {
-        /// The body on which the joint's frame is.
-        body: String,
-        joint: String,
-        /// The axis x, y or z of the offset.
-        axis: &'static str,
-        here_m: f64,
-        there_m: f64,
-    },
+    Joint { joint: String, here: [String; 2], there: [String; 2] },
+    /// No factor explains the offset of a joint along an axis, in its frame on the body.
+    Offset { body: String, joint: String, axis: &'static str, here_m: f64, there_m: f64 },
     /// Two meshes of one body have different factors.
-    Meshes {
-        body: String,
-        /// The axis x, y or z of the factor.
-        axis: &'static str,
-    },
+    Meshes { body: String, axis: &'static str },
 }
 
 impl CopyDifference {

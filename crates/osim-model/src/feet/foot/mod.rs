@@ -24,12 +24,8 @@ const DRAWN_HEIGHT_OF_BONES: f64 = 0.8;
 pub enum FootFrame {
     /// Ground. The bodies are at the default pose.
     Ground,
-    /// The frame of a body of the foot, because the place of that body in ground is not known.
-    Body {
-        name: String,
-        /// Why the place of the body is not known.
-        fault: PoseFault,
-    },
+    /// The frame of a body of the foot, because the place of that body in ground is not known, for the reason `fault`.
+    Body { name: String, fault: PoseFault },
 }
 
 #[derive(Debug, Clone, PartialEq)]

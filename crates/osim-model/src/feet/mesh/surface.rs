@@ -20,32 +20,19 @@ pub enum MeshFault {
     /// The mesh has more triangles than a picture of a bone needs.
     #[error("it has more than {most} triangles, reduce it first, for example with MeshLab")]
     TooManyTriangles { most: usize },
-    /// A coordinate of a point is NaN, infinite, or too large for any unit of length.
+    /// A coordinate of a point, numbered from 1, is NaN, infinite, or too large for any unit of length.
     #[error("coordinate {axis} of point {point} is {value}, expected a number between -1e9 and 1e9")]
-    Coordinate {
-        /// Number of the bad point in the file, from 1.
-        point: usize,
-        /// The axis, x, y or z, of the bad coordinate.
-        axis: char,
-        value: String,
-    },
+    Coordinate { point: usize, axis: char, value: String },
     #[error("it has {0} different points, expected at least four")]
     FewPoints(usize),
     #[error("all its points are in one line, expected the surface of a bone")]
     InOneLine,
-    /// A point is far from all others. With it, a broken number would determine the sole.
+    /// A point is far from all others. With it, a broken number would determine the sole. Nine of ten points are within `reach` of the middle.
     #[error(
         "point {point} is {distance} from the middle of the mesh, alone, where nine of ten points are within {reach}: its numbers are \
          broken, correct them or take it out of the file"
     )]
-    StrayPoint {
-        /// Number of the bad point, from 1.
-        point: usize,
-        /// Distance of the stray point from the middle, in the unit of the file.
-        distance: String,
-        /// The distance from the middle within which nine of ten points are.
-        reach: String,
-    },
+    StrayPoint { point: usize, distance: String, reach: String },
 }
 
 /// The largest number of triangles of a surface: more than a picture of a bone needs.

@@ -30,137 +30,60 @@ pub enum FaultKind {
     /// The file is not one well-formed XML document.
     Syntax(SyntaxFault),
     /// The file is XML, but not an OpenSim document.
-    NotOpenSim {
-        root: String,
-    },
+    NotOpenSim { root: String },
     /// The `Version` attribute is missing or is not a number.
-    NoVersion {
-        found: String,
-    },
+    NoVersion { found: String },
     /// The file is an OpenSim document, but not a model or a set of contacts.
-    WrongDataRoot {
-        tag: String,
-    },
+    WrongDataRoot { tag: String },
     /// A number that OpenSim reads differently from a person or a strict program.
-    Number {
-        /// Name of the property in OpenSim.
-        property: String,
-        text: String,
-        fault: NumberFault,
-    },
+    Number { property: String, text: String, fault: NumberFault },
     /// A text that OpenSim refuses because another element or comment interrupts it.
-    BrokenText {
-        property: String,
-    },
-    /// A number outside the domain in which the equations hold.
-    Domain {
-        /// Name of the property in OpenSim.
-        property: String,
-        /// The number as OpenSim reads it.
-        value: f64,
-        expected: &'static str,
-    },
-    /// A new number that is not finite, or outside the domain in which the equations hold.
-    NewValue {
-        /// Name of the property in OpenSim.
-        property: String,
-        /// The new value, which is not written.
-        value: f64,
-        /// The allowed values, in words.
-        expected: &'static str,
-        /// How the value was computed: old value, factor, equation.
-        origin: String,
-    },
+    BrokenText { property: String },
+    /// A number, as OpenSim reads it, outside the domain in which the equations hold.
+    Domain { property: String, value: f64, expected: &'static str },
+    /// A new number that is not finite, or outside the domain in which the equations hold. `origin` is how it was computed.
+    NewValue { property: String, value: f64, expected: &'static str, origin: String },
+    /// A new `constant_contact_force` of 0, with which OpenSim computes NaN.
     ZeroConstantContactForce,
-    NoContacts {
-        /// What is missing, as the beginning of a sentence.
-        detail: String,
-    },
-    /// A path or name to which no component belongs.
-    Unresolved {
-        owner: String,
-        /// The path or name of the component, as the file writes it.
-        connectee: String,
-        wanted: &'static str,
-    },
-    /// The socket of a force leads to contact geometry of a class that it does not take.
-    OtherSurface {
-        owner: String,
-        /// The path as the file writes it.
-        connectee: String,
-        /// Class of the geometry to which the path leads.
-        class: String,
-        /// The class that the socket takes.
-        expected: String,
-    },
+    /// The model has no contacts. `detail` says what is missing, as the beginning of a sentence.
+    NoContacts { detail: String },
+    /// A path or name, `connectee` in the file, to which no component belongs.
+    Unresolved { owner: String, connectee: String, wanted: &'static str },
+    /// The socket of a force leads to `connectee`, contact geometry of a class that it does not take.
+    OtherSurface { owner: String, connectee: String, class: String, expected: String },
     /// The caller has to give a missing fact.
     Needed(Needed),
     /// A number that looks wrong. It is used only if the caller confirms it.
     NeedsAnswer(NeedsAnswer),
     /// Contacts are to be added to a model that already has some.
-    ContactsExist {
-        forces: String,
-    },
-    /// Bodies that carry spheres in the reference do not exist in the model.
-    MissingCarriers {
-        bodies: Vec<String>,
-        /// A pattern that matches only the reference's forces whose spheres are on bodies of the model, if there is such a pattern.
-        others: Option<&'static str>,
-    },
-    /// The element to change is in another file that the model includes.
-    IncludedFile {
-        /// Component path of the element to change.
-        path: String,
-        file: String,
-    },
-    ParametersInDefaults {
-        force: String,
-    },
+    ContactsExist { forces: String },
+    /// Bodies that carry spheres in the reference do not exist in the model. `others` is a pattern that matches only the reference's forces
+    /// whose spheres are on bodies of the model, if there is such a pattern.
+    MissingCarriers { bodies: Vec<String>, others: Option<&'static str> },
+    /// The element at `path` is in another file that the model includes.
+    IncludedFile { path: String, file: String },
+    /// The parameters of the force are those in `<defaults>`, which may serve other forces too.
+    ParametersInDefaults { force: String },
     /// A number that the caller gave is outside its domain.
-    BadInput {
-        input: Input,
-        value: f64,
-        /// The allowed values, in words.
-        expected: &'static str,
-    },
-    UnknownBody {
-        /// The name of a body as the caller gave it.
-        body: String,
-    },
-    UnknownReferenceSphere {
-        /// The name of a sphere as the caller gave it.
-        sphere: String,
-        reference: String,
-        known: Vec<String>,
-    },
+    BadInput { input: Input, value: f64, expected: &'static str },
+    /// The caller named a body that the model does not have.
+    UnknownBody { body: String },
+    /// The caller named a sphere that the reference does not have.
+    UnknownReferenceSphere { sphere: String, reference: String, known: Vec<String> },
     /// The caller's choice leaves no force.
-    NothingSelected {
-        forces: String,
-    },
+    NothingSelected { forces: String },
     /// The change has a warning, and the caller wants no change with warnings (`strict`).
-    StrictlyRefused {
-        text: String,
-    },
-    /// The change is not possible for this force; the caller can leave the force out.
-    ForceCannotChange {
-        text: String,
-        force: String,
-        /// Further advice as a clause, if there is any; else empty.
-        otherwise: &'static str,
-    },
+    StrictlyRefused { text: String },
+    /// The change is not possible for this force; the caller can leave the force out. `otherwise` is further advice as a clause, or empty.
+    ForceCannotChange { text: String, force: String, otherwise: &'static str },
     /// The request makes no sense for this model. The text names no input.
     Refused(String),
     /// A quantity that the caller gave is outside its domain.
     Quantity(DomainError),
     /// The force contains its sphere, as Moco 0.1 to 0.3 wrote it, and cannot get the contacts of other forces.
-    SphereInsideForce {
-        force: String,
-    },
-    /// Edits of one file overlap: an error of this program, never of the file.
-    OverlappingEdits {
-        /// First byte of the second edit, or of an edit that goes beyond the end of the file.
-        at: usize,
-    },
+    SphereInsideForce { force: String },
+    /// An edit begins before the last one ends, or ends after the file: an error of this program, never of the file.
+    OverlappingEdits { at: usize },
 }
 
 impl FaultKind {

@@ -29,82 +29,43 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Needed {
-    BodyMass {
-        body: String,
-    },
+    /// The mass of a body, which OpenSim reads as NaN.
+    BodyMass { body: String },
     /// The mass of the model: the masses of its bodies have no usable sum.
-    ModelMass {
-        bodies: usize,
-        kg: f64,
-    },
+    ModelMass { bodies: usize, kg: f64 },
     /// The mass of the model: OpenSim counts a body in a loop of joints twice, so the sum is in doubt.
     MassOfLoop,
-    /// The mass for which the contacts were made: the note in the file is in doubt.
-    ContactsMass {
-        noted_kg: Option<f64>,
-        doubt: NoteDoubt,
-        /// The field for the answer: [`Input::ReferenceMass`] for a reference, from which other contacts are made.
-        input: Input,
-    },
+    /// The mass for which the contacts were made: the note in the file is in doubt. The answer goes to `input`.
+    ContactsMass { noted_kg: Option<f64>, doubt: NoteDoubt, input: Input },
     /// The gravity for which the contacts were made: the note in the file is in doubt.
-    ContactsGravity {
-        doubt: NoteDoubt,
-    },
-    /// The choice of forces: the forces belong to several animals.
-    Selection {
-        /// The forces of each animal.
-        trees: Vec<ForcesOfAnimal>,
-        /// The field for the answer: the choice of forces of the model, or of a reference.
-        input: Input,
-    },
+    ContactsGravity { doubt: NoteDoubt },
+    /// The choice of forces: the forces belong to several animals. The answer goes to `input`, for the model or for a reference.
+    Selection { trees: Vec<ForcesOfAnimal>, input: Input },
     /// The number of spheres that share the weight.
-    SphereCount {
-        of: CountedSpheres,
-        why: Phrase,
-    },
-    /// The choice of forces: some of the chosen forces share a sphere with forces that are not chosen.
+    SphereCount { of: CountedSpheres, why: Phrase },
+    /// The choice of forces: `changed`, some of the chosen forces, share a sphere with `left`, forces that are not chosen. `can_choose` says
+    /// whether the caller can also choose all of these.
     SharedSphere {
         sphere: String,
-        /// Names of the chosen forces, shortened.
         changed: String,
-        /// Names of the other forces that use the sphere.
         left: Vec<String>,
-        /// Whether the caller can also choose all of the other forces.
         can_choose: bool,
-        /// Why the radius or centre of the sphere would change.
         radius: RadiusChangeReason,
     },
-    ReferenceContact {
-        reference: String,
-        /// Spheres of the model without a sphere of the same name in the reference.
-        unmatched: Vec<String>,
-    },
+    /// The contact to take: `unmatched` are spheres of the model without a sphere of the same name in the reference.
+    ReferenceContact { reference: String, unmatched: Vec<String> },
     /// The sphere in the reference whose contact one force gets: the spheres of the force have different contacts there.
-    ReferenceContactOfForce {
-        force: String,
-    },
-    /// The radius: the spheres of the reference have different radii.
-    ReferenceRadius {
-        reference: String,
-        /// Spheres of the model without a sphere of the same name in the reference.
-        unmatched: Vec<String>,
-    },
-    /// The scale factors of a body.
-    BodyFactors {
-        body: String,
-        /// Axes without a known factor.
-        axes: Vec<&'static str>,
-    },
+    ReferenceContactOfForce { force: String },
+    /// The radius: the spheres of the reference have different radii, and `unmatched` have no sphere of the same name there.
+    ReferenceRadius { reference: String, unmatched: Vec<String> },
+    /// The scale factors of a body along some axes.
+    BodyFactors { body: String, axes: Vec<&'static str> },
     /// The size of a body relative to the body of another model.
     Factors(FactorQuestion),
-    MovedSpheres {
-        model: String,
-        spheres: Vec<String>,
-    },
+    /// Whether spheres that were moved or resized already should be placed again.
+    MovedSpheres { model: String, spheres: Vec<String> },
     /// Whether a factor should be applied a second time.
-    Repetition {
-        operation: String,
-    },
+    Repetition { operation: String },
     /// A ScaleSet was given, but the note says that the spheres already followed their bodies.
     AlreadyFollowed,
     /// The file of the geometry set, for a force set without a model.
@@ -114,16 +75,9 @@ pub enum Needed {
     /// The load at which an indentation is wanted.
     Load,
     /// The gravity, which the file does not give.
-    Gravity {
-        purpose: GravityFor,
-    },
+    Gravity { purpose: GravityFor },
     /// The mass for which the contacts were made: they are published contacts for another mass than that of the bodies.
-    KnownContactsMass {
-        title: String,
-        made_for_kg: f64,
-        bodies_kg: f64,
-        input: Input,
-    },
+    KnownContactsMass { title: String, made_for_kg: f64, bodies_kg: f64, input: Input },
     /// The scale factors of bodies, which the note cannot give: it has no sizes, or spheres were moved later.
     NotedSizes,
     /// The ratio of body heights, for the scaling rule of PredSim.

@@ -177,31 +177,21 @@ impl FromStr for Question {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum NeedsAnswer {
+    /// A mass that looks wrong. `bodies_kg` is that of all bodies of the model, `other_rows` the range of the other masses in a table, if
+    /// the mass is outside it.
     Mass {
         input: Input,
         kg: f64,
-        /// Mass of all bodies of the model together, kg, if known.
         bodies_kg: Option<f64>,
-        /// The range of the masses in the other rows of the table, if the mass is outside this range.
         other_rows: Option<MassesOfOtherRows>,
-        /// The mistake that probably led to the mass.
         mistake: MassMistake,
     },
-    Radius {
-        sphere: String,
-        radius_m: f64,
-        /// The longest distance between joints on the sphere's body or a neighbouring body, m.
-        longest_m: f64,
-        /// The usual radius, m: that in the file, else one that follows from the bones. `None` unless the caller gave the new radius as a
-        /// length, perhaps in another unit.
-        usual_m: Option<f64>,
-    },
-    /// Another question, with its text.
-    Other {
-        question: Question,
-        /// The doubt: what looks wrong, and what was probably meant.
-        text: Phrase,
-    },
+    /// A radius that is large against `longest_m`, the longest distance between joints on the sphere's body or a neighbouring body.
+    /// `usual_m` is the radius in the file, else one that follows from the bones; `None` unless the caller gave the new radius as a length,
+    /// perhaps in another unit.
+    Radius { sphere: String, radius_m: f64, longest_m: f64, usual_m: Option<f64> },
+    /// Another question, with its text: what looks wrong, and what was probably meant.
+    Other { question: Question, text: Phrase },
 }
 
 impl NeedsAnswer {

@@ -164,36 +164,17 @@ named! {
 /// A question about the scale factors of a body.
 #[derive(Debug, Clone, PartialEq)]
 pub enum FactorQuestion {
-    /// Two meshes of one body have different factors.
-    Meshes {
-        body: String,
-        /// The two meshes, with their factors along x, y and z.
-        meshes: [(String, [f64; 3]); 2],
-    },
-    /// Left and right have different factors, in models that are not scaled copies of each other.
-    Sides {
-        bodies: [String; 2],
-        /// Factors of both sides along x, y and z; NaN for unknown ones.
-        factors: [[f64; 3]; 2],
-    },
-    /// A mesh has the name of the bone but probably belongs to another animal: its factors do not agree with the measured distance of a
-    /// joint.
-    OtherBone {
-        body: String,
-        joint: String,
-        /// The ratio of a joint's distance to the reference's: by the factors of the mesh, and as measured.
-        ratios: [f64; 2],
-    },
+    /// Two meshes of one body have different factors along x, y and z.
+    Meshes { body: String, meshes: [(String, [f64; 3]); 2] },
+    /// Left and right have different factors along x, y and z, in models that are not scaled copies of each other; NaN for unknown ones.
+    Sides { bodies: [String; 2], factors: [[f64; 3]; 2] },
+    /// A mesh has the name of the bone but probably belongs to another animal: the ratio of the distance of a joint to the reference's is
+    /// another by the factors of the mesh than as measured.
+    OtherBone { body: String, joint: String, ratios: [f64; 2] },
     /// Two different models have no mesh or joint in common that gives the size of a body.
     NoSource { body: String },
-    /// The factors of the Scale Tool's file do not lead from the reference to the model.
-    OtherReference {
-        body: String,
-        /// A joint on the body whose place disagrees with the file.
-        joint: String,
-        /// Distance between the joint and the place that the file's factors give, m.
-        apart_m: f64,
-    },
+    /// The factors of the Scale Tool's file do not lead from the reference to the model: a joint is `apart_m` from where they put it.
+    OtherReference { body: String, joint: String, apart_m: f64 },
 }
 
 impl FactorQuestion {

@@ -153,31 +153,15 @@ pub enum Repair {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Example {
     /// A piece of a model: with `good` in it there is no finding, with `bad` in its place there is one.
-    Piece {
-        model: &'static str,
-        good: &'static str,
-        bad: &'static str,
-    },
+    Piece { model: &'static str, good: &'static str, bad: &'static str },
     /// In `check/within_limits.osim`, the text of the first element `tag` with the text `good` becomes `bad`: then there is a finding.
-    ElementText {
-        tag: &'static str,
-        good: &'static str,
-        bad: &'static str,
-    },
-    Models {
-        good: &'static str,
-        bad: &'static str,
-    },
+    ElementText { tag: &'static str, good: &'static str, bad: &'static str },
+    /// Two models: `good` has no such finding, `bad` has one.
+    Models { good: &'static str, bad: &'static str },
     /// A request, as JSON, whose result has the finding.
-    Request {
-        good: &'static str,
-        bad: &'static str,
-    },
+    Request { good: &'static str, bad: &'static str },
     /// A description of files that have the finding together. A separate test makes the files.
-    InWords {
-        good: &'static str,
-        bad: &'static str,
-    },
+    InWords { good: &'static str, bad: &'static str },
 }
 
 impl Rule {
