@@ -10,8 +10,6 @@ use osim_model::{
     FindingCode, Force, ForceId, LoadedSphere, Model, Property, Severity, Side, Value, loaded_spheres,
     same_mass,
 };
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::sides::BothSides;
@@ -23,7 +21,7 @@ const SIMILAR_VALUE: f64 = 0.07;
 
 /// Published contacts that a model has: from [`KnownContacts::find`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct KnownContacts {
     /// Name in the table of known contacts, for example `falisse2022`.
     pub name: &'static str,

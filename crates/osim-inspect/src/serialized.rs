@@ -2,8 +2,6 @@
 
 use osim_model::Finding;
 use osim_model::messages::Phrase;
-#[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Serialize, Serializer};
 #[cfg(feature = "schemas")]
 use serde_json::{Map, Value};
@@ -15,7 +13,7 @@ pub const SCHEMA_VERSION: u32 = 1;
 
 /// A finding in JSON.
 #[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FindingRecord {
     /// The finding's code, a short name that does not change.
     pub code: &'static str,
@@ -86,31 +84,31 @@ pub(crate) fn optional_phrase<S: Serializer>(
 /// The schema of an object whose fields come from a register. It allows no other fields and describes each field.
 #[cfg(feature = "schemas")]
 pub struct ObjectSchema<'g> {
-    generator: &'g mut SchemaGenerator,
+    generator: &'g mut schemars::SchemaGenerator,
     properties: Map<String, Value>,
     required: Vec<String>,
 }
 
 #[cfg(feature = "schemas")]
 impl<'g> ObjectSchema<'g> {
-    pub fn new(generator: &'g mut SchemaGenerator) -> Self {
+    pub fn new(generator: &'g mut schemars::SchemaGenerator) -> Self {
         Self { generator, properties: Map::new(), required: Vec::new() }
     }
 
-    pub fn field<T: JsonSchema>(&mut self, name: &str, description: &str) {
+    pub fn field<T: schemars::JsonSchema>(&mut self, name: &str, description: &str) {
         self.required.push(name.to_owned());
         self.field_or_none::<T>(name, description);
     }
 
     /// Adds a field that may be absent.
-    pub fn field_or_none<T: JsonSchema>(&mut self, name: &str, description: &str) {
+    pub fn field_or_none<T: schemars::JsonSchema>(&mut self, name: &str, description: &str) {
         let mut schema = self.generator.subschema_for::<T>();
         schema.insert("description".to_owned(), description.into());
         self.properties.insert(name.to_owned(), schema.to_value());
     }
 
-    pub fn finish(self, description: &str) -> Schema {
-        json_schema!({
+    pub fn finish(self, description: &str) -> schemars::Schema {
+        schemars::json_schema!({
             "description": description,
             "type": "object",
             "required": self.required,

@@ -2,14 +2,12 @@
 
 use osim_model::compare::{LengthFrom, Similarity, SimilarityRow, SizeVerdict, Spread, similarity_formula};
 use osim_model::{NotRead, SizedKind};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Other numbers of a model that follow the size of its body: by what factor geometric similarity would change each kind of number, and by
 /// what factor it changed. The program never changes them.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeList {
     /// The mass of the original, kg; without an original that of the model.
     pub original_mass_kg: Option<f64>,
@@ -37,7 +35,7 @@ pub struct SizeList {
 
 /// The numbers of one kind.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeRow {
     /// A short stable name.
     pub kind: &'static str,
@@ -70,7 +68,7 @@ pub struct SizeRow {
 
 /// The spread of many numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SizeSpread {
     /// Median of the factors.
     pub median: f64,
@@ -82,7 +80,7 @@ pub struct SizeSpread {
 
 /// Objects with numbers that are not read.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct UnreadObjects {
     /// OpenSim's class, or the part of a file.
     pub class: String,

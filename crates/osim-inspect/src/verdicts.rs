@@ -10,8 +10,6 @@ use osim_model::messages::{
 };
 use osim_model::{FindingCode, MassSource, Model, Severity, VerdictOn};
 use osim_requests::spell::Speller;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
 use crate::figures::{Figure, SphereFigures};
@@ -20,7 +18,7 @@ use crate::inspection::{Inspection, StandingBody, step_in_words};
 
 /// The answer to one of the questions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Verdict {
     /// What the question is about: `floor`, `standing`, `mass`, `sides`, `sizes` or `solver`; with a recording `motion`, too.
     #[serde(serialize_with = "name")]

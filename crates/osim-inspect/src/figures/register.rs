@@ -5,8 +5,6 @@ use std::borrow::Cow;
 
 use contact_scaling::{Hertz, limits, patch, restitution, smoothing, stiffness};
 use osim_model::messages::{Dialect, Phrase};
-#[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -183,7 +181,7 @@ pub enum FigureVisibility {
 
 /// Figures of one model.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
     pub mass_kg: Option<f64>,
@@ -202,7 +200,7 @@ pub struct Figures {
 
 /// Figures of one limb.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct LimbFigures {
     /// First body below the place where left and right split; `None` if limbs are not known.
     pub limb: Option<String>,
@@ -228,7 +226,7 @@ pub struct SphereFigures {
 
 /// A figure of a sphere and its limit.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct LimitCheck {
     /// Name of the figure.
     pub figure: &'static str,
@@ -329,12 +327,12 @@ impl Serialize for SphereFigures {
 }
 
 #[cfg(feature = "schemas")]
-impl JsonSchema for SphereFigures {
+impl schemars::JsonSchema for SphereFigures {
     fn schema_name() -> Cow<'static, str> {
         "SphereFigures".into()
     }
 
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let mut object = ObjectSchema::new(generator);
         object.field::<String>("sphere", "Name of the sphere.");
         object.field::<String>("path", "Its component path.");

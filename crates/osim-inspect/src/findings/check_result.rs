@@ -6,8 +6,6 @@ use osim_model::messages::{Phrase, counted};
 use osim_model::{Finding, FindingCode, Model, Severity, VerdictOn};
 use osim_requests::Request;
 use osim_requests::spell::Speller;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::findings::finding::FindingWithRemedy;
@@ -20,7 +18,7 @@ use crate::verdicts::{self, Verdict};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct CheckResult {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -66,7 +64,7 @@ pub(crate) fn sort_findings(mut findings: Vec<FindingWithRemedy>) -> Vec<Finding
 
 /// Numbers of findings by severity.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Counts {
     /// OpenSim reads something else than is written, or the contacts cannot be right.
     pub error: usize,

@@ -8,8 +8,6 @@ use contact_scaling::DimensionlessContact;
 use osim_model::compare::SpherePlacements;
 use osim_model::messages::{Dialect, Phrase, readable};
 use osim_model::{Finding, Mass, Origin, Property};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -24,7 +22,7 @@ use crate::similarity::SizeList;
 
 /// Everything that `inspect` shows of a model.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Inspection {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -94,7 +92,7 @@ pub struct Inspection {
 
 /// The mass that the contacts are made for.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ContactsMass {
     /// The mass in kg.
     pub value: f64,
@@ -131,7 +129,7 @@ impl ContactsMass {
 
 /// A limb that stands on the ground.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedLimb {
     /// First body below the place where left and right split.
     pub name: String,
@@ -143,7 +141,7 @@ pub struct InspectedLimb {
 
 /// A contact sphere of an inspected model.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedSphere {
     /// Name of the sphere.
     pub name: String,
@@ -169,7 +167,7 @@ pub struct InspectedSphere {
 
 /// A contact force of an inspected model, or one parameter set of it.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedForce {
     /// Name of the force.
     pub name: String,
@@ -201,14 +199,14 @@ pub struct InspectedForce {
 
 /// Effective parameters of a contact, by OpenSim's names and in OpenSim's order.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct Parameters(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))] Vec<(Property, f64)>,
 );
 
 /// Sources of a contact's parameters, by OpenSim's names.
 #[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct Origins(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))] Vec<(Property, Origin)>,
 );
@@ -254,7 +252,7 @@ impl Serialize for Origins {
 
 /// A contact as dimensionless numbers, in which contacts of different sizes can be compared.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Dimensionless {
     /// E* R² n / (M g).
     pub modulus: f64,
@@ -292,7 +290,7 @@ impl Dimensionless {
 
 /// A body of an inspected model.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedBody {
     /// Name of the body.
     pub name: String,
@@ -305,7 +303,7 @@ pub struct InspectedBody {
 
 /// The factors by which a body was scaled.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct InspectedFactors {
     /// Name of the body.
     pub body: String,
@@ -319,7 +317,7 @@ pub struct InspectedFactors {
 
 /// Factors by the name of the source.
 #[derive(Debug, Clone)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(transparent))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct FactorsBySource(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, [Option<f64>; 3]>"))]
     Vec<(&'static str, [Option<f64>; 3])>,

@@ -2,13 +2,11 @@
 
 use osim_model::messages::{readable, shown};
 use osim_model::{ChangedContacts, ChangedSinceNote, Model, Note, Scope, Source, Step};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Content of a model's note.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteSummary {
     /// Version of the tool that wrote it.
     pub version: String,
@@ -27,7 +25,7 @@ pub struct NoteSummary {
 
 /// A change of the contacts that the note records.
 #[derive(Debug, Clone, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteStep {
     /// The verb with its values: `set stiffness=x2`; `others` if values were changed without a note.
     pub operation: String,

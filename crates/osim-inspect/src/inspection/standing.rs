@@ -7,8 +7,6 @@ use foldhash::HashMap;
 use osim_model::feet::{RestOnFloor, RestingSphere, SphereOverFloor, Standing};
 use osim_model::messages::{four_significant, readable, shown};
 use osim_model::{Limb, Limbs, Model, SphereId};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Bottoms whose heights differ by no more than this are equally low, m.
@@ -30,7 +28,7 @@ pub(super) enum RestsToCompute {
 
 /// A joint tree over its floor at the default pose.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct StandingBody {
     /// The top body of the tree, which a joint connects with ground.
     pub body: String,
@@ -60,7 +58,7 @@ pub struct StandingBody {
 
 /// The lowest point of a sphere over its floor.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Bottom {
     /// Name of the sphere.
     pub sphere: String,
@@ -76,7 +74,7 @@ pub struct Bottom {
 
 /// A body at rest on spheres, by the contact laws of the file.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct BodyAtRest {
     /// The limb whose spheres alone carry it; null for all of its limbs.
     pub limb: Option<String>,
@@ -94,7 +92,7 @@ pub struct BodyAtRest {
 
 /// A sphere of a body at rest.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct StandingSphere {
     /// Name of the sphere.
     pub sphere: String,

@@ -6,15 +6,13 @@ use osim_model::Property;
 use osim_model::files::{Failure, FileName};
 use osim_patch::{NumberChange, Plan};
 use osim_planning::{cell, from_cell, with_text_mark, without_text_mark};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::run::task::Task;
 
 /// The outcome for a model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Status {
     /// A new file is there.
@@ -51,7 +49,7 @@ impl Status {
 /// A table without `model`, `status` and the other columns that are never empty is not a summary: a run that goes on refuses it
 /// rather than replace it.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 pub struct Record {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
@@ -168,7 +166,7 @@ pub struct Record {
 
 /// A record as NDJSON has it: beside it the bytes of names that are not text.
 #[derive(Debug, Serialize, Deserialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(expecting = "a JSON object with the outcome for a model")]
 #[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
 pub struct JsonRecord {

@@ -14,8 +14,6 @@ use osim_model::Property;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
-#[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 
 pub(crate) use inputs::STANDARD_GRAVITY_M_S2;
@@ -24,7 +22,7 @@ use inputs::{AtRest, DesignInputs, ModulusSource, domain_fault, solve_at_rest};
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
 /// describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignSheet {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -36,7 +34,7 @@ pub struct DesignSheet {
 
 /// A figure of a design.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignFigure {
     /// The quantity of the register.
     #[serde(skip)]
@@ -59,7 +57,7 @@ pub struct DesignFigure {
 
 /// The limit of a figure.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignLimit {
     /// The limit in words.
     pub text: String,
@@ -101,9 +99,9 @@ impl DesignSheet {
 
 /// The schema of a figure's name: one of the names in the register.
 #[cfg(feature = "schemas")]
-fn figure_names(_: &mut SchemaGenerator) -> Schema {
+fn figure_names(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let figure_names: Vec<&str> = DesignQuantity::ALL.iter().map(|quantity| quantity.info().name).collect();
-    json_schema!({"type": "string", "enum": figure_names})
+    schemars::json_schema!({"type": "string", "enum": figure_names})
 }
 
 // The one register of the figures of a design without a model. A new quantity is a new entry here, a line in `design_sheet` that

@@ -3,8 +3,6 @@
 use std::path::{Path, PathBuf};
 
 use osim_model::{FaultKind, NeedsAnswer, Question, Severity};
-#[cfg(feature = "schemas")]
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 
 use crate::values::serial::{self, choices, fields};
 use crate::values::{Jobs, Shard, path};
@@ -162,13 +160,13 @@ impl AnswerOptions {
 struct QuestionSchema;
 
 #[cfg(feature = "schemas")]
-impl JsonSchema for QuestionSchema {
+impl schemars::JsonSchema for QuestionSchema {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "Question".into()
     }
 
-    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({"type": "string", "enum": Question::ALL.map(|question| question.code())})
+    fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        schemars::json_schema!({"type": "string", "enum": Question::ALL.map(|question| question.code())})
     }
 }
 

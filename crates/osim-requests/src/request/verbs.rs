@@ -4,8 +4,6 @@
 use std::path::PathBuf;
 
 use osim_model::messages::{Input, Verb};
-#[cfg(feature = "schemas")]
-use schemars::Schema;
 use serde_json::{Map, Value};
 
 use crate::dictionary;
@@ -200,7 +198,7 @@ macro_rules! verbs {
 
         /// The schema of the requests for `verb` by their type, with the relations between fields.
         #[cfg(feature = "schemas")]
-        pub(crate) fn type_schema(verb: Verb) -> Schema {
+        pub(crate) fn type_schema(verb: Verb) -> schemars::Schema {
             let generator = schemars::generate::SchemaSettings::draft2020_12().into_generator();
             match verb { $(Verb::$variant => generator.into_root_schema_for::<$type>()),+ }
         }

@@ -4,8 +4,6 @@ use std::fmt;
 use std::str::FromStr;
 
 use osim_model::messages::shortest;
-#[cfg(feature = "schemas")]
-use schemars::{Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::Value;
@@ -128,10 +126,10 @@ pub fn serialize<S: Serializer>(scales: &[BodyScale], serializer: S) -> Result<S
 
 /// The schema of scale factors of bodies, in a file or one by one.
 #[cfg(feature = "schemas")]
-pub(crate) fn body_scale_schema(_generator: &mut SchemaGenerator) -> Schema {
+pub(crate) fn body_scale_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let text = json!({"type": "string", "pattern": "="});
     let factor = json!({"type": "number", "minimum": 1e-9, "maximum": 1e9});
-    json_schema!({"anyOf": [
+    schemars::json_schema!({"anyOf": [
         {
             "type": "object",
             "additionalProperties": {"anyOf": [

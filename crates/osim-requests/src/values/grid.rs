@@ -6,8 +6,6 @@ use std::str::FromStr;
 
 use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
-#[cfg(feature = "schemas")]
-use schemars::{Schema, SchemaGenerator, json_schema};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
@@ -205,8 +203,8 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Axis>
 
 /// The schema of axes.
 #[cfg(feature = "schemas")]
-pub(crate) fn axes_schema(_generator: &mut SchemaGenerator) -> Schema {
-    json_schema!({"anyOf": [
+pub(crate) fn axes_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({"anyOf": [
         {"type": "string", "pattern": "="},
         {"type": "array", "items": {"type": "string", "pattern": "="}},
         {

@@ -9,8 +9,6 @@ use osim_model::Model;
 use osim_model::files::{Failure, FileName};
 use osim_model::messages::{Dialect, Phrase, is_visible};
 use osim_patch::{NewSphere, NumberChange, ObjectAction, ObjectChange, PlaceChange, Plan, RecordingErrors};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::ser::{CharEscape, CompactFormatter, Formatter, Serializer};
 
@@ -52,7 +50,7 @@ impl Formatter for VisibleLetters {
 
 /// One model that could not be done.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FailureRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -67,7 +65,7 @@ pub struct FailureRecord {
 
 /// An error of a model or a call.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ErrorRecord {
     /// Stable short name of the error.
     pub code: &'static str,
@@ -101,7 +99,7 @@ impl FailureRecord {
 
 /// The changes of a model, and the files of the result.
 #[derive(Debug, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct PlanRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -146,7 +144,7 @@ pub struct PlanRecord {
 
 /// One object that is added or removed.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ObjectRecord {
     /// Whether the object was `added` or `removed`.
     pub change: &'static str,
@@ -170,7 +168,7 @@ pub struct ObjectRecord {
 /// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
 /// other trial.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct RecordingErrorsRecord {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
@@ -205,7 +203,7 @@ impl From<RecordingErrors> for RecordingErrorsRecord {
 
 /// One number that changes, or one centre that moves.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ChangeRecord {
     /// Name of the force; null for a sphere's radius and location.
     pub force: Option<String>,
@@ -233,7 +231,7 @@ pub struct ChangeRecord {
 
 /// A number, or the three of a location in m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Amount {
     /// A number; null where it is not finite.

@@ -5,8 +5,6 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, counted, four_significant, readable, shortest};
 use osim_requests::fig1;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
@@ -15,7 +13,7 @@ use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
 
 /// Table 1 of the paper, printed and computed, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ReproductionRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -31,7 +29,7 @@ pub struct ReproductionRecord {
 
 /// An animal of Table 1.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct AnimalRecord {
     /// Name of the animal.
     pub taxon: &'static str,
@@ -47,7 +45,7 @@ pub struct AnimalRecord {
 
 /// A number of Table 1.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct NumberRecord {
     /// Name of the column; it ends in the unit, which is the paper's.
     pub name: &'static str,

@@ -8,8 +8,6 @@ use osim_model::{Repair, Rule};
 use osim_requests::ExplainRequest;
 use osim_requests::options::Format;
 use osim_requests::spell::FrontEnd;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::report::explain::equations::sentence_of_use;
@@ -20,7 +18,7 @@ use crate::report::json::line;
 
 /// One topic. `docs/reference/json.md` describes every field.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(tag = "kind", rename_all = "lowercase")]
 #[cfg_attr(feature = "schemas", schemars(deny_unknown_fields))]
 pub enum TopicRecord {
@@ -96,7 +94,7 @@ pub enum TopicRecord {
 
 /// One way to write an equation.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FormulaRecord {
     /// What sets the form apart, such as `for x`; empty for the first form.
     pub variant: &'static str,
@@ -110,7 +108,7 @@ pub struct FormulaRecord {
 
 /// One symbol of a formula.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SymbolRecord {
     /// The symbol in Unicode.
     pub symbol: &'static str,

@@ -10,12 +10,6 @@ use osim_inspect::ObjectSchema;
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::messages::{counted, four_significant, readable, shortest};
 use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
-#[cfg(feature = "schemas")]
-use schemars::Schema;
-#[cfg(feature = "schemas")]
-use schemars::SchemaGenerator;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -146,7 +140,7 @@ pub struct DropRecord<'d>(&'d DropResult);
 
 /// How far two drops are apart without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DropDifferenceRecord {
     /// Name of the other body.
     pub other: String,
@@ -204,12 +198,12 @@ impl Serialize for DropRecord<'_> {
 }
 
 #[cfg(feature = "schemas")]
-impl JsonSchema for DropRecord<'_> {
+impl schemars::JsonSchema for DropRecord<'_> {
     fn schema_name() -> Cow<'static, str> {
         "DropRecord".into()
     }
 
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let mut object = ObjectSchema::new(generator);
         object.field::<u32>("schema_version", "Raised when a field changes its meaning or goes away.");
         object.field::<String>("model", "The model or preset.");
@@ -241,12 +235,12 @@ impl Serialize for DropSeriesRecord<'_> {
 }
 
 #[cfg(feature = "schemas")]
-impl JsonSchema for DropSeriesRecord<'_> {
+impl schemars::JsonSchema for DropSeriesRecord<'_> {
     fn schema_name() -> Cow<'static, str> {
         "DropSeriesRecord".into()
     }
 
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let mut object = ObjectSchema::new(generator);
         for info in DropColumn::ALL.iter().map(|column| column.info()) {
             object.field::<Vec<f64>>(info.name, &info.schema_description());

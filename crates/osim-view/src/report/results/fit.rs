@@ -6,8 +6,6 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_model::messages::{Dialect, Input, four_significant, phrase, readable, shown_path};
 use osim_planning::FitResult;
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::report::layout::table;
@@ -119,7 +117,7 @@ fn restitution(fit: &Fit) -> String {
 
 /// A fit, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FitRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -170,7 +168,7 @@ pub struct FitRecord {
 
 /// Why a result must not be taken as it is.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FitWarningRecord {
     /// Stable short name of the warning.
     pub code: &'static str,
@@ -180,7 +178,7 @@ pub struct FitWarningRecord {
 
 /// A fitted parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct EstimateRecord {
     /// Fitted value of the parameter.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
@@ -198,7 +196,7 @@ pub struct EstimateRecord {
 
 /// Residuals of a fit, row by row.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ResidualsRecord {
     /// Line in the file.
     pub line: Vec<u64>,

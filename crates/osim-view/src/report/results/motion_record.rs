@@ -5,13 +5,11 @@ use osim_model::DVec3;
 use osim_model::messages::Dialect;
 use osim_motion::{Comparison, FootSummary, PressureOnSole, SphereSummary, StanceSummary, TouchDown};
 use osim_planning::{MotionRemark, MotionResult};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A motion, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -55,7 +53,7 @@ pub struct MotionRecord {
 
 /// Something that a reader should know of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionRemarkRecord {
     /// Stable short name of the remark.
     pub code: String,
@@ -65,7 +63,7 @@ pub struct MotionRemarkRecord {
 
 /// One foot of a motion.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionFootRecord {
     /// `right foot`, `left foot`, or the name of the limb's first body.
     pub name: String,
@@ -101,7 +99,7 @@ pub struct MotionFootRecord {
 
 /// One stance of a foot.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionStanceRecord {
     /// Time at which the foot touches down, s; absent where the recording begins in the stance.
     pub on_s: Option<f64>,
@@ -117,7 +115,7 @@ pub struct MotionStanceRecord {
 
 /// One sphere of a foot.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionSphereRecord {
     /// Name of the sphere.
     pub sphere: String,
@@ -141,7 +139,7 @@ pub struct MotionSphereRecord {
 
 /// A sphere that meets its plane.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionTouchDownRecord {
     /// Time of the touch-down, s.
     pub time_s: f64,
@@ -153,7 +151,7 @@ pub struct MotionTouchDownRecord {
 
 /// Forces of the model beside those that plates measured.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionComparisonRecord {
     /// How many frames were compared.
     pub frames: usize,

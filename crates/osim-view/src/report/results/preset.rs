@@ -7,15 +7,13 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_model::messages::{four_significant, readable};
 use osim_planning::{DesignQuantity, DesignSheet};
-#[cfg(feature = "schemas")]
-use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::report::layout::{WIDTH, filled, table};
 
 /// A preset, as the JSON has it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct PresetRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
@@ -47,7 +45,7 @@ pub struct PresetRecord {
 
 /// A contact without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DimensionlessRecord {
     /// E* R² n / (M g).
     pub modulus: f64,
@@ -166,7 +164,7 @@ pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String 
 
 /// The end of a sweep, for scripts.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(JsonSchema), schemars(deny_unknown_fields))]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SweepRecord {
     /// Raised when a field changes its meaning or goes away.
     pub schema_version: u32,
