@@ -216,28 +216,21 @@ pub(super) fn add_changes_section(fragment: &mut Fragment, plan: &Plan) {
 }
 
 fn table_of_objects(plan: &Plan) -> Markup {
-    let rows: Vec<Markup> = object_groups(plan.objects())
-        .iter()
-        .map(|group| {
-            html! {
-                tr {
-                    th scope="row" { code { (group.class) } }
-                    td.words { (group.action.as_str()) }
-                    td { (group.names.len()) }
-                    td.words { (listed_names(&group.names)) }
-                }
-            }
-        })
-        .collect();
-    if rows.is_empty() {
+    if plan.objects().is_empty() {
         return html! {};
     }
-    table(
-        "Objects",
-        "Whole objects that are added or removed.",
-        &["class", " change", "number", " names"],
-        &rows,
-    )
+    let rows = html! {
+        @for group in object_groups(plan.objects()) {
+            tr {
+                th scope="row" { code { (group.class) } }
+                td.words { (group.action.as_str()) }
+                td { (group.names.len()) }
+                td.words { (listed_names(&group.names)) }
+            }
+        }
+    };
+    let caption = "Whole objects that are added or removed.";
+    table("Objects", caption, &["class", " change", "number", " names"], &rows)
 }
 
 fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
@@ -249,8 +242,7 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     let several = properties_in_several_groups(&groups);
     let is_named =
         |group: &[&NumberChange]| group.first().is_some_and(|change| several.contains(&change.property));
-    let rows: Vec<Markup> =
-        groups.iter().map(|group| row_of_numbers(topics, group, is_named(group))).collect();
+    let rows = html! { @for group in &groups { (row_of_numbers(topics, group, is_named(group))) } };
     let mut caption =
         "Numbers that change, in OpenSim's units, and the equation each follows from.".to_owned();
     if plan.changes.iter().any(|change| change.inserted) {
@@ -277,23 +269,20 @@ fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool
 }
 
 fn table_of_new_spheres(plan: &Plan) -> Markup {
-    let rows: Vec<Markup> = plan
-        .new_spheres()
-        .iter()
-        .map(|sphere| {
-            html! {
-                tr {
-                    th scope="row" { (sphere.name) }
-                    td.words { (sphere.body) }
-                    td { (readable(sphere.radius_m)) }
-                    @for value in sphere.centre_m { td { (centre(value)) } }
-                }
-            }
-        })
-        .collect();
-    if rows.is_empty() {
+    let spheres = plan.new_spheres();
+    if spheres.is_empty() {
         return html! {};
     }
+    let rows = html! {
+        @for sphere in spheres {
+            tr {
+                th scope="row" { (sphere.name) }
+                td.words { (sphere.body) }
+                td { (readable(sphere.radius_m)) }
+                @for value in sphere.centre_m { td { (centre(value)) } }
+            }
+        }
+    };
     let caption = "New spheres, in m, in the frames of their bodies.";
     table("New spheres", caption, &["sphere", " on", "radius", "x", "y", "z"], &rows)
 }
@@ -302,37 +291,29 @@ fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     if moves.is_empty() {
         return html! {};
     }
-    let rows: Vec<Markup> = moves
-        .iter()
-        .map(|moved| {
-            html! {
-                tr {
-                    th scope="row" { (moved.sphere) }
-                    @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
-                    td { (topics.links_to_equations(moved.by.as_str())) }
-                }
+    let rows = html! {
+        @for moved in moves {
+            tr {
+                th scope="row" { (moved.sphere) }
+                @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
+                td { (topics.links_to_equations(moved.by.as_str())) }
             }
-        })
-        .collect();
+        }
+    };
     let caption = "Sphere centres that move, in m, in their own frames.";
     let headers = ["centre of", "x before", "y before", "z before", "x after", "y after", "z after", "by"];
     table("Centres that move", caption, &headers, &rows)
 }
 
 fn list_of_findings(topics: &mut Topics, plan: &Plan) -> Markup {
-    let items: Vec<Markup> = plan
-        .findings
-        .iter()
-        .filter(|finding| !finding.had_before)
-        .map(|finding| {
-            html! {
-                li { p {
-                    (severity_tag(finding.severity)) " " (topics.link_to_finding(finding.code())) " "
-                    (finding.message.to_string()) "."
-                    @if let Some(line) = finding.line { " " span.quiet { "line " (line) } }
-                } }
-            }
-        })
-        .collect();
-    html! { @if !items.is_empty() { ul.findings { @for item in items { (item) } } } }
+    let new: Vec<_> = plan.findings.iter().filter(|finding| !finding.had_before).collect();
+    html! {
+        @if !new.is_empty() {
+            ul.findings { @for finding in new { li { p {
+                (severity_tag(finding.severity)) " " (topics.link_to_finding(finding.code())) " "
+                (finding.message.to_string()) "."
+                @if let Some(line) = finding.line { " " span.quiet { "line " (line) } }
+            } } } }
+        }
+    }
 }

@@ -19,6 +19,7 @@ const UNEQUAL_FACTORS: &str = "unequal";
 const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
 
 /// The entry of one model on a page.
+#[derive(Default)]
 pub struct Entry {
     pub(super) model: String,
     pub(super) outcome: String,
@@ -142,18 +143,7 @@ impl Entry {
     }
 
     fn with_outcome_only(model: &str, outcome: String) -> Self {
-        Self {
-            model: model.to_owned(),
-            outcome: outcome.clone(),
-            earlier: false,
-            failed: false,
-            cells: Vec::new(),
-            summary: outcome,
-            fragment: None,
-            error: None,
-            facts: None,
-            drawn: None,
-        }
+        Self { model: model.to_owned(), outcome: outcome.clone(), summary: outcome, ..Self::default() }
     }
 }
 

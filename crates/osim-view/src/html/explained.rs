@@ -69,9 +69,7 @@ impl Topics {
         self.codes.insert(code);
         html! { a.code href={ "#" (anchor("finding", code.as_str())) } { (code.as_str()) } }
     }
-}
 
-impl Topics {
     /// The code of an error linked to its explanation.
     pub(super) fn link_to_error(&mut self, error: &'static ErrorCode) -> Markup {
         self.errors.insert(error.code);

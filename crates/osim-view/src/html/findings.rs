@@ -156,28 +156,21 @@ fn item_of_finding(
 const TABLE_NAME: &str = "Verdicts";
 
 fn verdicts_of_model(verdicts: &[Verdict]) -> Markup {
-    let rows: Vec<Markup> = verdicts
-        .iter()
-        .map(|verdict| html! { tr { (question_cell(verdict)) td.words { (sign_tag(verdict.sign)) } (answer_cell(verdict)) } })
-        .collect();
-    table(
-        TABLE_NAME,
-        &format!("{} questions about the model.", number_in_words(rows.len())),
-        &["question", " verdict", " why"],
-        &rows,
-    )
+    let rows = html! {
+        @for verdict in verdicts {
+            tr { (question_cell(verdict)) td.words { (sign_tag(verdict.sign)) } (answer_cell(verdict)) }
+        }
+    };
+    let caption = format!("{} questions about the model.", number_in_words(verdicts.len()));
+    table(TABLE_NAME, &caption, &["question", " verdict", " why"], &rows)
 }
 
 fn verdicts_of_change(before: &[Verdict], after: &[Verdict]) -> Markup {
-    let rows: Vec<Markup> = before
-        .iter()
-        .zip(after)
-        .map(|(before, after)| {
-            html! { tr {
-                (question_cell(after)) td.words { (sign_tag(before.sign)) } td.words { (sign_tag(after.sign)) } (answer_cell(after))
-            } }
-        })
-        .collect();
+    let rows = html! {
+        @for (before, after) in before.iter().zip(after) { tr {
+            (question_cell(after)) td.words { (sign_tag(before.sign)) } td.words { (sign_tag(after.sign)) } (answer_cell(after))
+        } }
+    };
     let headers = ["question", " before", " after", " why, after the change"];
     table(TABLE_NAME, "Six questions about the model, before and after the change.", &headers, &rows)
 }

@@ -70,12 +70,12 @@ pub(super) fn scrollable(name: &str, table: &Markup) -> Markup {
 }
 
 /// A table with a caption and a row of headers. A header that begins with a blank is for a column of words instead of numbers.
-pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &[Markup]) -> Markup {
+pub(super) fn table(name: &str, caption: &str, headers: &[&str], rows: &Markup) -> Markup {
     let table = html! {
         table {
             caption { span { (caption) } }
             thead { tr { @for header in headers { (header_cell(header)) } } }
-            tbody { @for row in rows { (row) } }
+            tbody { (rows) }
         }
     };
     scrollable(name, &table)

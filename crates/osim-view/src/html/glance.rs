@@ -117,23 +117,22 @@ impl PageCounts {
     pub(super) fn findings(&self, topics: &mut Topics) -> Markup {
         let rows = self.rows_of_findings(topics);
         html! {
-            @if !rows.is_empty() {
+            @if !self.findings.is_empty() {
                 h3 { "Findings by kind" }
                 (table("Findings by kind", "In how many models each finding is.", &["finding", " how bad", "models"], &rows))
             }
         }
     }
 
-    fn rows_of_findings(&self, topics: &mut Topics) -> Vec<Markup> {
+    fn rows_of_findings(&self, topics: &mut Topics) -> Markup {
         let mut findings: Vec<((FindingCode, Severity), usize)> =
             self.findings.iter().map(|(finding, count)| (*finding, *count)).collect();
         findings.sort_by_key(|((code, severity), count)| (Reverse((*severity, *count)), *code));
-        let row = |((code, how_bad), count): &((FindingCode, Severity), usize)| {
-            html! {
-                tr { th scope="row" { (topics.link_to_finding(*code)) } td.words { (severity_tag(*how_bad)) } td { (count) } }
+        html! {
+            @for ((code, how_bad), count) in findings {
+                tr { th scope="row" { (topics.link_to_finding(code)) } td.words { (severity_tag(how_bad)) } td { (count) } }
             }
-        };
-        findings.iter().map(row).collect()
+        }
     }
 
     /// The chart with x̂ of all models.

@@ -88,15 +88,14 @@ pub(super) fn add_inspection_sections(
 
 fn table_of_forces(inspected: &Inspection) -> Markup {
     let groups = groups(inspected, Extent::Brief);
-    let rows: Vec<Markup> = groups
-        .iter()
-        .map(|group| {
-            html! { tr { th scope="row" { (described(&group.forces, Extent::Brief)) } @for cell in &group.cells { td { (cell) } } } }
-        })
-        .collect();
-    if rows.is_empty() {
+    if groups.is_empty() {
         return html! { p { "No contact force." } };
     }
+    let rows = html! {
+        @for group in &groups {
+            tr { th scope="row" { (described(&group.forces, Extent::Brief)) } @for cell in &group.cells { td { (cell) } } }
+        }
+    };
     let mut caption =
         "Forces with the same parameters share a row. E₁*, E* in N/m², α and bv in s/m, slip in m/s, cf \
                        in m², bd in 1/m; friction static/dynamic/viscous."
@@ -127,22 +126,18 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
     }
     let places = decimals(&inspected.spheres);
     let metres = |value: f64| metres(value, places);
-    let rows: Vec<Markup> = inspected
-        .spheres
-        .iter()
-        .map(|sphere| {
-            let lowest = sphere.lowest_point_m.map(|point| point.map(metres));
-            html! {
-                tr {
-                    th scope="row" { (sphere.name) }
-                    td.words { (sphere.body.as_deref().unwrap_or(&sphere.frame)) }
-                    td.words { (sphere.limb.as_deref().unwrap_or("–")) }
-                    td { (metres(sphere.radius_m)) }
-                    @for value in lowest.unwrap_or_else(|| ["?", "?", "?"].map(str::to_owned)) { td { (value) } }
-                }
+    let unknown = || ["?", "?", "?"].map(str::to_owned);
+    let rows = html! {
+        @for sphere in &inspected.spheres {
+            tr {
+                th scope="row" { (sphere.name) }
+                td.words { (sphere.body.as_deref().unwrap_or(&sphere.frame)) }
+                td.words { (sphere.limb.as_deref().unwrap_or("–")) }
+                td { (metres(sphere.radius_m)) }
+                @for value in sphere.lowest_point_m.map_or_else(unknown, |point| point.map(metres)) { td { (value) } }
             }
-        })
-        .collect();
+        }
+    };
     let caption = "Spheres, in m. The lowest point is in the body's frame, with the body's axes upright.";
     table("Spheres", caption, &["sphere", " body", " limb", "radius", "lowest x", "y", "z"], &rows)
 }
@@ -151,18 +146,15 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
 fn table_of_factors(inspected: &Inspection) -> Markup {
     let Some(factors) = &inspected.body_factors else { return html! {} };
     let shown = |factor: Option<f64>| factor.map_or_else(|| "?".to_owned(), |factor| format!("{factor:.6}"));
-    let rows: Vec<Markup> = factors
-        .iter()
-        .map(|body| {
-            html! {
-                tr {
-                    th scope="row" { (body.body) }
-                    @for factor in body.factors { td { (shown(factor)) } }
-                    td.words { (sources_in_words(&body.sources)) }
-                }
+    let rows = html! {
+        @for body in factors {
+            tr {
+                th scope="row" { (body.body) }
+                @for factor in body.factors { td { (shown(factor)) } }
+                td.words { (sources_in_words(&body.sources)) }
             }
-        })
-        .collect();
+        }
+    };
     let caption = "How bodies were scaled against the generic model; ? where nothing says.";
     table("Factors of bodies", caption, &["body", "x", "y", "z", " from"], &rows)
 }

@@ -155,13 +155,11 @@ pub fn recording(result: &MotionResult, remarks: &[MotionRemark], dialect: &dyn 
 
 fn feet_table(result: &MotionResult) -> Markup {
     let (columns, rows) = motion_feet(result);
-    let rows: Vec<Markup> = rows
-        .iter()
-        .map(|row| {
-            let mut cells = row.iter();
-            html! { tr { @if let Some(name) = cells.next() { th scope="row" { (name) } } @for cell in cells { td { (cell) } } } }
-        })
-        .collect();
+    let rows = html! {
+        @for row in rows {
+            tr { @for (index, cell) in row.iter().enumerate() { @if index == 0 { th scope="row" { (cell) } } @else { td { (cell) } } } }
+        }
+    };
     let caption = "Forces along the normal of the floor, in body weights (BW): the largest of the model and of the plates, and the root mean \
                    square of the difference; of the distance between the centres of pressure (COP).";
     table("Feet along the recording", caption, &columns, &rows)

@@ -33,10 +33,10 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
     let equal = |reference: &Contacts<'_>| last.is_some_and(|last| all_agree(last, reference));
     let has_own_gravity = equal(&in_own_gravity) || !equal(&in_model_gravity);
     let shown = if has_own_gravity { &in_own_gravity } else { &in_model_gravity };
-    let mut rows: Vec<Markup> = shown.iter().map(|contact| table_row("reference", contact)).collect();
-    for (state, contacts) in &states {
-        rows.extend(contacts.iter().map(|contact| table_row(state, contact)));
-    }
+    let rows = html! {
+        @for contact in shown { (table_row("reference", contact)) }
+        @for (state, contacts) in &states { @for contact in contacts { (table_row(state, contact)) } }
+    };
     let name = match gravity.filter(|_| !has_own_gravity) {
         Some(gravity) => format!("{} under {} m/s²", reference.name, readable(gravity)),
         None => reference.name.clone(),
@@ -78,23 +78,13 @@ pub(super) fn in_words(reference: &ReferenceState) -> String {
 fn table_of_parameters(reference: &ContactBody, bodies: &[ContactBody]) -> Markup {
     let named =
         std::iter::once(("reference", reference)).chain(bodies.iter().map(|body| (body.name.as_str(), body)));
-    let rows: Vec<Markup> = named
-        .flat_map(|(state, body)| body.kinds.iter().map(move |kind| parameter_row(state, body, kind)))
-        .collect();
+    let rows = html! {
+        @for (state, body) in named { @for kind in &body.kinds { (parameter_row(state, body, kind)) } }
+    };
     let caption = "The same contacts with dimensions: body mass, n (spheres that share the weight), R, and the properties of the \
                    force. They differ from the reference's as the bodies do.";
-    let headers = [
-        "contact",
-        " spheres",
-        "mass, kg",
-        "n",
-        "R, m",
-        "E₁*, N/m²",
-        "α, s/m",
-        "cf, m²",
-        "bd, 1/m",
-        "bv, s/m",
-    ];
+    let properties = ["E₁*, N/m²", "α, s/m", "cf, m²", "bd, 1/m", "bv, s/m"];
+    let headers = [&["contact", " spheres", "mass, kg", "n", "R, m"][..], &properties].concat();
     table("Parameters beside the reference's", caption, &headers, &rows)
 }
 
@@ -185,19 +175,11 @@ fn table_row(state: &str, (kind, contact): &(&SphereKind, DimensionlessContact))
 
 /// Adds the section with the numbers that follow the size of a body, with a row for each kind of number.
 pub(super) fn size_section(fragment: &mut Fragment, list: &SizeList) {
-    let rows: Vec<Markup> = list
-        .kinds
-        .iter()
-        .map(|row| {
-            let [name, count, numbers, similar, last] = cells(list, row, Extent::Brief);
-            html! {
-                tr {
-                    th scope="row" { (name) }
-                    td { (count) } td { (numbers) } td { (similar) } td.words { (last) }
-                }
-            }
-        })
-        .collect();
+    let rows = html! {
+        @for [name, count, numbers, similar, last] in list.kinds.iter().map(|row| cells(list, row, Extent::Brief)) {
+            tr { th scope="row" { (name) } td { (count) } td { (numbers) } td { (similar) } td.words { (last) } }
+        }
+    };
     let [name, count, numbers, similar, last] = headings(list);
     let last = format!(" {last}");
     let body = html! {

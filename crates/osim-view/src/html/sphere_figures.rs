@@ -100,21 +100,19 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
 
 /// The table of spheres at their own heights; empty if all bottoms are at one height.
 fn own_heights_table(state: &ModelState<'_>) -> Markup {
-    let rows: Vec<Markup> = equally_deep(state.figures, Extent::Brief)
-        .iter()
-        .map(|row| {
-            html! {
-                tr {
-                    th scope="row" { (row.limb) }
-                    @for value in &row.indentation { td { (value) } }
-                    td.words { (listed_names(&row.spheres)) }
-                }
-            }
-        })
-        .collect();
-    if rows.is_empty() {
+    let deep = equally_deep(state.figures, Extent::Brief);
+    if deep.is_empty() {
         return html! {};
     }
+    let rows = html! {
+        @for row in deep {
+            tr {
+                th scope="row" { (row.limb) }
+                @for value in &row.indentation { td { (value) } }
+                td.words { (listed_names(&row.spheres)) }
+            }
+        }
+    };
     let caption = format!("{}: {CAPTION}.", state.name);
     table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
 }

@@ -256,6 +256,7 @@ fn explanations(found: &CheckResult, layout: Layout) -> String {
 // Findings of many models as one table.
 
 /// The results of checking all models of a call, collected for one table.
+#[derive(Default)]
 pub struct LibraryTable {
     call: CheckRequest,
     counts: Vec<Counts>,
@@ -283,15 +284,7 @@ const RESULTS: &str = "RESULTS";
 impl LibraryTable {
     /// A table for the models of `call`.
     pub fn new(call: CheckRequest) -> Self {
-        Self {
-            call,
-            counts: Vec::new(),
-            codes: BTreeMap::new(),
-            steps: Vec::new(),
-            corrected: 0,
-            without_contacts: 0,
-            not_read: Vec::new(),
-        }
+        Self { call, ..Self::default() }
     }
 
     /// Adds the findings about the next model to the counts of the table.
