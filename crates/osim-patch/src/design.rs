@@ -56,7 +56,7 @@ pub enum DesignModulus {
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Design {
     /// How the modulus E₁* (N/m²) is determined.
     pub modulus: Option<DesignModulus>,
@@ -82,24 +82,6 @@ pub struct Design {
     pub contacts_mass: Option<Mass>,
     /// Gravity, m/s², if it is not the model's.
     pub gravity_m_s2: Option<f64>,
-}
-
-impl Default for Design {
-    fn default() -> Self {
-        Self {
-            modulus: None,
-            load: None,
-            restitution: None,
-            constant_indentation: None,
-            state_width: None,
-            speed_width: None,
-            radius: RadiusRule::Keep,
-            contact_stiffness_n_m: None,
-            target_mass: None,
-            contacts_mass: None,
-            gravity_m_s2: None,
-        }
-    }
 }
 
 /// Plans a design onto the forces `selected` of `model`, by (11), (A.5), (13), (C.2), (C.8) and (C.10): see [`Design`] for an

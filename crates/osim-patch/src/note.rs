@@ -95,19 +95,13 @@ pub fn kept_note(model: &Model, rebuilt: &RebuiltModel, operation: &str) -> Opti
 fn note_in_doubt(model: &Model, new: &Model, operation: &str) -> Note {
     Note {
         version: env!("CARGO_PKG_VERSION").to_owned(),
-        contacts_mass_kg: None,
-        gravity_m_s2: None,
         scope: Scope::Partial,
         steps: vec![Step::new(note_edits::CHANGED_BY_OTHERS), Step::new(operation)],
-        stance_limbs: None,
-        weighed_kg: None,
-        sizes: Vec::new(),
         digest: new.contact_digest(|_| None),
         radii: new.radii_digest(|_| None),
         parts: new.noted_parts(|_| None),
-        places: None,
         added_to_file: note_edits::made_letters(model, None),
-        added_forces: Vec::new(),
+        ..Note::default()
     }
 }
 

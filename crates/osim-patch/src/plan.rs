@@ -42,7 +42,7 @@ use crate::objects::{EarlierNote, ObjectChange, RebuiltModel};
 /// assert!(String::from_utf8_lossy(&patched).contains("<radius>0.06</radius>"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 #[must_use]
 pub struct Plan {
     /// The numbers that change, each once: radii first, then force by force.
@@ -236,19 +236,7 @@ impl Plan {
             added_to_file: note_edits::made_letters(model, facts.followed),
             added_forces: model.note.as_ref().map(|note| note.added_forces.clone()).unwrap_or_default(),
         });
-        Self {
-            changes,
-            moves,
-            masses,
-            taken,
-            findings,
-            remarks,
-            errors: None,
-            floor_up_m: Vec::new(),
-            note,
-            requires_note: false,
-            rebuilt: None,
-        }
+        Self { changes, moves, masses, taken, findings, remarks, note, ..Self::default() }
     }
 
     /// Attaches a plan for the new model in `rebuilt` to the original model.
@@ -269,19 +257,7 @@ impl Plan {
 
     /// A plan that changes objects and no numbers; `taken` is the first line of reports.
     pub fn from_objects(rebuilt: RebuiltModel, taken: Phrase) -> Self {
-        Self {
-            changes: Vec::new(),
-            moves: Vec::new(),
-            masses: None,
-            taken,
-            findings: Vec::new(),
-            remarks: Vec::new(),
-            errors: None,
-            floor_up_m: Vec::new(),
-            note: None,
-            requires_note: false,
-            rebuilt: Some(rebuilt),
-        }
+        Self { taken, rebuilt: Some(rebuilt), ..Self::default() }
     }
 
     pub fn with_note(mut self, note: Option<Note>) -> Self {

@@ -180,7 +180,7 @@ pub enum FigureVisibility {
 }
 
 /// Figures of one model.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Figures {
     /// Mass whose weight the spheres carry: what the model weighs, else the mass that its contacts are made for, kg.
@@ -240,13 +240,7 @@ pub struct LimitCheck {
 
 impl Figures {
     pub(crate) fn absent(why: Phrase) -> Self {
-        Self {
-            mass_kg: None,
-            gravity_m_s2: None,
-            impact_speed_m_s: None,
-            why_no_body_weight: Some(why),
-            limbs: Vec::new(),
-        }
+        Self { why_no_body_weight: Some(why), ..Self::default() }
     }
 
     pub fn spheres(&self) -> impl Iterator<Item = &SphereFigures> {

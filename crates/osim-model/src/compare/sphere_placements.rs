@@ -17,7 +17,7 @@ const SAME_FACTOR: f64 = 1e-9;
 const MOST_STRETCH_FOR_LEVEL: f64 = 0.2;
 
 /// The spheres of a scaled model, compared with those of the unscaled model: from [`SpherePlacements::compare`].
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct SpherePlacements {
     /// Path of the unscaled model, as the caller named it.
     pub from: PathBuf,
@@ -76,12 +76,9 @@ impl SpherePlacements {
         let unknown = |why| Self {
             from: from.to_owned(),
             body_scale_file: body_scale_file.map(Path::to_owned),
-            spheres: Vec::new(),
-            unmatched: Vec::new(),
             unknown: Some(why),
-            is_wrong_model: false,
-            suits_level: false,
             noted_radii: has_radii_of_note(model),
+            ..Self::default()
         };
         let placed = || {
             // Those who only look at a model cannot say factors.

@@ -88,10 +88,11 @@ impl std::fmt::Display for Assignment {
 /// The rule that gives moving spheres their new radii.
 ///
 /// Exhaustive: plans of changes have a formula for each rule.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub enum RadiusRule {
     /// R ∝ M^{1/3}, like the linear dimensions of the body (8). In a transfer: as large relative to the body as in the reference.
     Isometric,
+    #[default]
     Keep,
     /// All radii get this value, m.
     Metres(f64),

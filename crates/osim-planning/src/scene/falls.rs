@@ -16,7 +16,7 @@ const MOMENTS_OF_FALL: usize = 361;
 const DURATION_UNITS: f64 = 12.0;
 
 /// A body that falls on its contacts.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct BodyFall {
     /// Name of the body.
     pub name: String,
@@ -47,11 +47,8 @@ impl BodyFall {
     fn of_body(body: &ContactBody, duration_s: f64) -> Self {
         let none = |failure: Failure| Self {
             name: body.name.clone(),
-            step_s: 0.0,
-            radius_m: 0.0,
-            heights_m: Vec::new(),
-            forces_bw: Vec::new(),
             why_not: Some(failure.message.to_string()),
+            ..Self::default()
         };
         let report = match series::run_drop_test(body, DROP_HEIGHT, duration_s, MOMENTS_OF_FALL) {
             Ok(report) => report,

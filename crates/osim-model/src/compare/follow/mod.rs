@@ -289,7 +289,7 @@ fn refuse_moved_spheres(
 /// assert_eq!(factors.bodies[0].axes[0].map(|axis| axis.source), Some(FactorSource::ScaleFile));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Factors {
     /// Scale factors of the bodies, in file order of the scaled model.
     pub bodies: Vec<BodyFactors>,
@@ -330,13 +330,7 @@ impl Factors {
                 BodyFactorSources::of(scaled, reference, body, file, given.get(body), distances.as_ref())
             })
             .collect();
-        let mut factors = Self {
-            bodies: Vec::new(),
-            findings: Vec::new(),
-            remarks: Vec::new(),
-            difference,
-            by_name: BodyIndex::default(),
-        };
+        let mut factors = Self { difference, ..Self::default() };
         let taken = sources::choose_factors(&all_sources);
         for (sources, axes) in all_sources.iter().zip(taken) {
             factors.bodies.push(BodyFactors {

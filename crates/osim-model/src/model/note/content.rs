@@ -6,11 +6,12 @@ use crate::messages::{Verb, readable};
 use crate::model::property::Property;
 
 /// Whether all contacts of a model were made for one mass.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Scope {
     /// All contacts were made for the mass in the note or, if the note has none, for the mass of the bodies at that time.
     All,
     /// Some contacts were not changed, or it is not known.
+    #[default]
     Partial,
 }
 
@@ -29,7 +30,7 @@ pub enum Scope {
 /// assert!(text.contains(&note.text()));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Note {
     pub version: String,
     /// Mass for which the contacts were made, kg; `None` if it was not known.
@@ -197,7 +198,7 @@ pub(super) const NO_ENTRY: &str = "-";
 const PROPERTY_DIGITS: usize = 4;
 
 /// Digests of the names of spheres and forces, and of the values of their properties.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NotedParts {
     /// Number and digest of the names of the spheres of contact forces.
     pub spheres: NotedNames,
