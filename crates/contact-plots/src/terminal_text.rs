@@ -32,8 +32,8 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
     let place = |(x_value, y_value): Point| {
         let share = |value: f64, (low, high): (f64, f64)| (value - low) / (high - low);
         (
-            share(x_value, x) * float(dots.width_in_dots() - 1),
-            share(y_value, (y.1, y.0)) * float(dots.height_in_dots() - 1),
+            share(x_value, x) * float(dots.columns * DOTS_ACROSS - 1),
+            share(y_value, (y.1, y.0)) * float(dots.letters.len() / dots.columns * DOTS_DOWN - 1),
         )
     };
     let parts =
@@ -100,14 +100,6 @@ struct BrailleDots {
 impl BrailleDots {
     fn new(columns: usize, rows: usize) -> Self {
         Self { columns, letters: vec![0; columns * rows] }
-    }
-
-    fn width_in_dots(&self) -> usize {
-        self.columns * DOTS_ACROSS
-    }
-
-    fn height_in_dots(&self) -> usize {
-        self.letters.len() / self.columns * DOTS_DOWN
     }
 
     fn line(&mut self, from: Point, to: Point) {

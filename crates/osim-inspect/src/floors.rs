@@ -232,17 +232,12 @@ impl<'m> PosedTrees<'m> {
         Self { model, pose, movements, trees }
     }
 
-    /// Whether joints connect `body` with other bodies.
-    fn is_connected(&self, body: &str) -> bool {
-        self.tree(body).is_some_and(|tree| tree.count > 1)
-    }
-
     /// The spheres of `plane` that belong to limbs: they move in ground, and their bodies have a side or are connected with other bodies.
     /// The sphere of a ball has neither.
     fn limb_spheres(&self, plane: &ContactPlane) -> Vec<SphereId> {
         let is_limb = |sphere: &Sphere, body: &str| {
             let has_side = Side::of_name(body).or_else(|| Side::of_name(&sphere.name)).is_some();
-            self.movements.can_move(body) && (has_side || self.is_connected(body))
+            self.movements.can_move(body) && (has_side || self.tree(body).is_some_and(|tree| tree.count > 1))
         };
         let is_on_limb = |id: &SphereId| {
             let Some(sphere) = self.model.sphere(*id) else { return false };

@@ -82,7 +82,8 @@ impl ReportPage {
             (Some(task), _) => task.source.shown(),
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
         };
-        let about = About::new(request.verb, request.is_for_one_model().then(shown), Columns::Changes, call);
+        let is_for_one_model = request.tasks.len() + request.failures.len() == 1;
+        let about = About::new(request.verb, is_for_one_model.then(shown), Columns::Changes, call);
         let replace = match (request.force, run.is_resumed()) {
             (true, _) => MayReplace::Files,
             // A resumed run writes its page again, as it does its summary.

@@ -38,7 +38,8 @@ impl Plate {
             .forces
             .iter()
             .map(|force| {
-                let (point, torque) = (triples.point_columns(force), triples.moment_columns(force));
+                let [point, torque] = [PlateQuantity::CentreOfPressure, PlateQuantity::Moment]
+                    .map(|quantity| triples.columns_of_plate(quantity, force));
                 Self::new(table, &force.stem, None, [Some(force.columns), point, torque])
             })
             .collect()
@@ -262,14 +263,6 @@ impl<'t> PlateColumns<'t> {
             }
         }
         triples
-    }
-
-    fn point_columns(&self, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
-        self.columns_of_plate(PlateQuantity::CentreOfPressure, force)
-    }
-
-    fn moment_columns(&self, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {
-        self.columns_of_plate(PlateQuantity::Moment, force)
     }
 
     fn columns_of_plate(&self, quantity: PlateQuantity, force: &ColumnTriple<'_>) -> Option<[&'t Column; 3]> {

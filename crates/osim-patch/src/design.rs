@@ -121,7 +121,9 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     remarks.extend(equilibrium_remark(&rests));
     let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() {
-        findings.push(rules::nothing_to_design());
+        findings.push(rules::nothing_to_change(
+            "nothing that is wanted applies to these forces, or every value is already as wanted",
+        ));
     }
     let smooth = selected.forces.iter().filter_map(|&id| model.force(id)).any(is_smooth);
     let masses = wanted.target_mass.clone().map(Masses::unchanged);

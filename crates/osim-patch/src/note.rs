@@ -1,7 +1,7 @@
 //! Plans of the verb `note`, which writes the mass that contacts were made for into the file, and notes after changes of objects.
 
-use osim_model::messages::{Input, phrase};
-use osim_model::{Fault, Finding, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
+use osim_model::messages::{Input, phrase, readable};
+use osim_model::{Fault, Mass, MassSource, Model, Note, Scope, Step, positive_mass};
 
 use crate::objects::{EarlierNote, RebuiltModel};
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
@@ -44,7 +44,8 @@ pub fn note(
     };
     let masses = Some(Masses::unchanged(contacts_mass));
     let plan = Plan::new(model, PlanContents { masses, taken, ..PlanContents::default() }, &facts);
-    Ok(with_new_note(plan, model, stance_limbs, rules::nothing_to_note(kg)))
+    let same = format!("the note in the file says {} kg already", readable(kg));
+    Ok(with_new_note(plan, model, stance_limbs, same))
 }
 
 /// Plans a note of how many `stance_limbs` share the weight. The mass that the contacts of `model` were made for stays as in the
@@ -64,16 +65,17 @@ pub fn note_stance_limbs(model: &Model, stance_limbs: f64) -> Plan {
         note_edits::limbs_in_words(stance_limbs)
     );
     let plan = Plan::new(model, PlanContents { taken: taken.into(), ..PlanContents::default() }, &facts);
-    with_new_note(plan, model, Some(stance_limbs), rules::no_limbs_to_note(stance_limbs))
+    let same = format!("the note in the file says {} already", note_edits::limbs_in_words(stance_limbs));
+    with_new_note(plan, model, Some(stance_limbs), same)
 }
 
 /// `plan` with its new note. If the present note has the same content, `plan` without a note and with the finding `same`.
-fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: Finding) -> Plan {
-    plan.require_note();
+fn with_new_note(mut plan: Plan, model: &Model, stance_limbs: Option<f64>, same: String) -> Plan {
+    plan.requires_note = true;
     plan.note_stance_limbs(stance_limbs);
     if plan.note().zip(model.note.as_ref()).is_some_and(|(new, old)| has_same_content(new, old)) {
-        plan.findings.push(same);
-        plan.keep_old_note();
+        plan.findings.push(rules::nothing_to_change(same));
+        plan.requires_note = false;
     }
     plan
 }

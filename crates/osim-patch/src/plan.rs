@@ -59,7 +59,8 @@ pub struct Plan {
     /// How far the floor of each recording is above that of the unchanged model, m; empty if no height was fitted.
     pub floor_up_m: Vec<f64>,
     note: Option<Note>,
-    requires_note: bool,
+    /// Whether the note is written even if no number changes, so that the output differs from the original file.
+    pub(crate) requires_note: bool,
     /// The model with objects added or removed, if there are any. Numbers then change in this model.
     pub(crate) rebuilt: Option<RebuiltModel>,
 }
@@ -127,16 +128,6 @@ fn rounded_to_15_digits(kg: f64) -> f64 {
 }
 
 impl Plan {
-    /// Requires a note even if no number changes, so that the output differs from the original file.
-    pub fn require_note(&mut self) {
-        self.requires_note = true;
-    }
-
-    /// Keeps the note in the file if no number changes.
-    pub(crate) fn keep_old_note(&mut self) {
-        self.requires_note = false;
-    }
-
     /// Removes the note from the plan. If a number changes, an earlier note in the file is removed, because it would be
     /// wrong.
     pub fn drop_note(&mut self) {

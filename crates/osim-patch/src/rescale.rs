@@ -167,7 +167,8 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
         }
     }
     if plan.changes.is_empty() && plan.moves.is_empty() {
-        plan.findings.push(rules::nothing_to_rescale());
+        let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
+        plan.findings.push(rules::nothing_to_change(text));
     }
     Ok(plan_with_note_and_remarks(plan, wanted, selected, Some(&radii), change))
 }

@@ -7,7 +7,6 @@ use osim_model::{
 };
 
 use crate::builder::PlanBuilder;
-use crate::note_edits::limbs_in_words;
 use crate::radii::Radii;
 
 pub const RULES: &[&Rule] = &[
@@ -43,7 +42,7 @@ pub(crate) fn already_at_target(contacts_mass: &Mass) -> Finding {
     Finding::new(&ALREADY_AT_TARGET, message)
 }
 
-static COMPOSITE_SURFACES: Rule = Rule {
+pub(crate) static COMPOSITE_SURFACES: Rule = Rule {
     code: FindingCode::CompositeSurfaces,
     severity: Severity::Warning,
     verdict: None,
@@ -67,11 +66,7 @@ pub(crate) fn composite_surfaces_message(force: &Force, sphere: &str, plane: &st
     )
 }
 
-pub(crate) fn composite_surfaces(force: &Force, message: String) -> Finding {
-    Finding::at(&COMPOSITE_SURFACES, force.line, message).with_place(&force.path)
-}
-
-static FACTOR_SPREAD: Rule = Rule {
+pub(crate) static FACTOR_SPREAD: Rule = Rule {
     code: FindingCode::FactorSpread,
     severity: Severity::Warning,
     verdict: None,
@@ -98,10 +93,6 @@ pub(crate) fn factor_spread_message(force: &Force, spread: f64) -> Option<String
             (spread - 1.0) * 100.0
         )
     })
-}
-
-pub(crate) fn factor_spread(force: &Force, message: String) -> Finding {
-    Finding::at(&FACTOR_SPREAD, force.line, message)
 }
 
 static FRICTION_NOT_SIMILAR: Rule = Rule {
@@ -144,38 +135,8 @@ static NOTHING_TO_CHANGE: Rule = Rule {
     },
 };
 
-pub(crate) fn nothing_to_design() -> Finding {
-    Finding::new(
-        &NOTHING_TO_CHANGE,
-        "nothing that is wanted applies to these forces, or every value is already as wanted",
-    )
-}
-
-pub(crate) fn nothing_to_note(contacts_mass_kg: f64) -> Finding {
-    Finding::new(
-        &NOTHING_TO_CHANGE,
-        format!("the note in the file says {} kg already", readable(contacts_mass_kg)),
-    )
-}
-
-pub(crate) fn no_limbs_to_note(stance_limbs: f64) -> Finding {
-    Finding::new(
-        &NOTHING_TO_CHANGE,
-        format!("the note in the file says {} already", limbs_in_words(stance_limbs)),
-    )
-}
-
-pub(crate) fn nothing_to_rescale() -> Finding {
-    let text = "every factor is exactly 1: the radius stays, so what follows the radius stays too";
+pub(crate) fn nothing_to_change(text: impl Into<Phrase>) -> Finding {
     Finding::new(&NOTHING_TO_CHANGE, text)
-}
-
-pub(crate) fn nothing_to_set() -> Finding {
-    Finding::new(&NOTHING_TO_CHANGE, "every value is already as wanted")
-}
-
-pub(crate) fn nothing_to_transfer() -> Finding {
-    Finding::new(&NOTHING_TO_CHANGE, "every value is already as the reference wants it")
 }
 
 static REFERENCE_WITHOUT_SMOOTHING: Rule = Rule {

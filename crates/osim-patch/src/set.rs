@@ -155,7 +155,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
     }
     let PlanBuilder { changes, moves, mut findings, .. } = plan;
     if changes.is_empty() && moves.is_empty() {
-        findings.push(rules::nothing_to_set());
+        findings.push(rules::nothing_to_change("every value is already as wanted"));
     }
     let mut taken = phrase![];
     if let Some(mass) = &wanted.contacts_mass {

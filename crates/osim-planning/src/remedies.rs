@@ -106,8 +106,9 @@ impl RemedyTrials<'_> {
     fn next_step(&self, model: &Model, found: &CheckResult) -> Option<(Request, ModelAfterStep)> {
         let from = model_path(found);
         candidates(found).into_iter().find_map(|RemedyCandidate { mut request, parts, .. }| {
-            let its: Vec<&FindingWithRemedy> =
-                found.findings.iter().filter(|one| is_proposed_in(&parts, one)).collect();
+            let is_proposed =
+                |one: &&FindingWithRemedy| one.remedy.as_ref().is_some_and(|one| parts.contains(one));
+            let its: Vec<&FindingWithRemedy> = found.findings.iter().filter(is_proposed).collect();
             let to = set_numbered_output(&mut request, &from, self.files)?;
             let next = self.model_after(&request, model, &to)?;
             // If the mass that the contacts are made for becomes uncertain, the next step cannot be planned.
@@ -176,11 +177,6 @@ fn candidates(found: &CheckResult) -> Vec<RemedyCandidate> {
     all.sort_by(|a, b| rank(a).cmp(&rank(b)).then(constant(a).total_cmp(&constant(b))));
     all.extend(merged_designs(&all));
     all
-}
-
-/// Whether one of `requests` was proposed for the finding.
-fn is_proposed_in(requests: &[Request], finding: &FindingWithRemedy) -> bool {
-    finding.remedy.as_ref().is_some_and(|remedy| requests.contains(remedy))
 }
 
 fn may_have_command(finding: &FindingWithRemedy) -> bool {

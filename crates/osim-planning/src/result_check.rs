@@ -111,8 +111,9 @@ impl PreparedChange {
         let mut moved = moved.map_or_else(MovedBottoms::default, |changed| {
             MovedBottoms::between(plan, &opened.model, changed)
         });
+        // Numbers that the caller gave are meant, even if the model is wrong with them.
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
-        let is_confirmed = self.writes_given_numbers()
+        let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
             || plan.restores_original()
             || self.answers.has(Question::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
@@ -152,11 +153,6 @@ impl PreparedChange {
     /// Whether the contacts are judged under the target mass instead of the mass of the bodies.
     fn is_for_target_mass(&self) -> bool {
         self.verb == Verb::Rescale
-    }
-
-    /// Whether the caller gave the new numbers directly. Then a model that is wrong with these numbers is not refused.
-    fn writes_given_numbers(&self) -> bool {
-        matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
     }
 
     /// The options with which the new model is inspected, if the old model weighs `weighs_kg`: under the mass that its contacts were scaled

@@ -14,9 +14,11 @@ pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Reads files from memory first, then from the disk if `with_disk`.
 pub(crate) struct RequestFiles {
-    memory: Memory,
+    /// The files that Python gave.
+    pub(crate) memory: Memory,
     with_disk: bool,
-    read: RefCell<Memory>,
+    /// Every file that was read.
+    pub(crate) read: RefCell<Memory>,
 }
 
 impl RequestFiles {
@@ -27,20 +29,6 @@ impl RequestFiles {
     /// The files that Python gave, by name. Other files are read from the disk if `with_disk`.
     pub(crate) fn from_python(memory: &BTreeMap<PathBuf, PyBackedBytes>, with_disk: bool) -> Self {
         Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
-    }
-
-    /// Bytes of a file that Python gave in memory.
-    pub(crate) fn in_memory(&self, path: &Path) -> Option<&Vec<u8>> {
-        self.memory.get(path)
-    }
-
-    pub(crate) fn memory(&self) -> &Memory {
-        &self.memory
-    }
-
-    /// Bytes of every file that was read.
-    pub(crate) fn into_read(self) -> Memory {
-        self.read.into_inner()
     }
 
     fn record_read(&self, path: &Path, bytes: Vec<u8>) -> Vec<u8> {

@@ -60,7 +60,7 @@ pub(crate) fn plan(
         let path = path.clone();
         let loaded = load(&path, &change, &files)?;
         let model = PlannedModel::new(&path, loaded, change, &files, &PythonWords)?;
-        Ok(Planned { model, path, fields, beside: files.into_read() })
+        Ok(Planned { model, path, fields, beside: files.read.into_inner() })
     })
 }
 
@@ -89,7 +89,7 @@ impl Planned {
 
 /// Reads the model at `path` from memory, or else from the disk.
 fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Loaded, Problem> {
-    Ok(match files.in_memory(path) {
+    Ok(match files.memory.get(path) {
         Some(bytes) => Loaded::in_memory(path, bytes.clone(), &change.set_files, files)?,
         None if path.is_dir() => {
             let folder = path.display();
@@ -98,7 +98,7 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
             );
             return Err(Problem::general("RequestError", "usage", message));
         }
-        None => Loaded::read_with_memory(&Source::file(path), &change.set_files, files.memory())?,
+        None => Loaded::read_with_memory(&Source::file(path), &change.set_files, &files.memory)?,
     })
 }
 

@@ -61,7 +61,7 @@ pub(crate) fn survey<'py>(
         let survey = Survey {
             verb: request.verb(),
             sources: &sources(models, &files),
-            memory: files.memory(),
+            memory: &files.memory,
             inspector: &inspector,
             report,
             shows_each,
@@ -81,7 +81,7 @@ pub(crate) fn survey<'py>(
 fn sources(models: &[PathBuf], files: &RequestFiles) -> Sources {
     let mut sources = Sources::default();
     for path in models {
-        if files.in_memory(path).is_some() {
+        if files.memory.contains_key(path) {
             sources.models.push(Source::file(path));
         } else {
             let mut found = Sources::find(std::slice::from_ref(path), None);

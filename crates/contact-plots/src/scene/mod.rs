@@ -87,7 +87,7 @@ fn draw_block(root: &Area<'_>, block: &PlacedBlock<'_>) -> Result<(), PlotError>
 fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<(), PlotError> {
     draw_outlines(root, view)?;
     for level in &view.view.levels {
-        draw_level(root, view, (view.at((0.0, level.at)).1, level.kind))?;
+        draw_level_line(root, (view.left, view.left + view.width), view.at((0.0, level.at)).1, level.kind)?;
     }
     for ball in &view.view.balls {
         draw_ball(root, view, ball)?;
@@ -132,10 +132,6 @@ fn draw_ball(root: &Area<'_>, view: &PlacedView<'_>, ball: &Ball) -> Result<(), 
 fn draw_spot(root: &Area<'_>, at: Point, state: State) -> Result<(), PlotError> {
     let size = if state == State::Now { SPOT_PT } else { 0.6 * SPOT_PT };
     draw_square(root, at, size)
-}
-
-fn draw_level(root: &Area<'_>, view: &PlacedView<'_>, (y, kind): (f64, LevelKind)) -> Result<(), PlotError> {
-    draw_level_line(root, (view.left, view.left + view.width), y, kind)
 }
 
 /// Draws the line from a name to its element, if they are apart.

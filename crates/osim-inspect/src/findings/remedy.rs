@@ -94,11 +94,6 @@ impl<'m> Remedies<'m> {
         Self { model: None, ..self }
     }
 
-    /// Whether the figures are for the gravity of the model's file.
-    fn has_gravity_of_file(&self) -> bool {
-        self.load.gravity.is_none()
-    }
-
     /// The model that a remedy changes; `None` if there is no remedy. `changes_radii` says whether the remedy writes radii.
     pub(crate) fn models(&self, changes_radii: bool) -> Option<Vec<PathBuf>> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
@@ -178,7 +173,7 @@ impl<'m> Remedies<'m> {
     /// A remedy that takes the contacts of a published model, for the load of the caller or for `stance_limbs` limbs.
     pub(crate) fn transfer_published(&self, stance_limbs: Option<f64>) -> Option<TransferRequest> {
         // A transfer takes the model's own gravity.
-        let is_load_known = self.has_gravity_of_file() && self.is_weight_known && self.is_counted;
+        let is_load_known = self.load.gravity.is_none() && self.is_weight_known && self.is_counted;
         let mut request = is_load_known.then(|| self.transfer(PRESET.into()))??;
         if let Some(limbs) = stance_limbs {
             request.counts.stance_limbs = Some(Count::new(limbs).ok()?);

@@ -95,7 +95,7 @@ struct UnpairedOfBodies<'m> {
 impl<'m> UnpairedOfBodies<'m> {
     /// Pairs spheres by place, then by name, then by distance, then by order. Takes the paired spheres out.
     fn take_pairs(&mut self) -> Vec<SpherePair<'m>> {
-        let mut pairs = self.take_same_places();
+        let mut pairs = self.take_within(self.same_place_m());
         pairs.extend(take_same_names(&mut self.right, &mut self.left, |placed| &placed.sphere.name));
         if self.right.len().max(self.left.len()) <= MOST_BY_DISTANCE {
             pairs.extend(self.take_nearest());
@@ -112,10 +112,6 @@ impl<'m> UnpairedOfBodies<'m> {
     fn same_place_m(&self) -> f64 {
         let radius_m = || self.left.first().map_or(0.0, |placed| placed.sphere.radius.number);
         self.pair.bone_m.map_or_else(radius_m, |bone_m| SAME_PLACE_OF_BONE * bone_m)
-    }
-
-    fn take_same_places(&mut self) -> Vec<(SideSphere<'m>, SideSphere<'m>)> {
-        self.take_within(self.same_place_m())
     }
 
     /// Pairs spheres at any distance, the nearest spheres first.

@@ -119,7 +119,8 @@ pub(crate) fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Metadata),
     if metadata.is_file() {
         return Ok((read_to_length(&file, &metadata)?, metadata));
     }
-    Ok((read_to_limit(file, limit_of(&metadata))?, metadata))
+    let most = if system::is_device(&metadata) { MOST_BYTES_OF_DEVICE } else { MOST_BYTES_OF_FILE };
+    Ok((read_to_limit(file, most)?, metadata))
 }
 
 pub(crate) fn read_ordinary(path: &Path) -> Result<Vec<u8>, ReadRefusal> {
@@ -224,10 +225,6 @@ fn check_kind(metadata: &Metadata, kinds: FileKinds) -> Result<(), ReadRefusal> 
         return Ok(());
     }
     Err(ReadRefusal::Kind(system::kind_name(metadata)))
-}
-
-fn limit_of(metadata: &Metadata) -> u64 {
-    if system::is_device(metadata) { MOST_BYTES_OF_DEVICE } else { MOST_BYTES_OF_FILE }
 }
 
 /// Reads an ordinary file. Refuses it if its length or its time changes while it is read.

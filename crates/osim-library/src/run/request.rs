@@ -74,11 +74,6 @@ impl RunRequest {
         })
     }
 
-    /// Whether the run is about one model.
-    pub(crate) fn is_for_one_model(&self) -> bool {
-        self.tasks.len() + self.failures.len() == 1
-    }
-
     /// Refuses to write a file that is read, or to write a file twice.
     pub(super) fn check_paths(&self, run: &RunOptions) -> Result<(), LibraryFault> {
         let mut conflicts = PathConflicts::default();

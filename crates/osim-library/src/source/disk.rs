@@ -75,10 +75,6 @@ impl StampedDisk {
         Self { kinds, stamps: RefCell::default() }
     }
 
-    fn into_stamps(self) -> HashMap<PathBuf, Stamp> {
-        self.stamps.into_inner()
-    }
-
     fn read_with_stamp(&self, path: &Path, kinds: FileKinds) -> Result<Vec<u8>, FileError> {
         let (bytes, stamp) = read(path, kinds)?;
         if let Some(stamp) = stamp {
@@ -185,7 +181,7 @@ impl Loaded {
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.companion_paths(), &disk)?;
-        Ok(Self::of(&source.path, files, stamped.into_stamps()))
+        Ok(Self::of(&source.path, files, stamped.stamps.into_inner()))
     }
 
     /// A model with the given `bytes` and the name `path`; `files` has the files beside the model.

@@ -108,7 +108,7 @@ impl Sources {
             match entry {
                 Err(error) if is_dead_link_beside_models(&error) => {}
                 Err(error) => self.failures.push(failure_of_listing(folder, &error)),
-                Ok(entry) if !is_model_entry(&entry) => {}
+                Ok(entry) if !has_name_of_model(entry.path()) || entry.file_type().is_dir() => {}
                 // Reading a pipe might never end.
                 Ok(entry) if !entry.file_type().is_file() => {
                     has_models = true;
@@ -150,10 +150,6 @@ impl Sources {
             self.failures.push(Failure::outside(folder, "no-models", why));
         }
     }
-}
-
-fn is_model_entry(entry: &DirEntry) -> bool {
-    has_name_of_model(entry.path()) && !entry.file_type().is_dir()
 }
 
 fn has_name_of_model(path: &Path) -> bool {

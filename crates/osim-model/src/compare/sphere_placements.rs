@@ -59,11 +59,6 @@ pub struct PlacedSphere {
     stayed: bool,
 }
 
-/// The scale factors of all bodies, from the `original` model to the `scaled` one.
-fn factors_between(scaled: &Anatomy, original: &Anatomy, file: Option<&ScaleFile>) -> Result<Factors, Fault> {
-    Factors::find(scaled, original, file, &BTreeMap::new())
-}
-
 impl SpherePlacements {
     /// Compares `model` with the `original` that OpenSim scaled, by the factors in the ScaleSet `file` if it is given.
     pub fn compare(
@@ -88,7 +83,7 @@ impl SpherePlacements {
                 why
             };
             let scaled = Anatomy::of(model).map_err(in_words)?;
-            let factors = factors_between(&scaled, original, file).map_err(in_words)?;
+            let factors = Factors::find(&scaled, original, file, &BTreeMap::new()).map_err(in_words)?;
             if let Some(difference) = &factors.difference {
                 let mut why = difference.phrase();
                 why.push("this model is not a scaled copy of that one");

@@ -66,7 +66,7 @@ impl Selection {
             true => force_ids_where(model, |force| has_moving_sphere(model, force)),
             false => force_ids_where(model, |force| model.meets_half_space(force)),
         };
-        let selected = self.choose_among(model, &candidates)?;
+        let selected = self.apply_among(model, &candidates)?;
         if !explicit {
             refuse_several_trees(model, &selected.forces)?;
         }
@@ -75,7 +75,7 @@ impl Selection {
 
     /// Applies the choice to all contact forces of `model`, whatever they connect: for changes that are the same for every animal.
     pub fn apply_to_all(&self, model: &Model) -> Result<Selected, Fault> {
-        self.choose_among(model, &force_ids_where(model, |_| true))
+        self.apply_among(model, &force_ids_where(model, |_| true))
     }
 
     /// Patterns that match no contact force of `model`, probably by mistake, each with its input.
@@ -89,10 +89,6 @@ impl Selection {
 
     /// Applies the choice to the forces in `candidates`. No question about several animals is asked, because the candidates are known.
     pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
-        self.choose_among(model, candidates)
-    }
-
-    fn choose_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
         let explicit = !self.select.is_empty();
         if candidates.is_empty() {
             return Err(no_contacts(model));

@@ -4,8 +4,8 @@ use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale,
 use osim_model::compare::Follow;
 use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, FaultKind, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope,
-    Selected, SphereId,
+    DissipationBy, Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Model, Property, RadiusRule,
+    Scope, Selected, SphereId,
 };
 
 use crate::builder::{NewValue, PlanBuilder, change_composite};
@@ -182,7 +182,7 @@ fn plan_with_note_and_remarks(
 ) -> Plan {
     let PlanBuilder { model, changes, moves, mut findings, mut remarks, .. } = plan;
     if changes.is_empty() {
-        findings.push(rules::nothing_to_transfer());
+        findings.push(rules::nothing_to_change("every value is already as the reference wants it"));
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
@@ -252,7 +252,7 @@ fn check_factor_spread(
         if wanted.strict {
             return Err(Fault::new(FaultKind::StrictlyRefused { text }).at_element(force.path.clone()));
         }
-        plan.findings.push(rules::factor_spread(force, text));
+        plan.findings.push(Finding::at(&rules::FACTOR_SPREAD, force.line, text));
     }
     Ok(())
 }

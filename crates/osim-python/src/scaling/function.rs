@@ -4,7 +4,7 @@ use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
 use crate::scaling::equation_error::EquationError;
-use crate::scaling::text::{Argument, Parameter, RULES, Returns, docstring};
+use crate::scaling::text::{ARRAY_TYPE, Argument, Parameter, RULES, Returns, docstring};
 
 pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
     RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
@@ -72,7 +72,7 @@ impl Function {
 
     /// Docstring of the function, without its examples.
     pub(crate) fn docstring(&self) -> String {
-        let arguments = self.parameters.iter().map(|&parameter| Argument::of_array(parameter));
+        let arguments = self.parameters.iter().map(|&parameter| Argument::new(parameter, ARRAY_TYPE));
         docstring(self.forms(), arguments.chain(self.takes_rule().then(Argument::rule)), self.returns)
     }
 }

@@ -29,6 +29,7 @@ pub(crate) struct SphereListFunction {
 }
 
 /// Height of a sphere's bottom above the lowest bottom; left out if all bottoms are at one height.
+const LIST_TYPE: &str = "sequence of float";
 pub(crate) const HEIGHT: Parameter = parameter!(height: H_I);
 pub(crate) const LOAD: Parameter = parameter!(load: F_LOAD);
 
@@ -126,11 +127,9 @@ impl SphereListFunction {
     }
 
     pub(crate) fn docstring(&self) -> String {
-        let spheres = self.spheres.iter().map(|&parameter| Argument::of_list(parameter));
-        let arguments = [Argument::of_number(LOAD)]
-            .into_iter()
-            .chain(spheres)
-            .chain([Argument::of_optional_list(HEIGHT)]);
+        let spheres = self.spheres.iter().map(|&parameter| Argument::new(parameter, LIST_TYPE));
+        let height = Argument::new(HEIGHT, &format!("{LIST_TYPE}, optional"));
+        let arguments = [Argument::new(LOAD, "float")].into_iter().chain(spheres).chain([height]);
         docstring(forms(self.level).chain(forms(self.raised)), arguments, self.returns)
     }
 }
@@ -179,6 +178,7 @@ impl NumberListFunction {
     }
 
     pub(crate) fn docstring(&self) -> String {
-        docstring(forms(self.computes), std::iter::once(Argument::of_list(self.parameter)), self.returns)
+        let argument = Argument::new(self.parameter, LIST_TYPE);
+        docstring(forms(self.computes), std::iter::once(argument), self.returns)
     }
 }

@@ -37,7 +37,7 @@ pub(crate) const RULES: [(&str, MixingRule); 2] =
     [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
 
 /// The type of an argument that is an array or one number, in docstrings.
-const ARRAY_TYPE: &str = "float or array_like";
+pub(super) const ARRAY_TYPE: &str = "float or array_like";
 
 /// An argument in a docstring, with the types of its values.
 pub(super) struct Argument {
@@ -47,26 +47,6 @@ pub(super) struct Argument {
 }
 
 impl Argument {
-    /// Describes an argument that is a number or an array of numbers.
-    pub(super) fn of_array(parameter: Parameter) -> Self {
-        Self::new(parameter, ARRAY_TYPE)
-    }
-
-    /// Describes an argument that is a list of numbers.
-    pub(super) fn of_list(parameter: Parameter) -> Self {
-        Self::new(parameter, "sequence of float")
-    }
-
-    /// Describes an argument that is a list of numbers and may be left out.
-    pub(super) fn of_optional_list(parameter: Parameter) -> Self {
-        Self::new(parameter, "sequence of float, optional")
-    }
-
-    /// Describes an argument that is one number.
-    pub(super) fn of_number(parameter: Parameter) -> Self {
-        Self::new(parameter, "float")
-    }
-
     /// Describes the argument for the rule for the common modulus of two surfaces.
     pub(super) fn rule() -> Self {
         let names = RULES.map(|(name, _)| format!("\"{name}\""));
@@ -74,7 +54,8 @@ impl Argument {
         Self { name: "rule", kind: format!("{{{}}}, default {first}", names.join(", ")), symbol: P }
     }
 
-    fn new(parameter: Parameter, kind: &str) -> Self {
+    /// Describes an argument with values of the type `kind`.
+    pub(super) fn new(parameter: Parameter, kind: &str) -> Self {
         let default = parameter.default.map(|value| format!(", default {value}")).unwrap_or_default();
         Self { name: parameter.name, kind: format!("{kind}{default}"), symbol: parameter.symbol }
     }

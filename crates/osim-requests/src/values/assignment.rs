@@ -137,14 +137,6 @@ impl<'d> Deserialize<'d> for Assignments {
     }
 }
 
-/// The property with the name `text`.
-///
-/// # Errors
-/// There is no property of this name.
-pub(crate) fn property_named(text: &str) -> Result<Property, String> {
-    trimmed(text).parse()
-}
-
 /// Writes the names of properties.
 ///
 /// # Errors
@@ -162,5 +154,9 @@ pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Vec<Prope
         Value::String(text) => text.split(',').map(str::to_owned).collect(),
         list => Vec::<String>::deserialize(list).map_err(D::Error::custom)?,
     };
-    names.iter().map(|name| property_named(name)).collect::<Result<_, _>>().map_err(D::Error::custom)
+    names
+        .iter()
+        .map(|name| trimmed(name).parse::<Property>())
+        .collect::<Result<_, _>>()
+        .map_err(D::Error::custom)
 }

@@ -13,7 +13,7 @@ use osim_planning::ModelFeet;
 
 /// A figure with the last of `states` with its bones and names, and with the spheres of the first state that differ from it.
 pub fn feet(states: &[ModelFeet], title: Option<&str>) -> Scene {
-    let (Some(now), before) = (states.last(), state_before(states)) else { return Scene::default() };
+    let (Some(now), before) = (states.last(), states.iter().nth_back(1)) else { return Scene::default() };
     let mut others: HashMap<&str, &Foot> = HashMap::new();
     for other in before.into_iter().flat_map(|before| &before.feet) {
         others.entry(&other.name).or_insert(other);
@@ -57,14 +57,9 @@ pub(crate) fn feet_svg(states: &[ModelFeet], name: &str, title: Option<&str>) ->
     drawn.map_err(|error| Failure::outside(name, "plot", error.to_string()))
 }
 
-/// The feet before the change, if `states` has feet before and after a change.
-fn state_before(states: &[ModelFeet]) -> Option<&ModelFeet> {
-    states.split_last().and_then(|(_, before)| before.last())
-}
-
 /// The part of the figure about one foot; `other` is this foot in another state.
 fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
-    let shift = other.map(|other| shift_to(other, foot));
+    let before = other.map(|other| (other, foot.origin_m - other.origin_m));
     let name = if foot.name.is_empty() { "ground" } else { foot.name.as_str() };
     let title = match foot.side {
         Some(side) => format!("{name}, {}", side.as_str()),
@@ -72,14 +67,9 @@ fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
     };
     Block {
         title,
-        remarks: remarks_on_foot(foot, other.zip(shift)),
-        views: views_of_foot(foot, other.zip(shift)),
+        remarks: remarks_on_foot(foot, before),
+        views: [ViewSide::Right, ViewSide::Above].map(|from| view(foot, before, from)).into(),
     }
-}
-
-/// The shift from the origin of a foot in another state to its origin in this state, m.
-fn shift_to(other: &Foot, foot: &Foot) -> DVec3 {
-    foot.origin_m - other.origin_m
 }
 
 /// The largest number of names, and of heights, that a remark lists.
@@ -146,11 +136,7 @@ enum ViewSide {
     Above,
 }
 
-/// A foot from the side and from above; `before` is the foot in another state, with the shift to draw it at the same place.
-fn views_of_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<View> {
-    [ViewSide::Right, ViewSide::Above].map(|from| view(foot, before, from)).into()
-}
-
+/// A foot from one side; `before` is the foot in another state, with the shift to draw it at the same place.
 fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     let [forward, up, right] = foot.axes.names();
     let place = match &foot.frame {

@@ -23,8 +23,8 @@ const MOST_REFERENCES: usize = 5;
 /// Counts of models, findings and failures over all models of a page.
 #[derive(Debug, Default)]
 pub(super) struct PageCounts {
-    models: usize,
-    failed: usize,
+    pub(super) models: usize,
+    pub(super) failed: usize,
     earlier: usize,
     /// The references of all models, each once, in the order of the models.
     references: Vec<String>,
@@ -38,7 +38,7 @@ pub(super) struct PageCounts {
     /// The known x̂ of all models before the change. `not_scaled` has x̂ under the new weight, `now` after the change.
     before: Vec<f64>,
     not_scaled: Vec<f64>,
-    now: Vec<f64>,
+    pub(super) now: Vec<f64>,
 }
 
 impl PageCounts {
@@ -74,18 +74,6 @@ impl PageCounts {
         self.before.extend(before);
         self.not_scaled.extend(not_scaled);
         self.now.extend(now);
-    }
-
-    pub(super) fn models(&self) -> usize {
-        self.models
-    }
-
-    pub(super) fn has_failures(&self) -> bool {
-        self.failed > 0
-    }
-
-    pub(super) fn has_chart(&self) -> bool {
-        self.now.len() > 1
     }
 
     /// The counts of models and findings as a list of the page.

@@ -188,7 +188,7 @@ pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {
         section id=(id) aria-labelledby="chosen-title" {
             h2 id="chosen-title" { (title) }
             p {
-                (models.len()) " of " (chosen.models()) " models are drawn: those with the most findings, the deepest and the \
+                (models.len()) " of " (chosen.models) " models are drawn: those with the most findings, the deepest and the \
                  least deep, the heaviest and the lightest, the most common, and one for each other finding."
                 @if !feet { " Feet are drawn on pages about few models, or about one." }
             }

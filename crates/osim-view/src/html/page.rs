@@ -93,7 +93,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if entry.failed {
             return self.parts.failures.add(&terminal_safe(&models_table::failure(&entry, &mut self.topics)));
         }
-        let number = self.counts.models();
+        let number = self.counts.models;
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
             self.chosen.offer(number, &entry.model, facts, drawn);
         }
@@ -130,7 +130,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
             return Err(error);
         }
         let several = self.about.model.is_none();
-        let title = self.about.title(self.counts.models());
+        let title = self.about.title(self.counts.models);
         // This table adds codes, which are explained later.
         let findings = if several { self.counts.findings(&mut self.topics).0 } else { String::new() };
         let sections = self.all_sections();
@@ -151,7 +151,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
     fn write_library(&mut self, findings: &str, page: &mut dyn Write) -> io::Result<()> {
         let remarks_on_omissions = self.remarks_on_omissions();
         page.write_all(models_table::glance_opening(&self.counts.counts()).as_bytes())?;
-        if self.counts.has_failures() {
+        if self.counts.failed > 0 {
             page.write_all(models_table::failures_opening(self.about.columns).as_bytes())?;
             self.parts.failures.write_to(page)?;
             page.write_all(models_table::FAILURES_END.as_bytes())?;
@@ -180,7 +180,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
 
     /// The class of the page in the style sheet.
     fn page_class(&self) -> &'static str {
-        match (self.about.model.is_none(), self.counts.models() > MOST_OPEN_ON_PAPER) {
+        match (self.about.model.is_none(), self.counts.models > MOST_OPEN_ON_PAPER) {
             (false, _) => "one open-on-paper",
             (true, false) => "library open-on-paper",
             (true, true) => "library closed-on-paper",
@@ -192,7 +192,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         match &self.about.model {
             Some(_) => sections.extend(&self.sections),
             None => {
-                sections.extend(Some(glance::CHART).filter(|_| self.counts.has_chart()));
+                sections.extend(Some(glance::CHART).filter(|_| self.counts.now.len() > 1));
                 sections.push(models_table::MODELS);
                 sections.extend(Some(models_table::SECTION).filter(|_| !self.chosen.is_empty()));
                 sections.extend(Some(models_table::IN_FULL).filter(|_| self.shown_in_full > 0));
@@ -213,7 +213,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
                 self.dialect.command(&call)
             ));
         }
-        if self.chosen.models() > MAX_DRAWN {
+        if self.chosen.models > MAX_DRAWN {
             let plot = Verb::Plot
                 .call_with_model()
                 .with_value(Input::Kind, "force")

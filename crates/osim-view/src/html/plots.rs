@@ -38,7 +38,8 @@ pub(super) fn contact_section(
 /// Adds the section about the contact state of a smoothed law, if the caller names the section. A law without smoothing has no such
 /// section.
 pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
-    let svg = fragment.is_named(STATE.0).then(|| state_svg(bodies).ok()).flatten();
+    let svg = || svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state"))).ok();
+    let svg = fragment.is_named(STATE.0).then(svg).flatten();
     if let Some(svg) = svg {
         let what = "How softly contact begins: from 0, no contact, to 1. Where curves lie on each other, the dimensionless smoothing is the same.";
         fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot_with_caption(what, &svg)) } });
@@ -56,17 +57,19 @@ pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn
     } else {
         "Force of a sphere that is pressed into the ground."
     };
+    let from = "a quarter of the sphere radius";
     let drawn = [
-        (pressed, force_svg(bodies)),
+        (pressed, figures::force(bodies, UNITS, None, Some("Force against indentation"))),
         (
             "Force while a sphere goes in and out. The area inside is the energy that dissipation takes.",
-            loops_svg(bodies),
+            figures::impact_loops(bodies, UNITS, DROP_HEIGHT, Some("Dissipation")),
         ),
         (
             "A fall from a quarter of the radius, against time in seconds (A) and in dimensionless form (B).",
-            drops_svg(bodies),
+            figures::drops(bodies, DROP_HEIGHT, from, None, Some("Drop test")),
         ),
-    ];
+    ]
+    .map(|(what, figure)| (what, svg_or_failure(bodies, figure)));
     let mut reasons: Vec<String> =
         drawn.iter().filter_map(|(_, drawn)| Some(drawn.as_ref().err()?.message.spelled(dialect))).collect();
     reasons.dedup();
@@ -85,23 +88,6 @@ fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Re
     let svg = figure?.distinct().and_then(|figure| Drawing::Panels(figure).svg(Paper::default()));
     let name = || bodies.first().map(|body| body.name.clone()).unwrap_or_default();
     svg.map_err(|error| Failure::outside(name(), "plot", error.to_string()))
-}
-
-fn force_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
-    svg_or_failure(bodies, figures::force(bodies, UNITS, None, Some("Force against indentation")))
-}
-
-fn state_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
-    svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state")))
-}
-
-fn loops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
-    svg_or_failure(bodies, figures::impact_loops(bodies, UNITS, DROP_HEIGHT, Some("Dissipation")))
-}
-
-fn drops_svg(bodies: &[ContactBody]) -> Result<String, Failure> {
-    let from = "a quarter of the sphere radius";
-    svg_or_failure(bodies, figures::drops(bodies, DROP_HEIGHT, from, None, Some("Drop test")))
 }
 
 // The feet of a model on a page.

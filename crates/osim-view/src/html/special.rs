@@ -111,7 +111,7 @@ type BestCandidate = Option<(f64, Rc<Candidate>)>;
 /// Models that may be drawn, at most one for each reason. So memory for few models is enough for a page of any size.
 #[derive(Default)]
 pub(crate) struct ChosenModels {
-    models: usize,
+    pub(crate) models: usize,
     most_found: Option<((usize, usize), Rc<Candidate>)>,
     deepest: BestCandidate,
     shallowest: BestCandidate,
@@ -152,11 +152,6 @@ impl ChosenModels {
 
     pub(crate) fn is_empty(&self) -> bool {
         self.models == 0
-    }
-
-    /// Number of models that could be drawn.
-    pub(crate) fn models(&self) -> usize {
-        self.models
     }
 
     /// The models to draw, each with the reasons for its choice.

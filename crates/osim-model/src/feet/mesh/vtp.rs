@@ -146,7 +146,9 @@ fn array_content<'t>(
     let attribute = |key| tree.attribute(array, key).unwrap_or_default();
     match &*attribute("format") {
         "ascii" | "" => Ok(ArrayContent::Text(tree.text_of(array))),
-        "binary" => coding.decode_text(trimmed(&tree.text_of(array))).map(ArrayContent::Bytes),
+        "binary" => {
+            coding.unpacked(&decoded(trimmed(&tree.text_of(array)).bytes())?).map(ArrayContent::Bytes)
+        }
         "appended" => {
             let offset = attribute("offset").parse();
             let offset = offset.map_err(|_| MeshFault::NotUnderstood("its points have no offset".into()))?;
@@ -187,11 +189,6 @@ impl<'b> Coding<'b> {
             appended,
             appended_is_text: encoding.as_deref() != Some("raw"),
         }
-    }
-
-    /// Decodes an array that is base64 text.
-    fn decode_text(&self, text: &str) -> Result<Vec<u8>, MeshFault> {
-        self.unpacked(&decoded(text.bytes())?)
     }
 
     /// Decodes an array in the appended data, at `offset` bytes after the mark.

@@ -138,7 +138,9 @@ impl FootAxes {
 
     /// The points in coordinates along the ground.
     pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
-        let from = |point: &BonePoint, direction, least| rounded_to_grid(point.at.dot(direction) - least);
+        let from = |point: &BonePoint, direction, least| {
+            ((point.at.dot(direction) - least) / GRID_SIZE_M).round() * GRID_SIZE_M
+        };
         let flat = |point: &BonePoint| FlatPoint {
             at: DVec2::new(
                 from(point, self.forward, self.rearmost),
@@ -155,10 +157,6 @@ impl FootAxes {
         let (ahead, out) = (at.x + self.rearmost, at.y + self.innermost);
         ahead * self.forward + out * self.outward + height * self.up
     }
-}
-
-fn rounded_to_grid(value: f64) -> f64 {
-    (value / GRID_SIZE_M).round() * GRID_SIZE_M
 }
 
 /// The horizontal part of a vector, made 1 long; `None` if it is shorter than `least`.

@@ -204,12 +204,6 @@ impl JointDistances {
         self.by_limb_m.get(body).copied().flatten()
     }
 
-    /// The longest distance between two joints on one body, m: on the body that carries `sphere` or a body joined to it. If these have no
-    /// such joints, on any body of the model; `None` if no body has such joints.
-    fn longest_around_sphere(&self, sphere: &Sphere) -> Option<f64> {
-        self.longest_around_body(sphere.body.as_ref()?)
-    }
-
     pub fn longest_around_body(&self, body: &str) -> Option<f64> {
         self.around_m.get(body).copied().or(self.longest_of_all_m)
     }
@@ -222,7 +216,7 @@ impl JointDistances {
         radius_m: f64,
         is_given_length: bool,
     ) -> Option<NeedsAnswer> {
-        let longest_m = self.longest_around_sphere(sphere)?;
+        let longest_m = self.longest_around_body(sphere.body.as_ref()?)?;
         // A sphere that is new has the radius that the caller gave.
         let usual_m = if sphere.radius.number == radius_m {
             longest_m / BONE_LENGTH_IN_RADII

@@ -207,7 +207,7 @@ pub struct NotedParts {
     pub properties: BTreeMap<Property, String>,
 }
 
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NotedNames {
     pub count: usize,
     /// The first 8 digits of the SHA-256 of the names.
