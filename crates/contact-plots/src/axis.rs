@@ -25,19 +25,16 @@ pub struct Axis {
 
 impl Axis {
     /// A linear axis that covers all its points.
-    #[must_use]
     pub fn new(label: impl Into<String>) -> Self {
         Self { label: label.into(), range: None, limits: None, logarithmic: false }
     }
 
     /// A linear axis that covers all its points and at least the range from `from` to `to`.
-    #[must_use]
     pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self { range: Some((from, to)), ..Self::new(label) }
     }
 
     /// A logarithmic axis that covers all its points.
-    #[must_use]
     pub fn logarithmic(label: impl Into<String>) -> Self {
         Self { logarithmic: true, ..Self::new(label) }
     }

@@ -47,7 +47,6 @@ pub struct Datum {
 
 impl Drawing {
     /// Title of the drawing.
-    #[must_use]
     pub fn title(&self) -> &str {
         match self {
             Self::Panels(figure) => &figure.title,
@@ -69,7 +68,6 @@ impl Drawing {
     }
 
     /// The names of the figure's curves, in the order of the legend; equal names once.
-    #[must_use]
     pub fn curves(&self) -> Vec<&str> {
         let Self::Panels(figure) = self else { return Vec::new() };
         let mut names: Vec<&str> = Vec::new();
@@ -135,7 +133,6 @@ impl Drawing {
     }
 
     /// All numbers of the figure, in the order of drawing, also those outside the limits of an axis.
-    #[must_use]
     pub fn data(&self) -> Vec<Datum> {
         match self {
             Self::Panels(figure) => data_of_panels(figure),

@@ -24,7 +24,6 @@ pub struct Curve {
 
 impl Curve {
     /// A curve with a name.
-    #[must_use]
     pub fn new(label: impl Into<String>, points: Vec<Point>, look: Look) -> Self {
         Self { label: label.into(), points, look }
     }
@@ -61,13 +60,11 @@ pub struct Limit {
 
 impl Limit {
     /// A limit at one value of the horizontal axis.
-    #[must_use]
     pub fn vertical(label: impl Into<String>, at: f64) -> Self {
         Self { label: label.into(), at, direction: Direction::Vertical }
     }
 
     /// A limit at one value of the vertical axis.
-    #[must_use]
     pub fn horizontal(label: impl Into<String>, at: f64) -> Self {
         Self { label: label.into(), at, direction: Direction::Horizontal }
     }
@@ -105,7 +102,6 @@ pub struct Panel {
 
 impl Panel {
     /// An empty panel with a title and axes.
-    #[must_use]
     pub fn new(title: impl Into<String>, x: Axis, y: Axis) -> Self {
         let title = title.into();
         Self { title, x, y, curves: vec![], areas: vec![], limits: vec![], marks: vec![] }
@@ -144,7 +140,6 @@ pub enum Width {
 
 impl Width {
     /// The width in millimetres.
-    #[must_use]
     pub fn mm(self) -> f64 {
         match self {
             Self::Column => 90.0,
@@ -170,7 +165,6 @@ pub struct Figure {
 
 impl Figure {
     /// Panels below each other, in one column of a journal.
-    #[must_use]
     pub fn in_column(title: impl Into<String>, description: String, panels: Vec<Panel>) -> Self {
         Self { title: title.into(), description, width: Width::Column, columns: 1, panels }
     }

@@ -113,7 +113,6 @@ impl Look {
     }
 
     /// The look of the series number `index`, from 0; looks repeat after [`Look::MOST_SERIES`].
-    #[must_use]
     pub fn series(index: usize) -> Self {
         Self::SERIES.get(index % Self::MOST_SERIES).copied().unwrap_or(Self::HERTZ)
     }

@@ -54,31 +54,26 @@ impl Contact {
     }
 
     /// The parameters, by name.
-    #[must_use]
     pub fn values(&self) -> ContactValues {
         self.0
     }
 
     /// E₁*, in N/m²: OpenSim's `stiffness`.
-    #[must_use]
     pub fn plane_strain_modulus(&self) -> f64 {
         self.0.plane_strain_modulus
     }
 
     /// E* = E₁* / 2^(3/2), in N/m² (A.4).
-    #[must_use]
     pub fn composite_modulus(&self) -> f64 {
         self.plane_strain_modulus() / EQUAL_SURFACES
     }
 
     /// α, in s/m: OpenSim's `dissipation`.
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.0.dissipation
     }
 
     /// cf, bd and bv; `None` if the law is not smoothed.
-    #[must_use]
     pub fn smoothing(&self) -> Option<SmoothingValues> {
         self.0.smoothing
     }
@@ -137,7 +132,6 @@ impl Friction {
     }
 
     /// The friction coefficients and the transition velocity, by name.
-    #[must_use]
     pub const fn values(&self) -> FrictionValues {
         self.0
     }
@@ -158,7 +152,6 @@ impl Friction {
     /// assert!((friction.coefficient(0.2) - (0.8 + 0.1)).abs() < 1e-15);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn coefficient(&self, slip_speed_m_s: f64) -> f64 {
         let FrictionValues { static_friction, dynamic_friction, viscous_friction, transition_velocity } =
             self.0;
@@ -176,7 +169,6 @@ impl Friction {
     /// # use contact_scaling::Friction;
     /// assert_eq!((Friction::mixed(0.8, 0.8), Friction::mixed(0.0, 0.8), Friction::mixed(0.0, 0.0)), (0.8, 0.0, 0.0));
     /// ```
-    #[must_use]
     pub fn mixed(one: f64, other: f64) -> f64 {
         if one == other { one } else { 2.0 * one * other / (one + other) }
     }
@@ -206,7 +198,6 @@ pub struct Preset {
 /// let human = contact_scaling::falisse2022();
 /// assert_eq!((human.scale.mass_kg(), human.contact.plane_strain_modulus()), (62.0, 1e6));
 /// ```
-#[must_use]
 pub fn falisse2022() -> Preset {
     let scale = ScaleValues { mass_kg: 62.0, radius_m: 0.032, sphere_count: 6.0, gravity_m_s2: 9.80665 };
     let contact = ContactValues {
@@ -231,7 +222,6 @@ pub fn falisse2022() -> Preset {
 /// assert!(contact_scaling::preset("falisse2022").is_some());
 /// assert!(contact_scaling::preset("nobody1900").is_none());
 /// ```
-#[must_use]
 pub fn preset(name: &str) -> Option<Preset> {
     PRESETS.iter().find(|(known, _)| *known == name).map(|(_, make)| make())
 }

@@ -38,7 +38,6 @@ struct DimensionlessSmoothing {
 
 impl DimensionlessContact {
     /// The dimensionless form of `contact` on a body of scale `scale`.
-    #[must_use]
     pub fn of(contact: &Contact, scale: &Scale) -> Self {
         let radius = scale.radius_m();
         let speed = scale.speed_m_s();
@@ -54,31 +53,26 @@ impl DimensionlessContact {
     }
 
     /// Ê = E* n R² / (M g), with the composite E*.
-    #[must_use]
     pub fn modulus(&self) -> f64 {
         self.modulus
     }
 
     /// Dimensionless dissipation α √(g R).
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation
     }
 
     /// x̂_c = √cf / R; `None` for a law without smoothing.
-    #[must_use]
     pub fn constant_indentation(&self) -> Option<f64> {
         self.smoothing.map(|s| s.constant_indentation)
     }
 
     /// b_x̂ = bd R; `None` for a law without smoothing.
-    #[must_use]
     pub fn hertz_smoothing(&self) -> Option<f64> {
         self.smoothing.map(|s| s.hertz_smoothing)
     }
 
     /// bv √(g R); `None` for a law without smoothing.
-    #[must_use]
     pub fn hunt_crossley_smoothing(&self) -> Option<f64> {
         self.smoothing.map(|s| s.hunt_crossley_smoothing)
     }
@@ -86,7 +80,6 @@ impl DimensionlessContact {
     /// Relative indentation x̂ under body weight by the Hertz law: (3 / (4 Ê))^(2/3).
     ///
     /// It is (11) solved for x̂, without cf and bd; with a smoothed law, the indentation at equilibrium is another.
-    #[must_use]
     pub fn relative_indentation(&self) -> f64 {
         design::relative_depth(1.0, self.modulus, 1.0)
     }
@@ -94,7 +87,6 @@ impl DimensionlessContact {
     /// Whether two contacts have equal parameters, each within `rel_tol` times the larger value.
     ///
     /// A smoothed contact is never equal to a contact without smoothing.
-    #[must_use]
     pub fn agrees_with(&self, other: &Self, rel_tol: f64) -> bool {
         let close = |a: f64, b: f64| (a - b).abs() <= rel_tol * a.abs().max(b.abs());
         let smoothing = match (self.smoothing, other.smoothing) {
@@ -112,7 +104,6 @@ impl DimensionlessContact {
     /// The contact with these dimensionless parameters on a body of scale `scale`.
     ///
     /// For rescaling prefer [`Contact::scaled`]: dimensionless parameters add rounding errors in the last bits.
-    #[must_use]
     pub fn dimensional(&self, scale: &Scale) -> Contact {
         let radius = scale.radius_m();
         let speed = scale.speed_m_s();

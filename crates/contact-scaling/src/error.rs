@@ -18,21 +18,18 @@ pub enum DomainError {
 
 impl DomainError {
     /// The quantity that was refused: `"sphere radius"`.
-    #[must_use]
     pub fn quantity(&self) -> &'static str {
         let Self::OutOfRange { quantity, .. } = self;
         quantity
     }
 
     /// The value that was refused, in SI units.
-    #[must_use]
     pub fn value(&self) -> f64 {
         let Self::OutOfRange { value, .. } = self;
         *value
     }
 
     /// The range that was expected, in words.
-    #[must_use]
     pub fn expected(&self) -> &'static str {
         let Self::OutOfRange { expected, .. } = self;
         expected

@@ -56,19 +56,16 @@ impl Hertz {
     }
 
     /// E*, R and η, by name.
-    #[must_use]
     pub fn values(&self) -> HertzValues {
         self.values
     }
 
     /// Radius R of the sphere, in m.
-    #[must_use]
     pub fn radius_m(&self) -> f64 {
         self.values.radius_m
     }
 
     /// 4/3 η √R E*, in N/m^(3/2): the force at x is this times x^(3/2).
-    #[must_use]
     pub fn coefficient(&self) -> f64 {
         self.coefficient
     }
@@ -84,7 +81,6 @@ impl Hertz {
     /// assert_eq!(Hertz::sphere(1e6, 0.5)?.relative_indentation(0.25), 0.5);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn relative_indentation(&self, indentation_m: f64) -> f64 {
         indentation_m / self.values.radius_m
     }
@@ -100,7 +96,6 @@ impl Hertz {
     /// assert_eq!(Hertz::sphere(1e6, 0.5)?.indentation(0.5), 0.25);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn indentation(&self, relative_indentation: f64) -> f64 {
         relative_indentation * self.values.radius_m
     }
@@ -118,7 +113,6 @@ impl Hertz {
     /// assert_eq!(law.force(-0.01), 0.0);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn force(&self, indentation_m: f64) -> f64 {
         if indentation_m <= 0.0 { 0.0 } else { self.coefficient * (indentation_m * indentation_m.sqrt()) }
     }
@@ -134,7 +128,6 @@ impl Hertz {
     /// assert_eq!(Hertz::sphere(3e6, 0.25)?.force_at_relative_indentation(0.25), 31250.0);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn force_at_relative_indentation(&self, relative_indentation: f64) -> f64 {
         let HertzValues { composite_modulus, radius_m, shape_factor } = self.values;
         if relative_indentation <= 0.0 {
@@ -174,7 +167,6 @@ impl Hertz {
     /// assert_eq!(Hertz::sphere(3e6, 0.25)?.stiffness(0.0625), 750_000.0); // 3/2 F / x
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn stiffness(&self, indentation_m: f64) -> f64 {
         if indentation_m <= 0.0 { 0.0 } else { 1.5 * self.coefficient * indentation_m.sqrt() }
     }
@@ -190,7 +182,6 @@ impl Hertz {
     /// assert_eq!(Hertz::sphere(3e6, 0.25)?.stiffness_at_relative_indentation(0.25), 750_000.0);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn stiffness_at_relative_indentation(&self, relative_indentation: f64) -> f64 {
         let HertzValues { composite_modulus, radius_m, shape_factor } = self.values;
         if relative_indentation <= 0.0 {
@@ -238,13 +229,11 @@ impl HuntCrossley {
     }
 
     /// The elastic part of the law.
-    #[must_use]
     pub fn hertz(&self) -> &Hertz {
         &self.hertz
     }
 
     /// Dissipation α, in s/m.
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation
     }
@@ -261,7 +250,6 @@ impl HuntCrossley {
     /// assert!((law.dissipative_force(0.0625, 0.1) - 0.3 * 31250.0).abs() < 1e-9);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn dissipative_force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         self.hertz.force(indentation_m) * (1.5 * self.dissipation * speed_m_s)
     }
@@ -279,7 +267,6 @@ impl HuntCrossley {
     /// assert_eq!(law.force(0.0625, -0.5), 0.0);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         let force = self.hertz.force(indentation_m) * (1.0 + 1.5 * self.dissipation * speed_m_s);
         if force < 0.0 { 0.0 } else { force }

@@ -33,7 +33,6 @@ impl Law {
     }
 
     /// Normal force, in N, at the indentation x (m) and its rate ẋ (m/s).
-    #[must_use]
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.force(indentation_m, speed_m_s),
@@ -51,7 +50,6 @@ impl Law {
     /// assert_eq!(law.rest_force(0.01), law.force(0.01, 0.0));
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn rest_force(&self, indentation_m: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.hertz().force(indentation_m),
@@ -68,7 +66,6 @@ impl Law {
     }
 
     /// Stiffness at speed 0, in N/m, at the indentation x (m): the slope of [`Self::rest_force`].
-    #[must_use]
     pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.hertz().stiffness(indentation_m),
@@ -77,7 +74,6 @@ impl Law {
     }
 
     /// The Hertz law that this law extends.
-    #[must_use]
     pub fn hertz(&self) -> &Hertz {
         match self {
             Self::HuntCrossley(law) => law.hertz(),
@@ -97,7 +93,6 @@ impl Law {
     }
 
     /// Dissipation α, in s/m.
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         match self {
             Self::HuntCrossley(law) => law.dissipation(),
@@ -125,19 +120,16 @@ impl Spheres {
     }
 
     /// The law of each sphere.
-    #[must_use]
     pub fn law(&self) -> &Law {
         &self.law
     }
 
     /// How many spheres there are.
-    #[must_use]
     pub fn count(&self) -> f64 {
         self.count
     }
 
     /// Normal force of all these spheres, in N, at the indentation x (m) and its rate ẋ (m/s).
-    #[must_use]
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         self.count * self.law.force(indentation_m, speed_m_s)
     }

@@ -46,7 +46,6 @@ impl Limit {
     }
 
     /// Whether `figure` is within the limit, or beyond it by at most 1e-9 of the limit; false for NaN.
-    #[must_use]
     pub fn admits(&self, figure: f64) -> bool {
         match self.bound {
             Bound::AtMost => figure <= self.value * (1.0 + LAST_BITS),
@@ -55,7 +54,6 @@ impl Limit {
     }
 
     /// The limit for sentences, such as `at most 0.16`.
-    #[must_use]
     pub fn in_words(&self) -> String {
         let side = match self.bound {
             Bound::AtMost => "at most",

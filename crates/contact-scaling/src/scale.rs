@@ -48,55 +48,46 @@ impl Scale {
     }
 
     /// The four numbers, by name.
-    #[must_use]
     pub fn values(&self) -> ScaleValues {
         self.0
     }
 
     /// Body mass M, in kg.
-    #[must_use]
     pub fn mass_kg(&self) -> f64 {
         self.0.mass_kg
     }
 
     /// Sphere radius R, in m.
-    #[must_use]
     pub fn radius_m(&self) -> f64 {
         self.0.radius_m
     }
 
     /// Number n of spheres that share the body weight.
-    #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.0.sphere_count
     }
 
     /// Gravitational acceleration g, in m/s².
-    #[must_use]
     pub fn gravity_m_s2(&self) -> f64 {
         self.0.gravity_m_s2
     }
 
     /// Body weight M g, in N.
-    #[must_use]
     pub fn body_weight_n(&self) -> f64 {
         self.mass_kg() * self.gravity_m_s2()
     }
 
     /// Body weight on each sphere, M g / n, in N: the load in (4).
-    #[must_use]
     pub fn load_per_sphere_n(&self) -> f64 {
         self.body_weight_n() / self.sphere_count()
     }
 
     /// √(g R), in m/s: the speed by which the speeds of the contact are made dimensionless.
-    #[must_use]
     pub fn speed_m_s(&self) -> f64 {
         (self.gravity_m_s2() * self.radius_m()).sqrt()
     }
 
     /// √(R / g), in s: the time by which the times of the contact are made dimensionless (Fig. 4).
-    #[must_use]
     pub fn time_s(&self) -> f64 {
         (self.radius_m() / self.gravity_m_s2()).sqrt()
     }
@@ -141,19 +132,16 @@ impl SharedLoad {
     }
 
     /// The total load F, in N.
-    #[must_use]
     pub fn load_n(&self) -> f64 {
         self.load_n
     }
 
     /// Number n of spheres that share the load.
-    #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.sphere_count
     }
 
     /// The load on each sphere, F / n, in N.
-    #[must_use]
     pub fn per_sphere_n(&self) -> f64 {
         self.load_n / self.sphere_count
     }
@@ -235,37 +223,31 @@ impl Ratios {
     }
 
     /// The ratios of a scale to itself: every factor is exactly 1.
-    #[must_use]
     pub fn identity() -> Self {
         Self(RatioValues { mass: 1.0, sphere_count: 1.0, radius: 1.0, gravity: 1.0 })
     }
 
     /// The four ratios, by name.
-    #[must_use]
     pub fn values(&self) -> RatioValues {
         self.0
     }
 
     /// μ = M_b / M_a.
-    #[must_use]
     pub fn mass(&self) -> f64 {
         self.0.mass
     }
 
     /// n_b / n_a = 1/ν.
-    #[must_use]
     pub fn sphere_count(&self) -> f64 {
         self.0.sphere_count
     }
 
     /// ρ = R_b / R_a.
-    #[must_use]
     pub fn radius(&self) -> f64 {
         self.0.radius
     }
 
     /// γ = g_b / g_a.
-    #[must_use]
     pub fn gravity(&self) -> f64 {
         self.0.gravity
     }
@@ -273,7 +255,6 @@ impl Ratios {
     /// Factor of E* and of E₁* (`stiffness`): μ ν / ρ² · γ.
     ///
     /// With this factor the relative indentation x̂ under body weight stays. Source: (8) to (10); γ is the gravity extension.
-    #[must_use]
     pub fn plane_strain_modulus(&self) -> f64 {
         self.mass() / self.sphere_count() / (self.radius() * self.radius()) * self.gravity()
     }
@@ -281,7 +262,6 @@ impl Ratios {
     /// Factor of α (`dissipation`): ρ^(−1/2) γ^(−1/2).
     ///
     /// With this factor α times a speed ∝ √(g R) stays, and so does the restitution. Source: (14).
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         1.0 / (self.radius() * self.gravity()).sqrt()
     }
@@ -289,7 +269,6 @@ impl Ratios {
     /// Factor of α (`dissipation`) by mass instead of radius: μ^(−1/6) γ^(−1/2).
     ///
     /// It is equal to [`Ratios::dissipation`] if R ∝ M^(1/3). Source: (14), its second proportionality.
-    #[must_use]
     pub fn dissipation_by_mass(&self) -> f64 {
         1.0 / (libm::cbrt(self.mass()) * self.gravity()).sqrt()
     }
@@ -297,7 +276,6 @@ impl Ratios {
     /// Factor of cf (`constant_contact_force`, m²): ρ².
     ///
     /// With this factor the constant relative indentation √cf / R stays. Source: (C.2).
-    #[must_use]
     pub fn constant_contact_force(&self) -> f64 {
         self.radius() * self.radius()
     }
@@ -305,7 +283,6 @@ impl Ratios {
     /// Factor of bd (`hertz_smoothing`, 1/m): 1/ρ.
     ///
     /// With this factor bd R stays: contact begins over the same share of R. Source: (C.5).
-    #[must_use]
     pub fn hertz_smoothing(&self) -> f64 {
         1.0 / self.radius()
     }
@@ -313,7 +290,6 @@ impl Ratios {
     /// Factor of bv (`hunt_crossley_smoothing`, s/m): ρ^(−1/2) γ^(−1/2).
     ///
     /// With this factor bv √(g R) stays. Source: (C.10); γ is the gravity extension.
-    #[must_use]
     pub fn hunt_crossley_smoothing(&self) -> f64 {
         self.dissipation()
     }
@@ -321,7 +297,6 @@ impl Ratios {
     /// Factor of `transition_velocity` (m/s): √(γ ρ).
     ///
     /// The velocity is scaled like other speeds, ∝ √(g R). Source: the friction extension, not in the paper.
-    #[must_use]
     pub fn transition_velocity(&self) -> f64 {
         (self.gravity() * self.radius()).sqrt()
     }
@@ -329,7 +304,6 @@ impl Ratios {
     /// Factor of `viscous_friction` (s/m): 1/√(γ ρ).
     ///
     /// It is the inverse of the factor of speeds. Source: the friction extension, not in the paper.
-    #[must_use]
     pub fn viscous_friction(&self) -> f64 {
         self.dissipation()
     }

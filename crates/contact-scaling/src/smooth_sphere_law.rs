@@ -42,19 +42,16 @@ impl SmoothSphere {
     }
 
     /// The Hertz law of the sphere, without smoothing and dissipation.
-    #[must_use]
     pub fn hertz(&self) -> &Hertz {
         &self.hertz
     }
 
     /// Dissipation α, in s/m.
-    #[must_use]
     pub fn dissipation(&self) -> f64 {
         self.dissipation
     }
 
     /// cf, bd and bv, by name.
-    #[must_use]
     pub fn smoothing(&self) -> SmoothingValues {
         self.smoothing
     }
@@ -72,7 +69,6 @@ impl SmoothSphere {
     /// assert_eq!(law.constant_indentation_force(0.0625), 31250.0); // as (1)
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn constant_indentation_force(&self, indentation_m: f64) -> f64 {
         let root = (indentation_m * indentation_m + self.smoothing.constant_contact_force).sqrt();
         self.hertz.coefficient() * (root * root.sqrt())
@@ -90,7 +86,6 @@ impl SmoothSphere {
     /// assert_eq!(law.contact_state(0.0), 0.5);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn contact_state(&self, indentation_m: f64) -> f64 {
         0.5 + 0.5 * libm::tanh(self.smoothing.hertz_smoothing * indentation_m)
     }
@@ -107,7 +102,6 @@ impl SmoothSphere {
     /// assert_eq!(law.elastic_force(0.0), 0.5 * law.constant_indentation_force(0.0));
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn elastic_force(&self, indentation_m: f64) -> f64 {
         self.constant_indentation_force(indentation_m) * self.contact_state(indentation_m)
     }
@@ -125,7 +119,6 @@ impl SmoothSphere {
     /// assert_eq!(law.speed_state(-2.0 / 6.0), 0.5);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn speed_state(&self, speed_m_s: f64) -> f64 {
         smoothing::speed_state(self.dissipation, self.smoothing.hunt_crossley_smoothing, speed_m_s)
     }
@@ -142,7 +135,6 @@ impl SmoothSphere {
     /// assert_eq!(law.force(0.01, -3.0), law.elastic_force(0.01)); // α = 0
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn force(&self, indentation_m: f64, speed_m_s: f64) -> f64 {
         let elastic = self.elastic_force(indentation_m);
         elastic * (1.0 + 1.5 * self.dissipation * speed_m_s) * self.speed_state(speed_m_s)
@@ -161,7 +153,6 @@ impl SmoothSphere {
     /// assert_eq!(law.rest_force(0.01), law.force(0.01, 0.0));
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn rest_force(&self, indentation_m: f64) -> f64 {
         self.elastic_force(indentation_m) * self.at_rest
     }
@@ -186,7 +177,6 @@ impl SmoothSphere {
     /// assert!((law.rest_stiffness(0.01) / slope - 1.0).abs() < 1e-6);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn rest_stiffness(&self, indentation_m: f64) -> f64 {
         self.stiffness(indentation_m) * self.at_rest
     }
@@ -204,7 +194,6 @@ impl SmoothSphere {
     /// assert!((law.stiffness(0.01) / slope - 1.0).abs() < 1e-6);
     /// # Ok::<(), contact_scaling::DomainError>(())
     /// ```
-    #[must_use]
     pub fn stiffness(&self, indentation_m: f64) -> f64 {
         let SmoothingValues { constant_contact_force, hertz_smoothing, .. } = self.smoothing;
         let root = (indentation_m * indentation_m + constant_contact_force).sqrt();

@@ -57,7 +57,6 @@ impl Column {
     ];
 
     /// Name of the column for programs; it ends with the unit, if there is one.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::CompositeModulus => "composite_modulus_mpa",
@@ -70,7 +69,6 @@ impl Column {
     }
 
     /// Label of the column, without special letters.
-    #[must_use]
     pub const fn label(self) -> &'static str {
         match self {
             Self::CompositeModulus => "E*",
@@ -83,7 +81,6 @@ impl Column {
     }
 
     /// The unit of the column in the paper; empty for a pure number.
-    #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
             Self::CompositeModulus | Self::PlaneStrainModulus => "MPa",
@@ -94,7 +91,6 @@ impl Column {
     }
 
     /// Number of the equation of the column; empty if the column is given, or is a result of the drop test.
-    #[must_use]
     pub const fn equation(self) -> &'static str {
         match self {
             Self::CompositeModulus => "A.4",
@@ -122,25 +118,21 @@ pub struct Compared {
 
 impl Compared {
     /// The printed number; NaN if it is not a number.
-    #[must_use]
     pub fn printed_value(&self) -> f64 {
         self.printed.parse().unwrap_or(f64::NAN)
     }
 
     /// Computed minus printed, in the unit of the paper.
-    #[must_use]
     pub fn difference(&self) -> f64 {
         self.computed - self.printed_value()
     }
 
     /// The difference divided by the printed number, without unit.
-    #[must_use]
     pub fn relative_difference(&self) -> f64 {
         self.difference() / self.printed_value()
     }
 
     /// Half a unit of the last printed digit, in the unit of the paper.
-    #[must_use]
     pub fn half_last_digit(&self) -> f64 {
         // An index of bytes says where the point is; what follows it are the decimals.
         let decimals = self.printed.find('.').map_or(0, |point| self.printed.len() - point - 1);
@@ -148,14 +140,12 @@ impl Compared {
     }
 
     /// Whether the computed number is within half a unit of the last printed digit.
-    #[must_use]
     pub fn is_within_last_digit(&self) -> bool {
         self.is_near(self.computed)
     }
 
     /// Whether the printed number does not follow from the exact number of the human, but from the rounded one: the paper
     /// then was computed from the rounded number.
-    #[must_use]
     pub fn is_from_rounded(&self) -> bool {
         !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.is_near(value))
     }
@@ -197,19 +187,16 @@ impl Animal {
     }
 
     /// Name of the animal: `"mouse"`.
-    #[must_use]
     pub const fn taxon(&self) -> &'static str {
         self.taxon
     }
 
     /// Mass, number of spheres and sphere radius of the animal, under [`GRAVITY_M_S2`].
-    #[must_use]
     pub const fn scale(&self) -> Scale {
         self.scale
     }
 
     /// The text that the paper prints in a column.
-    #[must_use]
     pub fn printed(&self, column: Column) -> &'static str {
         let index = Column::ALL.iter().position(|&known| known == column);
         index.and_then(|index| self.printed.get(index)).copied().unwrap_or_default()

@@ -74,19 +74,16 @@ impl DropTest {
     }
 
     /// Mass, gravity, height, duration and number of samples, by name.
-    #[must_use]
     pub fn values(&self) -> DropValues {
         self.values
     }
 
     /// The spheres of the body; spheres with the same law are one entry.
-    #[must_use]
     pub fn spheres(&self) -> &[Spheres] {
         &self.spheres
     }
 
     /// √(Σ R_i² / n), in m: the radius by which lengths are made dimensionless.
-    #[must_use]
     pub fn reference_radius_m(&self) -> f64 {
         self.body().length_m
     }
@@ -214,7 +211,6 @@ impl DropReport {
     }
 
     /// Largest normal force divided by body weight, without unit.
-    #[must_use]
     pub fn peak_force_bw(&self) -> f64 {
         self.peak_force_n / self.body_weight_n
     }

@@ -27,7 +27,6 @@ pub fn all() -> impl Iterator<Item = &'static Equation> {
 }
 
 /// The equation with this number or name, such as `10`, `(10)`, `C.5`, `eq. (C.5)`, `exact`; `None` if there is none.
-#[must_use]
 pub fn find(name: &str) -> Option<&'static Equation> {
     let name = normalised_name(name);
     all().find(|equation| {
@@ -41,7 +40,6 @@ pub fn find(name: &str) -> Option<&'static Equation> {
 /// use contact_scaling::equations::reference;
 /// assert_eq!([reference("C.5"), reference("Fig. 3")], ["(C.5)", "Fig. 3"]);
 /// ```
-#[must_use]
 pub fn reference(label: &str) -> String {
     let is_number = label.ends_with(|c: char| c.is_ascii_digit()) && !label.contains(' ');
     if is_number { format!("({label})") } else { label.to_owned() }

@@ -73,7 +73,6 @@ pub enum Parameter {
 
 impl Parameter {
     /// Name of the parameter in a sentence.
-    #[must_use]
     pub const fn in_words(self) -> &'static str {
         match self {
             Self::CompositeModulus => "composite modulus",

@@ -72,7 +72,6 @@ pub enum Doubt {
 
 impl Doubt {
     /// Stable short name of the doubt.
-    #[must_use]
     pub const fn code(&self) -> &'static str {
         match self {
             Self::LowRSquared { .. } => "low-r-squared",
