@@ -156,7 +156,7 @@ pub(crate) fn answer_all(
     findings: &[FindingWithRemedy],
 ) -> Vec<Verdict> {
     let inspected = InspectedModel { model, inspection: inspected };
-    VerdictOn::ALL.into_iter().map(|on| answer(on, &inspected, findings)).collect()
+    VerdictOn::OF_EVERY_MODEL.into_iter().map(|on| answer(on, &inspected, findings)).collect()
 }
 
 fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {

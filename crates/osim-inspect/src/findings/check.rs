@@ -214,7 +214,7 @@ fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
         _ => Vec::new(),
     };
     let is_asked = |question: &Question| questions.iter().any(|needs| needs.question() == *question);
-    let yes = Question::ALL.into_iter().filter(is_asked).collect();
+    let yes = Question::ALL.iter().copied().filter(is_asked).collect();
     if let Some(answers) = remedy.answers_mut() {
         *answers = AnswerOptions::new(yes);
     }

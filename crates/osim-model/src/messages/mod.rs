@@ -26,7 +26,7 @@ pub use printable::{
     shown_whole, terminal_safe, three_significant,
 };
 
-/// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it.
+/// Declares enums whose variants have a fixed name each, for JSON, tables and messages: `as_str` gives it, and `ALL` all variants.
 #[macro_export]
 macro_rules! named {
     ($($(#[$about:meta])* $visibility:vis enum $name:ident {
@@ -39,6 +39,10 @@ macro_rules! named {
         }
 
         impl $name {
+            /// All variants, in the order of their declaration.
+            #[allow(dead_code, reason = "not every enum is listed")]
+            $visibility const ALL: &'static [Self] = &[$(Self::$variant),+];
+
             /// The fixed name, for JSON, tables and messages.
             $visibility const fn as_str(self) -> &'static str {
                 match self { $(Self::$variant => $text),+ }

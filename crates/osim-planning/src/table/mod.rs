@@ -104,7 +104,7 @@ impl Table {
         fields.insert(field.to_owned(), path::to_value(&row.model));
         if !self.yes.is_empty() {
             let own = fields.get(Input::Yes.name()).and_then(Value::as_array).cloned().unwrap_or_default();
-            let yes = self.yes.iter().map(|question| Value::from(question.code())).chain(own);
+            let yes = self.yes.iter().map(|question| Value::from(question.as_str())).chain(own);
             fields.insert(Input::Yes.name().to_owned(), yes.collect());
         }
         let other_rows = self.masses.other_rows(&fields);

@@ -107,7 +107,7 @@ fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared
     let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
     let first = model.forces().first().map_or("none", |force| force.name.as_str());
     let calls = calls(first).into_iter().skip(number % EVERY_THIRD_CALL).step_by(EVERY_THIRD_CALL);
-    let yes: Vec<&str> = Question::ALL.iter().map(Question::code).collect();
+    let yes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
     let mut written = None;
     for mut call in calls {
         call["models"] = json!([name]);

@@ -166,7 +166,8 @@ impl schemars::JsonSchema for QuestionSchema {
     }
 
     fn json_schema(_generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({"type": "string", "enum": Question::ALL.map(|question| question.code())})
+        let codes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
+        schemars::json_schema!({"type": "string", "enum": codes})
     }
 }
 

@@ -69,8 +69,9 @@ fn questions_by_purpose() -> Vec<Needed> {
         can_choose,
         radius,
     };
-    let gravity = GravityFor::ALL.into_iter().filter(|&purpose| purpose != GravityFor::Weight);
-    gravity
+    use GravityFor::{Compared, Contacts, Figures, ImpactSpeed, Load, Reference, Target};
+    [Load, ImpactSpeed, Contacts, Reference, Target, Compared, Figures]
+        .into_iter()
         .map(|purpose| Needed::Gravity { purpose })
         .chain([
             shared(RadiusChangeReason::Rule, false),

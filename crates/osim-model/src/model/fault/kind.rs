@@ -103,7 +103,7 @@ impl FaultKind {
             Self::NoContacts { .. } => "no-contacts",
             Self::Unresolved { .. } | Self::OtherSurface { .. } => "unresolved",
             Self::Needed(needed) => needed.code(),
-            Self::NeedsAnswer(asks) => asks.question().code(),
+            Self::NeedsAnswer(asks) => asks.question().as_str(),
             Self::ContactsExist { .. } => "contacts-exist",
             Self::MissingCarriers { .. } => "missing-body",
             Self::IncludedFile { .. } => "included-file",

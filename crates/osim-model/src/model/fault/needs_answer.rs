@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::messages::{Input, Phrase, four_significant, phrase, readable};
+use crate::messages::{Input, Phrase, four_significant, named, phrase, readable};
 
 /// Mass of one pound, by its definition of 1959.
 pub(crate) const POUND_KG: f64 = 0.453_592_37;
@@ -90,67 +90,39 @@ impl MassesOfOtherRows {
     }
 }
 
-/// A question that the caller answers with yes, by the question's code.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Question {
-    /// Is the mass right? It may be in grams or tonnes, or have a digit too many or too few.
-    ImplausibleMass,
-    MassInPounds,
-    /// Is the mass for many models right? It contradicts the note in one of the models.
-    AgainstNote,
-    /// Is the radius right? The sphere would be larger than the bones around it.
-    ImplausibleRadius,
-    /// Is the place right? A sphere or a sole would be far from the bones.
-    ImplausiblePlace,
-    /// Are the scale factors right? No two animals differ so much.
-    ImplausibleScale,
-    /// May spheres be placed under a foot that does not lie flat at the default pose?
-    TiltedFoot,
-    /// May spheres be placed under feet with different poses? Left and right would differ.
-    UnequalFeet,
-    /// Should the change be made? The contacts would be wrong afterwards.
-    WrongAfterwards,
-    ManyModels,
+named! {
+    /// A question that the caller answers with yes, by the question's code.
+    pub enum Question {
+        /// Is the mass right? It may be in grams or tonnes, or have a digit too many or too few.
+        ImplausibleMass = "implausible-mass",
+        MassInPounds = "mass-in-pounds",
+        /// Is the mass for many models right? It contradicts the note in one of the models.
+        AgainstNote = "against-note",
+        /// Is the radius right? The sphere would be larger than the bones around it.
+        ImplausibleRadius = "implausible-radius",
+        /// Is the place right? A sphere or a sole would be far from the bones.
+        ImplausiblePlace = "implausible-place",
+        /// Are the scale factors right? No two animals differ so much.
+        ImplausibleScale = "implausible-scale",
+        /// May spheres be placed under a foot that does not lie flat at the default pose?
+        TiltedFoot = "tilted-foot",
+        /// May spheres be placed under feet with different poses? Left and right would differ.
+        UnequalFeet = "unequal-feet",
+        /// Should the change be made? The contacts would be wrong afterwards.
+        WrongAfterwards = "wrong-afterwards",
+        ManyModels = "many-models",
+    }
 }
 
 impl Question {
-    pub const ALL: [Self; 10] = [
-        Self::ImplausibleMass,
-        Self::MassInPounds,
-        Self::AgainstNote,
-        Self::ImplausibleRadius,
-        Self::ImplausiblePlace,
-        Self::ImplausibleScale,
-        Self::TiltedFoot,
-        Self::UnequalFeet,
-        Self::WrongAfterwards,
-        Self::ManyModels,
-    ];
-
-    /// Stable short name of the question. The caller repeats it to answer yes.
-    pub fn code(&self) -> &'static str {
-        match self {
-            Self::ImplausibleMass => "implausible-mass",
-            Self::MassInPounds => "mass-in-pounds",
-            Self::AgainstNote => "against-note",
-            Self::ImplausibleRadius => "implausible-radius",
-            Self::ImplausiblePlace => "implausible-place",
-            Self::ImplausibleScale => "implausible-scale",
-            Self::TiltedFoot => "tilted-foot",
-            Self::UnequalFeet => "unequal-feet",
-            Self::WrongAfterwards => "wrong-afterwards",
-            Self::ManyModels => "many-models",
-        }
-    }
-
     pub fn answer(self) -> Phrase {
-        phrase![Input::Yes.with_value(self.code())]
+        phrase![Input::Yes.with_value(self.as_str())]
     }
 }
 
 impl fmt::Display for Question {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.code())
+        f.write_str(self.as_str())
     }
 }
 
@@ -158,8 +130,8 @@ impl FromStr for Question {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        Self::ALL.into_iter().find(|question| question.code() == text).ok_or_else(|| {
-            let codes = Self::ALL.map(|question| question.code());
+        Self::ALL.iter().copied().find(|question| question.as_str() == text).ok_or_else(|| {
+            let codes: Vec<&str> = Self::ALL.iter().map(|question| question.as_str()).collect();
             format!("expected the code of a question: {}", codes.join(", "))
         })
     }

@@ -21,17 +21,6 @@ pub enum GravityFor {
 }
 
 impl GravityFor {
-    pub const ALL: [Self; 8] = [
-        Self::Weight,
-        Self::Load,
-        Self::ImpactSpeed,
-        Self::Contacts,
-        Self::Reference,
-        Self::Target,
-        Self::Compared,
-        Self::Figures,
-    ];
-
     /// The inputs with which the caller can give the gravity, with placeholders for their values; empty if only the file can give it.
     const fn answers(self) -> &'static [(Input, &'static str)] {
         match self {

@@ -169,7 +169,7 @@ named! {
 
 impl VerdictOn {
     /// The topics of every model, in the order in which they are shown.
-    pub const ALL: [Self; 6] =
+    pub const OF_EVERY_MODEL: [Self; 6] =
         [Self::Floor, Self::Standing, Self::Mass, Self::Sides, Self::Sizes, Self::Solver];
 
     pub const fn question(self) -> &'static str {

@@ -18,7 +18,7 @@ pub struct Way {
 pub fn ways(name: &str, model: &Model) -> Vec<Way> {
     let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
     let (Some(first), Some(last)) = (bodies.first(), bodies.last()) else { return Vec::new() };
-    let yes: Vec<&str> = Question::ALL.iter().map(Question::code).collect();
+    let yes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
     let request = |fields: Value| {
         let mut request = json!({"verb": "add", "models": [name], "yes": yes, "mass": 61.5});
         request.as_object_mut().unwrap().extend(fields.as_object().unwrap().clone());

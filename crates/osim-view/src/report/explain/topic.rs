@@ -90,7 +90,7 @@ fn is_kind_of_questions(name: &str) -> bool {
 
 /// The topics of errors that ask the user a question.
 fn questions() -> Vec<Topic> {
-    let asks = |error: &&ErrorCode| Question::ALL.iter().any(|question| question.code() == error.code);
+    let asks = |error: &&ErrorCode| Question::ALL.iter().any(|question| question.as_str() == error.code);
     errors().filter(asks).map(Topic::Error).collect()
 }
 
