@@ -61,7 +61,7 @@ impl Session {
 
     /// Makes the error for refused files.
     pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
-        ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause()) }.into()
+        ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause) }.into()
     }
 }
 

@@ -89,8 +89,9 @@ impl From<&InspectionOptions> for InspectOptions {
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LoadSharing {
-    limbs: Limbs,
-    forces: Vec<ForceId>,
+    pub limbs: Limbs,
+    /// The forces that press the spheres of the body on the floor, chosen or not.
+    pub forces: Vec<ForceId>,
 }
 
 impl LoadSharing {
@@ -102,15 +103,6 @@ impl LoadSharing {
     /// For a model in which no force can be chosen; `why` is the reason.
     pub(crate) fn unknown(why: Phrase) -> Self {
         Self { limbs: Limbs::Unknown(why), forces: Vec::new() }
-    }
-
-    pub fn limbs(&self) -> &Limbs {
-        &self.limbs
-    }
-
-    /// The forces that press the spheres of the body on the floor, chosen or not.
-    pub fn forces(&self) -> &[ForceId] {
-        &self.forces
     }
 
     /// The number n of spheres that share the weight: `given`, else the number of spheres of a limb times `stance_limbs`. The error message

@@ -10,7 +10,7 @@ use osim_model::messages::{Dialect, Input, Phrase, phrase};
 #[derive(Debug, Clone, PartialEq)]
 pub struct LibraryFault {
     message: Phrase,
-    cause: Cause,
+    pub cause: Cause,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,10 +70,6 @@ impl LibraryFault {
         let mut message = Phrase::from(format!("{what}: "));
         message.push(&self.message);
         Self { message, cause: self.cause }
-    }
-
-    pub fn cause(&self) -> Cause {
-        self.cause
     }
 
     /// The message, with names of options as data.

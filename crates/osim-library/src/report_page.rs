@@ -77,7 +77,7 @@ impl ReportPage {
         words: Words,
     ) -> Result<Option<Self>, LibraryFault> {
         let Some(path) = &options.report else { return Ok(None) };
-        let request = run.request();
+        let request = &run.request;
         let shown = || match (request.tasks.first(), request.failures.first()) {
             (Some(task), _) => task.source.shown(),
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),

@@ -59,7 +59,7 @@ impl Survey<'_> {
         let Some(path) = &self.report.report else { return Ok(None) };
         let mut conflicts = PathConflicts::default();
         self.sources.models.iter().for_each(|source| conflicts.add_input(source.path.as_path()));
-        self.inspector.extra_files().iter().for_each(|path| conflicts.add_input(path.as_path()));
+        self.inspector.extra_files.iter().for_each(|path| conflicts.add_input(path.as_path()));
         conflicts.add_output(path, "the report")?;
         let shown = match (self.sources.models.as_slice(), self.sources.failures.as_slice()) {
             ([source], []) => Some(source.shown()),
@@ -175,7 +175,7 @@ impl Survey<'_> {
         with_page: bool,
     ) -> Result<(SurveyedModel, Option<Entry>), Failure> {
         let Loaded { files: kept, origin } =
-            Loaded::read_with_memory(source, self.inspector.set_files(), self.memory)?;
+            Loaded::read_with_memory(source, &self.inspector.set_files, self.memory)?;
         let fix = self.check.filter(|call| call.fix).map(|call| (call.output(), kept.with_bytes(Vec::new())));
         let opened = kept.open()?;
         let mut inspection = self.inspector.inspect(&opened)?;
@@ -222,7 +222,7 @@ impl Survey<'_> {
         let files: Vec<NamedDigest> = opened.files().map(digest).collect();
         let detail = DetailLevel::for_models(self.sources.models.len() + self.sources.failures.len());
         let shown = osim_view::html::InspectedModelOnPage {
-            options: self.inspector.options(),
+            options: &self.inspector.options,
             model: opened,
             examined: (inspection, check),
             files: &files,
@@ -241,7 +241,7 @@ impl Survey<'_> {
     /// The feet of a model, with the bones whose meshes are available.
     fn feet_with_bones(&self, opened: &OpenModel) -> Option<ModelFeet> {
         let path = opened.name().to_path();
-        let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options().selection)?;
+        let mut feet = ModelFeet::for_page(opened.name(), opened, &self.inspector.options.selection)?;
         feet.add_bones(&opened.model, &path, None, &Disk);
         Some(feet)
     }

@@ -97,7 +97,7 @@ fn rescale_to_80_kg(
         options,
     )?;
     run.begin()?;
-    let failures = run.failures().len();
+    let failures = run.request.failures.len();
     let (watch, mut records, mut written) = (CountingFrontEnd::default(), Vec::new(), Vec::new());
     let counts = run.do_tasks(&watch, |_, outcome| {
         records.push(outcome.record);

@@ -164,7 +164,7 @@ fn drop_of_model(
         return Err(Fault::new(Needed::Gravity { purpose }));
     };
     // The body falls along the normal of its floor.
-    let along_normal = gravity * weight_share_on_floor(model, sharing.forces());
+    let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
     let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
     let prepared_drop = prepared_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;

@@ -22,13 +22,14 @@ use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::rules;
 
 pub struct Inspector {
-    options: InspectOptions,
-    set_files: SetFiles,
+    pub options: InspectOptions,
+    pub set_files: SetFiles,
     /// The generic model, if the request names one. If it cannot be read, each model fails.
     generic: Option<Result<GenericModel, Failure>>,
     /// The files of the generic model, if `check` compares the places of spheres with it. (`inspect` compares the sizes of bodies instead.)
     place_reference: Option<ReferenceFiles>,
-    extra_files: Vec<PathBuf>,
+    /// All files that are read in addition to the models.
+    pub extra_files: Vec<PathBuf>,
     /// A mass, kg. The inspection lists the other numbers of the model that would follow a body of this mass.
     target_mass_kg: Option<f64>,
     /// The recording that the contacts are compared with, if one is given.
@@ -170,19 +171,6 @@ impl Inspector {
     /// The reason why the generic model cannot be read.
     pub fn generic_failure(&self) -> Option<&Failure> {
         self.generic.as_ref()?.as_ref().err()
-    }
-
-    pub fn options(&self) -> &InspectOptions {
-        &self.options
-    }
-
-    pub fn set_files(&self) -> &SetFiles {
-        &self.set_files
-    }
-
-    /// All files that are read in addition to the models.
-    pub fn extra_files(&self) -> &[PathBuf] {
-        &self.extra_files
     }
 
     /// Inspects a model with the options of the request.

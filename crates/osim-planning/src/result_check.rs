@@ -344,7 +344,7 @@ impl<'m> BodiesOverFloor<'m> {
     fn uneven(&self, before: &Self) -> Vec<Finding> {
         let (old, new) = (before.bottoms(), self.bottoms());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
-        let limbs = self.sharing.limbs().if_known().unwrap_or_default().iter();
+        let limbs = self.sharing.limbs.if_known().unwrap_or_default().iter();
         let of_limb = |limb: &Limb| {
             let spheres = limb.spheres.iter().filter_map(|&id| self.model.sphere(id));
             uneven(&limb.name, &spheres.filter_map(|sphere| pair(&sphere.path)).collect::<Vec<_>>())
@@ -388,5 +388,5 @@ pub(crate) fn standing_bodies(model: &Model) -> Result<(Vec<StandingBody>, LoadS
     let forces = model.force_ids();
     let standing = Standing::all(model, &forces)?;
     let sharing = LoadSharing::of(model, &forces);
-    Ok((StandingBody::all(model, &standing, sharing.limbs(), Stance::default().limb_count(model)), sharing))
+    Ok((StandingBody::all(model, &standing, &sharing.limbs, Stance::default().limb_count(model)), sharing))
 }

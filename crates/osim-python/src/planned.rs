@@ -83,7 +83,7 @@ impl Planned {
         fields.insert("in_place".to_owned(), true.into());
         let files = RequestFiles::new(self.beside.clone(), false);
         let change = prepare(Request::from_map(fields)?, &files)?;
-        Ok(change.plan(self.model.opened(), &files).map(|_| ())?)
+        Ok(change.plan(&self.model.opened, &files).map(|_| ())?)
     }
 }
 
@@ -106,21 +106,18 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
 impl Planned {
     /// The plan as the JSON of the command has it.
     fn record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        dictionary(
-            py,
-            &PlanRecord::new(self.model.plan(), &self.model.opened().model, &self.path, None, None),
-        )
+        dictionary(py, &PlanRecord::new(&self.model.plan, &self.model.opened.model, &self.path, None, None))
     }
 
     /// The plan as the command prints it.
     fn text(&self) -> String {
-        plan_text::text(self.model.plan(), self.model.opened().name(), "nothing written yet", None)
+        plan_text::text(&self.model.plan, self.model.opened.name(), "nothing written yet", None)
     }
 
     /// The changes as a unified diff; `output` is how the new model is called in it.
     fn diff(&self, py: Python<'_>, output: Option<String>) -> PyResult<String> {
         guarded(py, || {
-            let opened = self.model.opened();
+            let opened = &self.model.opened;
             let each = self.model.results()?.into_iter().map(|(file, bytes)| {
                 let old_name = opened.name_of(file);
                 let new_name = output.as_deref().filter(|_| file == FileId::MAIN).unwrap_or(old_name);
@@ -133,14 +130,14 @@ impl Planned {
     /// The bytes of each file that changes, the model first, with its name.
     fn results<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
         let results = guarded(py, || Ok(self.model.results()?))?;
-        let opened = self.model.opened();
+        let opened = &self.model.opened;
         let each = results.iter().map(|(file, bytes)| (opened.name_of(*file), PyBytes::new(py, bytes)));
         PyList::new(py, each.collect::<Vec<_>>())
     }
 
     /// The bytes of the model as it is.
     fn old<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        PyBytes::new(py, self.model.opened().model.file(FileId::MAIN).bytes())
+        PyBytes::new(py, self.model.opened.model.file(FileId::MAIN).bytes())
     }
 
     /// The bytes of every file that was read, by name: from these the same plan can be made without a disk.
@@ -149,7 +146,7 @@ impl Planned {
         for (path, bytes) in &self.beside {
             files.set_item(path, PyBytes::new(py, bytes))?;
         }
-        let opened = self.model.opened();
+        let opened = &self.model.opened;
         let companions = opened.files().skip(1).map(|(name, bytes)| (Path::new(name), bytes));
         for (path, bytes) in
             companions.chain(opened.files().take(1).map(|(_, bytes)| (self.path.as_path(), bytes)))
@@ -161,7 +158,7 @@ impl Planned {
 
     /// The masses of the bodies of the model, kg, by their component paths.
     fn masses(&self) -> BTreeMap<String, f64> {
-        let bodies = self.model.opened().model.bodies().iter();
+        let bodies = self.model.opened.model.bodies().iter();
         bodies.filter_map(|body| Some((body.path.clone(), body.mass_kg().ok()?))).collect()
     }
 
@@ -191,7 +188,7 @@ impl Planned {
                 both.map(|both| entry_of_change(&changed, &both, detail, WORDS))
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
-            let name = self.model.opened().name().to_string();
+            let name = self.model.opened.name().to_string();
             let about = About::new(verb, Some(name), Columns::Changes, call);
             let mut page = Page::new(about, DeferredParts::<InMemory>::default(), WORDS);
             entry.into_iter().for_each(|entry| page.add(entry));

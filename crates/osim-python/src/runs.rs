@@ -141,13 +141,13 @@ pub(crate) fn run(
 ) -> Result<(Vec<JsonRecord>, Vec<String>), Problem> {
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
-    let detail = DetailLevel::for_models(run.request().tasks.len() + run.request().failures.len());
+    let detail = DetailLevel::for_models(run.request.tasks.len() + run.request.failures.len());
     let mut page = ReportPage::begin_for_run(&run, options, call, WORDS)?;
     run.begin()?;
-    let mut remarks = run.request().remarks.clone();
-    remarks.extend(run.kept_files().iter().cloned());
+    let mut remarks = run.request.remarks.clone();
+    remarks.extend(run.kept_files.iter().cloned());
     let mut records: Vec<JsonRecord> =
-        run.failures().iter().map(|failure| Record::of_failure(failure).into()).collect();
+        run.request.failures.iter().map(|failure| Record::of_failure(failure).into()).collect();
     let reporter = PageEntryMaker { watch, detail: options.report.as_ref().map(|_| detail) };
     let report = |_: &Task, outcome: Outcome<Option<Entry>>| {
         let failed = outcome.failure.is_some();

@@ -106,12 +106,12 @@ impl Engine {
         match question {
             EngineQuestion::Look { model, fields, parts } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;
-                let opened = self.open(Path::new(&model), inspector.set_files())?;
+                let opened = self.open(Path::new(&model), &inspector.set_files)?;
                 ok_answer(look::look(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
             EngineQuestion::Bones { model, fields } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;
-                let opened = self.open(Path::new(&model), inspector.set_files())?;
+                let opened = self.open(Path::new(&model), &inspector.set_files)?;
                 ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
             EngineQuestion::Play { request } => {
@@ -187,7 +187,7 @@ impl Engine {
                 return Err(Problem::question("this report is about one model"));
             };
             let inspector = Inspector::for_inspect(request, &self.files);
-            let opened = self.open(path, inspector.set_files())?;
+            let opened = self.open(path, &inspector.set_files)?;
             let entry = look::entry(&inspector, &opened, &self.files, &CommandLine)?;
             return Report::of(verb, path, report_command(&mut fields, path)?, entry);
         }

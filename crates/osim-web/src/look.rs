@@ -151,7 +151,7 @@ fn inspect_and_check(
 
 /// The feet of the model with its bones; `None` if the page cannot show them.
 fn feet(inspector: &Inspector, opened: &OpenedModel, given_files: &GivenFiles) -> Option<ModelFeet> {
-    let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options().selection)?;
+    let mut feet = ModelFeet::for_page(opened.model.name(), &opened.model, &inspector.options.selection)?;
     feet.add_bones(&opened.model.model, &opened.path, None, given_files);
     Some(feet)
 }
@@ -168,7 +168,7 @@ pub(crate) fn look(
     let feet = wants("feet").then(|| feet(inspector, opened, given_files)).flatten();
     let digests = if wants("model") { opened.digests() } else { Vec::new() };
     let shown = InspectedModelOnPage {
-        options: inspector.options(),
+        options: &inspector.options,
         model: &opened.model,
         examined: (&inspection, &found),
         files: &digests,
@@ -178,7 +178,7 @@ pub(crate) fn look(
     let Sections { sections, explained, .. } = Sections::of_model(shown, wanted, &Page);
     let findings = FindingShown::all(&found);
     let verdicts = VerdictShown::all(&found.verdicts);
-    let scene = wants("scene").then(|| Scene::of(&opened.model.model, inspector.options()));
+    let scene = wants("scene").then(|| Scene::of(&opened.model.model, &inspector.options));
     let falls = if wants("falls") { falls(inspector, opened) } else { Vec::new() };
     Ok(InspectedModel {
         findings,
@@ -205,12 +205,8 @@ pub(crate) fn play_recording(request: Request, given_files: &GivenFiles) -> Resu
 /// Falls of the model on its contacts; empty if its contacts or its weight are unknown.
 fn falls(inspector: &Inspector, opened: &OpenedModel) -> Vec<BodyFall> {
     let failed = |fault| opened.model.failure(fault);
-    let body = ContactBody::from_inspected_model(
-        "now".to_owned(),
-        &opened.model.model,
-        inspector.options(),
-        &failed,
-    );
+    let body =
+        ContactBody::from_inspected_model("now".to_owned(), &opened.model.model, &inspector.options, &failed);
     body.map(|body| BodyFall::all(&[body])).unwrap_or_default()
 }
 
@@ -223,7 +219,7 @@ pub(crate) fn entry(
 ) -> Result<Entry, Problem> {
     let (inspection, found) = inspect_and_check(inspector, opened, given_files, words)?;
     let shown = InspectedModelOnPage {
-        options: inspector.options(),
+        options: &inspector.options,
         model: &opened.model,
         examined: (&inspection, &found),
         files: &opened.digests(),

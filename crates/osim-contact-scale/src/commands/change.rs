@@ -115,23 +115,23 @@ const MOST_MODELS_IN_TABLES: usize = 10;
 /// Wrong usage: found before anything is written.
 pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
     let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
-    let tasks = run.request().tasks.len();
-    let several = tasks + run.request().failures.len() > 1;
+    let tasks = run.request.tasks.len();
+    let several = tasks + run.request.failures.len() > 1;
     let few = if tasks > MOST_MODELS_IN_TABLES { RunFormat::Lines } else { RunFormat::Table };
     let format = options.format.unwrap_or(few);
     let mut exit = Exit::Done;
-    for failure in &run.request().failures {
+    for failure in &run.request.failures {
         let reported = session.fail(failure, format == RunFormat::Json);
         exit = exit.and(reported.unwrap_or(Exit::Failed));
     }
-    for remark in &run.request().remarks {
+    for remark in &run.request.remarks {
         session.terminal.remark(remark)?;
     }
     run.read_previous().map_err(|fault| session.refused(&fault))?;
     let mut page = ReportPage::begin_for_run(&run, options, asked(), session.words)
         .map_err(|fault| session.refused(&fault))?;
     run.begin().map_err(|fault| session.refused(&fault))?;
-    for kept in run.kept_files() {
+    for kept in &run.kept_files {
         // Also with `--quiet`: these files are somebody's work.
         session.terminal.error(&format!("remark: {}\n", one_line(kept.clone())));
     }
@@ -179,7 +179,7 @@ fn do_tasks(
     page: &mut Option<ReportPage>,
     session: &mut Session,
 ) -> Result<RunEnd> {
-    let tasks = run.request().tasks.len();
+    let tasks = run.request.tasks.len();
     if tasks > 1 {
         exit::listen();
     }
@@ -188,12 +188,12 @@ fn do_tasks(
         options,
         format,
         columns: session.terminal.columns(),
-        detail: DetailLevel::for_models(tasks + run.request().failures.len()),
+        detail: DetailLevel::for_models(tasks + run.request.failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
     let (mut untold, mut worst) = (false, None);
     let mut failed: Vec<String> =
-        run.request().failures.iter().map(|failure| failure.model.to_string()).collect();
+        run.request.failures.iter().map(|failure| failure.model.to_string()).collect();
     let mut skipped = Vec::new();
     let report = |_: &Task, outcome: Outcome<Shown>| {
         let Outcome { record, earlier, shown, failure, .. } = outcome;

@@ -36,7 +36,7 @@ impl Figures {
     ) -> Result<Self, Fault> {
         let loads = contacts_by_sphere(&loaded_spheres(model, &selected.forces)?)?;
         // If a sphere that was not chosen cannot be read, level figures are not known.
-        let all = loaded_spheres(model, sharing.forces()).and_then(|all| contacts_by_sphere(&all)).ok();
+        let all = loaded_spheres(model, &sharing.forces).and_then(|all| contacts_by_sphere(&all)).ok();
         let gravity =
             stance.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0 && gravity.is_finite());
         let speed = stance
@@ -45,7 +45,7 @@ impl Figures {
         let pose = DefaultPose::of(model);
         let weight = mass.zip(gravity).map(|(mass, gravity)| WeightOnFloor {
             mass_kg: mass.kg,
-            gravity_m_s2: gravity * weight_share_at_pose(model, sharing.forces(), &pose),
+            gravity_m_s2: gravity * weight_share_at_pose(model, &sharing.forces, &pose),
         });
         let mut why: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("the mass of the model is not known".into()),
@@ -54,12 +54,11 @@ impl Figures {
         };
         let mut limbs = Vec::new();
         let standing = standing_by_sphere(standing);
-        let mut all_by_limb = all.as_ref().map(|all| split_by_limb(sharing.limbs(), all));
-        for (place, group) in
-            chosen_by_limb(sharing.limbs(), &loads, stance.spheres, stance.limb_count(model))
+        let mut all_by_limb = all.as_ref().map(|all| split_by_limb(&sharing.limbs, all));
+        for (place, group) in chosen_by_limb(&sharing.limbs, &loads, stance.spheres, stance.limb_count(model))
         {
             if group.count.is_none() && why.is_none() {
-                why = why_no_count(sharing.limbs());
+                why = why_no_count(&sharing.limbs);
             }
             let limb = LoadedLimb {
                 model,
@@ -79,7 +78,7 @@ impl Figures {
         }
         if limbs.is_empty() && why.is_none() {
             // The forces belong to several bodies, and the caller chose none of these.
-            why = sharing.limbs().why_unknown().cloned();
+            why = sharing.limbs.why_unknown().cloned();
         }
         Ok(Self {
             mass_kg: mass.map(|mass| mass.kg),

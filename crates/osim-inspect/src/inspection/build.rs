@@ -73,17 +73,17 @@ impl InspectOptions {
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         // If nobody chose among the forces of several bodies, all bodies count.
-        let forces = if no_choice.is_some() { model.force_ids() } else { sharing.forces().to_vec() };
+        let forces = if no_choice.is_some() { model.force_ids() } else { sharing.forces.to_vec() };
         let standing = Standing::all(model, &forces);
         let trees = standing.as_deref().unwrap_or_default();
         let figures = Figures::compute(model, &selected, &sharing, weight, &self.stance, trees);
-        let bodies = StandingBody::with_rests(model, trees, sharing.limbs(), stance_limbs, rests);
+        let bodies = StandingBody::with_rests(model, trees, &sharing.limbs, stance_limbs, rests);
         let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
         let parts = InspectionParts {
             mass: mass.as_ref(),
             contacts_mass: contacts_mass.as_ref(),
             selected: &selected,
-            limbs: sharing.limbs(),
+            limbs: &sharing.limbs,
             findings: &findings,
             contacts: &contacts,
             factors,

@@ -259,7 +259,7 @@ pub(super) static SPHERES_MISPLACED: Rule = Rule {
 /// third place.
 fn misplaced_spheres(placement: &SpherePlacements, stayed: bool) -> Option<Finding> {
     let all: Vec<&PlacedSphere> =
-        placement.spheres.iter().filter(|sphere| !sphere.follows && sphere.stayed() == stayed).collect();
+        placement.spheres.iter().filter(|sphere| !sphere.follows && sphere.stayed == stayed).collect();
     let worst = all.iter().copied().reduce(|a, b| if b.distance_m() > a.distance_m() { b } else { a })?;
     let (count, total) = (all.len(), counted(placement.spheres.len(), "sphere"));
     let distance = format!("{} mm", three_significant(1e3 * worst.distance_m()));

@@ -246,7 +246,7 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
         return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
     };
     let spheres = standing_spheres(model, forces, sphere_count)?;
-    let gravity_m_s2 = gravity_m_s2 * weight_share_on_floor(model, sharing.forces());
+    let gravity_m_s2 = gravity_m_s2 * weight_share_on_floor(model, &sharing.forces);
     Ok(Weight { mass_kg, gravity_m_s2, sphere_count, spheres })
 }
 

@@ -80,7 +80,7 @@ fn a_body_that_only_ground_connects_does_not_count() {
 fn a_sphere_count_is_given_or_found_or_asked_for() {
     let human = Model::parse(HUMAN).unwrap();
     let sharing = LoadSharing::of(&human, &ids_of_forces(&human, "_r"));
-    assert_eq!(sharing.limbs().if_known().map(<[_]>::len), Some(2));
+    assert_eq!(sharing.limbs.if_known().map(<[_]>::len), Some(2));
     assert_eq!(sharing.count(None, 1.0, CountedSpheres::Model), Ok(6.0));
     assert_eq!(sharing.count(None, 2.0, CountedSpheres::Model), Ok(12.0));
     assert_eq!(sharing.count(Some(5.0), 2.0, CountedSpheres::Model), Ok(5.0));
@@ -90,7 +90,7 @@ fn a_sphere_count_is_given_or_found_or_asked_for() {
     let asked = sharing.count(None, 1.0, CountedSpheres::Reference).unwrap_err();
     assert_eq!(asked.code(), "sphere-count");
     // Figures are given for each limb all the same.
-    let limbs = sharing.limbs().if_known().unwrap();
+    let limbs = sharing.limbs.if_known().unwrap();
     let counts: Vec<f64> = limbs.iter().map(|limb| LoadSharing::count_on(limb, None, 1.0)).collect();
     let spheres: Vec<usize> = limbs.iter().map(|limb| limb.spheres.len()).collect();
     assert!(spheres[0] != spheres[1]);

@@ -39,10 +39,10 @@ pub use writing::{GeometryResult, ResultBytes, Written};
 
 /// A run over models whose paths were compared: no two tasks write the same file.
 pub struct Run<'r> {
-    request: RunRequest,
+    pub request: RunRequest,
     context: RunContext<'r>,
-    /// Sentences about files of a killed run that were kept as backups.
-    kept_files: Vec<String>,
+    /// Sentences about files that a killed run in place left, and that this run kept as backups.
+    pub kept_files: Vec<String>,
 }
 
 impl<'r> Run<'r> {
@@ -67,10 +67,6 @@ impl<'r> Run<'r> {
             previous: PreviousRun::default(),
         };
         Ok(Self { request, context, kept_files: Vec::new() })
-    }
-
-    pub fn request(&self) -> &RunRequest {
-        &self.request
     }
 
     /// Reads the summary of an earlier run, if this run resumes it.
@@ -178,16 +174,6 @@ impl<'r> Run<'r> {
     pub fn finish(self) -> Result<(), LibraryFault> {
         let RunContext { summary, previous, .. } = self.context;
         summary.map_or(Ok(()), |summary| summary.finish(previous, &self.request.tasks))
-    }
-
-    /// Sentences about files that a killed run in place left, and that this run kept as backups.
-    pub fn kept_files(&self) -> &[String] {
-        &self.kept_files
-    }
-
-    /// Models that could not be listed, each with the reason.
-    pub fn failures(&self) -> &[Failure] {
-        &self.request.failures
     }
 
     pub fn report(&self) -> Option<&Path> {

@@ -26,9 +26,9 @@ pub struct PlannedModel {
     source: Source,
     /// The files that belong to the model, without the bytes of the model itself.
     files: ModelFiles,
-    opened: OpenModel,
+    pub opened: OpenModel,
     origin: Origin,
-    plan: Plan,
+    pub plan: Plan,
     change: Arc<PreparedChange>,
 }
 
@@ -50,15 +50,6 @@ impl PlannedModel {
         let mut plan = change.plan(&opened, files)?;
         plan.spell(dialect);
         Ok(Self { source: Source::file(path), files: kept, opened, origin, plan, change: Arc::new(change) })
-    }
-
-    pub fn opened(&self) -> &OpenModel {
-        &self.opened
-    }
-
-    /// The plan, with messages spelled for the caller.
-    pub fn plan(&self) -> &Plan {
-        &self.plan
     }
 
     /// The new bytes of each file that changes, the model first.

@@ -56,7 +56,7 @@ pub struct PlacedSphere {
     /// Whether place and radius are equal to those in the unscaled model.
     untouched: bool,
     /// Whether the place is equal to the place in the unscaled model.
-    stayed: bool,
+    pub stayed: bool,
 }
 
 impl SpherePlacements {
@@ -121,12 +121,12 @@ impl SpherePlacements {
 
     /// Whether a sphere still has its place from before the scaling, which is wrong now.
     pub fn was_left_behind(&self) -> bool {
-        self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed())
+        self.spheres.iter().any(|sphere| !sphere.follows && sphere.stayed)
     }
 
     /// Whether a transfer can place all spheres: each has its unscaled place, and its radius is unscaled or written by this program.
     pub fn can_follow(&self) -> bool {
-        let is_movable = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed());
+        let is_movable = |sphere: &PlacedSphere| sphere.untouched || (self.noted_radii && sphere.stayed);
         self.is_wrong() && self.unmatched.is_empty() && self.spheres.iter().all(is_movable)
     }
 
@@ -140,11 +140,6 @@ impl PlacedSphere {
     /// The distance of the sphere from its right place, m.
     pub fn distance_m(&self) -> f64 {
         DVec3::from(self.here_m).distance(self.belongs_m.into())
-    }
-
-    /// Whether the sphere has the same place as in the unscaled model.
-    pub fn stayed(&self) -> bool {
-        self.stayed
     }
 }
 

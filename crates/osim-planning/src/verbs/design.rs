@@ -126,7 +126,7 @@ impl DesignPlanner {
                 let Some(gravity) = gravity else {
                     return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
                 };
-                let along_normal = gravity * weight_share_on_floor(model, sharing.forces());
+                let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
                 (mass.kg * along_normal * self.load.body_weights(), Some(mass))
             }
         };

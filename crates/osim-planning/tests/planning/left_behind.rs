@@ -32,8 +32,7 @@ fn spheres_that_were_left_behind_follow_by_the_command() {
                 let mut files = files.clone();
                 files.add(NAME, text.to_vec());
                 let inspector = Inspector::for_check(&request, &files);
-                let opened =
-                    open_with(NAME.as_ref(), inspector.set_files().companion_paths(), &files).unwrap();
+                let opened = open_with(NAME.as_ref(), inspector.set_files.companion_paths(), &files).unwrap();
                 let inspected = inspector.inspect(&opened).unwrap();
                 inspector.check(&opened.model, &inspected, None, &files)
             };

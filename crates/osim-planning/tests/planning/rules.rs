@@ -110,7 +110,7 @@ fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
 
 fn codes_of_check_request(request: &CheckRequest, model: &Path, files: &InMemory) -> BTreeSet<FindingCode> {
     let inspector = Inspector::for_check(request, files);
-    let opened = open_with(model, inspector.set_files().companion_paths(), files).unwrap();
+    let opened = open_with(model, inspector.set_files.companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let found = inspector.check(&opened.model, &inspected, None, files);
     codes(found.findings.iter().map(|found| &found.finding))

@@ -21,7 +21,7 @@ fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
     let inspector = Inspector::for_check(&request, files);
-    let opened = open_with(model, inspector.set_files().companion_paths(), files).unwrap();
+    let opened = open_with(model, inspector.set_files.companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let found = inspector.check(&opened.model, &inspected, None, files);
     found.findings.iter().map(|found| found.code()).collect()

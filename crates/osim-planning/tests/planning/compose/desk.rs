@@ -66,7 +66,7 @@ impl Desk {
     /// The result of `check` for a file, with `--mass` if a mass is given.
     pub fn check_at_mass(&self, model: &Path, kg: Option<f64>) -> Option<CheckResult> {
         let inspector = Inspector::for_check(&self.request(model, kg), &self.files);
-        let opened = open_with(model, inspector.set_files().companion_paths(), &self.files).ok()?;
+        let opened = open_with(model, inspector.set_files.companion_paths(), &self.files).ok()?;
         let inspected = inspector.inspect(&opened).ok()?;
         inspector.refuse_without_contacts(&opened, &inspected).ok()?;
         Some(inspector.check(&opened.model, &inspected, None, &self.files))
