@@ -59,9 +59,11 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     let bodies: HashMap<&str, &Body> =
         model.bodies().iter().rev().map(|body| (body.name.as_str(), body)).collect();
     let (mut geometry, mut forces, mut objects) = (Vec::new(), Vec::new(), Vec::new());
+    let added =
+        |class, of: [&str; 2], body: Option<&str>| ObjectChange::new(ObjectAction::Added, class, of, body);
     if let Some(name) = &made_floor {
         geometry.push(nodes::floor(version, name, model.up().into())?);
-        objects.push(added_object("ContactHalfSpace", name, &plane, None));
+        objects.push(added("ContactHalfSpace", [name, &plane], None));
     }
     let mut force_objects = Vec::new();
     for contact in &mut layout.contacts {
@@ -75,7 +77,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
         let sphere = format!("/contactgeometryset/{}", contact.sphere);
         let parent_frame = ParentFrame { name: &body.name, path: &body.path };
         geometry.push(nodes::sphere_node(version, &parent_frame, contact)?);
-        objects.push(added_object("ContactSphere", &contact.sphere, &sphere, Some(&contact.body)));
+        objects.push(added("ContactSphere", [&contact.sphere, &sphere], Some(&contact.body)));
         forces.push(force_node(
             model.document(),
             &list,
@@ -83,7 +85,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
             &SurfacePaths { sphere: &sphere, plane: &plane },
         )?);
         let path = format!("/forceset/{}", contact.force);
-        force_objects.push(added_object(contact.kind.as_str(), &contact.force, &path, Some(&contact.body)));
+        force_objects.push(added(contact.kind.as_str(), [&contact.force, &path], Some(&contact.body)));
     }
     objects.extend(force_objects);
     let document = model.document();
@@ -137,17 +139,6 @@ fn force_node(
 fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
     own.map(|plane| plane.path.clone())
         .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(FLOOR)))
-}
-
-fn added_object(class: &'static str, name: &str, path: &str, body: Option<&str>) -> ObjectChange {
-    ObjectChange {
-        action: ObjectAction::Added,
-        class,
-        name: name.to_owned(),
-        path: path.to_owned(),
-        body: body.map(str::to_owned),
-        parameters: Vec::new(),
-    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -104,7 +104,8 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
         if own != [force.name.clone()] {
             made.renamed.push((force.name.clone(), own));
         }
-        objects.push(object_change(ObjectAction::Removed, force.kind, &force.name, &force.path, None));
+        let removed = [force.name.as_str(), &force.path];
+        objects.push(ObjectChange::new(ObjectAction::Removed, force.kind.as_str(), removed, None));
         objects.extend(new);
     }
     edits.extend(renamed_members(tree, document.data_root(), &made.renamed));
@@ -259,7 +260,12 @@ fn divide_force(
             &written
         });
         let path = format!("{}/{name}", force.path.rsplit_once('/').map_or("", |(set, _)| set));
-        let made = object_change(ObjectAction::Added, wanted.to, &name, &path, sphere.body.clone());
+        let made = ObjectChange::new(
+            ObjectAction::Added,
+            wanted.to.as_str(),
+            [&name, &path],
+            sphere.body.as_deref(),
+        );
         objects.push(ObjectChange { parameters: values_of_class(wanted.to, values), ..made });
     }
     Ok((Edit { span, text }, objects))
@@ -349,23 +355,6 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
         changed.then(|| Edit { span: raw.span, text: crate::insert::escaped(&words) })
     };
     groups.filter_map(edit).collect()
-}
-
-fn object_change(
-    action: ObjectAction,
-    kind: ForceKind,
-    name: &str,
-    path: &str,
-    body: Option<String>,
-) -> ObjectChange {
-    ObjectChange {
-        action,
-        class: kind.as_str(),
-        name: name.to_owned(),
-        path: path.to_owned(),
-        body,
-        parameters: Vec::new(),
-    }
 }
 
 impl ContactLayout {

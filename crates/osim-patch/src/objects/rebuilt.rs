@@ -35,6 +35,14 @@ pub struct ObjectChange {
     pub parameters: Vec<(Property, f64)>,
 }
 
+impl ObjectChange {
+    /// A change of the object with a name and a path, without parameters.
+    pub(super) fn new(action: ObjectAction, class: &'static str, of: [&str; 2], body: Option<&str>) -> Self {
+        let [name, path] = of.map(str::to_owned);
+        Self { action, class, name, path, body: body.map(str::to_owned), parameters: Vec::new() }
+    }
+}
+
 /// A model after objects were added or removed.
 #[derive(Debug, Clone)]
 pub struct RebuiltModel {

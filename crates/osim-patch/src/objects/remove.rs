@@ -33,13 +33,15 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
     let used: HashSet<SphereId> = staying().flat_map(Force::spheres).collect();
     let mut elements: Vec<ElementId> = Vec::new();
     let mut objects: Vec<ObjectChange> = Vec::new();
+    let removed =
+        |class, of: [&str; 2], body: Option<&str>| ObjectChange::new(ObjectAction::Removed, class, of, body);
     let mut spheres: BTreeSet<SphereId> = BTreeSet::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         refuse_other_file(model, force.file, &force.path)?;
         elements.push(force.element());
         let moving = moving_spheres(model, &[force.id]).into_iter().filter_map(|id| model.sphere(id));
         let body = moving.clone().find_map(|sphere| sphere.body.clone());
-        objects.push(removed_object(force.kind.as_str(), &force.name, &force.path, body));
+        objects.push(removed(force.kind.as_str(), [&force.name, &force.path], body.as_deref()));
         spheres.extend(moving.filter(|sphere| !sphere.is_inside_force()).map(|sphere| sphere.id));
     }
     spheres.retain(|sphere| !used.contains(sphere));
@@ -48,7 +50,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
         refuse_other_file(model, sphere.file, &sphere.path)?;
         elements.push(sphere.element());
         going_names.insert(sphere.name.clone());
-        objects.push(removed_object("ContactSphere", &sphere.name, &sphere.path, sphere.body.clone()));
+        objects.push(removed("ContactSphere", [&sphere.name, &sphere.path], sphere.body.as_deref()));
     }
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();
     if made.contains(MADE_FLOOR) {
@@ -62,7 +64,7 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
         if let Some(floor) = floor.filter(|floor| floor.file == FileId::MAIN) {
             elements.push(floor.element);
             going_names.insert(floor.name.clone());
-            objects.push(removed_object("ContactHalfSpace", &floor.name, &floor.path, None));
+            objects.push(removed("ContactHalfSpace", [&floor.name, &floor.path], None));
             made.retain(|letter| letter != MADE_FLOOR);
         }
     }
@@ -79,17 +81,6 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
         rebuilt.earlier_note = EarlierNote::TakenOut;
     }
     Ok(rebuilt)
-}
-
-fn removed_object(class: &'static str, name: &str, path: &str, body: Option<String>) -> ObjectChange {
-    ObjectChange {
-        action: ObjectAction::Removed,
-        class,
-        name: name.to_owned(),
-        path: path.to_owned(),
-        body,
-        parameters: Vec::new(),
-    }
 }
 
 fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {

@@ -27,14 +27,9 @@ pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
     let mut connect = |owner: &str, taken: &str, socket: ElementId| {
         let tag = tree.name(socket);
         edits.push(Edit { span: tree.raw_text(socket).span, text: escaped(taken) });
-        objects.push(ObjectChange {
-            action: ObjectAction::Connected,
-            class: TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket"),
-            name: owner.rsplit('/').next().unwrap_or_default().to_owned(),
-            path: owner.to_owned(),
-            body: Some(taken.to_owned()),
-            parameters: Vec::new(),
-        });
+        let class = TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket");
+        let name = owner.rsplit('/').next().unwrap_or_default();
+        objects.push(ObjectChange::new(ObjectAction::Connected, class, [name, owner], Some(taken)));
     };
     for irregularity in &model.irregularities {
         if let Irregularity::TakenByName { owner, taken, socket: Some(socket), .. } = irregularity {

@@ -3,7 +3,7 @@
 mod place;
 
 use std::collections::HashMap;
-use std::fmt::{self, Display};
+use std::fmt::Display;
 
 use osim_model::refuse_name;
 
@@ -11,7 +11,8 @@ use crate::sheet::{Row, Sheet};
 pub use place::{PlaceFault, PlaceOnBody, TablePlace};
 
 /// A fault in a table of contacts, with the line in the table.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}{message}", .line.map(|line| format!("line {line}: ")).unwrap_or_default())]
 pub struct TableFault {
     /// Line in the file; `None` if the fault is not about one line.
     pub line: Option<u64>,
@@ -26,17 +27,6 @@ impl TableFault {
         Self { line: Some(1), column: Some(index + 1), message }
     }
 }
-
-impl Display for TableFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.line {
-            Some(line) => write!(f, "line {line}: {}", self.message),
-            None => f.write_str(&self.message),
-        }
-    }
-}
-
-impl std::error::Error for TableFault {}
 
 /// No coordinate and no radius may be larger than this, m.
 const LARGEST_LENGTH_M: f64 = 1e9;

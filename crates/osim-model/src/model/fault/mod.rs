@@ -9,7 +9,6 @@ mod needed;
 mod needs_answer;
 mod reasons;
 
-use std::fmt;
 use std::ops::Range;
 
 use crate::messages::Phrase;
@@ -27,7 +26,8 @@ pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
 /// assert_eq!(fault.code(), "malformed-xml");
 /// assert_eq!(fault.position.map(|place| (place.line, place.column)), Some((1, 1)));
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{}", .kind.phrase())]
 #[must_use]
 pub struct Fault {
     pub kind: FaultKind,
@@ -130,14 +130,6 @@ impl Fault {
         self.kind.phrase()
     }
 }
-
-impl fmt::Display for Fault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.phrase().fmt(f)
-    }
-}
-
-impl std::error::Error for Fault {}
 
 /// Bytes of a long line that a message shows before and after the marked place.
 const CONTEXT_BYTES: usize = 200;
