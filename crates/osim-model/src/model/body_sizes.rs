@@ -7,12 +7,8 @@ use glam::DVec3;
 
 use crate::model::anatomy::bone_sizes::{FIRST_WITH_GEOMETRY_SETS, mesh_file, mesh_scale};
 use crate::model::anatomy::joints::placement_on_base;
-use crate::model::components::{ComponentId, Components};
-use crate::model::contacts::{Sphere, moving_spheres};
-use crate::model::document::Document;
-use crate::model::note::{BodySize, Note};
 use crate::model::placement::{Placement, six_digits};
-use crate::model::typed_model::Model;
+use crate::model::{BodySize, ComponentId, Components, Document, Model, Note, Sphere, moving_spheres};
 use crate::xml::{ElementId, opensim_text};
 
 /// The first document version with `<attached_geometry>`. Older documents have a `<VisibleObject>`, whose numbers OpenSim rounds when it

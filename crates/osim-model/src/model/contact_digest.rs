@@ -5,11 +5,9 @@ use std::collections::BTreeMap;
 use foldhash::HashSet;
 use sha2::{Digest, Sha256};
 
-use crate::model::contacts::{Force, Slot, Sphere, SphereId};
-use crate::model::fault::{FileId, NoteDoubt};
-use crate::model::note::{Note, NotedNames, NotedParts, Scope};
-use crate::model::property::Property;
-use crate::model::typed_model::Model;
+use crate::model::{
+    FileId, Force, Model, Note, NoteDoubt, NotedNames, NotedParts, Property, Scope, Slot, Sphere, SphereId,
+};
 use crate::xml::ElementId;
 
 /// Bytes of the digest of all numbers in a note, and of the digest of a reference file.

@@ -5,8 +5,7 @@ use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::fault::{Fault, FaultKind};
-use crate::model::property::{Class, Origin, Property, Value};
+use crate::model::{Class, Fault, FaultKind, Origin, Property, Value};
 use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
 use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
 

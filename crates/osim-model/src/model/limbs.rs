@@ -7,10 +7,7 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::messages::Phrase;
 use crate::model::components::{Base, ComponentId};
-use crate::model::contacts::{Force, ForceId, Sphere, SphereId};
-use crate::model::names::Side;
-use crate::model::skeleton::Skeleton;
-use crate::model::typed_model::Model;
+use crate::model::{Force, ForceId, Model, Side, Skeleton, Sphere, SphereId};
 
 /// A limb with contact spheres, from [`Model::limbs`].
 #[derive(Debug, Clone, PartialEq, Eq)]

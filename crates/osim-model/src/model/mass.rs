@@ -4,11 +4,9 @@ use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
 use crate::model::fault::{Fault, FaultKind, MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, POUND_KG};
-use crate::model::finding::Finding;
 use crate::model::names::{Pattern, any_matches};
 use crate::model::rules::{self, MassFromSource};
-use crate::model::skeleton::Body;
-use crate::model::typed_model::Model;
+use crate::model::{Body, Finding, Model};
 
 /// Two masses count as one body if they differ by less than this (relative): a sensor, a belt or a prosthetic foot does not make another
 /// body.

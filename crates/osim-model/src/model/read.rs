@@ -2,15 +2,11 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::model::components::{Companion, Components};
-use crate::model::contact_digest::ValueKey;
 use crate::model::contacts::ContactReader;
-use crate::model::document::Document;
-use crate::model::fault::{Fault, FaultKind, FileId, Needed, NoteDoubt};
-use crate::model::note::Note;
-use crate::model::property::{Origin, Value};
-use crate::model::skeleton::Skeleton;
-use crate::model::typed_model::Model;
+use crate::model::{
+    Companion, Components, Document, Fault, FaultKind, FileId, Model, Needed, Note, NoteDoubt, Origin,
+    Skeleton, Value, ValueKey,
+};
 
 impl Model {
     pub fn parse(bytes: impl Into<Vec<u8>>) -> Result<Self, Fault> {

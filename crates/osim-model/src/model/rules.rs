@@ -2,9 +2,7 @@
 //! `osim-patch` and `osim-planning`.
 
 use crate::messages::{Phrase, phrase, readable};
-use crate::model::contacts::{Force, ForceId};
-use crate::model::finding::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
-use crate::model::typed_model::Model;
+use crate::model::{Example, Finding, FindingCode, Force, ForceId, Model, Repair, Rule, Severity, VerdictOn};
 
 /// The rules of this crate.
 pub const RULES: &[&Rule] = &[

@@ -6,10 +6,8 @@ use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Input, listed};
 use crate::model::components::Base;
-use crate::model::contacts::{Force, ForceId};
-use crate::model::fault::{Fault, FaultKind, ForcesOfAnimal, Needed};
 use crate::model::names::{Pattern, any_matches};
-use crate::model::typed_model::Model;
+use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, Model, Needed};
 
 /// The user's choice of forces, by name.
 ///

@@ -3,10 +3,7 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::model::components::{Base, ComponentId, Components};
-use crate::model::contacts::{Force, Sphere};
-use crate::model::fault::{Fault, FaultKind, FileId, Needed};
-use crate::model::names::Side;
-use crate::model::property::{Class, Origin, Property, Value};
+use crate::model::{Class, Fault, FaultKind, FileId, Force, Needed, Origin, Property, Side, Sphere, Value};
 
 /// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]

@@ -6,14 +6,10 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::anatomy::bone_sizes::{JointDistances, TriplesByBody, frame_offsets, mesh_factors};
 use crate::model::anatomy::joints::{AnatomyJoint, Joints};
-use crate::model::components::{Companion, ComponentId, Components};
-use crate::model::contacts::{Force, ForceId, HalfSpace, Irregularity, SetId, Sphere, SphereId};
-use crate::model::document::Document;
-use crate::model::fault::{Fault, FileId, NoteDoubt};
-use crate::model::finding::Finding;
-use crate::model::note::content::Note;
-use crate::model::property::Property;
-use crate::model::skeleton::{Body, Skeleton};
+use crate::model::{
+    Body, Companion, ComponentId, Components, Document, Fault, FileId, Finding, Force, ForceId, HalfSpace,
+    Irregularity, Note, NoteDoubt, Property, SetId, Skeleton, Sphere, SphereId,
+};
 use crate::xml::ElementId;
 
 /// A model with its bodies, contact spheres and contact forces.

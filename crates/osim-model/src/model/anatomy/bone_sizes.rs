@@ -6,12 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::model::anatomy::joints::AnatomyJoint;
-use crate::model::components::{ComponentId, Components};
-use crate::model::contacts::Sphere;
-use crate::model::document::Document;
-use crate::model::fault::NeedsAnswer;
-use crate::model::names::Side;
+use crate::model::{AnatomyJoint, ComponentId, Components, Document, NeedsAnswer, Side, Sphere};
 use crate::xml::{ElementId, opensim_text};
 
 /// Three numbers along x, y and z for each mesh or frame of each body, as in [`Anatomy`](crate::model::anatomy::Anatomy).

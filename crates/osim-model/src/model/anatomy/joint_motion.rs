@@ -2,9 +2,7 @@
 
 use glam::DVec3;
 
-use crate::model::anatomy::coordinate_function::CoordinateFunction;
-use crate::model::document::Document;
-use crate::model::placement::{MovingPlacement, Placement, Rotation};
+use crate::model::{CoordinateFunction, Document, MovingPlacement, Placement, Rotation};
 use crate::xml::{ElementId, opensim_text};
 
 /// The rates of change of a joint's coordinates, one number for each. Missing numbers count as 0.

@@ -8,9 +8,7 @@ use glam::DVec3;
 use crate::model::anatomy::coordinate_function::numbers;
 use crate::model::anatomy::joint_motion::{JointMotion, Speeds};
 use crate::model::components::{ComponentId, Components, MOST_FRAMES_IN_CHAIN};
-use crate::model::document::Document;
-use crate::model::fault::FileId;
-use crate::model::placement::{MovingPlacement, Placement};
+use crate::model::{Document, FileId, MovingPlacement, Placement};
 use crate::xml::ElementId;
 
 #[derive(Debug, Clone, PartialEq)]

@@ -11,9 +11,7 @@ use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
 use crate::model::components::MOST_FRAMES_IN_CHAIN;
-use crate::model::fault::Fault;
-use crate::model::placement::{MovingPlacement, Placement, Rotation};
-use crate::model::typed_model::Model;
+use crate::model::{Fault, Model, MovingPlacement, Placement, Rotation};
 pub use coordinate_function::CoordinateFunction;
 pub use joint_motion::Speeds;
 pub use joints::{AnatomyJoint, JointCoordinate, ModelJoint};

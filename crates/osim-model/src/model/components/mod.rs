@@ -9,8 +9,7 @@ mod tree;
 use std::borrow::Cow;
 
 use crate::model::components::classes::CountedSets;
-use crate::model::document::Document;
-use crate::model::fault::{Fault, FaultKind, FileId};
+use crate::model::{Document, Fault, FaultKind, FileId};
 use crate::xml::ElementId;
 pub use tree::{Component, ComponentId, ComponentTree};
 

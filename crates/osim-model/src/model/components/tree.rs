@@ -11,8 +11,7 @@ use std::sync::{Arc, OnceLock};
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::model::components::classes::{self, CountedSets};
-use crate::model::document::Document;
-use crate::model::fault::FileId;
+use crate::model::{Document, FileId};
 use crate::xml::ElementId;
 
 /// Sets of a model that may hold contacts, or bodies and frames for them. Other sets, such as markers, are skipped, so that large models

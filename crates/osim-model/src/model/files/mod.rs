@@ -5,10 +5,8 @@ mod source;
 use std::path::{Path, PathBuf};
 
 use crate::messages::Phrase;
-use crate::model::components::Companion;
 use crate::model::document::{Document, may_include};
-use crate::model::fault::{Excerpt, Fault, FaultKind, FileId};
-use crate::model::typed_model::Model;
+use crate::model::{Companion, Excerpt, Fault, FaultKind, FileId, Model};
 use crate::xml::ElementId;
 pub use source::{FileError, FileName, Files, InMemory};
 

@@ -8,13 +8,9 @@ mod grammar;
 
 use std::ops::Range;
 
-use crate::model::document::Document;
-use crate::model::fault::{Fault, FaultKind};
-use crate::model::mass::{MassRequest, same_mass};
 use crate::model::note::content::UnreadableNote;
 use crate::model::note::grammar::{BEGINS, ENDS, PROGRAM_MARK};
-use crate::model::property::Property;
-use crate::model::typed_model::Model;
+use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, same_mass};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
 

@@ -5,10 +5,8 @@ mod kind;
 
 use std::collections::{BTreeMap, HashMap};
 
-use crate::model::components::ComponentId;
-use crate::model::document::Document;
 use crate::model::sized::kind::{KindRule, SizedProperty, sized_properties, why_not_read};
-use crate::model::typed_model::Model;
+use crate::model::{ComponentId, Document, Model};
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
 
