@@ -5,10 +5,9 @@ use plotters::prelude::{DrawingArea, IntoDrawingArea, SVGBackend};
 use plotters::style::RGBColor;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::error::PlotError;
-use crate::figure::Width;
 use crate::style::{TEXT_PT, TITLE_PT, text, units};
 use crate::text_width::lines;
+use crate::{PlotError, Width};
 
 /// The width of a figure on paper, and the size of its letters.
 ///

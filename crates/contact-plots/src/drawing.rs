@@ -1,12 +1,7 @@
 //! A figure of any kind, and its numbers as rows of a table.
 
-use crate::axis::Axis;
-use crate::document::Paper;
-use crate::error::PlotError;
-use crate::figure::{Direction, Figure, Panel};
-use crate::heat_map::{HeatMap, heat_map};
 use crate::panels_svg::{figure, letter};
-use crate::scene::{Scene, scene};
+use crate::{Axis, Direction, Figure, HeatMap, Panel, Paper, PlotError, Scene, heat_map, scene};
 
 /// A figure of any kind, before it is drawn.
 #[derive(Debug, Clone, PartialEq)]

@@ -5,8 +5,7 @@ use line_clipping::sutherland_hodgman::clip_polygon;
 use line_clipping::{LineSegment, Polygon, Window};
 
 use crate::axis::{Axis, Ticks};
-use crate::error::PlotError;
-use crate::style::Look;
+use crate::{Look, PlotError};
 
 /// A point: value on the horizontal axis, value on the vertical axis.
 pub type Point = (f64, f64);

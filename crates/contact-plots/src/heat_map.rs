@@ -7,11 +7,10 @@ use plotters::style::{Color, RGBColor};
 
 use crate::axis::{Axis, Scale, Ticks};
 use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
-use crate::error::PlotError;
-use crate::figure::{Point, Width};
 use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
 use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
+use crate::{PlotError, Point, Width};
 
 const PLOT_HEIGHT_PT: f64 = 140.0;
 const COLOUR_BAR_WIDTH_PT: f64 = 9.0;

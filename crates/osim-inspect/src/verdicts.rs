@@ -12,9 +12,8 @@ use osim_model::{FindingCode, MassSource, Model, Severity, VerdictOn};
 use osim_requests::spell::Speller;
 use serde::{Serialize, Serializer};
 
-use crate::figures::{Figure, SphereFigures};
-use crate::findings::FindingWithRemedy;
 use crate::inspection::{Inspection, StandingBody, step_in_words};
+use crate::{Figure, FindingWithRemedy, SphereFigures};
 
 /// The answer to one of the questions.
 #[derive(Debug, Clone, PartialEq, Serialize)]

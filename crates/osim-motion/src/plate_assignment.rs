@@ -4,8 +4,7 @@ use osim_model::Side;
 
 use crate::comparison::percentile;
 use crate::feet::{Foot, OFF_BW, ON_BW};
-use crate::plates::Plate;
-use crate::states::{ContactState, ContactStates, Wrench};
+use crate::{ContactState, ContactStates, Plate, Wrench};
 
 /// The source of the knowledge which foot a plate measured.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

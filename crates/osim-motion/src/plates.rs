@@ -3,8 +3,7 @@
 
 use osim_model::{DVec3, Document, ElementId, opensim_text};
 
-use crate::states::Wrench;
-use crate::table::{Column, MotionFault, Table};
+use crate::{Column, MotionFault, Table, Wrench};
 
 /// A force plate with its measurements.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,10 +3,7 @@
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
 use osim_model::{DVec3, Model, Side};
 
-use crate::feet::ON_BW;
-use crate::pair::TouchedSurface;
-use crate::states::{ContactStates, Wrench};
-use crate::summary::FootSummary;
+use crate::{ContactStates, FootSummary, ON_BW, TouchedSurface, Wrench};
 
 /// Smallest distance between the middles of the left and the right spheres at which the right side is known, m.
 const LEAST_DISTANCE_OF_SIDES_M: f64 = 1e-3;

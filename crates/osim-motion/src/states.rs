@@ -7,8 +7,7 @@ use osim_model::{DVec3, Fault, ForceId, HalfSpace, Model, MovingPlacement, Place
 
 use crate::joint_paths::JointPaths;
 use crate::pair::{ContactPair, TouchedSurface, contact_pairs};
-use crate::recording::Recording;
-use crate::table::{MotionFault, Table};
+use crate::{MotionFault, Recording, Table};
 
 /// The velocity of a treadmill's belt in ground, m/s; 0 for a floor.
 #[derive(Debug, Clone, PartialEq)]

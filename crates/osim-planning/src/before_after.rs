@@ -7,11 +7,9 @@ use osim_model::{Model, Property};
 use osim_patch::Plan;
 use osim_requests::spell::Speller;
 
-use crate::motion::MotionResult;
-use crate::motion_remarks::MotionRemark;
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::scene::{BodyFall, Scene};
-use crate::{ModelFeet, PreparedChange, prepared_change};
+use crate::{ModelFeet, MotionRemark, MotionResult, PreparedChange, prepared_change};
 
 /// Inspections and checks of a model before and after a planned change, with texts in the words of a front end.
 pub struct BeforeAfter {

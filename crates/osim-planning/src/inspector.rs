@@ -14,12 +14,10 @@ use osim_model::{Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Mo
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
-use crate::motion::MotionResult;
 use crate::motion_remarks::{CheckedMotion, MotionRemark};
 use crate::opening::{moco_setup, open, scale_file};
-use crate::prepared_change::check_with_trials;
 use crate::remedies::{NO_CODES, RemedyTrials};
-use crate::rules;
+use crate::{MotionResult, check_with_trials, rules};
 
 pub struct Inspector {
     pub options: InspectOptions,

@@ -10,8 +10,7 @@ use osim_motion::{AngleUnit, FootSummary, LeftOutForces, ON_BW, PlateAssignment,
 use osim_requests::options::InspectionOptions;
 use osim_requests::{CheckRequest, MotionRequest, RequestError};
 
-use crate::motion::{MotionResult, run_motion};
-use crate::rules;
+use crate::{MotionResult, rules, run_motion};
 
 /// If the force differs from the force of the plates by a larger ratio, tuning the contacts cannot correct it.
 const TUNABLE_RATIO: f64 = 1.5;

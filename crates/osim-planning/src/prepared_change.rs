@@ -18,9 +18,7 @@ use osim_requests::values::path;
 use osim_requests::{NoteDetails, takes};
 use serde_json::{Map, Value, json};
 
-use crate::motion::MotionResult;
-use crate::motion_remarks::MotionRemark;
-use crate::opening::open_with;
+use crate::{MotionRemark, MotionResult, open_with};
 
 /// Makes the plan for the change of a model; each verb has its planner. Several threads use a planner at the same time.
 pub(crate) trait Planner: Send + Sync {

@@ -9,8 +9,7 @@ use osim_model::{Finding, FindingCode, Model, Pattern, Repair, Severity};
 use osim_requests::options::{OutputOptions, WantedOptions};
 use osim_requests::{ConstantIndentation, DesignRequest, Request};
 
-use crate::prepared_change::check_with_trials;
-use crate::verbs::prepare;
+use crate::{check_with_trials, prepare};
 
 /// Checks a model that was inspected, and tries the remedies. The remedies name no other files. `beside` are findings about companion files
 /// of the model.

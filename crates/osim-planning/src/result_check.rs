@@ -16,8 +16,7 @@ use osim_model::{
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
 
-use crate::prepared_change::PreparedChange;
-use crate::rules;
+use crate::{PreparedChange, rules};
 
 impl PreparedChange {
     /// Plans the change of a model that was [opened](Self::open). The plan has a note. Its findings are those about the changed model, and

@@ -1,7 +1,6 @@
 //! Elements of a scene.
 
-use crate::error::PlotError;
-use crate::figure::Point;
+use crate::{PlotError, Point};
 
 /// The state that an element shows, in a scene that compares two states of the same objects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -16,9 +16,8 @@ use super::register::Figure;
 use crate::figures::on_floor::{
     SphereContacts, SphereOnFloor, SphereRest, WeightOnFloor, contacts_by_sphere,
 };
-use crate::figures::register::{Figures, LimbFigures, SphereFigures};
 use crate::floors::weight_share_at_pose;
-use crate::load::{LoadSharing, Stance};
+use crate::{Figures, LimbFigures, LoadSharing, SphereFigures, Stance};
 
 impl Figures {
     /// The figures of the `selected` forces of `model`, whose weight is shared as `sharing` says. Figures at the default pose need

@@ -12,18 +12,17 @@ use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::check_result::{CheckResult, sort_findings};
-use crate::findings::finding::FindingWithRemedy;
 use crate::findings::remedy::Remedies;
 use crate::floors::Floors;
-use crate::inspection::Inspection;
-use crate::known_contacts::KnownContacts;
-use crate::load::{InspectOptions, MassMismatch, unexplained_mass_slip};
 use crate::rules::places::SpherePlaces;
 use crate::rules::sides::{self, KnownSide};
 use crate::rules::{
     FigureCheck, contacts, find_in_figures, find_in_floors, find_remedy, floors, model_findings,
 };
-use crate::sides::BothSides;
+use crate::{
+    BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch,
+    unexplained_mass_slip,
+};
 
 /// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

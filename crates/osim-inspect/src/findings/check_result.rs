@@ -8,13 +8,11 @@ use osim_requests::Request;
 use osim_requests::spell::Speller;
 use serde::Serialize;
 
-use crate::findings::finding::FindingWithRemedy;
-use crate::inspection::Inspection;
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{SCHEMA_VERSION, records_with_commands};
-use crate::similarity::SizeList;
 use crate::verdicts::{self, Verdict};
+use crate::{FindingWithRemedy, Inspection, SizeList};
 
 /// Everything found in one model. Serialised it is the JSON contract of `check`; `docs/reference/json.md` describes it.
 #[derive(Debug, Clone, PartialEq, Serialize)]

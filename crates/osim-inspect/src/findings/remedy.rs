@@ -12,9 +12,7 @@ use osim_requests::{
     Request, SetRequest, TransferRequest,
 };
 
-use crate::figures::{Figure, SphereFigures};
-use crate::inspection::Inspection;
-use crate::load::InspectOptions;
+use crate::{Figure, InspectOptions, Inspection, SphereFigures};
 
 /// The preset whose contacts are proposed if the contacts of the model make no sense.
 const PRESET: &str = "falisse2022";

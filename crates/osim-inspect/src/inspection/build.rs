@@ -10,17 +10,13 @@ use osim_model::{
     SetId, SphereId, Value, loaded_spheres,
 };
 
-use crate::figures::Figures;
-use crate::inspection::inspected::{
-    ContactsMass, Dimensionless, FactorsBySource, InspectedBody, InspectedFactors, InspectedForce,
-    InspectedLimb, InspectedSphere, Inspection, Origins, Parameters,
-};
-use crate::inspection::note::NoteSummary;
 use crate::inspection::standing::{RestsToCompute, StandingBody};
-use crate::known_contacts::KnownContacts;
-use crate::load::{ContactsOrigin, InspectOptions, LoadSharing};
 use crate::rules::{contacts, model_findings};
-use crate::serialized::SCHEMA_VERSION;
+use crate::{
+    ContactsMass, ContactsOrigin, Dimensionless, FactorsBySource, Figures, InspectOptions, InspectedBody,
+    InspectedFactors, InspectedForce, InspectedLimb, InspectedSphere, Inspection, KnownContacts, LoadSharing,
+    NoteSummary, Origins, Parameters, SCHEMA_VERSION,
+};
 
 impl InspectOptions {
     /// Inspects a model. This never fails: a value that is not known is `None`. `name` is the name of the file.

@@ -11,14 +11,10 @@ use osim_model::{Finding, Mass, Origin, Property};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-use crate::figures::Figures;
-use crate::inspection::note::NoteSummary;
-use crate::inspection::standing::StandingBody;
-use crate::known_contacts::{KnownContacts, ReferenceContacts};
 #[cfg(feature = "schemas")]
 use crate::serialized::FindingRecord;
 use crate::serialized::{optional_phrase, records};
-use crate::similarity::SizeList;
+use crate::{Figures, KnownContacts, NoteSummary, ReferenceContacts, SizeList, StandingBody};
 
 /// Everything that `inspect` shows of a model.
 #[derive(Debug, Clone, Serialize)]

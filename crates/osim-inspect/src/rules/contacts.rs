@@ -9,9 +9,7 @@ use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
 
 use crate::findings::{FindingWithRemedy, Remedies, rounded_mass};
-use crate::inspection::Inspection;
-use crate::known_contacts::KnownContacts;
-use crate::load::InspectOptions;
+use crate::{InspectOptions, Inspection, KnownContacts};
 
 pub(crate) static BARE_MODEL: Rule = Rule {
     code: FindingCode::BareModel,

@@ -6,9 +6,8 @@ use osim_model::messages::{Input, Phrase, Verb, four_significant, phrase, readab
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn, same_mass};
 use osim_requests::Request;
 
-use crate::figures::{Figure, SphereFigures};
-use crate::findings::FindingWithRemedy;
 use crate::rules::figure_check::{FigureCheck, UP_TO_CENTRE, value_beyond_limit};
+use crate::{Figure, FindingWithRemedy, SphereFigures};
 
 pub(super) static SUNK_IN: Rule = Rule {
     code: FindingCode::SunkIn,

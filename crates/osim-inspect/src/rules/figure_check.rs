@@ -2,9 +2,8 @@
 
 use osim_model::{Finding, Rule};
 
-use crate::figures::{Figure, SphereFigures};
 use crate::findings::Remedies;
-use crate::inspection::{InspectedForce, Inspection};
+use crate::{Figure, InspectedForce, Inspection, SphereFigures};
 
 /// x̂ at which a sphere is in the floor up to its centre.
 pub(super) const UP_TO_CENTRE: f64 = 1.0;

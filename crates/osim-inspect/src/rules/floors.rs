@@ -7,8 +7,7 @@ use osim_model::{
 };
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};
-use crate::inspection::Inspection;
-use crate::load::InspectOptions;
+use crate::{InspectOptions, Inspection};
 
 /// A floor that leans by more than this, degrees, counts as upside down; a less steep one counts as upright.
 pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;

@@ -5,10 +5,8 @@ use osim_model::feet::MOST_LEAN_RAD;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{Example, Finding, FindingCode, Repair, Rule, Severity, VerdictOn};
 
-use crate::figures::{Figure, LimbFigures, SphereFigures};
-use crate::findings::FindingWithRemedy;
-use crate::inspection::{Bottom, StandingBody};
 use crate::rules::figure_check::FigureCheck;
+use crate::{Bottom, Figure, FindingWithRemedy, LimbFigures, SphereFigures, StandingBody};
 
 pub(super) static NOT_ON_FLOOR: Rule = Rule {
     code: FindingCode::NotOnFloor,

@@ -6,9 +6,7 @@ use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_requests::{DropHeight, PlotRequest, Positive, QuantityChoice};
 
-use crate::series::body::{ContactBody, SphereKind};
-use crate::series::curves::impact_speed;
-use crate::series::sampling::Point;
+use crate::series::{ContactBody, Point, SphereKind, impact_speed};
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatRequest {

@@ -11,13 +11,10 @@ use osim_planning::{Inspector, PreparedChange, prepare};
 use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::{Request, RequestError};
 
-use crate::fault::LibraryFault;
 use crate::run::request::RunRequest;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
-use crate::source::Origin;
-use crate::write::OutputFolders;
-use crate::{Disk, Source};
+use crate::{Disk, LibraryFault, Origin, OutputFolders, Source};
 
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {

@@ -7,16 +7,13 @@ use osim_patch::Plan;
 use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
 
-use crate::fault::LibraryFault;
 use crate::file_access::{sha256, sha256_of_parts};
-use crate::run::record::{Record, Status};
-use crate::run::request::{ChangedModel, ModelDetail, RunFrontEnd};
 use crate::run::resume::{PreviousOutcome, PreviousRun};
 use crate::run::summary::SummaryWriter;
-use crate::run::task::{Destination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
-use crate::source::{Disk, Loaded, Origin};
+use crate::run::{ChangedModel, Destination, ModelDetail, Record, RunFrontEnd, Status, Task};
 use crate::write::{OutputFolders, hard_link_finding};
+use crate::{Disk, LibraryFault, Loaded, Origin};
 
 /// Data that all models of a run share.
 pub(super) struct RunContext<'r> {

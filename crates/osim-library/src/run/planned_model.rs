@@ -12,15 +12,12 @@ use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::fault::{Context, LibraryFault};
-use crate::file_access;
-use crate::file_access::sha256;
 use crate::run::model_job::changed_files;
-use crate::run::record::{Record, Status};
-use crate::run::request::{ChangedModel, RunRequest};
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
-use crate::source::{Loaded, Origin, Source};
+use crate::run::{ChangedModel, Record, RunRequest, Status};
 use crate::write::{OutputFolders, hard_link_finding};
+use crate::{Loaded, Origin, Source, file_access, sha256};
 
 pub struct PlannedModel {
     source: Source,

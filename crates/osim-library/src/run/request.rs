@@ -10,12 +10,9 @@ use osim_planning::{BeforeAfter, PreparedChange};
 use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
-use crate::fault::LibraryFault;
-use crate::paths::folder_of;
-use crate::run::record::Record;
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
-use crate::run::writing::{ResultBytes, Written};
-use crate::source::{Source, Sources};
+use crate::run::{Record, ResultBytes, Written};
+use crate::{LibraryFault, Source, Sources, folder_of};
 
 /// All tasks of one run.
 pub struct RunRequest {

@@ -12,14 +12,11 @@ use std::sync::Mutex;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use crate::fault::LibraryFault;
-use crate::file_access;
-use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, folder_of, resolved};
-use crate::run::record::{Record, Status};
 use crate::run::summary_lines::{PreviousLines, SummaryFormat};
-use crate::run::task::Task;
+use crate::run::{Record, Status, Task};
+use crate::{LibraryFault, file_access, sha256};
 
 /// The lines that earlier runs wrote into a summary. Only the place of each line is kept, so that a million lines need little memory.
 #[derive(Default)]

@@ -12,12 +12,10 @@ use osim_planning::{RowFault, RowRequest, Table};
 use osim_requests::BatchRequest;
 use osim_requests::options::OutputOptions;
 
-use crate::fault::LibraryFault;
-use crate::paths::resolved;
 use crate::run::request::RunRequest;
 use crate::run::summary_lines::summary_columns;
 use crate::run::task::{Destination, JobSettings, Task};
-use crate::source::{OrdinaryFiles, Source};
+use crate::{LibraryFault, OrdinaryFiles, Source, resolved};
 
 /// The rows of a table after all of them were checked.
 pub enum CheckedRows {

@@ -7,14 +7,12 @@ use std::sync::Mutex;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 
-use crate::fault::LibraryFault;
 use crate::partial::PartialFile;
 use crate::paths::{folder_of, make_folder_of, relative_path, resolved};
-use crate::run::record::Record;
 use crate::run::resume::PreviousRun;
 use crate::run::summary_lines::SummaryFormat;
-use crate::run::task::Task;
-use crate::write::{PendingFile, WriteMode};
+use crate::run::{Record, Task};
+use crate::{LibraryFault, PendingFile, WriteMode};
 
 pub(super) struct SummaryWriter {
     format: SummaryFormat,

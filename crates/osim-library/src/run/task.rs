@@ -12,10 +12,9 @@ use osim_model::messages::{Input, Phrase, phrase};
 use osim_planning::PreparedChange;
 use osim_requests::options::OutputOptions;
 
-use crate::fault::LibraryFault;
 use crate::file_access::{NameDigest, digest_of_name, sha256};
 use crate::paths::Resolver;
-use crate::source::{OrdinaryFiles, Source};
+use crate::{LibraryFault, OrdinaryFiles, Source};
 
 /// A model with its settings.
 pub struct Task {

@@ -7,11 +7,9 @@ use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
-use crate::fault::LibraryFault;
-use crate::paths::make_folder_of;
 use crate::run::task::{Destination, Task};
-use crate::source::{Origin, Stamp};
 use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
+use crate::{LibraryFault, Origin, Stamp, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
 pub struct ResultBytes<'m> {

@@ -13,9 +13,7 @@ use osim_requests::options::SetFiles;
 
 use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, FileKinds, sha256};
-use crate::paths::folder_of;
-use crate::source::find_models::Source;
-use crate::source::workbook::workbook_as_csv;
+use crate::{Source, folder_of, workbook_as_csv};
 
 /// Reads files that the user named from the disk, also pipes and devices; the path `-` is standard input. A file whose name is in
 /// another file has to be an ordinary file.

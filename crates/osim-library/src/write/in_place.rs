@@ -17,13 +17,11 @@ use osim_model::Finding;
 use osim_planning::rules::hard_linked;
 use tempfile::NamedTempFile;
 
-use crate::fault::LibraryFault;
-use crate::file_access;
-use crate::paths::resolved;
 use crate::write::exchange::{
     self, EXCHANGE_IS_KNOWN, Exchange, become_backup, exchange, has_bytes, keep_as_backup, link_count,
 };
 use crate::write::replace::{PendingFile, WriteMode, sync_folder_of};
+use crate::{LibraryFault, file_access, resolved};
 
 /// How often a file that another program saves during an exchange is put back, before it is kept as a backup instead.
 const MOST_PUT_BACKS: usize = 8;

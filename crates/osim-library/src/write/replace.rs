@@ -9,8 +9,7 @@ use tempfile::NamedTempFile;
 
 use super::temporary;
 use crate::fault::{Context, LibraryFault};
-use crate::file_access;
-use crate::paths::{folder_of, resolved};
+use crate::{file_access, folder_of, resolved};
 
 /// A new file under its temporary name.
 pub struct PendingFile {

@@ -4,11 +4,8 @@ use contact_scaling::Law;
 use osim_model::DVec3;
 use osim_model::{Model, SphereId};
 
-use crate::feet::{Foot, ON_BW};
-use crate::plate_assignment::MeasuredForces;
-use crate::recording::Recording;
 use crate::sole::down_in_bodies;
-use crate::states::{ContactState, ContactStates, StatesError, Wrench};
+use crate::{ContactState, ContactStates, Foot, MeasuredForces, ON_BW, Recording, StatesError, Wrench};
 
 /// The data of one trial for a fit: the contacts of each foot in the frames in which the plates measured the force under it.
 #[derive(Debug, Clone, PartialEq)]

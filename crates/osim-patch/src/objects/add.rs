@@ -5,13 +5,12 @@ use osim_model::{Body, Document, Fault, FaultKind, HalfSpace, Model, Note, Prope
 
 use crate::edit::edited;
 use crate::insert::Node;
-use crate::objects::layout::{ContactLayout, NewContact};
 use crate::objects::nodes::{self, ForceValues, NamesInList, ParentFrame, SurfacePaths};
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, RebuiltModel, TakenNames, refuse_non_utf8_name,
 };
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
-use crate::plan::Plan;
+use crate::{ContactLayout, NewContact, Plan};
 
 /// The letter for the floor in a note's list of elements that the program made.
 pub(super) const MADE_FLOOR: char = 'h';

@@ -6,10 +6,9 @@ use osim_model::{
     Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Sphere,
 };
 
-use crate::change;
 use crate::insert::Node;
-use crate::objects::layout::NewContact;
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non_utf8_name};
+use crate::{NewContact, change};
 
 /// The first document version in which geometry has a `socket_frame`. OpenSim refuses `socket_frame` in earlier versions, and
 /// `body_name` from this version on.

@@ -4,11 +4,10 @@ use contact_scaling::SmoothingValues;
 use osim_model::messages::{Input, phrase};
 use osim_model::{Property, RadiusRule};
 
-use crate::fault::RequestFault;
 use crate::values::serial::fields;
-use crate::values::{
+use crate::{
     Acceleration, ConstantIndentation, DropHeight, NotNegative, PoissonRatio, Positive, Radius,
-    RelativeIndentation, RestitutionCoefficient, Threshold,
+    RelativeIndentation, RequestFault, RestitutionCoefficient, Threshold,
 };
 
 fields! {

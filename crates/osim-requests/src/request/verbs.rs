@@ -6,8 +6,6 @@ use std::path::PathBuf;
 use osim_model::messages::{Input, Verb};
 use serde_json::{Map, Value};
 
-use crate::dictionary;
-use crate::fault::{Relation, RequestFault};
 use crate::options::{AnswerOptions, OutputOptions, RunOptions};
 use crate::request::add::{AddRequest, TransferRequest};
 use crate::request::change::{ConvertRequest, RemoveRequest, RescaleRequest, SetRequest};
@@ -16,6 +14,7 @@ use crate::request::knowledge::{ExplainRequest, PresetsRequest, ReproduceRequest
 use crate::request::library::{BatchRequest, SweepRequest};
 use crate::request::parameters::{DesignRequest, FitRequest};
 use crate::request::plot::PlotRequest;
+use crate::{Relation, RequestFault, dictionary};
 
 /// The name of the dictionary field for the verb.
 pub(super) const VERB_FIELD: &str = "verb";

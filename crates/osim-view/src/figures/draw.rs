@@ -8,11 +8,10 @@ use osim_planning::{HeatTable, ModelFeet, MotionResult, cell};
 use osim_requests::{AxesChoice, FigureOptions, PlotKind, PlotRequest, Positive, Span, no_fig1};
 
 use crate::figures::axes::{AxisUnits, plot_failure, units_for};
-use crate::figures::curves::{drops, force, loops, state};
-use crate::figures::feet::feet;
 use crate::figures::heat::{heat, table_figure};
 use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
+use crate::figures::{drops, feet, force, loops, state};
 
 /// Draws the figure that `request` describes, of `bodies` or of a table. The size of the paper is not yet known.
 ///

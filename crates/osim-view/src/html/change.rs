@@ -7,13 +7,12 @@ use osim_model::messages::{Dialect, readable};
 use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
-use crate::html::entry::{Entry, RunRow};
 use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::inspected::{self, ListedFiles};
 use crate::html::special::{DrawnStates, ModelFacts, deepest};
 use crate::html::sphere_figures::{self, ModelState};
-use crate::html::{findings, plots, reference};
+use crate::html::{Entry, RunRow, findings, plots, reference};
 use crate::report::plan::{
     centre, groups, is_new, moves_of_others, name_or_count, names, object_groups,
     properties_in_several_groups,

@@ -7,12 +7,11 @@ use osim_model::files::OpenModel;
 use osim_model::messages::{Dialect, four_significant, readable};
 use osim_planning::ModelFeet;
 
-use crate::html::entry::Entry;
 use crate::html::explained::file_name;
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::special::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
-use crate::html::{findings, plots, reference};
+use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
 use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
 

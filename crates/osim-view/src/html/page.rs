@@ -5,13 +5,12 @@ use std::io::{self, Write};
 use osim_model::messages::{Input, Verb, terminal_safe};
 use osim_requests::spell::FrontEnd;
 
-use crate::html::entry::Entry;
 use crate::html::explained::{self, Topics, file_name};
 use crate::html::fragment::Fragment;
 use crate::html::glance::{self, PageCounts};
 use crate::html::models_table::{self, Columns};
-use crate::html::shell;
 use crate::html::special::{ChosenModels, MAX_DRAWN};
+use crate::html::{Entry, shell};
 
 /// The largest number of models with details. Other models only have a row in the table.
 const MOST_MODELS_IN_FULL: usize = 1000;
