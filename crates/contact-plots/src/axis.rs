@@ -75,11 +75,11 @@ impl Axis {
     pub(crate) fn check(&self, mut values: impl Iterator<Item = f64>) -> Result<(), PlotError> {
         let wrong = |(from, to): (f64, f64)| !from.is_finite() || !to.is_finite() || from >= to;
         if self.limits.is_some_and(wrong) {
-            return Err(PlotError::Limits { axis: self.label.clone() });
+            return Err(PlotError::Limits(self.label.clone()));
         }
         let ends = self.limits.into_iter().chain(self.range).flat_map(|(from, to)| [from, to]);
         if self.logarithmic && values.by_ref().chain(ends).any(|value| value <= 0.0) {
-            return Err(PlotError::NotPositive { axis: self.label.clone() });
+            return Err(PlotError::NotPositive(self.label.clone()));
         }
         Ok(())
     }
@@ -279,7 +279,7 @@ mod tests {
         assert_eq!(limited.span([1.0, 30.0].into_iter(), true), (0.0, 2.0));
         assert!(limited.check(std::iter::empty()).is_ok());
         let empty = Axis { limits: Some((2.0, 2.0)), ..Axis::new("F") };
-        assert!(matches!(empty.check(std::iter::empty()), Err(PlotError::Limits { .. })));
+        assert!(matches!(empty.check(std::iter::empty()), Err(PlotError::Limits(_))));
     }
 
     #[test]
@@ -289,6 +289,6 @@ mod tests {
         let labels: Vec<String> =
             axis.ticks((1.0, 3.0), 5).marks.into_iter().map(|(_, label)| label).collect();
         assert_eq!(labels, ["10", "100", "1000"]);
-        assert!(matches!(axis.check([0.0].into_iter()), Err(PlotError::NotPositive { .. })));
+        assert!(matches!(axis.check([0.0].into_iter()), Err(PlotError::NotPositive(_))));
     }
 }

@@ -4,18 +4,12 @@
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
-    /// A point is not a number.
-    #[error("the curve '{curve}' has a point that is not a finite number, expected numbers only")]
-    NotFinite {
-        /// Label of the curve.
-        curve: String,
-    },
-    /// There is nothing to draw.
-    #[error("nothing to draw: {what}")]
-    Empty {
-        /// The part of the figure that is missing.
-        what: &'static str,
-    },
+    /// A point of the curve with this label is not a number.
+    #[error("the curve '{0}' has a point that is not a finite number, expected numbers only")]
+    NotFinite(String),
+    /// There is nothing to draw: the named part of the figure is missing.
+    #[error("nothing to draw: {0}")]
+    Empty(&'static str),
     /// More curves than can be distinguished.
     #[error("{count} curves cannot be distinguished, expected at most {most}")]
     TooMany {
@@ -24,12 +18,9 @@ pub enum PlotError {
         /// Largest number of curves that can be distinguished.
         most: usize,
     },
-    /// A logarithmic axis has a value that is not above 0.
-    #[error("the axis '{axis}' is logarithmic, expected values above 0")]
-    NotPositive {
-        /// Label of the axis.
-        axis: String,
-    },
+    /// A logarithmic axis, by its label, has a value that is not above 0.
+    #[error("the axis '{0}' is logarithmic, expected values above 0")]
+    NotPositive(String),
     /// More names than curves.
     #[error(
         "{wanted} names were given, and the figure has {} to name{}",
@@ -50,20 +41,14 @@ pub enum PlotError {
         /// Labels of the axes that the figure has.
         found: Vec<String>,
     },
-    /// The values along an axis of cells do not rise.
+    /// The values along an axis of cells, by its label, do not rise.
     #[error(
-        "the values along the axis '{axis}' do not rise, expected each once, from the smallest to the largest"
+        "the values along the axis '{0}' do not rise, expected each once, from the smallest to the largest"
     )]
-    NotRising {
-        /// Label of the axis.
-        axis: String,
-    },
-    /// The limits of an axis do not go from a smaller number to a larger one.
-    #[error("the axis '{axis}' has limits that are none, expected a number and a larger one")]
-    Limits {
-        /// Label of the axis.
-        axis: String,
-    },
+    NotRising(String),
+    /// The limits of an axis, by its label, do not go from a smaller number to a larger one.
+    #[error("the axis '{0}' has limits that are none, expected a number and a larger one")]
+    Limits(String),
     /// There is not enough room on the paper.
     #[error(
         "{width_mm} mm are too narrow for letters of {text_pt} pt, expected a width of at least {least_mm:.0} mm"

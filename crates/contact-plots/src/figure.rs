@@ -116,10 +116,10 @@ impl Panel {
 
     pub(crate) fn check(&self) -> Result<(), PlotError> {
         if self.curves.iter().all(|curve| curve.points.len() < 2) {
-            return Err(PlotError::Empty { what: "a panel has no curve of two points" });
+            return Err(PlotError::Empty("a panel has no curve of two points"));
         }
         if let Some((curve, _)) = self.points().find(|(_, (x, y))| !x.is_finite() || !y.is_finite()) {
-            return Err(PlotError::NotFinite { curve: curve.to_owned() });
+            return Err(PlotError::NotFinite(curve.to_owned()));
         }
         self.x.check(self.points().map(|(_, (x, _))| x))?;
         self.y.check(self.points().map(|(_, (_, y))| y))

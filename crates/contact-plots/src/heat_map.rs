@@ -83,11 +83,11 @@ pub fn heat_map(map: &HeatMap, paper: Paper) -> Result<String, PlotError> {
 fn cell_edges(values: &[f64], axis: &Axis) -> Result<Vec<f64>, PlotError> {
     axis.check(values.iter().copied())?;
     if values.iter().any(|value| !value.is_finite()) || values.windows(2).any(|pair| pair[0] >= pair[1]) {
-        return Err(PlotError::NotRising { axis: axis.label.clone() });
+        return Err(PlotError::NotRising(axis.label.clone()));
     }
     let places: Vec<f64> = values.iter().map(|value| axis.place(*value)).collect();
     let (Some(first), Some(last), true) = (places.first(), places.last(), places.len() > 1) else {
-        return Err(PlotError::Empty { what: "a heat map needs two values along each axis" });
+        return Err(PlotError::Empty("a heat map needs two values along each axis"));
     };
     let inner: Vec<f64> = places.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])).collect();
     let lowest = 2.0 * first - inner.first().copied().unwrap_or(*first);
@@ -287,11 +287,11 @@ fn legend_entries(map: &HeatMap, (low, high): (f64, f64)) -> Vec<(Sample, String
 fn value_span(map: &HeatMap) -> Result<(f64, f64), PlotError> {
     let values = || map.values.iter().flatten().flatten().copied();
     if values().any(|value| !value.is_finite()) {
-        return Err(PlotError::NotFinite { curve: map.value_axis.label.clone() });
+        return Err(PlotError::NotFinite(map.value_axis.label.clone()));
     }
     map.value_axis.check(values())?;
     if values().next().is_none() {
-        return Err(PlotError::Empty { what: "the heat map has no value" });
+        return Err(PlotError::Empty("the heat map has no value"));
     }
     let (low, high) = map.value_axis.span(values(), false);
     // One colour for all: a span of some width around it.

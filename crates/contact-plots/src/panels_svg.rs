@@ -38,7 +38,7 @@ type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Scale, Scale>>
 /// [`PlotError`]: no panel, a panel without a curve, a point that is not a finite number, or too little room on the paper.
 pub fn figure(figure: &Figure, paper: Paper) -> Result<String, PlotError> {
     if figure.panels.is_empty() {
-        return Err(PlotError::Empty { what: "the figure has no panel" });
+        return Err(PlotError::Empty("the figure has no panel"));
     }
     for panel in &figure.panels {
         panel.check()?;

@@ -134,7 +134,7 @@ impl Scene {
     /// Refuses a scene without content, or with numbers that are not finite.
     pub(super) fn check(&self) -> Result<(), PlotError> {
         if self.blocks.is_empty() || self.blocks.iter().any(|block| block.views.is_empty()) {
-            return Err(PlotError::Empty { what: "the figure has no view" });
+            return Err(PlotError::Empty("the figure has no view"));
         }
         for view in self.blocks.iter().flat_map(|block| &block.views) {
             view.check()?;
@@ -151,9 +151,9 @@ impl View {
         let named = wrong_ball.map(|ball| &ball.name).or(wrong_spot.map(|spot| &spot.name));
         let outlines = self.outlines.iter().flat_map(|outline| &outline.points).all(|point| finite(*point));
         match named {
-            Some(name) => Err(PlotError::NotFinite { curve: name.clone() }),
+            Some(name) => Err(PlotError::NotFinite(name.clone())),
             None if !outlines || self.levels.iter().any(|level| !level.at.is_finite()) => {
-                Err(PlotError::NotFinite { curve: self.title.clone() })
+                Err(PlotError::NotFinite(self.title.clone()))
             }
             None => Ok(()),
         }

@@ -134,18 +134,18 @@ fn names_with_markup_are_written_as_text() {
 fn figures_that_cannot_be_drawn_are_refused() {
     let mut broken = force_figure(&[("Hertz (1)", 1.0)]);
     broken.panels[0].curves[0].points[3].1 = f64::NAN;
-    assert_eq!(svg_of(broken), Err(PlotError::NotFinite { curve: "Hertz (1)".to_owned() }));
-    assert!(matches!(svg_of(force_figure(&[])), Err(PlotError::Empty { .. })));
+    assert_eq!(svg_of(broken), Err(PlotError::NotFinite("Hertz (1)".to_owned())));
+    assert!(matches!(svg_of(force_figure(&[])), Err(PlotError::Empty(_))));
     let many = [("", 1.0); Look::MOST_SERIES + 1];
     assert_eq!(force_figure(&many).distinct(), Err(PlotError::TooMany { count: 9, most: 8 }));
     assert!(force_figure(&many[1..]).distinct().is_ok());
     let empty = Figure::in_column("", String::new(), vec![]);
-    assert!(matches!(contact_plots::figure(&empty, Paper::default()), Err(PlotError::Empty { .. })));
+    assert!(matches!(contact_plots::figure(&empty, Paper::default()), Err(PlotError::Empty(_))));
     let mut map = heat_map_of_two_parameters();
     map.x[0] = 0.0;
     assert_eq!(
         contact_plots::heat_map(&map, Paper::default()),
-        Err(PlotError::NotPositive { axis: "E₁* (N/m²)".to_owned() })
+        Err(PlotError::NotPositive("E₁* (N/m²)".to_owned()))
     );
 }
 

@@ -166,7 +166,7 @@ fn a_logarithmic_axis_puts_equal_ratios_equally_far_apart() {
     assert!(((line[1].0 - line[0].0) - (line[2].0 - line[1].0)).abs() <= 1.0, "{line:?}");
     panel.curves[0].points[0].0 = 0.0;
     let wrong = Drawing::Panels(figure_of_panels("t", vec![panel])).svg(Paper::default());
-    assert_eq!(wrong, Err(PlotError::NotPositive { axis: "E (N/m²)".to_owned() }));
+    assert_eq!(wrong, Err(PlotError::NotPositive("E (N/m²)".to_owned())));
 }
 
 #[test]

@@ -314,14 +314,11 @@ fn objects_of_another_size_have_their_own_scale() {
 #[test]
 fn scenes_that_cannot_be_drawn_are_refused() {
     let refused = |blocks| drawn_scene(&scene_of_blocks(blocks)).unwrap_err();
-    assert!(matches!(refused(vec![]), PlotError::Empty { .. }));
-    assert!(matches!(refused(vec![Block::default()]), PlotError::Empty { .. }));
+    assert!(matches!(refused(vec![]), PlotError::Empty(_)));
+    assert!(matches!(refused(vec![Block::default()]), PlotError::Empty(_)));
     let with = |ball: Ball| vec![Block { views: vec![view_of_balls(vec![ball])], ..Block::default() }];
     for (at, radius) in [((f64::NAN, 0.0), 1.0), ((0.0, f64::INFINITY), 1.0), ((0.0, 0.0), f64::NAN)] {
-        assert_eq!(
-            refused(with(named_ball("s1", at, radius))),
-            PlotError::NotFinite { curve: "s1".to_owned() }
-        );
+        assert_eq!(refused(with(named_ball("s1", at, radius))), PlotError::NotFinite("s1".to_owned()));
     }
     // Nothing but a point, and nothing at all, have a picture.
     let mut point = View { spots: vec![named_spot("mtp_r", (5.0, 5.0))], ..view_of_balls(vec![]) };
