@@ -12,7 +12,7 @@ use crate::values::typed::{
 };
 
 macro_rules! quantities {
-    ($($(#[doc = $doc:literal])+ $name:ident = $read:expr, $schema:tt;)+) => {$(
+    ($($(#[doc = $doc:literal])+ $name:ident = $read:expr, $schema:tt $(, $default:expr)?;)+) => {$(
         $(#[doc = $doc])+
         ///
         /// Read from a plain number, or from the text of one; anything else is refused with what to write.
@@ -32,6 +32,12 @@ macro_rules! quantities {
                 shortest(value).parse()
             }
         }
+
+        $(impl Default for $name {
+            fn default() -> Self {
+                Self($default)
+            }
+        })?
 
         impl FromStr for $name {
             type Err = String;
@@ -99,7 +105,7 @@ quantities! {
         let expected = "a threshold between 0 and 0.5";
         let t = positive(text, expected, &[])?;
         if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) }
-    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5};
+    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_THRESHOLD;
 
     /// c_r, a coefficient of restitution: 0 to 1.
     RestitutionCoefficient = |text| match plain_number(trimmed(text)) {
@@ -125,13 +131,13 @@ quantities! {
         let expected = "a size of letters in points from 4 to 40";
         let size = positive(text, expected, &[("pt", 1.0)])?;
         if (4.0..=40.0).contains(&size) { Ok(size) } else { Err(format!("expected {expected}")) }
-    }, {"type": "number", "minimum": 4, "maximum": 40};
+    }, {"type": "number", "minimum": 4, "maximum": 40}, 7.0;
 
     /// A number of things, 1 to a million.
     Count = |text| match trimmed(text).parse::<u32>() {
         Ok(count) if (1..=1_000_000).contains(&count) => Ok(f64::from(count)),
         _ => Err("expected a whole number from 1 to 1000000".to_owned()),
-    }, {"type": "integer", "minimum": 1, "maximum": 1_000_000};
+    }, {"type": "integer", "minimum": 1, "maximum": 1_000_000}, 1.0;
 }
 
 impl Kilograms {
@@ -141,32 +147,12 @@ impl Kilograms {
     }
 }
 
-impl Default for FontSize {
-    /// The resolution that journals ask for at least.
-    fn default() -> Self {
-        Self(7.0)
-    }
-}
-
-impl Default for Count {
-    fn default() -> Self {
-        Self(1.0)
-    }
-}
-
 impl Positive {
     /// The default duration of a drop, s.
     pub(crate) const DROP_DURATION_S: Self = Self(2.0);
     /// The default k̂ at the start of a ladder (a sweep from soft to stiff contacts): k̂ of the softest contacts in the
     /// paper's Fig. 1(C).
     pub(crate) const SOFT_STIFFNESS: Self = Self(1.2);
-}
-
-impl Default for Threshold {
-    /// The threshold of the paper's section C.2.
-    fn default() -> Self {
-        Self(contact_scaling::limits::TRANSITION_THRESHOLD)
-    }
 }
 
 // Whole numbers with bounds.
