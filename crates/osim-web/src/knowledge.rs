@@ -85,67 +85,41 @@ pub(crate) type Fields = Map<String, Value>;
 #[derive(Debug, Deserialize)]
 #[serde(tag = "do", rename_all = "lowercase", deny_unknown_fields)]
 pub enum EngineQuestion {
-    /// Asks for the contents of a model, and for what is wrong with it.
+    /// Asks for the contents of a model, and for what is wrong with it. `fields` are those of a request to inspect; with `from`, of one to
+    /// check. `parts` are the sections to make; `None` for all.
     Look {
-        /// Name of the model's file.
         model: String,
-        /// Fields of a request to inspect; with `from`, of one to check.
         #[serde(default)]
         fields: Fields,
-        /// The sections to make; `None` for all.
-        #[serde(default)]
         parts: Option<Vec<String>>,
     },
-    /// The bones of a model, as surfaces.
+    /// The bones of a model, as surfaces. `fields` are those of a request to inspect.
     Bones {
-        /// Name of the model's file.
         model: String,
-        /// Fields of a request to inspect.
         #[serde(default)]
         fields: Fields,
     },
-    /// The model along a recording, frame by frame.
-    Play {
-        /// Fields of the request: a motion and its plates.
-        request: Fields,
-    },
-    /// What a change would do to one model. It is kept as the last change.
-    Change {
-        /// Fields of the request, with its verb and one model.
-        request: Fields,
-        /// The sections to make; `None` for all.
-        #[serde(default)]
-        parts: Option<Vec<String>>,
-    },
+    /// The model along a recording, frame by frame. The request has a motion and its plates.
+    Play { request: Fields },
+    /// What a change would do to one model. It is kept as the last change. The request has its verb and one model; `parts` are the
+    /// sections to make, `None` for all.
+    Change { request: Fields, parts: Option<Vec<String>> },
     /// The lines that the last change changes.
     Diff,
     /// Keep the files of the last change under their names.
     Keep,
     /// The report about a change, or about a model that is inspected.
-    Report {
-        /// Fields of the request.
-        request: Fields,
-    },
+    Report { request: Fields },
     /// What `design` computes without a model.
-    Calculate {
-        /// Fields of the request.
-        request: Fields,
-    },
+    Calculate { request: Fields },
     /// A request as calls that people can copy.
-    Spell {
-        /// Fields of the request.
-        request: Fields,
-    },
+    Spell { request: Fields },
     /// Animals that fall on the contacts of a human, and on their own.
     Animals,
-    /// An equation, a quantity or a code.
-    Explain {
-        /// Number, name or code of the topic.
-        topic: String,
-    },
-    /// The presets there are.
+    /// An equation, a quantity or a code, by its number or name.
+    Explain { topic: String },
+    /// The presets there are, perhaps with a file of one's own.
     Presets {
-        /// Fields of a request for presets: a file with one's own.
         #[serde(default)]
         fields: Fields,
     },
