@@ -19,7 +19,7 @@ use crate::support::{HUMAN, TestDir};
 /// The findings of a model, spelled for the command line.
 fn check_and_spell(request: &CheckRequest, path: &Path, files: &InMemory) -> CheckResult {
     let inspector = Inspector::for_check(request, files);
-    let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
+    let opened = open_with(path, inspector.set_files.companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     inspector.refuse_without_contacts(&opened, &inspected).unwrap();
     let mut result = inspector.check(&opened.model, &inspected, None, files);
@@ -110,7 +110,7 @@ fn remedies_spelled_as_requests_equal_the_command() {
     let dir = TestDir::with_human();
     let inspector = Inspector::for_check(&check_request("human.osim"), &files_in_memory(&dir));
     let opened =
-        open_with(Path::new("human.osim"), inspector.set_files().companion_paths(), &files_in_memory(&dir))
+        open_with(Path::new("human.osim"), inspector.set_files.companion_paths(), &files_in_memory(&dir))
             .unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let mut result = inspector.check(&opened.model, &inspected, None, &files_in_memory(&dir));

@@ -17,7 +17,7 @@ use crate::support::{HUMAN, TestDir};
 fn inspected(request: &InspectRequest, files: &InMemory) -> Vec<Inspection> {
     let inspector = Inspector::for_inspect(request, files);
     let inspect_one = |path| {
-        let opened = open_with(path, inspector.set_files().companion_paths(), files).unwrap();
+        let opened = open_with(path, inspector.set_files.companion_paths(), files).unwrap();
         let mut inspected = inspector.inspect(&opened).unwrap();
         inspected.spell(&CommandLine);
         inspected

@@ -60,7 +60,7 @@ pub struct Plan {
     pub floor_up_m: Vec<f64>,
     note: Option<Note>,
     /// Whether the note is written even if no number changes, so that the output differs from the original file.
-    pub(crate) requires_note: bool,
+    pub requires_note: bool,
     /// The model with objects added or removed, if there are any. Numbers then change in this model.
     pub(crate) rebuilt: Option<RebuiltModel>,
 }

@@ -17,7 +17,6 @@ mod writing;
 
 use std::path::Path;
 
-use osim_model::files::Failure;
 use osim_model::messages::{Input, phrase};
 use osim_requests::options::RunOptions;
 

@@ -56,7 +56,7 @@ impl Variant {
             if request.no_note {
                 plan.drop_note();
             } else {
-                plan.require_note();
+                plan.requires_note = true;
             }
             if plan.files(&open.model).any(|file| file != FileId::MAIN) {
                 let message = "its contacts are in a file that it includes: make variants of that file";

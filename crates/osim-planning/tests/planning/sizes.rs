@@ -82,7 +82,7 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
         let start = "mesh r_human_foot.vtp on calcn_r is ";
         assert!(said.starts_with(start) && said.contains(way_out), "{said}");
         assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh), "{factor}");
-        request["yes"] = json!([Question::ImplausibleScale.code(), Question::TiltedFoot.code()]);
+        request["yes"] = json!([Question::ImplausibleScale.as_str(), Question::TiltedFoot.as_str()]);
         assert!(!refusal_or_nothing(&request, &files).contains(start));
     }
     assert!(!codes_of_check(Path::new(HUMAN), &fixtures()).contains(&FindingCode::OddMesh));

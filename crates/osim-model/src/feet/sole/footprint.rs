@@ -138,7 +138,7 @@ impl FootAxes {
 
     /// The points in coordinates along the ground.
     pub(super) fn flat(&self, points: &[BonePoint]) -> Vec<FlatPoint> {
-        let from = |point: &BonePoint, direction, least| {
+        let from = |point: &BonePoint, direction: DVec3, least: f64| {
             ((point.at.dot(direction) - least) / GRID_SIZE_M).round() * GRID_SIZE_M
         };
         let flat = |point: &BonePoint| FlatPoint {
