@@ -42,6 +42,23 @@ inChromium("a model that fails is a row with an error, and not in the archive", 
   assert.deepEqual([...unzipped(zip.bytes).keys()].sort(), ["horse.scaled.osim", "human_62kg.scaled.osim", "mouse.scaled.osim"]);
 });
 
+inChromium("headings sort the rows, and one answer is for all models", async (user) => {
+  await user.open(...MODELS);
+  const library = user.region("3 models");
+  await user.button("mass", library).click();
+  assert.deepEqual(await library.getByRole("rowheader").allTextContents(), ["mouse.osim", "human_62kg.osim", "horse.osim"]);
+  await user.button("mass", library).click();
+  assert.deepEqual(await library.getByRole("rowheader").allTextContents(), ["horse.osim", "human_62kg.osim", "mouse.osim"]);
+  await library.getByLabel("Target mass of all (kg)").fill("62000");
+  await user.button("Show what would change in all models", library).click();
+  await user.announced(/would change, [123] failed/);
+  const question = library.getByRole("group", { name: /answer/ });
+  await user.button("This is correct: continue", question).click();
+  await library.getByRole("alert").filter({ hasText: /the radius of/ }).waitFor();
+  await user.button("This is correct: continue", question).click();
+  await user.announced("3 of 3 models would change.");
+});
+
 inChromium("where nothing can be changed there is no archive", async (user) => {
   await user.open(...MODELS);
   await user.verb("Add");

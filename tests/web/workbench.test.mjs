@@ -157,6 +157,34 @@ inChromium("the body follows the slider, and can be turned by keys and looked at
   }
 });
 
+inChromium("on a telephone: before and after are in sight, and no text is smaller than 11 pixels", { width: 390, height: 844 }, async (user) => {
+  await user.open(HUMAN);
+  await user.field("Target mass (kg)").fill("200");
+  await user.done("human.scaled.osim");
+  const table = user.result.getByRole("table", { name: /^Numbers that change/ });
+  for (const name of ["before", "after"]) {
+    const { x, width } = await table.getByRole("columnheader", { name }).boundingBox();
+    assert.ok(x + width <= 390, name);
+  }
+  assert.deepEqual(await user.page.evaluate(smallTexts), []);
+});
+
+/** Inside the page: the visible texts of less than 11 pixels. */
+function smallTexts() {
+  const all = [...document.querySelectorAll("body *")].filter((one) => one.checkVisibility() && [...one.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
+  const scale = ({ a, b }) => Math.hypot(a, b);
+  const pixels = (one) => parseFloat(getComputedStyle(one).fontSize) * (one.closest("svg") ? scale(one.getScreenCTM()) : 1);
+  return all.filter((one) => pixels(one) < 10.99).map((one) => `${one.textContent.trim().slice(0, 20)} ${pixels(one)}`);
+}
+
+inChromium("what happened last leaves after three seconds", async (user) => {
+  await user.open(HUMAN);
+  const line = user.page.locator("#announcement");
+  assert.equal(await line.evaluate((one) => getComputedStyle(one).opacity), "1");
+  await user.page.waitForTimeout(3200);
+  assert.equal(await line.evaluate((one) => getComputedStyle(one).opacity), "0");
+});
+
 inChromium("a click on a sphere says its numbers", async (user) => {
   await user.open(HUMAN);
   await user.page.getByRole("radio", { name: "Top", exact: true }).check();
