@@ -1,6 +1,6 @@
 //! Spells requests for a page with fields and buttons.
 
-use osim_model::messages::{Call, Dialect, Example, Input, readable};
+use osim_model::messages::{Call, Dialect, Example, Input, Verb, readable};
 
 use crate::request::{Request, verb_title};
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller};
@@ -30,6 +30,10 @@ impl Dialect for Page {
     }
 
     fn call(&self, call: &Call) -> String {
+        // The page checks each model; its second step asks for the original.
+        if call.verb == Verb::Check && call.inputs.iter().any(|(input, _)| *input == Input::From) {
+            return "step 2 (“Scaled from another model?”)".to_owned();
+        }
         let inputs: Vec<String> =
             call.inputs.iter().map(|(input, example)| self.input(*input, example.as_ref())).collect();
         let with = if inputs.is_empty() { String::new() } else { format!(" with {}", inputs.join(" and ")) };
@@ -119,6 +123,11 @@ mod tests {
             text.spelled(&Page),
             "leave radii as they are with the field “radius” (keep); “design” with the field “relative indentation” \
          (0.16)"
+        );
+        let text = Phrase::template("`check MODEL from=GENERIC` compares with the model that was scaled");
+        assert_eq!(
+            text.spelled(&Page),
+            "step 2 (“Scaled from another model?”) compares with the model that was scaled"
         );
     }
 }
