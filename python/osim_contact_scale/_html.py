@@ -33,10 +33,10 @@ def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]], where: str
         else:
             html_rows.append(f"<tr>{cells}</tr>")
     table = f"<table><thead><tr>{head}</tr></thead><tbody>{''.join(html_rows)}</tbody></table>"
-    return table + (_more(left_out, where) if left_out else "")
+    return table + (_more_rows(left_out, where) if left_out else "")
 
 
-def _more(count: int, where: str) -> str:
+def _more_rows(count: int, where: str) -> str:
     return paragraph(f"… and {count} more" + (f": {where}" if where else ""))
 
 

@@ -54,7 +54,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
         _check_mass(opensim, model, path, mass)
     # All places are looked up before anything changes. Objects that are added already have the new numbers.
     added = {change["path"] for change in record["objects"] if change["change"] == "added"}
-    edits = [_edit(opensim, model, change) for change in record["changes"] if change["path"] not in added]
+    edits = [_setter_of(opensim, model, change) for change in record["changes"] if change["path"] not in added]
     if record["objects"]:
         edits += exchange(opensim, model, record["objects"], new)
     for edit in edits:
@@ -68,7 +68,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
     model.finalizeFromProperties()
 
 
-def _edit(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], object]:
+def _setter_of(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[], object]:
     """A function that sets one property."""
     owner = find_component(model, change["path"])
     name, value = change["property"], change["to"]

@@ -37,7 +37,7 @@ def set_threads(count: int | None) -> None:
     >>> ocs.set_threads(None)
     """
     global _default_count
-    _default_count = _check_count(count, "count")
+    _default_count = _check_thread_count(count, "count")
 
 
 def thread_count(jobs: Any) -> int | None:
@@ -48,7 +48,7 @@ def thread_count(jobs: Any) -> int | None:
     RequestError
         `jobs` is not a whole number from 1 to 4096.
     """
-    return default_thread_count() if jobs is None else _check_count(jobs, "jobs")
+    return default_thread_count() if jobs is None else _check_thread_count(jobs, "jobs")
 
 
 def default_thread_count() -> int | None:
@@ -66,7 +66,7 @@ def default_thread_count() -> int | None:
     return None
 
 
-def _check_count(count: Any, keyword: str) -> int | None:
+def _check_thread_count(count: Any, keyword: str) -> int | None:
     if count is None:
         return None
     try:

@@ -59,7 +59,7 @@ def _place_of_error(error: BaseException) -> str:
     places = [
         (_frame_file(frame), line, frame.f_code.co_name) for frame, line in traceback.walk_tb(error.__traceback__)
     ]
-    yours = [place for place in places if _is_yours(place[0])]
+    yours = [place for place in places if _is_user_code(place[0])]
     if not yours:
         return ""
     file, line, name = yours[-1]
@@ -73,7 +73,7 @@ def _frame_file(frame: FrameType) -> str:
     return str(frame.f_globals.get("__file__") or _PROMPTS[0]) if file == _CLOUDPICKLE_FILE else file
 
 
-def _is_yours(file: str) -> bool:
+def _is_user_code(file: str) -> bool:
     if file.startswith("<"):
         return file.startswith(_PROMPTS)
     return not os.path.realpath(file).startswith(installed_folders())

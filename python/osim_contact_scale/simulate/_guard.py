@@ -71,11 +71,11 @@ def _end_unguarded(frame: FrameType, file: str) -> None:
     except (OSError, SyntaxError, ValueError):
         return
     line = frame.f_lineno
-    if not any(isinstance(part, ast.If) and _guards(part, line) for part in ast.walk(tree)):
+    if not any(isinstance(part, ast.If) and _is_main_guard_of(part, line) for part in ast.walk(tree)):
         raise SystemExit(_MESSAGE.format(file=os.path.basename(file), line=line))
 
 
-def _guards(part: ast.If, line: int) -> bool:
+def _is_main_guard_of(part: ast.If, line: int) -> bool:
     """Whether this line of the program runs only where `__name__` is `"__main__"`."""
     for test in ast.walk(part.test):
         if isinstance(test, ast.Compare) and {"__name__", "__main__"} <= set(_names_and_constants(test)):

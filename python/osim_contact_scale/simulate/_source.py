@@ -62,9 +62,9 @@ class Source:
         if isinstance(value, types.BuiltinFunctionType):
             return ["built in", value.__module__, value.__qualname__]
         if isinstance(value, types.FunctionType):
-            return self._describe_function(value, name) if self._is_yours(value) else _describe_installed(value)
+            return self._describe_function(value, name) if self._is_user_code(value) else _describe_installed(value)
         if isinstance(value, type):
-            return self._describe_class(value, name) if self._is_yours(value) else _describe_installed(value)
+            return self._describe_class(value, name) if self._is_user_code(value) else _describe_installed(value)
         if isinstance(value, functools.partial):
             return ["partial", self._describe([value.func, value.args, value.keywords], name)]
         if isinstance(value, types.MethodType):
@@ -111,7 +111,7 @@ class Source:
 
     def _describe_global(self, value: Any, name: str, attributes: Iterable[str]) -> Any:
         """Describes a global value of a function: of a module of yours the members named `attributes`, of anything else the whole value."""
-        if isinstance(value, types.ModuleType) and self._is_yours(value):
+        if isinstance(value, types.ModuleType) and self._is_user_code(value):
             members = vars(value)
             return [[used, self._describe(members[used], used)] for used in sorted(attributes) if used in members]
         return self._describe(value, name)
@@ -131,7 +131,7 @@ class Source:
             raise _needs_version_error(f"{name} is {type(value).__name__}, which cannot be compared")
         return ["object", self._describe(type(value), name), self._describe(list(state[1:3]), name)]
 
-    def _is_yours(self, value: Any) -> bool:
+    def _is_user_code(self, value: Any) -> bool:
         """Whether a value belongs to a module that is neither an installed package nor part of Python."""
         name = value.__name__ if isinstance(value, types.ModuleType) else getattr(value, "__module__", None)
         module = sys.modules.get(name or "")
