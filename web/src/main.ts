@@ -13,7 +13,7 @@ import { acceptDrops } from "./files/drop";
 import type { Source } from "./forms/declaration";
 import { Session } from "./state/session";
 import { missingSupport } from "./support";
-import { actionBar } from "./views/acts";
+import { actionBar } from "./views/action_bar";
 import { wireAddress } from "./views/address";
 import { showBusy } from "./views/busy";
 import { calculatorView } from "./views/calculator";

@@ -4,7 +4,7 @@ import { EngineHost } from "./host";
 import { type Answer, failed, type Files, type Message, type Reply, type Task } from "./messages";
 import type { Change, Failure, Request } from "./types";
 import { unpack } from "./unpack";
-import { Archive } from "./zip";
+import { Archive } from "./zip_writer";
 
 interface Scope {
   onmessage: ((event: MessageEvent<Message>) => void) | null;

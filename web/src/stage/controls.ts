@@ -2,7 +2,7 @@
 
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-import type { Stage } from "./world";
+import type { Stage } from "./model_3d";
 
 const TURN = Math.PI / 24;
 const ZOOM = 1.15;

@@ -6,7 +6,7 @@ import type { Bones, PlacedSphere, Scene } from "../engine/space";
 import { QUESTIONS } from "../forms/all";
 import { addControls } from "../stage/controls";
 import { lowestGap } from "../stage/rest";
-import { type ViewDirection, type ViewTarget, Stage } from "../stage/world";
+import { type ViewDirection, type ViewTarget, Stage } from "../stage/model_3d";
 import { answersFor } from "../state/answers";
 import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
