@@ -72,12 +72,12 @@ export class Stage {
   #bones: Bones | undefined;
   #materials;
   #drawRequested = false;
-  readonly #slow = isSoftware();
+  readonly #slow: boolean;
   #fineTimer: ReturnType<typeof setTimeout> | undefined;
   #restLift = 0;
 
-  /** Throws if the browser has no WebGL. */
-  constructor(readonly canvas: HTMLCanvasElement) {
+  constructor(readonly canvas: HTMLCanvasElement, drawer: Drawer) {
+    this.#slow = drawer === "processor";
     this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#slow, alpha: true, powerPreference: "low-power" });
     this.#renderer.setPixelRatio(this.#slow ? MOVING_PIXEL_RATIO : Math.min(devicePixelRatio, 2));
     this.#colours = readColours(canvas);
@@ -406,13 +406,17 @@ function grid(size: number, colour: string): GridHelper {
   return floor;
 }
 
-/** Whether the processor draws, because there is no graphics card. Smooth edges are then too slow. */
-function isSoftware(): boolean {
+/** What draws: without a graphics card the processor, for which smooth edges are too slow. */
+type Drawer = "card" | "processor";
+
+/** What draws in this browser; undefined if it has no WebGL. */
+export function findDrawer(): Drawer | undefined {
   const gl = document.createElement("canvas").getContext("webgl2");
-  const names = gl?.getExtension("WEBGL_debug_renderer_info");
-  const name: unknown = gl && names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
-  gl?.getExtension("WEBGL_lose_context")?.loseContext();
-  return typeof name === "string" && /swiftshader|llvmpipe|software/i.test(name);
+  if (!gl) return undefined;
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name: unknown = names ? gl.getParameter(names.UNMASKED_RENDERER_WEBGL) : "";
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return typeof name === "string" && /swiftshader|llvmpipe|software/i.test(name) ? "processor" : "card";
 }
 
 /** Moves a body to the pose that begins at the index `start` of `poses`. */

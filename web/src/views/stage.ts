@@ -6,7 +6,7 @@ import type { Bones, PlacedSphere, Scene } from "../engine/space";
 import { QUESTIONS } from "../forms/all";
 import { addControls } from "../stage/controls";
 import { lowestGap } from "../stage/rest";
-import { type ViewDirection, type ViewTarget, Stage } from "../stage/model_3d";
+import { type ViewDirection, type ViewTarget, findDrawer, Stage } from "../stage/model_3d";
 import { answersFor } from "../state/answers";
 import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
@@ -176,8 +176,9 @@ export class StageView {
 
 function createStage(canvas: HTMLCanvasElement): Stage | undefined {
   try {
-    // Checked first, because three would log an error in the console.
-    return document.createElement("canvas").getContext("webgl2") ? new Stage(canvas) : undefined;
+    // Asked first, because three would log an error in the console.
+    const drawer = findDrawer();
+    return drawer && new Stage(canvas, drawer);
   } catch {
     return undefined;
   }
