@@ -20,9 +20,9 @@ fn assert_model_refused(fixture: &str) {
     assert_refused(dir.run("model.osim --target-mass 1190"), name).failed();
 }
 
-/// Asserts that a call with these arguments is refused for every model.
+/// Asserts that these arguments are a usage error, whatever the model.
 #[track_caller]
-fn assert_call_refused(arguments: &str, name: &str) {
+fn assert_usage_error(arguments: &str, name: &str) {
     let dir = TestDir::with(&[("format/v40000.osim", "model.osim"), ("format/v30000.osim", "other.osim")]);
     assert_refused(dir.run(arguments), name).usage_error();
 }
@@ -140,10 +140,10 @@ fn values_that_are_not_masses_are_refused() {
         ("nan", "nan"),
         ("heavy", "word"),
     ] {
-        assert_call_refused(&format!("model.osim --target-mass {value}"), &format!("target_mass_{name}"));
+        assert_usage_error(&format!("model.osim --target-mass {value}"), &format!("target_mass_{name}"));
     }
-    assert_call_refused("model.osim --target-mass 5 --contacts-mass 62kg", "contacts_mass_kg");
-    assert_call_refused("model.osim --target-mass", "target_mass_without_value");
+    assert_usage_error("model.osim --target-mass 5 --contacts-mass 62kg", "contacts_mass_kg");
+    assert_usage_error("model.osim --target-mass", "target_mass_without_value");
 }
 
 #[test]
@@ -169,7 +169,7 @@ fn options_that_contradict_are_refused() {
         ("- --target-mass 5 --in-place", "stdin_in_place"),
         ("model.osim --target-mass 5 --format yaml", "unknown_format"),
     ] {
-        assert_call_refused(arguments, name);
+        assert_usage_error(arguments, name);
     }
 }
 

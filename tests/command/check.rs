@@ -240,7 +240,7 @@ fn finding_topics() -> Vec<Value> {
 }
 
 #[test]
-fn every_code_has_a_case_that_triggers_it() {
+fn every_finding_that_check_looks_for_has_a_case_that_triggers_it() {
     let clean = check_report(&TestDir::with(&[("check/within_limits.osim", "model.osim")]), "model.osim");
     assert!(clean.findings.is_empty(), "{:?}", clean.findings);
     let checked: BTreeSet<String> = finding_topics()

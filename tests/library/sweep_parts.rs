@@ -132,7 +132,7 @@ fn parts_of_another_model_are_replaced() {
     finish_sweep(&dir, "5 models written, 1 done before");
 }
 
-/// A killed share leaves some models, and an incomplete line in the partial table.
+/// A run of one share was killed: some of its models exist, and the last line of its partial table is incomplete.
 #[test]
 fn models_of_a_killed_part_are_recognised() {
     let dir = sweep_in_two_shares();

@@ -3,6 +3,9 @@
 //! The crate has three layers. Each uses only the layers before it:
 //!
 //! 1. [`xml`]: bytes as a tree of elements with exact places; [`messages`]: sentences in which inputs and calls are data.
+//! 2. [`Model`]: bodies, joints, contact spheres and contact forces.
+//! 3. [`feet`]: what stands where; [`compare`]: what differs between two models.
+//!
 //! ```
 //! use osim_model::{MassRequest, Model, Property, Selection, SetId};
 //!

@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn a_removed_file_is_not_found() {
+    fn a_file_that_the_user_removed_from_the_page_is_not_found() {
         let mut files = files_named(&["human.osim"]);
         files.remove("human.osim");
         assert_finds(&files, "human.osim", None);

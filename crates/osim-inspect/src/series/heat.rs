@@ -55,7 +55,7 @@ pub enum Parameter {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     pub along: Parameter,
-    /// The quantity over the parameter, at more values than the grid has.
+    /// The quantity over the parameter, at more values than the grid of the heat map has.
     pub points: Vec<Point>,
     /// The point for the present parameter of the body; `None` if the quantity has no value at this point.
     pub present: Option<Point>,

@@ -133,7 +133,7 @@ pub struct BodyShape {
 }
 
 impl Model {
-    /// How far all bodies reach, by name.
+    /// Where the mass and the joints of each body are, by the name of the body.
     pub fn body_shapes(&self) -> &HashMap<String, BodyShape> {
         self.derived_from_bodies(BodyShape::all)
     }

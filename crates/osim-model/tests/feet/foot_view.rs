@@ -77,7 +77,7 @@ fn assert_close(seen: DVec3, expected: [f64; 3]) {
 }
 
 #[test]
-fn a_foot_is_in_ground_at_the_default_pose() {
+fn places_of_a_foot_are_in_the_frame_of_ground_at_the_default_pose() {
     let spheres =
         [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 -0.01 0.01")]
             .concat();

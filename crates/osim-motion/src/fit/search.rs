@@ -60,7 +60,7 @@ impl BestFit {
     }
 }
 
-/// Finds the unknowns that fit all trials together best.
+/// Finds the stiffness, dissipation and heights with which the contact forces of all recordings together are closest to those of the plates.
 pub(super) fn search(
     trials: &[FitTrial],
     bounds: &FitBounds,

@@ -68,23 +68,23 @@ impl RowCells {
             }
             match column.kind {
                 CellKind::Model => cells.model = path_below(folder, cell),
-                CellKind::Path => cells.path(&column.field, path_below(folder, cell)),
+                CellKind::Path => cells.set_path(&column.field, path_below(folder, cell)),
                 CellKind::From => {
                     let presets = presets(row, columns, folder);
                     let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
-                    cells.say(&column.field, path::to_value(&from));
+                    cells.set_field(&column.field, path::to_value(&from));
                 }
-                CellKind::Value => cells.say(&column.field, number(cell, sheet, column)?),
-                CellKind::List => cells.say(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
+                CellKind::Value => cells.set_field(&column.field, number(cell, sheet, column)?),
+                CellKind::List => cells.set_field(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
                 CellKind::ListWithCommas => {
-                    cells.say(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
+                    cells.set_field(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
                 }
                 CellKind::Paths => {
                     let paths = items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
-                    cells.say(&column.field, paths.collect::<Vec<Value>>());
+                    cells.set_field(&column.field, paths.collect::<Vec<Value>>());
                 }
-                CellKind::Flag if is_yes(cell, column)? => cells.say(&column.field, true),
-                CellKind::Set => cells.say("set", cell),
+                CellKind::Flag if is_yes(cell, column)? => cells.set_field(&column.field, true),
+                CellKind::Set => cells.set_field("set", cell),
                 CellKind::Flag | CellKind::Verb | CellKind::UserColumn => {}
             }
         }
@@ -102,16 +102,16 @@ impl RowCells {
         self.fields.get(flag) == Some(&Value::Bool(true))
     }
 
-    fn say(&mut self, field: &str, value: impl Into<Value>) {
+    fn set_field(&mut self, field: &str, value: impl Into<Value>) {
         self.fields.insert(field.to_owned(), value.into());
     }
 
-    fn path(&mut self, field: &str, path: PathBuf) {
+    fn set_path(&mut self, field: &str, path: PathBuf) {
         match field {
             "output" => self.output = Some(path),
             "output_dir" => self.output_dir = Some(path),
             "geometry_output" => self.geometry_output = Some(path),
-            _ => self.say(field, path::to_value(&path)),
+            _ => self.set_field(field, path::to_value(&path)),
         }
     }
 }

@@ -24,7 +24,7 @@ macro_rules! quantities {
                 self.0
             }
 
-            /// Checks the number and keeps it.
+            /// The quantity of this number, if the number is in its domain.
             ///
             /// # Errors
             /// The number is outside the domain; the message has the expected range.

@@ -96,7 +96,7 @@ impl FromStr for PointNumber {
     }
 }
 
-/// Reads the number of a point.
+/// Reads the number of a point of a sweep.
 pub(crate) fn point_of_json<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
     let number: Option<PointNumber> = serial::optional_from_text(deserializer)?;
     Ok(number.map(|PointNumber(number)| number))

@@ -176,6 +176,7 @@ impl NeedsAnswer {
         }
     }
 
+    /// Whether the doubt is that a mass may be in pounds.
     pub(crate) const fn is_about_pounds(&self) -> bool {
         use MassMistake::{BodiesInPounds, OthersInPounds, Pounds};
         matches!(self, Self::Mass { mistake: Pounds | BodiesInPounds | OthersInPounds, .. })
