@@ -126,6 +126,8 @@ def rust():
         if not any(one[2] in of for user, of in used.items() if user != one[0])
         and (one[1] in ("fn", "const", "static") or one[2] not in reached[one[0]])
     ]
+    beside = [path for path in tracked("crates/*/src/*") if path.suffix != ".rs"]
+    data = sum(len(path.read_text("utf-8").splitlines()) for path in beside)
     rows = [
         ("crates", len({path.relative_to(ROOT).parts[1] for path in sources})),
         ("source files", len(sources)),
@@ -133,6 +135,7 @@ def rust():
         ("files under 40 lines", sum(length < 40 for length in lengths)),
         ("files over 500 lines", sum(length > 500 for length in lengths)),
         ("lines of code", lines),
+        ("lines of data beside them (tables, lists, presets, styles)", data),
         ("types", types),
         ("use, mod and //! per 1,000 lines of code", round(1000 * glue / lines)),
         ("public names outside the free libraries", len(names)),
