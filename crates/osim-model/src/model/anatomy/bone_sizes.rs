@@ -127,7 +127,8 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
             key = format!("{file} #{count}");
             *count += 1;
         }
-        meshes.insert(key, factors);
+        // A mesh is only drawn: one that is mirrored shows a bone of the same size.
+        meshes.insert(key, factors.map(f64::abs));
     }
     meshes
 }
