@@ -10,6 +10,7 @@ use osim_requests::options::{ClassChoice, ForceOptions};
 use osim_requests::{ConvertRequest, Request};
 
 use crate::findings::{Remedies, exact_pattern};
+use crate::rules::skeleton::foot_spheres_on_ground;
 use crate::rules::spheres::{about_spheres, and_others};
 
 /// One finding for all forces with a parameter set that `describe` has a text about: the text of the first one, and how many others.
@@ -306,8 +307,12 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
     let mut used: Vec<_> = model.forces().iter().flat_map(Force::spheres).collect();
     used.sort_unstable();
     used.dedup();
+    // Spheres of feet have a finding of their own.
+    let feet = foot_spheres_on_ground(model);
+    let is_scenery =
+        |sphere: &&Sphere| sphere.fixed && feet.binary_search_by_key(&sphere.id, |foot| foot.id).is_err();
     let fixed: Vec<&Sphere> =
-        used.into_iter().filter_map(|id| model.sphere(id)).filter(|sphere| sphere.fixed).collect();
+        used.into_iter().filter_map(|id| model.sphere(id)).filter(is_scenery).collect();
     let first = fixed.first()?;
     let text = match fixed.len() {
         1 => {

@@ -12,6 +12,7 @@ mod misread;
 mod numbers;
 pub(crate) mod places;
 pub(crate) mod sides;
+mod skeleton;
 mod smoothing;
 mod spheres;
 mod standing;
@@ -50,6 +51,9 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
     (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
     (&[&numbers::DEFAULT_OUTSIDE_RANGE], numbers::find_default_outside_range),
+    (&[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES], skeleton::find_in_skeleton),
+    (&[&skeleton::FOOT_SPHERE_ON_GROUND], skeleton::find_foot_sphere_on_ground),
+    (&[&skeleton::ROOT_HELD], skeleton::find_root_held),
     (&[&components::INCLUDED_FILE], components::find_included_file),
     (&[&forces::DEAD_DERIVATIVE_SMOOTHING], forces::find_dead_derivative_smoothing),
     (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
@@ -170,6 +174,10 @@ fn find_in_sides(model: &Model) -> Vec<Finding> {
     findings.extend(SIDE_RULES.iter().filter_map(|(_, find)| find(&sides)));
     findings.extend(places::find_no_heel(&sides));
     findings.extend(places::find_toes_at_ankle(&sides));
+    if !skeleton::foot_spheres_on_ground(model).is_empty() {
+        // These have a finding of their own.
+        findings.retain(|one| !matches!(one.code(), FindingCode::LeftRightMissing | FindingCode::OneSideOnly));
+    }
     findings
 }
 

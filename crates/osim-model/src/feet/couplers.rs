@@ -145,7 +145,7 @@ fn enforced_constraints(model: &Model) -> Vec<(&Document, ElementId)> {
     enforced
 }
 
-fn is_enforced(document: &Document, constraint: ElementId) -> bool {
+pub(super) fn is_enforced(document: &Document, constraint: ElementId) -> bool {
     if document.version() >= FIRST_VERSION_WITH_IS_ENFORCED {
         return !matches!(document.flag(constraint, "isEnforced"), Ok(Some(false)));
     }

@@ -58,5 +58,5 @@ pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sole_pose::TiltingCoordinate;
 pub use standing::{
     LevelledSphere, Lift, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor, RestingSphere,
-    SphereOverFloor, Standing, levelled_spheres,
+    SphereOverFloor, Standing, held_roots, levelled_spheres,
 };

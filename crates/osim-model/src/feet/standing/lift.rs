@@ -57,7 +57,7 @@ pub(super) struct LiftSearch<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     known: &'m CoordinateValues,
-    states: CoordinateStates<'m>,
+    pub(super) states: CoordinateStates<'m>,
 }
 
 impl<'m> LiftSearch<'m> {

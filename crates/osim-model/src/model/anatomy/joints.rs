@@ -43,9 +43,9 @@ pub struct ModelJoint {
     pub child: Option<String>,
     pub file: FileId,
     pub coordinates: Vec<JointCoordinate>,
-    element: ElementId,
+    pub element: ElementId,
     in_parent: Placement,
-    in_child: Placement,
+    pub in_child: Placement,
     /// Whether the joint's element is inside its child body, as in documents before version 4.
     in_body: bool,
     /// Whether the joint's child moves the parent, an option of joints before version 4.

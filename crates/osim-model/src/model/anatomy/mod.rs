@@ -10,7 +10,7 @@ use std::collections::{self, BTreeMap};
 use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
-use crate::model::components::MOST_FRAMES_IN_CHAIN;
+use crate::model::components::{Base, ComponentId, MOST_FRAMES_IN_CHAIN};
 use crate::model::{Fault, Model, MovingPlacement, Placement, Rotation};
 pub use coordinate_function::CoordinateFunction;
 pub use joint_motion::Speeds;
@@ -246,6 +246,28 @@ impl Model {
             }
         }
         are_angles
+    }
+
+    /// The WeldConstraints and PointConstraints between ground and a body, each with the name of the body.
+    pub(crate) fn constraints_to_ground(&self) -> Vec<(ComponentId, String)> {
+        let components = self.components();
+        let base = |id: ComponentId, socket: &str, others: &[&str]| {
+            let connectee = components.connectee(id, socket, others)?;
+            components.base(components.frame(id, &connectee)?.component).ok()
+        };
+        let ids = components.tree.iter().map(|(id, _)| id);
+        let fixing = ids.filter(|&id| ["WeldConstraint", "PointConstraint"].contains(&components.tag(id)));
+        let ends = |id| {
+            let first = base(id, "frame1", &["socket_body_1", "body_1"])?;
+            Some((first, base(id, "frame2", &["socket_body_2", "body_2"])?))
+        };
+        let body = |id| match ends(id)? {
+            (Base::Ground, Base::Body(body)) | (Base::Body(body), Base::Ground) => {
+                Some((id, components.name(body).into_owned()))
+            }
+            _ => None,
+        };
+        fixing.filter_map(body).collect()
     }
 }
 

@@ -221,6 +221,9 @@ pub type HarmlessEdit = (&'static str, fn(&Published) -> Edited);
 
 /// Edits that do no harm. None of them gives a warning.
 pub const HARMLESS: &[HarmlessEdit] = &[
+    ("a hopper", super::skeleton::hopper),
+    ("a one-legged model", super::skeleton::one_legged),
+    ("a prosthetic leg with fewer bodies", super::skeleton::prosthesis),
     ("friction of another floor", |m| friction(m, "0.9")),
     ("all masses 1 % more", |m| m.masses(all, |kg| kg * 1.01)),
     ("a sensor of 10 g", |m| m.masses(is_torso, |kg| kg + 0.01)),

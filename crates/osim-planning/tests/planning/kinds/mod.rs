@@ -3,6 +3,7 @@
 
 mod damages;
 mod published;
+mod skeleton;
 mod unread;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,6 +15,7 @@ use osim_planning::check_with_remedies;
 
 use damages::{DAMAGES, HARMLESS};
 use published::Published;
+use skeleton::SKELETON;
 use unread::UNREAD;
 
 const MODELS: [&str; 9] = [
@@ -137,6 +139,41 @@ fn each_kind_of_damage_is_judged() {
     let others =
         expected.keys().filter(|damage| DAMAGES.iter().chain(UNREAD).all(|(name, _, _)| name != *damage));
     others.for_each(|damage| println!("27: {damage}"));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn damaged_skeletons_are_accused() {
+    let Some(corpus) = folder("damaged_skeletons_are_accused", "OSIM_CORPUS", "real models") else { return };
+    let mut wrong = Vec::new();
+    for (model, before) in models(&corpus) {
+        for (damage, code, make) in SKELETON {
+            let Some(text) = make(&model) else { continue };
+            let after = findings(&text).unwrap_or_else(|| panic!("{}: {damage}", model.name));
+            let said = worst_finding_of(&before, Some(&after), code);
+            let enough = if *code == "root-held" { WorstFinding::Remark } else { WorstFinding::Accused };
+            println!("{}: {damage}: {said:?}", model.name);
+            if said < enough {
+                let new = after.difference(&before).map(|(_, code, message)| format!("{code}: {message}"));
+                wrong.push(format!("{}: {damage}: {:?}", model.name, new.collect::<Vec<_>>()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn published_skeletons_are_not_accused() {
+    let name = "published_skeletons_are_not_accused";
+    let Some(corpus) = folder(name, "OSIM_CORPUS", "real models") else { return };
+    let paths = std::fs::read_dir(corpus).unwrap().map(|entry| entry.unwrap().path());
+    let mut wrong = Vec::new();
+    for path in paths.filter(|path| path.extension().is_some_and(|end| end == "osim")) {
+        let found = findings(&String::from_utf8_lossy(&std::fs::read(&path).unwrap())).unwrap_or_default();
+        let about =
+            found.iter().filter(|(_, code, _)| SKELETON.iter().any(|(_, one, _)| *one == code.as_str()));
+        wrong.extend(about.map(|(_, code, message)| format!("{}: {code}: {message}", path.display())));
+    }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 

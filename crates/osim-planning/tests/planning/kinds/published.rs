@@ -25,6 +25,10 @@ pub type Edited = Option<String>;
 impl Published {
     pub fn read(folder: &Path, name: &'static str) -> Self {
         let text = std::fs::read_to_string(folder.join(format!("{name}.osim"))).unwrap();
+        Self::of(name, text)
+    }
+
+    pub fn of(name: &'static str, text: String) -> Self {
         let model = Model::parse(text.as_str()).unwrap();
         Self { name, text, model }
     }

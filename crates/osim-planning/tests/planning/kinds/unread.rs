@@ -55,6 +55,7 @@ pub const UNREAD: &[Kind] = &[
         renamed(m, BODY, |name| is_calcn_r(name).then(|| "another_body".to_owned()))
     }),
     ("whole left leg's bodies deleted, spheres kept", CONNECTED, |m| without_bodies(m, is_left)),
+    ("foot's joint hangs on ground", "odd-parent", super::skeleton::foot_on_ground),
     ("floor orientation as brackets", MISREAD, |m| m.floor("orientation", "(0 0 -1.5708)")),
     ("floor orientation as a word pi", MISREAD, |m| m.floor("orientation", "0 0 -pi/2")),
     ("floor orientation nan", MISREAD, |m| m.floor("orientation", "0 0 nan")),
@@ -151,7 +152,7 @@ pub const UNREAD: &[Kind] = &[
     }),
 ];
 
-fn is_calcn_r(name: &str) -> bool {
+pub fn is_calcn_r(name: &str) -> bool {
     ["calcn_r", "calc_r", "foot_r"].contains(&name)
 }
 
@@ -213,7 +214,12 @@ fn span_end(m: &Published, element: Option<ElementId>) -> Option<usize> {
 }
 
 /// The text without the elements `gone`, and with `text` at a place.
-fn moved(m: &Published, gone: &[ElementId], at: impl Fn(&Published) -> Option<usize>, text: &str) -> Edited {
+pub fn moved(
+    m: &Published,
+    gone: &[ElementId],
+    at: impl Fn(&Published) -> Option<usize>,
+    text: &str,
+) -> Edited {
     let tree = m.model.document().tree();
     let mut edits: Vec<(std::ops::Range<usize>, &str)> = gone.iter().map(|&id| (tree.span(id), "")).collect();
     edits.extend(at(m).map(|at| (at..at, text)));

@@ -1,0 +1,257 @@
+//! Rules about the skeleton: bodies that hang on the wrong side, limbs that are not mirror images, spheres of feet on ground, and roots that
+//! cannot fall.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use foldhash::{HashMap, HashMapExt};
+use osim_model::feet::{DefaultPose, Movements, held_roots};
+use osim_model::messages::{shown, three_significant};
+use osim_model::{
+    DVec3, Example, Finding, FindingCode, Force, Model, ModelJoint, Repair, Rule, Severity, Side, Sphere,
+    SphereId, VerdictOn, without_side,
+};
+
+use crate::rules::spheres::{about_spheres, and_others};
+
+pub(super) static ODD_PARENT: Rule = Rule {
+    code: FindingCode::OddParent,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sides),
+    what: "A body of one side hangs on a body of the other side, or on ground while its counterpart hangs on a limb.",
+    why: "A joint that was copied keeps the parent of its original. OpenSim loads such a model: a shank then moves with the other thigh, a foot on ground stays where it is, and the contacts press at the wrong place.",
+    advice: "Correct the parent frame of the joint",
+    repair: Repair::NotPossible("only you know where the body belongs"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/odd_parent.osim" },
+};
+
+/// Joints or bones of a limb that differ from their mirror image by more than this part of the limb's longest bone are reported.
+const UNLIKE_PART_OF_BONE: f64 = 0.25;
+
+pub(super) static LEFT_RIGHT_BONES: Rule = Rule {
+    code: FindingCode::LeftRightBones,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sides),
+    what: "The bones of one limb are not the mirror image of those of the other limb: a joint is at another place, or a bone is missing.",
+    why: "A place that was mistyped, or a bone that was lost, lets one foot hang in the air or in the floor while the other one stands. Two legs of one body never differ by more than 25 % of their longest bone.",
+    advice: "Compare the joints of both limbs, and correct the frames of the one that is wrong",
+    repair: Repair::NotPossible("only you know which side is right"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/left_right_bones.osim" },
+};
+
+/// The largest number of bodies from a foot to ground; joints can be in a loop.
+const MOST_BONES: usize = 64;
+
+/// Finds a body on the wrong side, else limbs that are not mirror images: one finding, because the second follows from the first.
+pub(super) fn find_in_skeleton(model: &Model) -> Vec<Finding> {
+    let mut limbs = Limbs { model, above: HashMap::new(), by_name: BTreeMap::new() };
+    for joint in model.joints() {
+        if let Some(child) = &joint.child {
+            limbs.above.entry(child.as_str()).or_insert(joint);
+        }
+    }
+    for body in model.bodies() {
+        if let Some(side) = Side::of_name(&body.name) {
+            limbs.by_name.insert((without_side(&body.name), side), body.name.as_str());
+        }
+    }
+    limbs.find_odd_parent().or_else(|| limbs.find_unlike_bones()).into_iter().collect()
+}
+
+struct Limbs<'m> {
+    model: &'m Model,
+    /// The joints above bodies.
+    above: HashMap<&'m str, &'m ModelJoint>,
+    /// The bodies with a side, by their names without it.
+    by_name: BTreeMap<(String, Side), &'m str>,
+}
+
+impl<'m> Limbs<'m> {
+    fn counterpart(&self, body: &str) -> Option<&'m str> {
+        self.by_name.get(&(without_side(body), Side::of_name(body)?.other())).copied()
+    }
+
+    fn parent(&self, body: &str) -> Option<&'m str> {
+        self.above.get(body)?.parent.as_deref()
+    }
+
+    /// `body` and the bodies above it, up to ground.
+    fn path(&self, body: &'m str) -> impl Iterator<Item = &'m str> {
+        std::iter::successors(Some(body), |body| self.parent(body)).take(MOST_BONES)
+    }
+
+    fn finding(&self, rule: &'static Rule, body: &str, text: String) -> Option<Finding> {
+        let (joint, components) = (self.above.get(body)?, self.model.components());
+        let id = components.at(joint.file, joint.element)?;
+        Some(Finding::at(rule, components.line(id), text).with_place(&components.tree.path(id)))
+    }
+
+    /// One finding for all bodies that hang on the other side or on ground.
+    fn find_odd_parent(&self) -> Option<Finding> {
+        let odd: Vec<&str> =
+            self.by_name.values().copied().filter(|body| self.is_odd(body) == Some(true)).collect();
+        let body = *odd.first()?;
+        let text = format!(
+            "{} hangs on {}, unlike its counterpart{}{}",
+            shown(body),
+            shown(self.parent(body).unwrap_or("ground")),
+            self.describe_distance(body).unwrap_or_default(),
+            and_others(odd.len(), "another body, too", "other bodies, too")
+        );
+        self.finding(&ODD_PARENT, body, text)
+    }
+
+    fn is_odd(&self, body: &str) -> Option<bool> {
+        let counterpart = self.counterpart(body)?;
+        let (joint, _) = (self.above.get(body)?, self.parent(counterpart)?);
+        Some(match self.parent(body) {
+            // The halves of a pelvis or of a crank can be welded.
+            Some(parent) if parent == counterpart => joint.class != "WeldJoint",
+            Some(parent) => Side::of_name(parent) == Side::of_name(counterpart),
+            // A foot can be the root of the whole model.
+            None => Movements::of(self.model).top(counterpart) != body,
+        })
+    }
+
+    /// How far the foot of the limb of `body` is from the mirror image of the other foot at the default pose, seen from the trunk.
+    fn describe_distance(&self, body: &str) -> Option<String> {
+        let below = self.by_name.values().filter(|foot| self.path(foot).any(|above| above == body));
+        let foot = *below.max_by_key(|foot| self.path(foot).count())?;
+        let (other, pose) = (self.counterpart(foot)?, DefaultPose::of(self.model));
+        let trunk = self.path(other).find(|body| Side::of_name(body).is_none())?;
+        let from_trunk = pose.placement(trunk).ok()?.inverse();
+        let place = |body| Some(from_trunk.point(pose.placement(body).ok()?.translation_m));
+        let apart_m = (DVec3::new(1.0, 1.0, -1.0) * place(other)?).distance(place(foot)?);
+        let apart_mm = three_significant(1e3 * apart_m);
+        Some(format!("; {} is {apart_mm} mm from the mirror image of {}", shown(foot), shown(other)))
+    }
+
+    /// The finding about the two limbs that differ most.
+    fn find_unlike_bones(&self) -> Option<Finding> {
+        let distances = self.model.joint_distances();
+        let differences = self.by_name.iter().filter_map(|((_, side), &body)| {
+            let other = self.counterpart(body).filter(|_| *side == Side::Left)?;
+            let longest_m = [body, other].into_iter().filter_map(|body| distances.longest_in_limb(body));
+            let (bone_m, apart_m) = (longest_m.reduce(f64::max)?, self.difference_m(body, other)?);
+            (apart_m > UNLIKE_PART_OF_BONE * bone_m).then_some((apart_m, bone_m, body, other))
+        });
+        let worst = differences.reduce(|a, b| if b.0 / b.1 > a.0 / a.1 { b } else { a });
+        let (apart_m, bone_m, body, other) = worst?;
+        let text = format!(
+            "the joints above {} and {} are {} mm from being mirror images, {} % of the limb's longest bone ({} mm), expected at most {} %",
+            shown(body),
+            shown(other),
+            three_significant(1e3 * apart_m),
+            three_significant(100.0 * apart_m / bone_m),
+            three_significant(1e3 * bone_m),
+            100.0 * UNLIKE_PART_OF_BONE
+        );
+        self.finding(&LEFT_RIGHT_BONES, body, text)
+    }
+
+    /// How far the joints above two bodies are from being mirror images, m. Distances do not depend on the directions of the axes of bodies,
+    /// which differ in some models.
+    fn difference_m(&self, body: &'m str, other: &'m str) -> Option<f64> {
+        let [one, two] = [self.place_m(body)?, self.place_m(other)?];
+        let [parent, of_other] = [self.parent(body)?, self.parent(other)?];
+        let centre_m =
+            |body: &str| self.model.body_shapes().get(body).map_or(DVec3::ZERO, |shape| shape.centre_m);
+        if parent == of_other {
+            // The origin of the trunk can be on one side.
+            let places = [DVec3::ZERO, centre_m(parent)].into_iter();
+            let planes = places.flat_map(|at| DVec3::AXES.map(|axis| (at, axis)));
+            let image = |(at, axis): (DVec3, DVec3)| one - 2.0 * (one - at).dot(axis) * axis;
+            return planes.map(|plane| image(plane).distance(two)).reduce(f64::min);
+        }
+        let [(one_m, trunk), (two_m, of_other_trunk)] = [self.length_m(body)?, self.length_m(other)?];
+        let mut apart_m = (one_m - two_m).abs();
+        if without_side(parent) == without_side(of_other) {
+            let [one_m, two_m] = [one.distance(centre_m(parent)), two.distance(centre_m(of_other))];
+            apart_m = apart_m.max((one_m - two_m).abs());
+        }
+        (trunk == of_other_trunk).then_some(apart_m)
+    }
+
+    /// The place of the joint above `body` on the parent at the default pose, m: some joints shift their child by functions.
+    fn place_m(&self, body: &str) -> Option<DVec3> {
+        let joint = self.above.get(body)?;
+        let defaults = joint.coordinates.iter().map(|coordinate| coordinate.default);
+        let placement = joint.placement(self.model, &defaults.collect::<Option<Vec<f64>>>()?)?;
+        Some(placement.point(joint.in_child.translation_m))
+    }
+
+    /// The length of the bones from the trunk to `body`, m, and the body of the trunk.
+    fn length_m(&self, body: &'m str) -> Option<(f64, &'m str)> {
+        let path: Vec<&str> = self.path(body).collect();
+        let trunk = path.iter().position(|above| Side::of_name(above) != Side::of_name(body))?;
+        let lengths = path.get(..trunk)?.windows(2).map(|bones| {
+            let [bone, above] = bones else { return None };
+            Some(self.place_m(bone)?.distance(self.above.get(above)?.in_child.translation_m))
+        });
+        Some((lengths.sum::<Option<f64>>()?, path.get(trunk)?))
+    }
+}
+
+pub(super) static FOOT_SPHERE_ON_GROUND: Rule = Rule {
+    code: FindingCode::FootSphereOnGround,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Sides),
+    what: "A sphere of a foot is on ground: by its name, or because its counterpart on the other side is on a body.",
+    why: "OpenSim takes ground if the frame of a sphere says so. The sphere then stays in place while the foot walks away, and the foot falls through the floor. Only scenery, such as a stone, belongs on ground.",
+    advice: "Write the body of the foot as the frame of the sphere",
+    repair: Repair::NotPossible("only numbers are changed, and the sphere needs another frame"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/foot_sphere_on_ground.osim" },
+};
+
+/// Words in the names of spheres of feet.
+const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatars"];
+/// Words in the names of scenery for feet.
+const SCENERY_WORDS: [&str; 5] = ["plate", "rest", "stool", "step", "form"];
+
+/// Spheres in forces that are on ground and belong to a foot, in the order of their numbers.
+pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
+    let used: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
+    let used = used.into_iter().filter_map(|id| model.sphere(id));
+    let (on_ground, others): (Vec<&Sphere>, Vec<&Sphere>) =
+        used.partition(|sphere| sphere.fixed && sphere.body.is_none());
+    let name = |sphere: &Sphere| Some((without_side(&sphere.name), Side::of_name(&sphere.name)?));
+    let moving: BTreeSet<_> =
+        others.into_iter().filter(|sphere| !on_ground.is_empty() && !sphere.fixed).filter_map(name).collect();
+    let is_of_foot = |sphere: &&Sphere| {
+        let has = |words: &[&str]| words.iter().any(|word| sphere.name.to_lowercase().contains(word));
+        name(sphere).is_some_and(|(name, side)| {
+            moving.contains(&(name, side.other())) || has(&FOOT_WORDS) && !has(&SCENERY_WORDS)
+        })
+    };
+    on_ground.into_iter().filter(is_of_foot).collect()
+}
+
+/// One finding for all spheres of feet that are on ground.
+pub(super) fn find_foot_sphere_on_ground(model: &Model) -> Vec<Finding> {
+    let on_ground = foot_spheres_on_ground(model);
+    let Some(first) = on_ground.first() else { return Vec::new() };
+    let more = and_others(on_ground.len(), "another sphere, too", "other spheres, too");
+    let text = format!("{} belongs to a foot, and is on ground{more}", shown(&first.name));
+    about_spheres(&FOOT_SPHERE_ON_GROUND, text, on_ground.iter().copied()).into_iter().collect()
+}
+
+pub(super) static ROOT_HELD: Rule = Rule {
+    code: FindingCode::RootHeld,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Standing),
+    what: "The root of the model is held: nothing lets it move along gravity.",
+    why: "What holds the root carries the body, so that the contacts carry nothing in a forward simulation: no change of theirs is seen there. Inverse analyses and test stands hold the root on purpose.",
+    advice: "Nothing, if this is intended; else free the coordinate, or take the constraint out",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "check/known_contacts.osim", bad: "check/root_held.osim" },
+};
+
+/// One finding for all roots that are held.
+pub(super) fn find_root_held(model: &Model) -> Vec<Finding> {
+    let spheres = model.loaded_spheres(&model.force_ids());
+    let held = held_roots(model, spheres.iter().filter_map(|&id| model.sphere(id)?.body.as_deref()));
+    let Some((root, why)) = held.first() else { return Vec::new() };
+    let more = and_others(held.len(), "another root, too", "other roots, too");
+    let text =
+        format!("{} is held: {why}; contacts carry nothing in a forward simulation{more}", shown(root));
+    vec![Finding::new(&ROOT_HELD, text)]
+}

@@ -1,0 +1,141 @@
+//! Damage to joints and to frames of spheres, and edits of skeletons that do no harm.
+
+use osim_model::{ElementId, ModelJoint, Side};
+
+use super::damages::Kind;
+use super::published::{Edited, FRAME, Published, SPHERE, all, is_left};
+use super::unread::{is_calcn_r, moved};
+
+/// Damages beside those in the list; each has to be accused, the last one to be remarked.
+pub const SKELETON: &[Kind] = &[
+    ("left shank on the right thigh", "odd-parent", |m| {
+        let thigh = m.body(&["femur", "thigh"], "x_r")?;
+        with_parent(m, leg_joint(m, &["tibia", "shank"], Side::Left)?, &thigh)
+    }),
+    ("right ankle at the knee", "left-right-bones", |m| {
+        let joint = leg_joint(m, &["talus", "calcn", "foot"], Side::Right)?;
+        let place = parent_end(m, joint, &["location_in_parent"], &["translation"])?;
+        joint.parent.as_ref()?.contains("tibia").then(|| with_text(m, place, "0 0 0"))
+    }),
+    ("left shank lost", "left-right-bones", |m| {
+        let joint = leg_joint(m, &["talus", "calcn", "foot"], Side::Left)?;
+        let shank = joint.parent.as_deref()?;
+        let thigh =
+            m.model.joints().iter().find(|one| one.child.as_deref() == Some(shank))?.parent.clone()?;
+        with_parent(m, joint, &thigh)
+    }),
+    ("one left sphere on ground", "foot-sphere-on-ground", |m| {
+        let left = m.model.spheres().iter().find(|sphere| is_left(&sphere.name))?.name.clone();
+        m.edit(SPHERE, FRAME, |name, old| {
+            (name == left).then(|| if old.contains('/') { "/ground" } else { "ground" }.to_owned())
+        })
+    }),
+    ("pelvis locked", "root-held", |m| locked(m, |name| name.ends_with("_ty"))),
+];
+
+/// The foot of the right leg on ground.
+pub fn foot_on_ground(m: &Published) -> Edited {
+    let joint = m.model.joints().iter().find(|joint| joint.child.as_deref().is_some_and(is_calcn_r))?;
+    with_parent(m, joint, "ground")
+}
+
+/// The model whose root moves only up and down, as a hopper.
+pub fn hopper(m: &Published) -> Edited {
+    locked(m, |name| name.starts_with("pelvis_") && !name.ends_with("_ty"))
+}
+
+/// The model without anything of the left side; its other bodies carry the mass of the left ones.
+pub fn one_legged(m: &Published) -> Edited {
+    let tree = m.model.document().tree();
+    // Some forces have names without a side.
+    let of_left = m.model.forces().iter().filter(|force| {
+        let mut spheres = force.spheres().into_iter().filter_map(|id| m.model.sphere(id));
+        spheres.any(|sphere| is_left(&sphere.name))
+    });
+    let forces: Vec<ElementId> = of_left.map(osim_model::Force::element).collect();
+    let halved = without(m, |id| {
+        let in_list = tree.parent(id).is_some_and(|list| tree.name(list) == "objects");
+        forces.contains(&id) || in_list && tree.attribute(id, "name").is_some_and(|name| is_left(&name))
+    })?;
+    let halved = Published::of(m.name, halved);
+    let mass = |m: &Published| m.model.bodies().iter().filter_map(|body| body.mass_kg().ok()).sum::<f64>();
+    let ratio = mass(m) / mass(&halved);
+    halved.masses(all, |kg| kg * ratio)
+}
+
+/// The text without the elements for which `is_gone` is true.
+fn without(m: &Published, is_gone: impl Fn(ElementId) -> bool) -> Edited {
+    let tree = m.model.document().tree();
+    let mut gone: Vec<ElementId> = Vec::new();
+    // An element that is in another one goes with it.
+    for id in tree.elements().filter(|&id| is_gone(id)) {
+        if gone.last().is_none_or(|&last| tree.span(last).end <= tree.span(id).start) {
+            gone.push(id);
+        }
+    }
+    moved(m, &gone, |_| None, "")
+}
+
+/// The model with a left prosthesis in which the foot is part of the pylon: it has no talus.
+pub fn prosthesis(m: &Published) -> Edited {
+    let talus = leg_joint(m, &["talus"], Side::Left)?;
+    let (talus_name, shank) = (talus.child.clone()?, talus.parent.as_ref()?);
+    let foot = m.model.joints().iter().find(|joint| joint.parent.as_ref() == Some(&talus_name))?;
+    let place = (talus.in_parent_m() - talus.in_child.translation_m + foot.in_parent_m()).to_array();
+    let place = super::published::text(place);
+    let element = parent_end(m, foot, &["location_in_parent"], &["translation"])?;
+    let with_place = Published::of(m.name, with_text(m, element, &place));
+    let is_foot = |joint: &&ModelJoint| joint.name == foot.name;
+    let with_parent = with_parent(&with_place, with_place.model.joints().iter().find(is_foot)?, shank)?;
+    let hung = Published::of(m.name, with_parent);
+    let tree = hung.model.document().tree();
+    without(&hung, |id| {
+        let name = tree.attribute(id, "name").unwrap_or_default();
+        tree.name(id) == "Body" && name == talus_name.as_str()
+            || tree.name(id).ends_with("Joint") && name == talus.name.as_str()
+    })
+}
+
+fn locked(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
+    m.edit(&["Coordinate"], &["locked"], |name, _| of(name).then(|| "true".to_owned()))
+}
+
+/// The joint whose child is a body with one of these words in its name; the first one from the trunk.
+fn leg_joint<'m>(m: &'m Published, words: &[&str], side: Side) -> Option<&'m ModelJoint> {
+    let child = |joint: &&ModelJoint, word: &str| {
+        joint.child.as_deref().is_some_and(|body| body.contains(word) && Side::of_name(body) == Some(side))
+    };
+    words.iter().find_map(|word| m.model.joints().iter().find(|joint| child(joint, word)))
+}
+
+/// The element with one of these tags that describes the parent's end of a joint: in the joint itself, in documents of version 3 (`old`), or
+/// in the frame of the joint.
+fn parent_end(m: &Published, joint: &ModelJoint, old: &[&str], new: &[&str]) -> Option<ElementId> {
+    let tree = m.model.document().tree();
+    let child = |owner, tags: &[&str]| tags.iter().find_map(|tag| tree.child(owner, tag));
+    child(joint.element, old).or_else(|| {
+        let socket = tree.text_of(tree.child(joint.element, "socket_parent_frame")?).into_owned();
+        let mut frames = tree.children(tree.child(joint.element, "frames")?);
+        let has_name = |&id: &ElementId| tree.attribute(id, "name").is_some_and(|name| name == socket.trim());
+        child(frames.find(has_name)?, new)
+    })
+}
+
+/// The text with another parent body of a joint.
+fn with_parent(m: &Published, joint: &ModelJoint, parent: &str) -> Edited {
+    let tree = m.model.document().tree();
+    let element = parent_end(m, joint, &["parent_body"], &["socket_parent"])?;
+    let path = match (tree.name(element), parent) {
+        ("parent_body", _) => parent.to_owned(),
+        (_, "ground") => "/ground".to_owned(),
+        _ => format!("/bodyset/{parent}"),
+    };
+    Some(with_text(m, element, &path))
+}
+
+fn with_text(m: &Published, element: ElementId, new: &str) -> String {
+    let tree = m.model.document().tree();
+    let mut text = m.text.clone();
+    text.replace_range(tree.open_span(element).end..tree.close_span(element).start, new);
+    text
+}
