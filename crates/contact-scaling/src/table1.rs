@@ -56,49 +56,36 @@ impl Column {
         Self::ContactStiffness,
     ];
 
+    /// Name, label, unit and equation of the column.
+    const fn texts(self) -> [&'static str; 4] {
+        match self {
+            Self::CompositeModulus => ["composite_modulus_mpa", "E*", "MPa", "A.4"],
+            Self::PlaneStrainModulus => ["stiffness_mpa", "E1*", "MPa", "10"],
+            Self::BaseDissipation => ["base_dissipation_s_m", "base alpha", "s/m", ""],
+            Self::ScaledDissipation => ["scaled_dissipation_s_m", "scaled alpha", "s/m", "14"],
+            Self::FinalIndentation => ["final_relative_indentation", "final x/R", "", ""],
+            Self::ContactStiffness => ["contact_stiffness_kn_m", "k of one sphere", "kN/m", "B.2"],
+        }
+    }
+
     /// Name of the column for programs; it ends with the unit, if there is one.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::CompositeModulus => "composite_modulus_mpa",
-            Self::PlaneStrainModulus => "stiffness_mpa",
-            Self::BaseDissipation => "base_dissipation_s_m",
-            Self::ScaledDissipation => "scaled_dissipation_s_m",
-            Self::FinalIndentation => "final_relative_indentation",
-            Self::ContactStiffness => "contact_stiffness_kn_m",
-        }
+        self.texts()[0]
     }
 
     /// Label of the column, without special letters.
     pub const fn label(self) -> &'static str {
-        match self {
-            Self::CompositeModulus => "E*",
-            Self::PlaneStrainModulus => "E1*",
-            Self::BaseDissipation => "base alpha",
-            Self::ScaledDissipation => "scaled alpha",
-            Self::FinalIndentation => "final x/R",
-            Self::ContactStiffness => "k of one sphere",
-        }
+        self.texts()[1]
     }
 
     /// The unit of the column in the paper; empty for a pure number.
     pub const fn unit(self) -> &'static str {
-        match self {
-            Self::CompositeModulus | Self::PlaneStrainModulus => "MPa",
-            Self::BaseDissipation | Self::ScaledDissipation => "s/m",
-            Self::FinalIndentation => "",
-            Self::ContactStiffness => "kN/m",
-        }
+        self.texts()[2]
     }
 
     /// Number of the equation of the column; empty if the column is given, or is a result of the drop test.
     pub const fn equation(self) -> &'static str {
-        match self {
-            Self::CompositeModulus => "A.4",
-            Self::PlaneStrainModulus => "10",
-            Self::ScaledDissipation => "14",
-            Self::ContactStiffness => "B.2",
-            Self::BaseDissipation | Self::FinalIndentation => "",
-        }
+        self.texts()[3]
     }
 }
 

@@ -247,8 +247,8 @@ fn forces(model: &Model, parts: &InspectionParts<'_>) -> Vec<InspectedForce> {
                 composite_modulus_n_m2: contact
                     .map(|contact| contact.composite_modulus_n_m2)
                     .or_else(modulus_of_stiffness),
-                parameters: Parameters::new(parameters),
-                origin: Origins::new(self::parameters(force, set.id, |value| value.origin)),
+                parameters: Parameters(parameters),
+                origin: Origins(self::parameters(force, set.id, |value| value.origin)),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 line: set.line,
             });
@@ -267,7 +267,7 @@ fn inspected_factors(body: &BodyFactors) -> InspectedFactors {
         body: body.body.clone(),
         factors: body.axes.map(|axis| axis.map(|axis| axis.factor)),
         sources: body.axes.map(|axis| axis.map(|axis| axis.source.as_str())),
-        by_source: FactorsBySource::new(
+        by_source: FactorsBySource(
             body.sources.iter().map(|(source, values)| (source.as_str(), *values)).collect(),
         ),
     }

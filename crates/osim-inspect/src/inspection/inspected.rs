@@ -8,7 +8,6 @@ use contact_scaling::DimensionlessContact;
 use osim_model::compare::SpherePlacements;
 use osim_model::messages::{Dialect, Phrase, readable};
 use osim_model::{Finding, Mass, Origin, Property};
-use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 #[cfg(feature = "schemas")]
@@ -197,14 +196,16 @@ pub struct InspectedForce {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct Parameters(
-    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))] Vec<(Property, f64)>,
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, Option<f64>>"))]
+    pub(super)  Vec<(Property, f64)>,
 );
 
 /// Sources of a contact's parameters, by OpenSim's names.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct Origins(
-    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))] Vec<(Property, Origin)>,
+    #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))]
+    pub(super)  Vec<(Property, Origin)>,
 );
 
 impl Parameters {
@@ -227,11 +228,7 @@ fn serialize_sorted<S: Serializer, T: Serialize>(
 ) -> Result<S::Ok, S::Error> {
     let mut sorted: Vec<_> = values.map(|(property, value)| (property.name(), value)).collect();
     sorted.sort_by_key(|(name, _)| *name);
-    let mut map = serializer.serialize_map(Some(sorted.len()))?;
-    for (name, value) in sorted {
-        map.serialize_entry(name, &value)?;
-    }
-    map.end()
+    serializer.collect_map(sorted)
 }
 
 impl Serialize for Parameters {
@@ -316,7 +313,7 @@ pub struct InspectedFactors {
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct FactorsBySource(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, [Option<f64>; 3]>"))]
-    Vec<(&'static str, [Option<f64>; 3])>,
+    pub(super)  Vec<(&'static str, [Option<f64>; 3])>,
 );
 
 impl Serialize for FactorsBySource {
@@ -324,24 +321,6 @@ impl Serialize for FactorsBySource {
         let mut sorted = self.0.clone();
         sorted.sort_by_key(|(name, _)| *name);
         serializer.collect_map(sorted)
-    }
-}
-
-impl Parameters {
-    pub(super) fn new(values: Vec<(Property, f64)>) -> Self {
-        Self(values)
-    }
-}
-
-impl Origins {
-    pub(super) fn new(origins: Vec<(Property, Origin)>) -> Self {
-        Self(origins)
-    }
-}
-
-impl FactorsBySource {
-    pub(super) fn new(sources: Vec<(&'static str, [Option<f64>; 3])>) -> Self {
-        Self(sources)
     }
 }
 

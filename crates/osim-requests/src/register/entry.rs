@@ -93,11 +93,9 @@ impl Entry {
     pub const fn is_path(&self) -> bool {
         matches!(self.takes, OptionValue::FileRead | OptionValue::FileWritten | OptionValue::Folder)
     }
-}
 
-// How entries are written: `value("KG").signed()`.
+    // How entries are written: `value("KG").signed()`.
 
-impl Entry {
     pub(super) const fn new(name: &'static str, heading: &'static str, help: &'static str) -> Self {
         Self {
             name,

@@ -2,22 +2,23 @@
 
 use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
 use osim_model::Property;
-use osim_model::messages::{Dialect, Phrase, counted, four_significant, shown, three_significant};
+use osim_model::messages::{Dialect, Phrase, counted, four_significant, named, shown, three_significant};
 
 use crate::report::layout::{Colour, OUTSIDE, WIDTH, clipped, painted, table, wrapped, wrapped_with_path};
 use crate::report::messages::{NO_CONTACTS, in_a_cell};
 
-/// The columns after the name of the model, in the order of the table.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Column {
-    Mass,
-    Spheres,
-    Class,
-    Stiffness,
-    Radius,
-    Indentation,
-    Restitution,
-    Findings,
+named! {
+    /// The columns after the name of the model, in the order of the table, with their headings.
+    enum Column {
+        Mass = "kg",
+        Spheres = "n",
+        Class = "class",
+        Stiffness = "E1*",
+        Radius = "R",
+        Indentation = "x/R",
+        Restitution = "c_r",
+        Findings = "findings",
+    }
 }
 
 /// The columns that are left out on a narrow terminal, in this order.
@@ -40,33 +41,9 @@ pub struct ModelsTable {
 }
 
 /// The cells of a row, in the order of [`Column::ALL`].
-type Cells = [String; Column::ALL.len()];
+type Cells = Vec<String>;
 
 impl Column {
-    const ALL: [Self; 8] = [
-        Self::Mass,
-        Self::Spheres,
-        Self::Class,
-        Self::Stiffness,
-        Self::Radius,
-        Self::Indentation,
-        Self::Restitution,
-        Self::Findings,
-    ];
-
-    const fn heading(self) -> &'static str {
-        match self {
-            Self::Mass => "kg",
-            Self::Spheres => "n",
-            Self::Class => "class",
-            Self::Stiffness => "E1*",
-            Self::Radius => "R",
-            Self::Indentation => "x/R",
-            Self::Restitution => "c_r",
-            Self::Findings => "findings",
-        }
-    }
-
     /// The meaning of the column's heading; empty if the heading says it.
     const fn meaning(self) -> &'static str {
         match self {
@@ -111,7 +88,7 @@ impl ModelsTable {
     pub fn add(&mut self, inspected: &Inspection, counts: Counts) {
         self.with_findings += usize::from(counts.error + counts.warning > 0);
         self.without_contacts += usize::from(inspected.forces.is_empty());
-        let cells = Column::ALL.map(|column| column.cell(inspected, counts));
+        let cells = Column::ALL.iter().map(|column| column.cell(inspected, counts)).collect();
         self.rows.push((inspected.model.clone(), cells));
     }
 
@@ -120,7 +97,8 @@ impl ModelsTable {
         let why = in_a_cell(code);
         *(if why == NO_CONTACTS { &mut self.without_contacts } else { &mut self.failed }) += 1;
         let cell = |column| if column == Column::Findings { why } else { "" };
-        self.rows.push((model.to_owned(), Column::ALL.map(|column| cell(column).to_owned())));
+        let cells = Column::ALL.iter().map(|&column| cell(column).to_owned()).collect();
+        self.rows.push((model.to_owned(), cells));
     }
 
     /// One row for each model in lines of at most `width` columns, then the meanings of the headings, and the number of models.
@@ -138,7 +116,7 @@ impl ModelsTable {
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
         let (columns, name_width) = self.fitting(width, folder);
         let headings: Vec<&str> =
-            std::iter::once("model").chain(columns.iter().map(|column| column.heading())).collect();
+            std::iter::once("model").chain(columns.iter().map(|column| column.as_str())).collect();
         let mut table = table(&headings);
         for (name, cells) in &self.rows {
             let name = name.strip_prefix(folder).unwrap_or(name);
@@ -197,9 +175,9 @@ impl ModelsTable {
     }
 
     fn width(&self, column: Column) -> usize {
-        let cells = self.rows.iter().flat_map(|(_, cells)| Column::ALL.into_iter().zip(cells));
-        let own = cells.filter(|(of, _)| *of == column).map(|(_, cell)| cell.chars().count());
-        own.max().unwrap_or_default().max(column.heading().chars().count())
+        let cells = self.rows.iter().flat_map(|(_, cells)| Column::ALL.iter().zip(cells));
+        let own = cells.filter(|(of, _)| **of == column).map(|(_, cell)| cell.chars().count());
+        own.max().unwrap_or_default().max(column.as_str().chars().count())
     }
 
     fn counted(&self) -> String {
@@ -229,7 +207,7 @@ fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: us
     let meanings: Vec<&str> = meanings.collect();
     let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ", width);
     let left_out: Vec<&str> =
-        LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.heading()).collect();
+        LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.as_str()).collect();
     if !left_out.is_empty() {
         let left_out = format!(
             "(left out for want of room: {}; a wider terminal or a file has all)",
