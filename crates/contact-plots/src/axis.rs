@@ -171,7 +171,6 @@ impl Ranged for Scale {
     }
 }
 
-#[expect(clippy::cast_possible_truncation, reason = "an exponent of ten")]
 fn decimal_exponent(value: f64) -> i32 {
     value.abs().log10().floor() as i32
 }

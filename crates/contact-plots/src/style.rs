@@ -23,13 +23,11 @@ pub(crate) const SHADE: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 pub(crate) const SHADE_OPACITY: f64 = 0.28;
 
 /// Converts points to drawing units.
-#[expect(clippy::cast_possible_truncation, reason = "a page is some thousand units wide")]
 pub(crate) fn units(pt: f64) -> i32 {
     (pt * UNITS_PER_PT).round() as i32
 }
 
 /// Converts a count to a floating-point number.
-#[expect(clippy::cast_precision_loss, reason = "panels, rows, letters")]
 pub(crate) fn float(count: usize) -> f64 {
     count as f64
 }

@@ -126,11 +126,6 @@ impl BrailleDots {
     }
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "a place in a terminal; none is negative"
-)]
 fn rounded_index(value: f64) -> usize {
     value.round() as usize
 }

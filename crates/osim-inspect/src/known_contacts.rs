@@ -150,7 +150,6 @@ fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact>
     let LoadedSphere { contact, force, set, .. } = spheres.first()?;
     let force = model.force(*force)?;
     let value = |property| force.value(*set, property).map(|value| value.number);
-    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let count = spheres.len() as f64;
     let squares: f64 = spheres.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();
     Some(SetContact {
@@ -230,7 +229,6 @@ impl Entry {
         let (per_limb, total) =
             (self.spheres(), contacts.iter().map(|contact| contact.spheres).sum::<usize>());
         let published = &self.contacts;
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let as_published = per_limb as f64;
         // If limbs are not known, one or two limbs with the published number of spheres are assumed.
         let is_plausible = count.is_none() && (total == per_limb || total == 2 * per_limb);

@@ -128,7 +128,6 @@ impl LoadSharing {
     }
 }
 
-#[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
 fn spheres_on(spheres: usize, stance_limbs: f64) -> f64 {
     spheres as f64 * stance_limbs
 }

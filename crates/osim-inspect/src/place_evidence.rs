@@ -314,7 +314,6 @@ impl PublishedPlace {
 
 /// A digest of the places in whole micrometres. It does not depend on the order of the places.
 fn digest(places: &[SphereCentre<'_>]) -> String {
-    #[expect(clippy::cast_possible_truncation, reason = "no foot is kilometres long")]
     let micrometres = |metres: f64| (metres * 1e6).round() as i64;
     let mut lines: Vec<String> = places
         .iter()

@@ -260,7 +260,6 @@ fn segments_cross((a, b): (Point, Point), (c, d): (Point, Point)) -> bool {
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-#[expect(clippy::cast_precision_loss, reason = "some circles and lines")]
 fn float(count: usize) -> f64 {
     count as f64
 }

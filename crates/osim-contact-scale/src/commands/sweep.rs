@@ -133,7 +133,6 @@ fn print_number_of_variants(
     } else {
         String::new()
     };
-    #[expect(clippy::cast_precision_loss, reason = "shown in MB")]
     let megabytes = |bytes: usize| bytes as f64 / 1e6;
     let text = format!(
         "remark: {count}{of} models of {:.2} MB each, {:.1} MB together, into {}\n",

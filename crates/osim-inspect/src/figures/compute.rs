@@ -214,7 +214,6 @@ impl LoadedLimb<'_> {
             return Some(LevelLimb { body_weights, load_n, indentations_m: None });
         }
         let laws: Vec<Spheres> = all.iter().flat_map(|member| member.laws.iter().copied()).collect();
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let on_limb = load_n * all.len() as f64;
         let hertz = equilibrium::hertz_indentation(&laws, on_limb).ok();
         let model_law = equilibrium::indentation(&laws, on_limb).ok();
@@ -290,7 +289,6 @@ impl OwnHeightRest {
     fn compute(all: &[&SphereContacts], load: SharedLoad, standing: &StandingBySphere<'_>) -> Self {
         let spheres: Vec<SphereId> = all.iter().map(|one| one.sphere).collect();
         let tree = spheres.first().and_then(|first| standing.get(first));
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let on_limb = load.per_sphere_n() * all.len() as f64;
         let rest = |law| {
             let rest = tree.and_then(|tree| tree.rest_under(&spheres, on_limb, law)?.ok());

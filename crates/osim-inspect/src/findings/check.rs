@@ -178,7 +178,6 @@ fn with_published_severities(
     inspected: &Inspection,
     findings: Vec<FindingWithRemedy>,
 ) -> Vec<FindingWithRemedy> {
-    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let count = inspected.spheres_per_limb.map(|count| count as f64);
     let severity = |finding: &FindingWithRemedy| match inspected.known_contacts {
         Some(known) => known.severity(finding.code()),

@@ -76,7 +76,6 @@ impl KnownSide {
         {
             return Some(Self { side, title: reference.title() });
         }
-        #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
         let count = inspected.spheres_per_limb.map(|count| count as f64);
         let known_on = |side| KnownContacts::find(model, &sides.forces_on(side), count, inspected.mass_kg);
         match (known_on(Side::Right), known_on(Side::Left)) {

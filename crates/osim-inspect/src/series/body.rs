@@ -254,7 +254,6 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
 /// some spheres are chosen, all `count` spheres are assumed to be like these.
 pub fn standing_spheres(model: &Model, forces: &[ForceId], count: f64) -> Result<Vec<Spheres>, Fault> {
     let loaded = loaded_spheres(model, forces)?;
-    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let chosen = model.loaded_spheres(forces).len() as f64;
     if loaded.is_empty() {
         return Err(fault_of_no_force());

@@ -119,7 +119,6 @@ pub(super) fn thin_out(series: &[Point]) -> Vec<Point> {
         let (before, here, after) = (value(at - 1).1, value(at).1, value(at + 1).1);
         (here - before) * (after - here) <= 0.0 && (here != before || here != after)
     });
-    #[expect(clippy::cast_precision_loss, reason = "some hundred thousand points")]
     let knots: Vec<f64> =
         std::iter::once(0).chain(turns).chain((last > 0).then_some(last)).map(|at| at as f64).collect();
     sample_curve(|at| interpolate(series, at), &knots)
@@ -127,7 +126,6 @@ pub(super) fn thin_out(series: &[Point]) -> Vec<Point> {
 
 /// The point of a series at a fractional index.
 fn interpolate(series: &[Point], at: f64) -> Point {
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "an index of the series")]
     let before = at.floor() as usize;
     let from = series.get(before).or(series.last()).copied().unwrap_or_default();
     let to = series.get(before + 1).copied().unwrap_or(from);

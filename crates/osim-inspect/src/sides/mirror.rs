@@ -65,7 +65,6 @@ fn left_over_right(left: &[f64; 3], right: &[f64; 3]) -> Option<[f64; 3]> {
     let ratios: [f64; 3] = std::array::from_fn(|axis| (left[axis] / right[axis]).abs());
     let is_known = |ratio: &f64| ratio.is_finite() && *ratio > 0.0;
     let known: Vec<f64> = ratios.into_iter().filter(is_known).collect();
-    #[expect(clippy::cast_precision_loss, reason = "at most three axes")]
     let mean = known.iter().sum::<f64>() / known.len() as f64;
     (!known.is_empty()).then(|| ratios.map(|ratio| if is_known(&ratio) { ratio } else { mean }))
 }
@@ -319,7 +318,6 @@ impl PlaceGrid {
         grid
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
     fn cube(&self, place: DVec3) -> [i64; 3] {
         place.to_array().map(|value| (value / self.cube_m).floor() as i64)
     }

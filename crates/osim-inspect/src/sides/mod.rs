@@ -291,7 +291,6 @@ impl SetPair<'_> {
             let spheres =
                 set.spheres.iter().filter_map(|&id| model.sphere(id)).filter(|sphere| !sphere.fixed);
             let squares: Vec<f64> = spheres.map(|sphere| sphere.radius.number.powi(2)).collect();
-            #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
             let count = squares.len() as f64;
             squares.iter().sum::<f64>() / count
         };

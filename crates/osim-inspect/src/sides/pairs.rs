@@ -216,7 +216,6 @@ impl<'m> SetsBySphere<'m> {
 }
 
 /// A key for a place. Places that are the same have the same key.
-#[expect(clippy::cast_possible_truncation, reason = "a cast of a float ends at the largest number")]
 pub(crate) fn place_key(place_m: DVec3) -> [i64; 3] {
     place_m.to_array().map(|value| (value / SAME_PLACE_M).round() as i64)
 }

@@ -225,7 +225,6 @@ pub(crate) fn number_at_start(token: &str) -> Option<(f64, usize)> {
 fn short_number(text: &[u8], fraction: usize) -> Option<f64> {
     let digits = text.iter().filter(|byte| byte.is_ascii_digit());
     let whole = digits.fold(0_u64, |sum, digit| sum * 10 + u64::from(digit - b'0'));
-    #[expect(clippy::cast_precision_loss, reason = "so few digits are exact")]
     let size = whole as f64 / POWERS_OF_TEN.get(fraction)?;
     Some(if text.first() == Some(&b'-') { -size } else { size })
 }

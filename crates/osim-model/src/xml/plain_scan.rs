@@ -65,7 +65,6 @@ impl PlainScan<'_> {
         }
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn push(&mut self, kind: PieceKind, end: usize) {
         self.pieces.push(StoredPiece { start: self.at as u32, kind });
         self.at = end;
@@ -84,7 +83,6 @@ impl PlainScan<'_> {
     }
 
     /// Reads a start tag, `<name …>` or `<name …/>`.
-    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn tag(&mut self) -> Option<()> {
         let name_len = self.name(self.at + 1)?;
         let after = self.at + 1 + name_len;
@@ -108,7 +106,6 @@ impl PlainScan<'_> {
     }
 
     /// Reads the end tag `</name>` of the innermost open element.
-    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn close(&mut self) -> Option<()> {
         let id = self.open.pop()? as usize;
         let (close, subtree_end) = (self.pieces.len() as u32, self.elements.len() as u32);

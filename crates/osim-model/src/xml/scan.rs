@@ -209,11 +209,9 @@ impl<'t> Scanner<'t> {
 
     fn push(&mut self, start: usize, kind: PieceKind) {
         // Offsets fit: the length was checked before scanning.
-        #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
         self.pieces.push(StoredPiece { start: start as u32, kind });
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn enter(&mut self, start: usize, kind: PieceKind, name_len: usize) -> Result<(), Fault> {
         if self.open.is_empty() && !self.elements.is_empty() {
             return Err((SyntaxFault::SecondRoot, start));
@@ -233,7 +231,6 @@ impl<'t> Scanner<'t> {
         Ok(())
     }
 
-    #[expect(clippy::cast_possible_truncation, reason = "files over 4 GiB were refused")]
     fn leave(&mut self) {
         let (close, end) = (self.pieces.len() as u32 - 1, self.elements.len() as u32);
         if let Some(element) = self.open.pop().and_then(|id| self.elements.get_mut(id as usize)) {

@@ -241,7 +241,6 @@ fn radius_ratio(plan: &PlanBuilder<'_>, force: &Force, wanted: &Transfer, radii:
         .iter()
         .filter_map(|&sphere| wanted.follow.as_ref().and_then(|follow| follow.old_radius(sphere)))
         .collect();
-    #[expect(clippy::cast_precision_loss, reason = "sphere counts are small")]
     let mean = old.iter().map(|radius| radius * radius).sum::<f64>() / old.len() as f64;
     radii.rms_new_radius(force) / mean.sqrt()
 }

@@ -55,7 +55,6 @@ impl BodyFall {
             Err(failure) => return none(failure),
         };
         let of = |value: &dyn Fn(&Sample) -> f64| report.series.iter().map(value).collect();
-        #[expect(clippy::cast_precision_loss, reason = "a few hundred")]
         let intervals = (MOMENTS_OF_FALL - 1) as f64;
         Self {
             name: body.name.clone(),

@@ -242,7 +242,6 @@ impl BoneSurfaces {
 const UNITS_PER_M: f64 = 1e5;
 
 /// A length in whole hundredths of a millimetre; or a component of an axis in hundred-thousandths.
-#[expect(clippy::cast_possible_truncation, reason = "what is too far away is at the edge of what is drawn")]
 fn in_view_units(metres: f64) -> i32 {
     (metres * UNITS_PER_M).round() as i32
 }

@@ -364,7 +364,6 @@ impl SweepLadder {
             let mut assignments = vec![(Property::Stiffness, Assignment::Factor(step.modulus_factor))];
             if let Some(dissipation) = self.dissipation_if_none {
                 // No ratio leads to 0: α falls by equal amounts.
-                #[expect(clippy::cast_precision_loss, reason = "ladders have few steps")]
                 let remaining = 1.0 - index as f64 / (self.steps.len() - 1) as f64;
                 assignments.push((Property::Dissipation, Assignment::Value(dissipation * remaining)));
             } else if step.dissipation_factor != 1.0 {

@@ -49,7 +49,6 @@ impl WrittenPath {
 }
 
 #[cfg(unix)]
-#[expect(clippy::unnecessary_wraps, reason = "other systems cannot")]
 fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
     Ok(std::os::unix::ffi::OsStringExt::from_vec(bytes))
 }

@@ -392,7 +392,6 @@ fn ranked_points(indentations: &[f64]) -> Vec<Point> {
     sorted.iter().enumerate().map(|(rank, value)| (as_number(rank + 1), value.min(END_OF_AXIS))).collect()
 }
 
-#[expect(clippy::cast_precision_loss, reason = "models of a library")]
 fn as_number(count: usize) -> f64 {
     count as f64
 }

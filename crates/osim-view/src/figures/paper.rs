@@ -95,7 +95,6 @@ fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
     let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(table_failure)?;
     let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(table_failure)?;
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "some thousand points")]
     let samples = (SAMPLES_PER_UNIT_OF_TIME * DURATION_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(table_failure)?;

@@ -258,7 +258,6 @@ mod tests {
         let mut chosen = ChosenModels::default();
         for number in 1..=40 {
             let code = (number == 30).then_some(FindingCode::Floats);
-            #[expect(clippy::cast_precision_loss, reason = "a small number")]
             offer_model(&mut chosen, number, 100.0 - number as f64, code);
         }
         let drawn: Vec<(usize, String)> =

@@ -96,7 +96,6 @@ struct Outline {
 
 impl Outline {
     fn new(points: &[DVec2], hull: Vec<DVec2>, cell: f64) -> Self {
-        #[expect(clippy::cast_possible_truncation, reason = "some hundred cells")]
         let cell_of = |point: &DVec2| ((point.x / cell).round() as i64, (point.y / cell).round() as i64);
         let mut taken: HashSet<(i64, i64)> = hull.iter().map(cell_of).collect();
         let inside = points.iter().filter(|point| taken.insert(cell_of(point))).copied().collect();
@@ -107,7 +106,6 @@ impl Outline {
     fn spacing(&self) -> f64 {
         let next = self.line.iter().cycle().skip(1);
         let area: f64 = self.line.iter().zip(next).map(|(a, b)| a.perp_dot(*b) / 2.0).sum();
-        #[expect(clippy::cast_precision_loss, reason = "some thousand points")]
         let count = (self.line.len() + self.inside.len()) as f64;
         (area.abs() / count).sqrt()
     }

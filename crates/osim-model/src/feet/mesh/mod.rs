@@ -182,8 +182,6 @@ fn is_alone(points: &[[f64; 3]], index: usize, around: f64) -> bool {
 
 /// The value that the given share of `values` does not exceed.
 fn quantile(values: &mut [f64], share: f64) -> f64 {
-    #[expect(clippy::cast_precision_loss, reason = "at most some million points")]
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "between 0 and their count")]
     let index = (share * values.len().saturating_sub(1) as f64).round() as usize;
     if index >= values.len() {
         return f64::NAN;

@@ -116,7 +116,6 @@ fn centre_and_radius(
 // How deep spheres are where they carry a load.
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[expect(clippy::exhaustive_enums, reason = "Hertz' law is under each law that a file can have")]
 pub enum RestLaw {
     /// Hertz' law (1), without the smoothing of the force's class.
     Hertz,

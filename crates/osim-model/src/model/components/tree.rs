@@ -199,10 +199,6 @@ impl ComponentTree {
         segment: Arc<str>,
         is_member: bool,
     ) -> ComponentId {
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "no more objects than elements, and those are u32"
-        )]
         let id = ComponentId(self.list.len() as u32);
         match parent {
             None => self.roots.push(id),
@@ -310,7 +306,6 @@ impl ComponentTree {
 
     /// All components, file by file, in the order of their elements.
     pub fn iter(&self) -> impl Iterator<Item = (ComponentId, &Component)> {
-        #[expect(clippy::cast_possible_truncation, reason = "see push")]
         self.list.iter().enumerate().map(|(index, object)| (ComponentId(index as u32), object))
     }
 

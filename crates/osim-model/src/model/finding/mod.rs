@@ -124,7 +124,6 @@ impl Finding {
 /// A rule: the kind of a finding, with its code, its texts and an example. In the texts, inputs and calls are in backticks, see
 /// [`Phrase::template`], and names of limits are in braces.
 #[derive(Debug, PartialEq, Eq)]
-#[expect(clippy::exhaustive_structs, reason = "every rule is written out in full")]
 pub struct Rule {
     pub code: FindingCode,
     pub severity: Severity,

@@ -258,7 +258,6 @@ pub(super) const DIGEST_DIGITS: usize = 16;
 pub(super) const PART_DIGITS: usize = 8;
 
 /// Reads `unknown`, or a mass above 0 with its unit. The outer `None` means another text.
-#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
 pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
     if text == UNKNOWN {
         return Some(None);
@@ -272,7 +271,6 @@ pub(super) fn positive(text: &str) -> Option<f64> {
 }
 
 /// Reads `unknown`, or a gravity of at least 0 with its unit. The outer `None` means another text.
-#[expect(clippy::option_option, reason = "what is unknown is not what cannot be read")]
 pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
     if text == UNKNOWN {
         return Some(None);
