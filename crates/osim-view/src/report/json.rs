@@ -184,19 +184,12 @@ pub struct RecordingErrorsRecord {
 
 impl From<RecordingErrors> for RecordingErrorsRecord {
     fn from(errors: RecordingErrors) -> Self {
-        let RecordingErrors {
-            vertical_rms_bw,
-            held_out_vertical_rms_bw,
-            horizontal_rms_bw,
-            cop_rms_m,
-            largest_relative_indentation,
-        } = errors;
         Self {
-            vertical_rms_bw,
-            held_out_vertical_rms_bw,
-            horizontal_rms_bw,
-            cop_rms_m,
-            largest_relative_indentation,
+            vertical_rms_bw: errors.vertical_rms_bw,
+            held_out_vertical_rms_bw: errors.held_out_vertical_rms_bw,
+            horizontal_rms_bw: errors.horizontal_rms_bw,
+            cop_rms_m: errors.cop_rms_m,
+            largest_relative_indentation: errors.largest_relative_indentation,
         }
     }
 }

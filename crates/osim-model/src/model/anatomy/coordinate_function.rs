@@ -136,7 +136,7 @@ impl SimmSpline {
         Self { xs, ys, widths, chord_slopes, curvature_sixths }
     }
 
-    #[allow(clippy::indexing_slicing, reason = "all indices are below the number of knots")]
+    // All indices are below the number of knots.
     fn value_and_slope(&self, x: f64) -> (f64, f64) {
         let Self { xs, ys, widths, chord_slopes, curvature_sixths } = self;
         let n = xs.len();
@@ -167,11 +167,8 @@ impl SimmSpline {
 
 /// A sixth of the second derivative at each point of the spline of Forsythe, Malcolm and Moler, Computer Methods for Mathematical
 /// Computations (1977), chapter 4: at both ends, the third derivative is that of the cubic through the four nearest points.
-#[allow(
-    clippy::indexing_slicing,
-    reason = "all indices are below the number of knots, which are three or more"
-)]
 fn curvature_sixths(xs: &[f64], widths: &[f64], chord_slopes: &[f64]) -> Vec<f64> {
+    // All indices are below the number of knots, which are three or more.
     let n = xs.len();
     let mut diagonal: Vec<f64> = vec![0.0; n];
     let mut right: Vec<f64> = vec![0.0; n];
