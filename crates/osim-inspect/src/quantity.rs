@@ -109,10 +109,9 @@ impl Quantity {
     fn equation_suffix(&self) -> String {
         if self.equation.is_empty() { String::new() } else { format!(" ({})", self.equation) }
     }
-}
 
-/// Quantities that several registers list.
-impl Quantity {
+    // Quantities that several registers list.
+
     pub const RADIUS: Self = Self::new("radius_m", "radius", "m");
     pub const COMPOSITE_MODULUS: Self =
         Self::new("composite_modulus_n_m2", "composite modulus", "N/m2").by_equation("A.3");

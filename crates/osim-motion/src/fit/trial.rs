@@ -90,9 +90,7 @@ impl FitTrial {
             down: lowered.map(|lowered| lowered.down.clone()).unwrap_or_default(),
         }
     }
-}
 
-impl FitTrial {
     /// The trial with about `most` frames of each foot at most, evenly chosen.
     pub(super) fn thinned(&self, most: usize) -> Self {
         let thin = |foot: &FootForces| {

@@ -108,11 +108,9 @@ impl ContactLayout {
         });
         anatomy.with_spheres(spheres.collect())
     }
-}
 
-// Contacts of one side, on the other side too.
+    // Contacts of one side, on the other side too.
 
-impl ContactLayout {
     /// The contacts and their mirror images in z: names of objects and bodies get `_l` for `_r`, or the other way round. A
     /// contact on a body without a side in its name gets no mirror image.
     ///

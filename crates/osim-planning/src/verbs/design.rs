@@ -132,9 +132,7 @@ impl DesignPlanner {
         };
         Ok((Some(SharedLoad::new(load_n, count).map_err(Fault::new)?), mass))
     }
-}
 
-impl DesignPlanner {
     /// The mass that the contacts were made for before the design; `None` if it is uncertain.
     fn contacts_mass(&self, model: &Model, selected: &Selected) -> Option<Mass> {
         let origin = ContactsOrigin::find(model, &selected.forces, &self.masses, &Stance::default()).ok()?;

@@ -209,9 +209,7 @@ impl FitPlanner {
         wanted.contacts_mass = origin.ok().map(|origin| origin.mass).or_else(noted);
         Ok(wanted)
     }
-}
 
-impl FitPlanner {
     /// A remark with the dimensionless numbers of the fitted contact, which do not change when it is rescaled.
     fn remark_on_dimensionless_numbers(&self, changed: &Model) -> Option<Phrase> {
         let name = FileName::from(Path::new("model"));

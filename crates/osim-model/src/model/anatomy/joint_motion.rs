@@ -117,9 +117,7 @@ impl JointMotion {
             }
         }
     }
-}
 
-impl JointMotion {
     /// Whether coordinate number `index` of a CustomJoint is the angle of a rotation about an axis; `false` if it is a distance along an
     /// axis, `None` if it is neither. If the coordinate drives several axes, the last one counts, as in OpenSim.
     pub(crate) fn is_pure_rotation(&self, index: usize) -> Option<bool> {
