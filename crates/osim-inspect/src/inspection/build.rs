@@ -10,12 +10,13 @@ use osim_model::{
     SetId, SphereId, Value, loaded_spheres,
 };
 
+use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
 use crate::inspection::standing::{RestsToCompute, StandingBody};
 use crate::rules::{contacts, model_findings};
 use crate::{
-    ContactsMass, ContactsOrigin, Dimensionless, FactorsBySource, Figures, InspectOptions, InspectedBody,
-    InspectedFactors, InspectedForce, InspectedLimb, InspectedSphere, Inspection, KnownContacts, LoadSharing,
-    NoteSummary, Origins, Parameters, SCHEMA_VERSION,
+    ContactsMass, ContactsOrigin, Dimensionless, Figures, InspectOptions, InspectedBody, InspectedFactors,
+    InspectedForce, InspectedLimb, InspectedSphere, Inspection, KnownContacts, LoadSharing, NoteSummary,
+    SCHEMA_VERSION,
 };
 
 impl InspectOptions {
