@@ -21,6 +21,7 @@ mod bad_input;
 mod batch;
 mod bytes;
 mod cases;
+mod cases_shapes;
 mod cases_skeleton;
 mod cases_unread;
 mod check;

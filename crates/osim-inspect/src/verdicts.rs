@@ -175,6 +175,9 @@ fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWith
     if findings.iter().any(|found| found.code() == FindingCode::BareModel) {
         return Verdict::without_findings(on, Err("there are no contacts".into()));
     }
+    if inspected.model.forces().is_empty() && !inspected.model.carriers_of_other_classes().is_empty() {
+        return Verdict::without_findings(on, Err("contacts of this class are not judged".into()));
+    }
     let follows_weight = matches!(on, VerdictOn::Standing | VerdictOn::Mass | VerdictOn::Solver);
     if follows_weight && has_gravity_of_another_unit(inspected, findings) {
         return Verdict::without_findings(on, Err("gravity is in another unit".into()));

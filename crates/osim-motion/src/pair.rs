@@ -87,14 +87,14 @@ impl PairBuilder<'_> {
         let Self { model, force, set, .. } = *self;
         let at_force = |error: contact_scaling::DomainError| Fault::new(error).at_element(force.path.clone());
         let contact = contact_of_pair(force, self.surfaces, set, self.other_set)?;
-        let radius_m = sphere.radius_m()?;
+        let radius_m = sphere.round_radius_m()?;
         let other = match touched {
             TouchedSurface::Sphere(id) => model.sphere(id),
             TouchedSurface::Plane(_) => None,
         };
         // Of two spheres, the curvatures add up.
         let curved_m = match other {
-            Some(other) => 1.0 / (1.0 / radius_m + 1.0 / other.radius_m()?),
+            Some(other) => 1.0 / (1.0 / radius_m + 1.0 / other.round_radius_m()?),
             None => radius_m,
         };
         let unread = || Fault::refused(format!("the place of sphere {} cannot be read", sphere.path));

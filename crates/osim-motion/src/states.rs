@@ -262,7 +262,7 @@ impl Surface {
         let unread = || Fault::refused("the place of a sphere that another one touches cannot be read");
         let (sphere, point_m) = model.sphere(id).zip(model.centre_m(id)).ok_or_else(unread)?;
         let body = sphere.body.as_deref().and_then(|body| paths.body(body));
-        Ok(Self { body, point_m, shape: SurfaceShape::Sphere(sphere.radius_m()?) })
+        Ok(Self { body, point_m, shape: SurfaceShape::Sphere(sphere.round_radius_m()?) })
     }
 
     fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {

@@ -5,7 +5,7 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::Phrase;
 use osim_model::{
     Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, SetId, Slot, SphereId,
-    Surfaces, ValueKey, sphere_sets,
+    Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
 };
 
 use crate::change::{ChangedBy, NumberChange, PlaceChange};
@@ -70,6 +70,7 @@ impl<'m> PlanBuilder<'m> {
             path: force.path.clone(),
             set: of_set.and_then(|set| set.number),
             sphere: None,
+            radii_m: None,
             property,
             from,
             to: new.to,
@@ -85,14 +86,19 @@ impl<'m> PlanBuilder<'m> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let slot = sphere.radius_slot();
+        let factor = new.factor.unwrap_or(new.to / from);
+        let radii_m = sphere.radii_m.map(|radii| [radii, radii.map(|radius| radius * factor)]);
+        // As it is read again.
+        let to = radii_m.map_or(new.to, |[_, radii]| radius_of_equal_volume(radii));
         self.push(NumberChange {
             force: None,
             path: sphere.path.clone(),
             set: None,
             sphere: Some(sphere.name.clone()),
+            radii_m,
             property: Property::Radius,
             from,
-            to: new.to,
+            to,
             factor: new.factor,
             by: new.by,
             line: self.line(&slot),

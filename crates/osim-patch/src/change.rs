@@ -40,6 +40,8 @@ pub struct NumberChange {
     pub set: Option<usize>,
     /// Name of the sphere whose radius changes.
     pub sphere: Option<String>,
+    /// The present and the new radii of an ellipsoid, m; all are multiplied by one factor.
+    pub radii_m: Option<[[f64; 3]; 2]>,
     pub property: Property,
     /// Present effective value, as OpenSim reads it.
     pub from: f64,
@@ -146,7 +148,24 @@ impl NumberChange {
 
     /// The text that is written for the new number.
     pub(crate) fn text(&self) -> Result<String, Fault> {
-        number_text(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+        let text = match self.radii_m {
+            None => number_text(self.to, self.property, || self.origin()),
+            Some([_, new]) => triple_text(new, self.slot.tag, || self.origin()),
+        };
+        text.map_err(|fault| self.at(fault))
+    }
+
+    /// OpenSim's name of the property that changes.
+    pub fn name(&self) -> &'static str {
+        if self.radii_m.is_some() { "radii" } else { self.property.name() }
+    }
+
+    /// The present and the new value, or the three radii of an ellipsoid, each number written by `number`.
+    pub fn values(&self, number: impl Fn(f64) -> String) -> [String; 2] {
+        match self.radii_m {
+            Some(radii) => radii.map(|radii| radii.map(&number).join(" ")),
+            None => [self.from, self.to].map(number),
+        }
     }
 
     /// `fault` with the line and path of the number.

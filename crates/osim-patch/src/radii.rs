@@ -34,6 +34,9 @@ impl Radii {
             let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
             let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
+            if matches!(rule, SphereRule::Rule(RadiusRule::Metres(_)) | SphereRule::Designed(_)) {
+                model.round_radius_m(sphere)?;
+            }
             let pair = rule.radius_pair(old, isometric);
             if pair.new != pair.old {
                 users.refuse_change(model, forces, sphere, rule.change_reason())?;
@@ -87,6 +90,7 @@ impl Radii {
     pub(crate) fn keep_bottoms(&self, plan: &mut PlanBuilder<'_>, axis: LevelAxis) -> Result<(), Fault> {
         for (&sphere, pair) in &self.0 {
             let Some(found) = plan.model.sphere(sphere) else { continue };
+            found.round_radius_m()?;
             let location = found.location_m;
             let axis = axis.in_frame(&plan.model.rotation_of(found)?);
             plan.move_sphere(
@@ -113,6 +117,9 @@ impl Radii {
             let Some(body) = found.body.as_deref() else { continue };
             let factors =
                 bodies.required_factors(body).map_err(|fault| fault.at_element(found.path.clone()))?;
+            if level.is_some() {
+                found.round_radius_m()?;
+            }
             let (location, rotation) = (found.location_m, plan.model.rotation_of(found)?);
             let scaled = |vector| rotation.scaled_in_frame(factors, vector);
             let place = match level {

@@ -115,7 +115,10 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         let mut found = false;
         if property == Property::Radius {
             for sphere in moving_spheres(model, &selected.forces) {
-                let from = plan.model.radius_m(sphere)?;
+                let from = match value {
+                    Assignment::Value(_) => model.round_radius_m(sphere)?,
+                    Assignment::Factor(_) => model.radius_m(sphere)?,
+                };
                 if NewValue::assigned(value, from, by).to != from {
                     users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Assignment)?;
                 }

@@ -231,6 +231,7 @@ function shape = shapes(result)
             shape.spheres{1}.name = 'text';
             shape.spheres{1}.path = 'text';
             shape.spheres{1}.radius_m = 'number';
+            shape.spheres{1}.radii_m = 'numbers';
             shape.spheres{1}.location_m = 'numbers';
             shape.spheres{1}.frame = 'text';
             shape.spheres{1}.body = 'text';

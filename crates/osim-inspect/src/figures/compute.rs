@@ -9,7 +9,7 @@ use osim_model::feet::{DefaultPose, RestLaw, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
     CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId,
-    loaded_spheres,
+    loaded_spheres, loaded_spheres_alone,
 };
 
 use super::register::Figure;
@@ -33,8 +33,8 @@ impl Figures {
         stance: &Stance,
         standing: &[Standing],
     ) -> Result<Self, Fault> {
-        let loads = contacts_by_sphere(&loaded_spheres(model, &selected.forces)?)?;
-        // If a sphere that was not chosen cannot be read, level figures are not known.
+        let loads = contacts_by_sphere(&loaded_spheres_alone(model, &selected.forces)?)?;
+        // If a sphere that was not chosen cannot be read, or is an ellipsoid, level figures are not known.
         let all = loaded_spheres(model, &sharing.forces).and_then(|all| contacts_by_sphere(&all)).ok();
         let gravity =
             stance.gravity_m_s2.or(model.gravity()).filter(|&gravity| gravity > 0.0 && gravity.is_finite());
@@ -77,7 +77,10 @@ impl Figures {
         }
         if limbs.is_empty() && why.is_none() {
             // The forces belong to several bodies, and the caller chose none of these.
-            why = sharing.limbs.why_unknown().cloned();
+            let ellipsoids =
+                model.loaded_spheres(&selected.forces).into_iter().filter_map(|id| model.sphere(id));
+            let why_none = ellipsoids.filter_map(|sphere| sphere.round_radius_m().err()).next();
+            why = why_none.map(|fault| fault.phrase()).or(sharing.limbs.why_unknown().cloned());
         }
         Ok(Self {
             mass_kg: mass.map(|mass| mass.kg),

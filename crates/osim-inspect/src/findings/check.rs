@@ -107,9 +107,11 @@ fn find_all(
     if !in_other_units || options.stance.gravity_m_s2.is_some() {
         findings.extend(find_in_figures(&FigureCheck::new(inspected, &remedies)));
     }
-    if let Some(bare) = contacts::find_bare_model(options, model) {
+    if options.selection.apply(model).is_err_and(|fault| fault.code() == "no-contacts") {
         // A model without contacts needs no number of spheres.
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
+    }
+    if let Some(bare) = contacts::find_bare_model(options, model) {
         findings.extend((!has_finding(FindingCode::IgnoredContacts)).then(|| bare.into()));
     }
     findings.extend(another_mass);

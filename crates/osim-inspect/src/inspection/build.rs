@@ -7,7 +7,7 @@ use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
     CountedSpheres, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
-    SetId, SphereId, Value, loaded_spheres,
+    SetId, SphereId, Value, loaded_spheres_alone,
 };
 
 use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
@@ -103,7 +103,7 @@ fn contacts_of_sets(
     count: Option<f64>,
 ) -> SetContacts {
     let mut contacts = SetContacts::new();
-    let Ok(loaded) = loaded_spheres(model, &selected.forces) else { return contacts };
+    let Ok(loaded) = loaded_spheres_alone(model, &selected.forces) else { return contacts };
     // The spheres of a set follow each other.
     for spheres in loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set)) {
         let Some(sphere) = spheres.first() else { continue };
@@ -215,7 +215,8 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     let inspected = model.spheres().iter().map(|sphere| InspectedSphere {
         name: sphere.name.clone(),
         path: sphere.path.clone(),
-        radius_m: sphere.radius.number,
+        radius_m: if sphere.radii_m.is_none() { sphere.radius.number } else { f64::NAN },
+        radii_m: sphere.radii_m,
         location_m: sphere.location_m,
         frame: sphere.frame.clone(),
         body: sphere.body.clone(),

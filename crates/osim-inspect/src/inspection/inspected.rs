@@ -142,9 +142,12 @@ pub struct InspectedSphere {
     pub name: String,
     /// Component path of the sphere.
     pub path: String,
-    /// Radius of the sphere in m; NaN if the file has that, null in JSON.
+    /// Radius of the sphere in m; NaN if the file has that, or for an ellipsoid, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
     pub radius_m: f64,
+    /// The three radii of an ellipsoid in m.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub radii_m: Option<[f64; 3]>,
     /// Centre in its frame, m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
     pub location_m: [f64; 3],

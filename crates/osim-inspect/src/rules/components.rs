@@ -6,7 +6,7 @@ use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::listed;
 use osim_model::{
     Class, Component, ComponentId, Example, FileId, Finding, FindingCode, Irregularity, Model, NoteDoubt,
-    Repair, Rule, Severity, refuse_name_in_paths,
+    OTHER_CONTACT_CLASSES, Repair, Rule, Severity, refuse_name_in_paths,
 };
 use osim_requests::{ConvertRequest, Request};
 
@@ -225,10 +225,11 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
 pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
     struct InComponents(Vec<Finding>);
     let find_all = |model: &Model| {
+        let carriers = model.carriers_of_other_classes();
         let all = model.components().tree.iter();
         let found = all.flat_map(|(id, object)| {
             [
-                find_not_hertz(model, id),
+                find_not_hertz(model, id, &carriers),
                 find_duplicate_name(model, id, object),
                 find_refused_name(model, id, object),
             ]
@@ -243,23 +244,25 @@ pub(super) static NOT_HERTZ: Rule = Rule {
     severity: Severity::Remark,
     verdict: None,
     what: "Contacts of a class that does not follow the Hertz law.",
-    why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here, so they are not changed.",
+    why: "ElasticFoundationForce, ExponentialContactForce and MeyerFregly2016Force do not follow the equations used here, so they are not changed. On feet they carry the body, so `add` adds nothing beside them.",
     advice: "Scale them by their own equations, or replace them",
     repair: Repair::NotPossible("such a force has other equations"),
     example: Example::Models { good: "format/v40000.osim", bad: "format/elastic_foundation.osim" },
 };
 
-const NOT_HERTZ_CLASSES: [&str; 3] =
-    ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
-
-fn find_not_hertz(model: &Model, id: ComponentId) -> Option<Finding> {
+/// A remark on each force of another class; one for all that carry the body.
+fn find_not_hertz(model: &Model, id: ComponentId, carriers: &[ComponentId]) -> Option<Finding> {
     let components = model.components();
     let tag = components.tag(id);
-    NOT_HERTZ_CLASSES.contains(&tag).then(|| {
-        let path = components.tree.path(id);
-        let text = format!("{path} is of the class {tag}: it is not changed");
-        Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path)
-    })
+    if !OTHER_CONTACT_CLASSES.contains(&tag) || carriers.iter().skip(1).any(|&other| other == id) {
+        return None;
+    }
+    let path = components.tree.path(id);
+    let text = match carriers.first() == Some(&id) {
+        true => model.describe_other_carriers()?,
+        false => format!("{path} is of the class {tag}: it is not changed"),
+    };
+    Some(Finding::at(&NOT_HERTZ, components.line(id), text).with_place(&path))
 }
 
 pub(super) static DUPLICATE_NAMES: Rule = Rule {

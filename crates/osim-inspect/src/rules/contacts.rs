@@ -2,8 +2,8 @@
 
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable};
 use osim_model::{
-    Example, Fault, Finding, FindingCode, MassRequest, Model, Pattern, Repair, Rule, Selection, Severity,
-    VerdictOn, same_mass,
+    Example, Fault, FaultKind, Finding, FindingCode, MassRequest, Model, Pattern, Repair, Rule, Selection,
+    Severity, VerdictOn, same_mass,
 };
 use osim_requests::options::MassOptions;
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -24,8 +24,10 @@ pub(crate) static BARE_MODEL: Rule = Rule {
 
 /// Finds a model that has no contacts which can be chosen.
 pub(crate) fn find_bare_model(options: &InspectOptions, model: &Model) -> Option<Finding> {
-    let fault = options.selection.apply(model).err().filter(|fault| fault.code() == "no-contacts")?;
-    Some(Finding::new(&BARE_MODEL, fault.phrase()))
+    let fault = options.selection.apply(model).err()?;
+    // Contacts of another class have a finding of their own.
+    let is_bare = matches!(fault.kind, FaultKind::NoContacts { replaces: false, .. });
+    is_bare.then(|| Finding::new(&BARE_MODEL, fault.phrase()))
 }
 
 pub(crate) static UNMATCHED_PATTERN: Rule = Rule {

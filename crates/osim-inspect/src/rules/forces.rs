@@ -80,10 +80,11 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
 /// Finds surfaces of a force that press nothing, press twice, or belong to the other foot: at most one finding for each rule.
 pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
     type Describe = fn(&Model, &Force) -> Option<String>;
-    let rules: [(&Rule, Describe); 3] = [
+    let rules: [(&Rule, Describe); 4] = [
         (&SURFACE_NAMED_TWICE, describe_named_twice),
         (&NO_SURFACES_MEET, describe_apart),
         (&SPHERE_OF_OTHER_SIDE, describe_other_side),
+        (&SHAPE_PRESSES_NOTHING, describe_shape),
     ];
     let find = |(rule, describe): (&'static Rule, Describe)| {
         // Once for each force, not for each of its parameter sets.
@@ -139,7 +140,7 @@ pub(super) static NO_SURFACES_MEET: Rule = Rule {
 };
 
 fn describe_apart(model: &Model, force: &Force) -> Option<String> {
-    let has_others = force.sets.iter().any(|set| set.other_surfaces > 0);
+    let has_others = force.sets.iter().any(|set| !set.other_surfaces.is_empty());
     if force.kind != ForceKind::HuntCrossley || has_others || !force.applies {
         return None;
     }
@@ -187,6 +188,51 @@ fn describe_other_side(model: &Model, force: &Force) -> Option<String> {
         shown(&first.name),
         of_body.as_str()
     ))
+}
+
+pub(super) static SHAPE_PRESSES_NOTHING: Rule = Rule {
+    code: FindingCode::ShapePressesNothing,
+    severity: Severity::Warning,
+    verdict: Some(VerdictOn::Mass),
+    what: "A HuntCrossleyForce names a cylinder, a torus or a mesh.",
+    why: "OpenSim computes no force for such a surface in a HuntCrossleyForce: it presses nothing, and the spheres beside it carry its share.",
+    advice: "Put a sphere or an ellipsoid in its place; a mesh belongs in an ElasticFoundationForce",
+    repair: Repair::NotPossible("only you know which shape was meant"),
+    example: Example::Models { good: "shapes/ellipsoid.osim", bad: "shapes/torus_and_cylinder.osim" },
+};
+
+fn describe_shape(model: &Model, force: &Force) -> Option<String> {
+    let components = model.components();
+    let &shape = force.sets.iter().flat_map(|set| &set.other_surfaces).next()?;
+    Some(format!(
+        "{} names {}, a {}, which presses nothing in a HuntCrossleyForce: 0 N",
+        force.path,
+        shown(&components.name(shape)),
+        components.tag(shape)
+    ))
+}
+
+pub(super) static ELLIPSOID: Rule = Rule {
+    code: FindingCode::Ellipsoid,
+    severity: Severity::Remark,
+    verdict: None,
+    what: "A contact force presses an ellipsoid.",
+    why: "OpenSim presses it on a half-space in a HuntCrossleyForce. With all radii times 2 the force is 4 times as large, as that of a sphere, so its radii are scaled as those of spheres. Figures that need a sphere, such as x/R and lowest points, do not hold for it.",
+    advice: "Nothing, if this is intended",
+    repair: Repair::NotPossible("nothing is wrong"),
+    example: Example::Models { good: "format/v40000.osim", bad: "shapes/ellipsoid.osim" },
+};
+
+pub(super) fn find_ellipsoid(model: &Model) -> Vec<Finding> {
+    let loaded = model.loaded_spheres(&model.force_ids()).into_iter().filter_map(|id| model.sphere(id));
+    let ellipsoids: Vec<&Sphere> = loaded.filter(|sphere| sphere.radii_m.is_some()).collect();
+    let Some(first) = ellipsoids.first() else { return Vec::new() };
+    let text = format!(
+        "{} is an ellipsoid: it is scaled as a sphere is, and figures that need a sphere leave it out{}",
+        shown(&first.name),
+        and_others(ellipsoids.len(), "another ellipsoid, too", "other ellipsoids, too")
+    );
+    about_spheres(&ELLIPSOID, text, ellipsoids.iter().copied()).into_iter().collect()
 }
 
 pub(super) static MOCO_DIALECT: Rule = Rule {

@@ -102,6 +102,7 @@ fn written_properties(class: &str) -> &'static [WrittenProperty] {
         "PolynomialFunction" => &[("coefficients", OldNumbers(None), None)],
         "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => OF_CURVE,
         "ContactSphere" => &[("location", Numbers(3), ZERO)],
+        "ContactEllipsoid" => &[("location orientation radii", Numbers(3), ZERO)],
         "ContactHalfSpace" => OF_GEOMETRY,
         "HuntCrossleyForce" => {
             &[("appliesForce", Flag, Some("true")), ("isDisabled", OldFlag, Some("false"))]

@@ -59,9 +59,15 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
     (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
     (&[&forces::SPHERE_IN_TWO_FORCES], forces::find_sphere_in_two_forces),
     (
-        &[&forces::SURFACE_NAMED_TWICE, &forces::NO_SURFACES_MEET, &forces::SPHERE_OF_OTHER_SIDE],
+        &[
+            &forces::SURFACE_NAMED_TWICE,
+            &forces::NO_SURFACES_MEET,
+            &forces::SPHERE_OF_OTHER_SIDE,
+            &forces::SHAPE_PRESSES_NOTHING,
+        ],
         forces::find_in_surfaces,
     ),
+    (&[&forces::ELLIPSOID], forces::find_ellipsoid),
     (&[&numbers::DEFAULT_STIFFNESS], numbers::find_default_stiffness),
     (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], numbers::find_zero_constant_contact_force),
     // This line also applies `SIDE_RULES`.

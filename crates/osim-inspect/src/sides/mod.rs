@@ -322,7 +322,8 @@ fn radius_difference(
 ) -> Option<SideDifference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
-    if !ratio.is_finite() || close(ratio, 1.0) {
+    let is_alike = left.radii_m.is_some() == right.radii_m.is_some();
+    if !ratio.is_finite() || close(ratio, 1.0) || !is_alike {
         return None;
     }
     let bone_ratios = bones.ratios(pair.left.body, pair.right.body);

@@ -177,7 +177,7 @@ pub fn sphere_pairs(model: &Model, pose: &DefaultPose, force: &Force) -> Vec<Sph
 
 fn gap_m(model: &Model, pose: &DefaultPose, one: &Sphere, other: &Sphere) -> Result<f64, String> {
     let distance = centre_m(model, pose, one)?.distance(centre_m(model, pose, other)?);
-    let radius = |sphere: &Sphere| sphere.radius_m().map_err(|fault| fault.to_string());
+    let radius = |sphere: &Sphere| sphere.round_radius_m().map_err(|fault| fault.to_string());
     Ok(distance - radius(one)? - radius(other)?)
 }
 

@@ -56,8 +56,9 @@ pub use components::{Companion, Component, ComponentId, ComponentTree, Component
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
     Force, ForceId, ForceKind, FrameProperty, GEOMETRY_CLASSES, GroundPlane, HalfSpace, Irregularity,
-    LAST_VERSION_WITH_IS_DISABLED, LoadedSphere, Orientation, ParameterSet, SetId, Slot, Sphere, SphereId,
-    Surfaces, contact_of_pair, contact_of_set, loaded_spheres, moving_spheres, root_mean_square, sphere_sets,
+    LAST_VERSION_WITH_IS_DISABLED, LoadedSphere, OTHER_CONTACT_CLASSES, Orientation, ParameterSet, SetId,
+    Slot, Sphere, SphereId, Surfaces, contact_of_pair, contact_of_set, loaded_spheres, loaded_spheres_alone,
+    moving_spheres, radius_of_equal_volume, root_mean_square, sphere_sets,
 };
 pub use document::Document;
 pub use fault::{

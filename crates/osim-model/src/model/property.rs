@@ -168,6 +168,7 @@ pub enum Class {
     ContactParameters,
     SmoothSphereHalfSpaceForce,
     ContactSphere,
+    ContactEllipsoid,
     ContactHalfSpace,
     Body,
 }
@@ -179,6 +180,7 @@ impl Class {
             Self::ContactParameters => "HuntCrossleyForce::ContactParameters",
             Self::SmoothSphereHalfSpaceForce => "SmoothSphereHalfSpaceForce",
             Self::ContactSphere => "ContactSphere",
+            Self::ContactEllipsoid => "ContactEllipsoid",
             Self::ContactHalfSpace => "ContactHalfSpace",
             Self::Body => "Body",
         }
@@ -250,6 +252,7 @@ impl Class {
                 "Appearance",
                 "radius",
             ],
+            Self::ContactEllipsoid => &["socket_frame", "location", "orientation", "Appearance", "radii"],
             Self::ContactHalfSpace => &[
                 "socket_frame",
                 "socket_frame_connectee_name",
@@ -288,7 +291,7 @@ impl Class {
                 Property::HertzSmoothing,
                 Property::HuntCrossleySmoothing,
             ],
-            Self::ContactSphere => &[Property::Radius],
+            Self::ContactSphere | Self::ContactEllipsoid => &[Property::Radius],
             Self::ContactHalfSpace => &[],
             Self::Body => &[Property::Mass],
         }

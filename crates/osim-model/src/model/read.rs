@@ -161,7 +161,10 @@ impl Model {
             }
         };
         for sphere in &mut self.spheres {
+            let old = sphere.radius.number;
             set_number(sphere.file, sphere.element, &mut sphere.radius);
+            let factor = sphere.radius.number / old;
+            sphere.radii_m = sphere.radii_m.map(|radii| radii.map(|radius| radius * factor));
         }
         for force in &mut self.forces {
             for set in &mut force.sets {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Input, listed};
-use crate::model::components::Base;
+use crate::model::components::{Base, ComponentId};
 use crate::model::names::{Pattern, any_matches};
 use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, Model, Needed};
 
@@ -85,18 +85,20 @@ impl Selection {
         patterns.filter(|(_, pattern)| matches_nothing(pattern)).collect()
     }
 
+    /// Whether the choice has forces of this name, if they are switched on.
+    pub fn matches_name(&self, name: &str) -> bool {
+        (self.select.is_empty() || any_matches(&self.select, name)) && !any_matches(&self.exclude, name)
+    }
+
     /// Applies the choice to the forces in `candidates`. No question about several animals is asked, because the candidates are known.
     pub fn apply_among(&self, model: &Model, candidates: &[ForceId]) -> Result<Selected, Fault> {
-        let explicit = !self.select.is_empty();
         if candidates.is_empty() {
             return Err(no_contacts(model));
         }
         let wanted = |id: &ForceId| {
-            model.force(*id).is_some_and(|force| {
-                (!explicit || any_matches(&self.select, &force.name))
-                    && !any_matches(&self.exclude, &force.name)
-                    && (force.applies || !self.skip_disabled)
-            })
+            model
+                .force(*id)
+                .is_some_and(|force| self.matches_name(&force.name) && (force.applies || !self.skip_disabled))
         };
         let forces: Vec<ForceId> = candidates.iter().copied().filter(wanted).collect();
         if forces.is_empty() {
@@ -118,13 +120,28 @@ fn is_complete(model: &Model, forces: &[ForceId]) -> bool {
     default.all(|force| forces.binary_search(&force.id).is_ok())
 }
 
+const MOST_NAMES_SHOWN: usize = 6;
+
 impl Model {
     /// The first names of forces, at most six, so that a message stays readable.
     pub fn short_force_names(&self, forces: &[ForceId]) -> String {
-        const MOST_NAMES_SHOWN: usize = 6;
         let named: Vec<&str> =
             forces.iter().filter_map(|&id| self.force(id)).map(|force| force.name.as_str()).collect();
         listed(&named, MOST_NAMES_SHOWN)
+    }
+
+    /// The names of components, as [`Model::short_force_names`] has them.
+    pub fn short_component_names(&self, components: &[ComponentId]) -> String {
+        let names: Vec<_> = components.iter().map(|&id| self.components().name(id)).collect();
+        listed(&names.iter().map(AsRef::as_ref).collect::<Vec<&str>>(), MOST_NAMES_SHOWN)
+    }
+
+    /// That the feet have contacts of another class, and of which; `None` if they have none.
+    pub fn describe_other_carriers(&self) -> Option<String> {
+        let carriers = self.carriers_of_other_classes();
+        let class = self.components().tag(*carriers.first()?);
+        let names = self.short_component_names(&carriers);
+        Some(format!("these feet have {class}, which this program does not scale: {names}"))
     }
 }
 
@@ -133,6 +150,10 @@ fn has_moving_sphere(model: &Model, force: &Force) -> bool {
 }
 
 fn no_contacts(model: &Model) -> Fault {
+    if let Some(others) = model.describe_other_carriers() {
+        let detail = format!("the model has no contacts to scale; {others}");
+        return Fault::new(FaultKind::NoContacts { detail, replaces: true });
+    }
     let detail = if model.forces().is_empty() {
         let tree = model.document().tree();
         let is_other = tree.elements().any(|id| tree.name(id) == "ElasticFoundationForce");
@@ -145,7 +166,7 @@ fn no_contacts(model: &Model) -> Fault {
         };
         format!("the model has no contacts ({count} that meets a half-space)")
     };
-    Fault::new(FaultKind::NoContacts { detail })
+    Fault::new(FaultKind::NoContacts { detail, replaces: false })
 }
 
 /// Asks the caller to choose forces if their bodies are joined only through ground, such as a player and a ball.

@@ -76,10 +76,16 @@ impl Model {
 
     /// The effective radius of a sphere, m, if it can be scaled.
     pub fn radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
-        match self.sphere(sphere) {
-            Some(sphere) => sphere.radius_m(),
-            None => Err(Fault::refused(format!("there is no sphere number {}", sphere.index()))),
-        }
+        self.required_sphere(sphere)?.radius_m()
+    }
+
+    pub fn round_radius_m(&self, sphere: SphereId) -> Result<f64, Fault> {
+        self.required_sphere(sphere)?.round_radius_m()
+    }
+
+    fn required_sphere(&self, id: SphereId) -> Result<&Sphere, Fault> {
+        let unknown = || Fault::refused(format!("there is no sphere number {}", id.index()));
+        self.sphere(id).ok_or_else(unknown)
     }
 
     /// The findings of all rules about one model. `find` computes them at the first call.

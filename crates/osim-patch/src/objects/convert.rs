@@ -86,7 +86,7 @@ pub fn convert(model: &Model, selected: &Selected, wanted: &Convert) -> Result<C
             made.without_sphere.push(force.path.clone());
             continue;
         }
-        let pairs = checked_pairs(model, force)?;
+        let pairs = checked_pairs(model, force, wanted.to)?;
         let is_one = pairs.len() == 1 && moving_spheres(model, &[force.id]).len() == 1;
         if force.kind == wanted.to && is_one && !keeps_sphere_inside(model, force) {
             continue;
@@ -132,7 +132,7 @@ fn has_half_space(force: &Force) -> bool {
     force.sets.iter().any(|set| set.half_spaces > 0)
 }
 
-fn checked_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, Fault> {
+fn checked_pairs(model: &Model, force: &Force, to: ForceKind) -> Result<Vec<SpherePlanePair>, Fault> {
     let leave_out = |text: String, otherwise: &'static str| {
         let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
         Fault::new(kind).at_element(force.path.clone())
@@ -153,6 +153,13 @@ fn checked_pairs(model: &Model, force: &Force) -> Result<Vec<SpherePlanePair>, F
             sphere.path, force.path
         );
         return Err(leave_out(text, "take the sphere out of it in OpenSim first"));
+    }
+    let mut spheres = pairs.iter().filter_map(|pair| model.sphere(pair.sphere));
+    if to == ForceKind::SmoothSphereHalfSpace
+        && let Some(ellipsoid) = spheres.find(|sphere| sphere.radii_m.is_some())
+    {
+        let text = format!("{} is an ellipsoid, and a {} needs a sphere", ellipsoid.path, to.as_str());
+        return Err(leave_out(text, "make it a sphere in OpenSim first"));
     }
     Ok(pairs)
 }

@@ -73,7 +73,7 @@ impl ContactLayout {
                     sphere: own.name.clone(),
                     body,
                     location_m: place.into(),
-                    radius_m: own.radius_m()?,
+                    radius_m: own.round_radius_m()?,
                     kind: force.kind,
                     values,
                 });

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use osim_model::{
-    Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, HalfSpace, Model, Note, Selected,
-    SphereId, Tree, moving_spheres, opensim_text,
+    ComponentId, Document, ElementId, Fault, FaultKind, FileId, Force, ForceId, GEOMETRY_CLASSES, HalfSpace,
+    Model, Note, OTHER_CONTACT_CLASSES, Selected, SphereId, Tree, moving_spheres, opensim_text,
 };
 
 use crate::edit::{Edit, edited};
@@ -17,7 +17,7 @@ use crate::objects::rebuilt::{
 };
 use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 
-/// `model` without the forces `selected` and the moving spheres that only these forces use. A floor or set that [`add_contacts`]
+/// `model` without the forces `selected`, the forces of other classes `others`, and the moving geometry that only these use. A floor or set that [`add_contacts`]
 /// made is removed, too, if nothing uses it. If all contacts from [`add_contacts`] are removed, also with changed numbers, the
 /// file has the same bytes as before they were added.
 ///
@@ -26,7 +26,7 @@ use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 /// # Errors
 /// - A file that is a set and no model, or a model with a set in another file.
 /// - A sphere or force that something else uses, such as another force class, by name.
-pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault> {
+pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Result<RebuiltModel, Fault> {
     refuse_partial_model(model)?;
     let going: HashSet<ForceId> = selected.forces.iter().copied().collect();
     let staying = || model.forces().iter().filter(|force| !going.contains(&force.id));
@@ -50,8 +50,9 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
         refuse_other_file(model, sphere.file, &sphere.path)?;
         elements.push(sphere.element());
         going_names.insert(sphere.name.clone());
-        objects.push(removed("ContactSphere", [&sphere.name, &sphere.path], sphere.body.as_deref()));
+        objects.push(removed(sphere.class().tag(), [&sphere.name, &sphere.path], sphere.body.as_deref()));
     }
+    remove_others(model, others, (&mut elements, &mut objects, &mut going_names))?;
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();
     if made.contains(MADE_FLOOR) {
         let planes = |force: &Force| -> Vec<HalfSpace> {
@@ -81,6 +82,39 @@ pub fn remove(model: &Model, selected: &Selected) -> Result<RebuiltModel, Fault>
         rebuilt.earlier_note = EarlierNote::TakenOut;
     }
     Ok(rebuilt)
+}
+
+/// Adds the forces of other classes `others` to what is removed, and the geometry that nothing else uses. Their half-spaces stay.
+fn remove_others(
+    model: &Model,
+    others: &[ComponentId],
+    (elements, objects, names): (&mut Vec<ElementId>, &mut Vec<ObjectChange>, &mut HashSet<String>),
+) -> Result<(), Fault> {
+    let components = model.components();
+    let mut add = |id: ComponentId| -> Result<(), Fault> {
+        let (path, name) = (components.tree.path(id), components.name(id));
+        refuse_other_file(model, components.file_of(id), &path)?;
+        elements.push(components.element(id));
+        let mut classes = OTHER_CONTACT_CLASSES.into_iter().chain(GEOMETRY_CLASSES);
+        let class = classes.find(|class| *class == components.tag(id)).unwrap_or_default();
+        objects.push(ObjectChange::new(ObjectAction::Removed, class, [&name, &path], None));
+        Ok(())
+    };
+    others.iter().try_for_each(|&force| add(force))?;
+    let tree = model.document().tree();
+    let spans = others.iter().map(|&force| tree.span(components.element(force)));
+    let gone = OuterSpans::of(spans.collect());
+    let staying = geometry_references(model.document()).filter(|&element| !gone.covers(&tree.span(element)));
+    let texts: Vec<_> = staying.map(|element| tree.text_of(element)).collect();
+    let used: HashSet<&str> = texts.iter().flat_map(|text| geometry_names(text)).collect();
+    for id in others.iter().flat_map(|&force| model.surfaces_of_other_class(force)) {
+        let name = components.name(id).into_owned();
+        let stays = components.tag(id) == "ContactHalfSpace" || used.contains(name.as_str());
+        if !stays && names.insert(name) {
+            add(id)?;
+        }
+    }
+    Ok(())
 }
 
 fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Fault> {

@@ -120,7 +120,7 @@ fn removing_added_contacts_restores_the_file() {
         let added = plan.patched(&model, FileId::MAIN).unwrap();
         let with = Model::parse(added.clone()).unwrap();
         let selected = Selection::default().apply(&with).unwrap();
-        let without = remove(&with, &selected).unwrap();
+        let without = remove(&with, &selected, &[]).unwrap();
         let bytes = without.model().document().bytes();
         assert_eq!(String::from_utf8_lossy(bytes), text, "{}", String::from_utf8_lossy(&added));
     }
@@ -157,7 +157,7 @@ fn added_contacts_can_be_removed_in_two_parts() {
 /// empty.
 fn after_removal(model: &Model, names: &[&str]) -> Vec<u8> {
     let wanted = |force: &osim_model::Force| names.is_empty() || names.contains(&force.name.as_str());
-    let rebuilt = remove(model, &Selected::matching(model, wanted)).unwrap();
+    let rebuilt = remove(model, &Selected::matching(model, wanted), &[]).unwrap();
     let note = note_of_remaining(model, &rebuilt);
     Plan::from_objects(rebuilt, "".into()).with_note(note).patched(model, FileId::MAIN).unwrap()
 }
@@ -273,7 +273,7 @@ fn defaults_of_an_unread_class_are_refused_with_advice() {
     let text = String::from_utf8(added.model().document().bytes().to_vec()).unwrap();
     let model =
         Model::parse(text.replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{other}"))).unwrap();
-    let fault = remove(&model, &Selected::matching(&model, |_| true)).unwrap_err().to_string();
+    let fault = remove(&model, &Selected::matching(&model, |_| true), &[]).unwrap_err().to_string();
     assert!(fault.contains("in <defaults> uses heel") && fault.contains("text editor"), "{fault}");
 }
 

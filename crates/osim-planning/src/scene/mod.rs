@@ -144,7 +144,7 @@ fn placed_spheres(
     let placed = moving.filter_map(|sphere| {
         let body = sphere.body.clone()?;
         let load = loads.get(&sphere.id);
-        let radius_m = sphere.radius_m().ok()?;
+        let radius_m = sphere.round_radius_m().ok()?;
         let centre_m = pose.placement(&body).ok()?.point(model.centre_m(sphere.id)?);
         Some(SceneSphere {
             name: sphere.name.clone(),

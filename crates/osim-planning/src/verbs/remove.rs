@@ -32,12 +32,12 @@ fn plan(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
         Some(added) => selection.apply_among(model, &added)?,
         None => selection.apply(model)?,
     };
-    let rebuilt = remove(model, &selected)?;
+    let rebuilt = remove(model, &selected, &[])?;
     let count = |class: &str| {
         let removed = rebuilt.objects.iter().filter(|object| object.action == ObjectAction::Removed);
         removed.filter(|object| object.class == class).count()
     };
-    let spheres = count("ContactSphere");
+    let spheres = count("ContactSphere") + count("ContactEllipsoid");
     let planes = count("ContactHalfSpace");
     let forces = rebuilt.objects.len() - spheres - planes;
     let floor = if planes > 0 { ", and the floor that was made for them" } else { "" };

@@ -254,13 +254,14 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
 
 fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool) -> Markup {
     let Some(first) = group.first() else { return html! {} };
+    let [from, to] = first.values(readable);
     let unit = first.property.unit().replace("m2", "m²");
     html! {
         tr {
-            th scope="row" { code { (first.property.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
+            th scope="row" { code { (first.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
             td.words { (name_or_count(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed_names(&names(group))) } } }
-            td { (readable(first.from)) }
-            td { b { (readable(first.to)) } @if first.inserted { " +" } }
+            td { (from) }
+            td { b { (to) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }
             td { (topics.links_to_equations(first.by.as_str())) }
         }

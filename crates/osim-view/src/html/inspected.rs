@@ -13,7 +13,7 @@ use crate::html::special::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
-use crate::report::inspection::table::{decimals, described, groups, metres, sentences};
+use crate::report::inspection::table::{decimals, described, groups, metres, radius_text, sentences};
 
 /// A model that was inspected, and the data about it for a page.
 pub struct InspectedModelOnPage<'m> {
@@ -132,7 +132,7 @@ fn table_of_spheres(inspected: &Inspection) -> Markup {
                 th scope="row" { (sphere.name) }
                 td.words { (sphere.body.as_deref().unwrap_or(&sphere.frame)) }
                 td.words { (sphere.limb.as_deref().unwrap_or("–")) }
-                td { (metres(sphere.radius_m)) }
+                td { (radius_text(sphere, metres)) }
                 @for value in sphere.lowest_point_m.map_or_else(unknown, |point| point.map(metres)) { td { (value) } }
             }
         }

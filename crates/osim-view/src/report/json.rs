@@ -222,14 +222,14 @@ pub struct ChangeRecord {
     pub inserted: bool,
 }
 
-/// A number, or the three of a location in m.
+/// A number, or the three of a location or of an ellipsoid's radii in m.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema))]
 #[serde(untagged)]
 pub enum Amount {
     /// A number; null where it is not finite.
     Number(#[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))] f64),
-    /// A location in m; null where a coordinate is not finite.
+    /// A location, or radii, in m; null where one is not finite.
     Location(#[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))] [f64; 3]),
 }
 
@@ -301,9 +301,9 @@ impl From<&NumberChange> for ChangeRecord {
             path: change.path.clone(),
             set: change.set,
             sphere: change.sphere.clone(),
-            property: change.property.name(),
-            from: Amount::Number(change.from),
-            to: Amount::Number(change.to),
+            property: change.name(),
+            from: change.radii_m.map_or(Amount::Number(change.from), |[old, _]| Amount::Location(old)),
+            to: change.radii_m.map_or(Amount::Number(change.to), |[_, new]| Amount::Location(new)),
             factor: change.factor,
             equation: change.by.as_str(),
             line: change.line,

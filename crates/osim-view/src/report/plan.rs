@@ -115,14 +115,8 @@ fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
         };
         // A blank keeps digits below digits.
         let mark = if first.inserted { '*' } else { ' ' };
-        table.add_row(vec![
-            first.property.name().to_owned(),
-            of,
-            format!("{}{mark}", number(first.from)),
-            number(first.to),
-            factor,
-            equation,
-        ]);
+        let [from, to] = first.values(number);
+        table.add_row(vec![first.name().to_owned(), of, format!("{from}{mark}"), to, factor, equation]);
     }
     table.right_aligned(&[2, 3, 4]);
     let mut text = table.within(columns);
@@ -207,7 +201,9 @@ pub fn groups(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
     let mut places = HashMap::new();
     for change in changes {
         // What a group has in common.
-        let key = (change.property, change.from.to_bits(), change.to.to_bits(), change.by, change.inserted);
+        let radii = change.radii_m.map(|[old, _]| old.map(f64::to_bits));
+        let numbers = (change.from.to_bits(), change.to.to_bits(), radii);
+        let key = (change.property, numbers, change.by, change.inserted);
         let place = *places.entry(key).or_insert(groups.len());
         match groups.get_mut(place) {
             Some(group) => group.push(change),

@@ -162,6 +162,9 @@ impl Follow {
                 )));
             }
             let Some(body) = &old.body else { continue };
+            if request.level.is_some() {
+                own.round_radius_m()?;
+            }
             let body_factors =
                 factors.body_factors(body).map_err(|fault| fault.at_element(own.path.clone()))?;
             let [x, y, z] = body_factors;

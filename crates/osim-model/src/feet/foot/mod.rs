@@ -218,7 +218,7 @@ fn foot_spheres(model: &Model, bodies: &FootBodies, places: &FootPlaces<'_>) -> 
         let sphere = model.sphere(id)?;
         let body = sphere.body.clone().unwrap_or_default();
         let centre_m = places.point(&body, model.centre_m(id)?)?;
-        let radius_m = sphere.radius_m().ok()?;
+        let radius_m = sphere.round_radius_m().ok()?;
         Some(FootSphere { name: sphere.name.clone(), body, centre_m, radius_m, misplaced: false })
     };
     bodies.spheres.iter().filter_map(sphere).collect()

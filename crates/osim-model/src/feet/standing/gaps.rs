@@ -107,7 +107,7 @@ fn centre_and_radius(
     sphere: SphereId,
     pose: &DefaultPose,
 ) -> Result<Option<(DVec3, f64)>, PoseFault> {
-    let readable = model.sphere(sphere).zip(model.centre_m(sphere)).zip(model.radius_m(sphere).ok());
+    let readable = model.sphere(sphere).zip(model.centre_m(sphere)).zip(model.round_radius_m(sphere).ok());
     let Some(((sphere, centre), radius)) = readable else { return Ok(None) };
     let Some(body) = sphere.body.as_deref() else { return Ok(None) };
     Ok(Some((pose.placement(body)?.point(centre), radius)))

@@ -101,7 +101,7 @@ impl Components {
         companion.map_or(&self.main, |companion| &companion.document)
     }
 
-    pub(crate) fn file_of(&self, id: ComponentId) -> FileId {
+    pub fn file_of(&self, id: ComponentId) -> FileId {
         self.tree.get(id).map_or(FileId::MAIN, |component| component.file)
     }
 

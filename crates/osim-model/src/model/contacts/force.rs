@@ -61,14 +61,16 @@ pub struct Slot {
     pub offset: usize,
 }
 
-/// A contact sphere: a `ContactSphere`, or the sphere inside a force of Moco 0.1 to 0.3.
+/// A contact sphere: a `ContactSphere`, or the sphere inside a force of Moco 0.1 to 0.3. A `ContactEllipsoid` is scaled as a sphere is.
 #[derive(Debug, Clone)]
 pub struct Sphere {
     pub id: SphereId,
     pub name: String,
     pub path: String,
-    /// Effective radius, m, as OpenSim reads it. [`Sphere::radius_m`] checks it.
+    /// Effective radius, m, as OpenSim reads it; of an ellipsoid, the radius of a sphere of equal volume. [`Sphere::radius_m`] checks it.
     pub radius: Value,
+    /// The three radii of an ellipsoid, m; `None` for a sphere.
+    pub radii_m: Option<[f64; 3]>,
     /// Location of the sphere's centre in its `frame`, m.
     pub location_m: [f64; 3],
     pub frame: String,
@@ -99,8 +101,24 @@ impl Sphere {
         self.radius.checked().map_err(|fault| fault.at_element(self.path.clone()).in_file(self.file))
     }
 
+    /// [`Sphere::radius_m`], for laws and places that hold only for spheres.
+    ///
+    /// # Errors
+    /// As of [`Sphere::radius_m`]; and the sphere is an ellipsoid.
+    pub fn round_radius_m(&self) -> Result<f64, Fault> {
+        if self.radii_m.is_none() {
+            return self.radius_m();
+        }
+        let fault = Fault::refused(format!("this needs a sphere; {} is an ellipsoid", self.name));
+        Err(fault.at_element(self.path.clone()).in_file(self.file))
+    }
+
     pub const fn element(&self) -> ElementId {
         self.element
+    }
+
+    pub const fn class(&self) -> Class {
+        self.spelling.class()
     }
 
     /// Whether the sphere is inside its force, as in Moco 0.1 to 0.3.
@@ -126,6 +144,8 @@ impl Sphere {
 pub(super) enum SphereSpelling {
     /// A `ContactSphere` with a `radius` element.
     ContactSphere,
+    /// A `ContactEllipsoid` with three `radii`.
+    ContactEllipsoid,
     /// A sphere inside a force of Moco 0.1 to 0.3, with `contact_sphere_radius`.
     InsideForce,
 }
@@ -134,13 +154,14 @@ impl SphereSpelling {
     pub(super) const fn class(self) -> Class {
         match self {
             Self::ContactSphere => Class::ContactSphere,
+            Self::ContactEllipsoid => Class::ContactEllipsoid,
             Self::InsideForce => Class::SmoothSphereHalfSpaceForce,
         }
     }
 
     pub(super) const fn location_tag(self) -> &'static str {
         match self {
-            Self::ContactSphere => "location",
+            Self::ContactSphere | Self::ContactEllipsoid => "location",
             Self::InsideForce => "contact_sphere_location",
         }
     }
@@ -148,6 +169,7 @@ impl SphereSpelling {
     pub(super) const fn radius_tag(self) -> &'static str {
         match self {
             Self::ContactSphere => "radius",
+            Self::ContactEllipsoid => "radii",
             Self::InsideForce => "contact_sphere_radius",
         }
     }
@@ -188,8 +210,8 @@ pub struct ParameterSet {
     pub spheres: Vec<SphereId>,
     /// Number of half-spaces among the surfaces of the set.
     pub half_spaces: usize,
-    /// Number of surfaces of the set that are neither spheres nor half-spaces, such as meshes.
-    pub other_surfaces: usize,
+    /// Surfaces of the set that are neither spheres, ellipsoids nor half-spaces, such as meshes.
+    pub other_surfaces: Vec<ComponentId>,
     /// Effective values of the properties, in OpenSim's order. For a `SmoothSphereHalfSpaceForce`, `transition_velocity` is one of them.
     pub values: Vec<Value>,
     /// Whether the whole set is in `<defaults>`, so that several forces share it.

@@ -13,13 +13,14 @@ use contact_scaling::modulus::{self, SurfaceValues};
 use contact_scaling::{Contact, ContactValues, SmoothingValues};
 use foldhash::{HashMap, HashMapExt};
 
+use crate::model::components::ComponentId;
 use crate::model::{Fault, Model, Property};
 use crate::xml::opensim_text;
 pub use force::{Force, ForceId, ForceKind, ParameterSet, SetId, Slot, Sphere, SphereId};
 pub use half_space::{FrameProperty, HalfSpace, Orientation};
 pub use planes::GroundPlane;
 pub(crate) use read::ContactReader;
-pub use read::{GEOMETRY_CLASSES, Irregularity, LAST_VERSION_WITH_IS_DISABLED};
+pub use read::{GEOMETRY_CLASSES, Irregularity, LAST_VERSION_WITH_IS_DISABLED, radius_of_equal_volume};
 
 /// One sphere that a force presses on a surface, with the data for the contact laws: from [`loaded_spheres`].
 ///
@@ -52,7 +53,23 @@ pub struct LoadedSphere {
 }
 
 /// Every moving sphere that a switched-on force among `forces` presses on a half-space. A sphere under two forces appears twice.
+///
+/// # Errors
+/// A value that is not a plain number or outside its domain, with its place; or an ellipsoid.
 pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+    loaded_spheres_if(model, forces, |_| true)
+}
+
+/// [`loaded_spheres`] without ellipsoids.
+pub fn loaded_spheres_alone(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
+    loaded_spheres_if(model, forces, |sphere| sphere.radii_m.is_none())
+}
+
+fn loaded_spheres_if(
+    model: &Model,
+    forces: &[ForceId],
+    wanted: impl Fn(&Sphere) -> bool,
+) -> Result<Vec<LoadedSphere>, Fault> {
     let mut loaded = Vec::new();
     for &id in forces {
         let Some(force) = model.force(id).filter(|force| force.applies) else { continue };
@@ -62,8 +79,8 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
         let surfaces = Surfaces::of(force)?;
         for (set, spheres) in sphere_sets(model, force) {
             let contact = contact_of_set(force, &surfaces, set)?;
-            for sphere in spheres {
-                let radius_m = model.radius_m(sphere)?;
+            for sphere in spheres.into_iter().filter(|&id| model.sphere(id).is_some_and(&wanted)) {
+                let radius_m = model.round_radius_m(sphere)?;
                 loaded.push(LoadedSphere { sphere, force: id, set, radius_m, contact });
             }
         }
@@ -199,15 +216,27 @@ impl Model {
     }
 }
 
-// Contact forces of other classes that use the same spheres.
+// Contact forces of other classes.
 
+/// Classes of contact forces that do not follow the Hertz law. They are not scaled.
+pub static OTHER_CONTACT_CLASSES: [&str; 3] =
+    ["ElasticFoundationForce", "ExponentialContactForce", "MeyerFregly2016Force"];
 const ELASTIC_FOUNDATION_PARAMETERS: &str = "ElasticFoundationForce::ContactParameters";
 
 impl Model {
     /// The forces of other contact classes that use a contact sphere, by the sphere's name.
     pub fn forces_of_other_classes(&self) -> HashMap<String, Vec<String>> {
-        let components = self.components();
         let mut users: HashMap<String, Vec<String>> = HashMap::new();
+        for (force, surface) in self.surfaces_of_foundations() {
+            users.entry(surface).or_default().push(self.components().name(force).into_owned());
+        }
+        users
+    }
+
+    /// Each `ElasticFoundationForce`, with the name of each of its surfaces.
+    fn surfaces_of_foundations(&self) -> Vec<(ComponentId, String)> {
+        let components = self.components();
+        let mut surfaces = Vec::new();
         let foundations =
             components.tree.iter().filter(|(id, _)| components.tag(*id) == ELASTIC_FOUNDATION_PARAMETERS);
         for (id, _) in foundations {
@@ -219,10 +248,42 @@ impl Model {
             }
             let Some(force) = at else { continue };
             for name in opensim_text::list_words(&tree.text_of(geometry)) {
-                let last = name.rsplit('/').next().unwrap_or(name);
-                users.entry(last.to_owned()).or_default().push(components.name(force).into_owned());
+                surfaces.push((force, name.rsplit('/').next().unwrap_or(name).to_owned()));
             }
         }
-        users
+        surfaces
+    }
+
+    /// The contact geometry of a force of another class.
+    pub fn surfaces_of_other_class(&self, force: ComponentId) -> Vec<ComponentId> {
+        let components = self.components();
+        let named = |(of, name): (ComponentId, String)| {
+            let mut all = components.tree.iter().map(|(id, _)| id).filter(|_| of == force);
+            all.find(|&id| GEOMETRY_CLASSES.contains(&components.tag(id)) && components.name(id) == name)
+        };
+        self.surfaces_of_foundations().into_iter().filter_map(named).collect()
+    }
+
+    /// The switched-on forces of other contact classes that press a moving body on ground.
+    pub fn carriers_of_other_classes(&self) -> Vec<ComponentId> {
+        let components = self.components();
+        let is_on = |id: ComponentId| {
+            let flag = components.doc(id).flag(components.element(id), "appliesForce");
+            flag.ok().flatten().unwrap_or(true)
+        };
+        let is_fixed = |surface: ComponentId| {
+            let frame =
+                components.frame(surface, &components.connectee(surface, "frame", &["body_name"])?)?;
+            Some(self.skeleton().is_fixed(components.base(frame.component).ok()?))
+        };
+        let meets_ground = |id: ComponentId| {
+            let surfaces: Vec<bool> =
+                self.surfaces_of_other_class(id).into_iter().filter_map(is_fixed).collect();
+            components.tag(id) != "ElasticFoundationForce"
+                || (surfaces.contains(&true) && surfaces.contains(&false))
+        };
+        let all = components.tree.iter().map(|(id, _)| id);
+        let others = all.filter(|&id| OTHER_CONTACT_CLASSES.contains(&components.tag(id)));
+        others.filter(|&id| is_on(id) && meets_ground(id)).collect()
     }
 }

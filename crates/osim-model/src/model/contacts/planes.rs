@@ -142,9 +142,10 @@ impl Model {
     /// The lowest point of a sphere in the frame of its body (or ground), m: the centre minus the radius along the body's axis that is
     /// nearest to up. This is exact if the body is upright.
     ///
-    /// `None` if the frame is in a file that was not given, a number is not finite, or the radius is not above 0.
+    /// `None` if the frame is in a file that was not given, a number is not finite, or the radius is not above 0;
+    /// or the sphere is an ellipsoid.
     pub fn lowest_point_m(&self, sphere: SphereId) -> Option<DVec3> {
-        let radius = &self.sphere(sphere)?.radius;
+        let radius = &self.sphere(sphere).filter(|sphere| sphere.radii_m.is_none())?.radius;
         let mut point = self.centre_m(sphere).filter(|_| radius.property.allows(radius.number))?;
         let up = LevelAxis::of_gravity(self.gravity_m_s2);
         point[up.axis.index()] += if up.down { radius.number } else { -radius.number };

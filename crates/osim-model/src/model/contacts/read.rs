@@ -24,7 +24,7 @@ struct Attachment {
 enum Surface {
     Sphere(SphereId),
     HalfSpace(ComponentId, Base),
-    Other,
+    Other(ComponentId),
 }
 
 /// Reads the contact spheres and forces of all components.
@@ -57,8 +57,10 @@ impl<'r> ContactReader<'r> {
         self.components.refuse_broken_texts()?;
         self.record_sockets_of_joints();
         for (id, _) in self.components.tree.iter() {
-            if self.components.tag(id) == "ContactSphere" {
-                self.add_sphere(id)?;
+            match self.components.tag(id) {
+                "ContactSphere" => self.add_sphere(id, SphereSpelling::ContactSphere)?,
+                "ContactEllipsoid" => self.add_sphere(id, SphereSpelling::ContactEllipsoid)?,
+                _ => {}
             }
         }
         for (id, _) in self.components.tree.iter() {
@@ -71,16 +73,21 @@ impl<'r> ContactReader<'r> {
         Ok(())
     }
 
-    fn add_sphere(&mut self, id: ComponentId) -> Result<(), Fault> {
+    fn add_sphere(&mut self, id: ComponentId, spelling: SphereSpelling) -> Result<(), Fault> {
         let (document, element) = (self.components.doc(id), self.components.element(id));
         let frame = self.attachment(id, "frame", &["body_name"])?;
-        let radius = document.value(element, Class::ContactSphere, Property::Radius, "radius");
+        let radius = document.value(element, spelling.class(), Property::Radius, spelling.radius_tag());
         let location =
             document.whole_triple(element, "location").map_err(|fault| self.with_place(id, fault))?;
         let location_m = location.unwrap_or([0.0; 3]);
         let name = self.components.name(id).into_owned();
-        self.push_sphere(id, name, radius, location_m, frame, SphereSpelling::ContactSphere);
+        self.push_sphere(id, name, radius, location_m, frame, spelling);
         self.sphere_components.push(id);
+        if spelling == SphereSpelling::ContactEllipsoid
+            && let Some(ellipsoid) = self.spheres.last_mut()
+        {
+            ellipsoid.set_radii(document.triple(element, spelling.radius_tag()).unwrap_or_default());
+        }
         Ok(())
     }
 
@@ -110,6 +117,7 @@ impl<'r> ContactReader<'r> {
             name,
             path: self.components.tree.path(id),
             radius,
+            radii_m: None,
             location_m,
             frame,
             body,
@@ -172,14 +180,14 @@ impl<'r> ContactReader<'r> {
             self.record_component_taken_by_name(force, &connectee, Some(id));
         }
         match self.components.tag(id) {
-            "ContactSphere" => {
+            "ContactSphere" | "ContactEllipsoid" => {
                 let index = self.sphere_components.binary_search(&id).unwrap_or_default();
                 Ok(Surface::Sphere(SphereId(index)))
             }
             "ContactHalfSpace" => {
                 Ok(Surface::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
             }
-            _ => Ok(Surface::Other),
+            _ => Ok(Surface::Other(id)),
         }
     }
 
@@ -320,7 +328,7 @@ impl<'r> ContactReader<'r> {
             number,
             spheres: vec![],
             half_spaces: 0,
-            other_surfaces: 0,
+            other_surfaces: vec![],
             values: class.parameters().iter().map(value).collect(),
             line: document.line(document.tree().span(element).start),
             element,
@@ -360,6 +368,22 @@ impl<'r> ContactReader<'r> {
     }
 }
 
+/// The radius of the sphere that has the volume of an ellipsoid, m.
+pub fn radius_of_equal_volume(radii_m: [f64; 3]) -> f64 {
+    libm::cbrt(radii_m.iter().product())
+}
+
+impl Sphere {
+    /// Makes the sphere an ellipsoid. Its radius is that of a sphere of equal volume; or that of its radii which cannot be scaled, if there
+    /// is one.
+    fn set_radii(&mut self, radii_m: [f64; 3]) {
+        let wrong = radii_m.into_iter().find(|&radius| !Property::Radius.allows(radius));
+        self.radius.number = wrong.unwrap_or_else(|| radius_of_equal_volume(radii_m));
+        self.radius.fault = None;
+        self.radii_m = Some(radii_m);
+    }
+}
+
 impl ParameterSet {
     fn add(&mut self, surface: Surface) {
         match surface {
@@ -368,7 +392,7 @@ impl ParameterSet {
                 self.half_space_bases.push(base);
                 self.half_space_components.push(id);
             }
-            Surface::Other => self.other_surfaces += 1,
+            Surface::Other(id) => self.other_surfaces.push(id),
         }
     }
 }

@@ -45,8 +45,9 @@ pub enum FaultKind {
     NewValue { property: String, value: f64, expected: &'static str, origin: String },
     /// A new `constant_contact_force` of 0, with which OpenSim computes NaN.
     ZeroConstantContactForce,
-    /// The model has no contacts. `detail` says what is missing, as the beginning of a sentence.
-    NoContacts { detail: String },
+    /// The model has no contacts. `detail` says what is missing, as the beginning of a sentence; with `replaces`, new contacts have to
+    /// replace those of another class.
+    NoContacts { detail: String, replaces: bool },
     /// A path or name, `connectee` in the file, to which no component belongs.
     Unresolved { owner: String, connectee: String, wanted: &'static str },
     /// The socket of a force leads to `connectee`, contact geometry of a class that it does not take.
@@ -56,7 +57,7 @@ pub enum FaultKind {
     /// A number that looks wrong. It is used only if the caller confirms it.
     NeedsAnswer(NeedsAnswer),
     /// Contacts are to be added to a model that already has some.
-    ContactsExist { forces: String },
+    ContactsExist { forces: String, can_scale: bool },
     /// Bodies that carry spheres in the reference do not exist in the model. `others` is a pattern that matches only the reference's forces
     /// whose spheres are on bodies of the model, if there is such a pattern.
     MissingCarriers { bodies: Vec<String>, others: Option<&'static str> },
@@ -135,11 +136,19 @@ impl FaultKind {
             Self::UnknownBody { body } => {
                 phrase![Input::BodyScale.with_value(body), ": the model has no body of that name"]
             }
-            Self::NoContacts { detail } => phrase![
-                "{}: give it contacts with {}";
-                detail.clone(), Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER")
+            Self::NoContacts { detail, replaces } => {
+                let add = Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER");
+                if *replaces {
+                    phrase!["{}: replace them with {}"; detail.clone(), add.with_flag(Input::Replace)]
+                } else {
+                    phrase!["{}: give it contacts with {}"; detail.clone(), add]
+                }
+            }
+            Self::ContactsExist { forces, can_scale: false } => phrase![
+                "the model has contacts already: {forces}, which this program does not scale; replace them with {}";
+                Input::Replace
             ],
-            Self::ContactsExist { forces } => phrase![
+            Self::ContactsExist { forces, can_scale: true } => phrase![
                 "the model has contacts already: {forces}; make them right with {} or {}, or replace them with {}";
                 Verb::Rescale.call(), Verb::Transfer.call(), Input::Replace
             ],

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use osim_model::files::{Failure, Files, InMemory, OpenModel};
 use osim_model::messages::Phrase;
-use osim_model::{Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
+use osim_model::{ComponentId, Fault, FaultKind, FindingCode, ForceId, Model, Question, Selected, Selection};
 use osim_patch::{ContactLayout, ObjectAction, Plan, RebuiltModel, remove};
 use osim_requests::BodyScale;
 use osim_requests::options::AnswerOptions;
@@ -107,12 +107,22 @@ impl AddPlanner {
     /// The model without the contacts that are replaced, and the forces of these contacts; `None` if the model has no contacts.
     fn without_contacts(&self, model: &Model) -> Result<Option<(RebuiltModel, Vec<ForceId>)>, Fault> {
         let forces_on_floors = Selected::matching(model, |force| model.meets_half_space(force));
-        if forces_on_floors.forces.is_empty() {
+        let is_replaced = |&id: &ComponentId| self.replaced_forces.matches_name(&model.components().name(id));
+        let mut others = model.carriers_of_other_classes();
+        others.retain(is_replaced);
+        if forces_on_floors.forces.is_empty() && others.is_empty() {
             return Ok(None);
         }
         // Other forces, such as a ball that meets the floor, stay: the program asks for the choice of forces as `remove` does.
         let replaced = match self.replaced_forces.apply(model) {
             Ok(replaced) => replaced,
+            Err(fault)
+                if !others.is_empty()
+                    && (forces_on_floors.forces.is_empty()
+                        || matches!(fault.kind, FaultKind::NothingSelected { .. })) =>
+            {
+                Selected::default()
+            }
             Err(fault)
                 if self.replaced_forces.select.is_empty()
                     && matches!(fault.kind, FaultKind::NothingSelected { .. }) =>
@@ -123,9 +133,14 @@ impl AddPlanner {
             Err(_) => forces_on_floors,
         };
         if self.replace {
-            return Ok(Some((remove(model, &replaced)?, replaced.forces)));
+            return Ok(Some((remove(model, &replaced, &others)?, replaced.forces)));
         }
-        Err(Fault::new(FaultKind::ContactsExist { forces: model.short_force_names(&replaced.forces) }))
+        let can_scale = !replaced.forces.is_empty();
+        let forces = match can_scale {
+            true => model.short_force_names(&replaced.forces),
+            false => model.short_component_names(&others),
+        };
+        Err(Fault::new(FaultKind::ContactsExist { forces, can_scale }))
     }
 
     /// Asks about radii that look like another unit. The question for other changes does not include the radii of new spheres.

@@ -388,7 +388,8 @@ pub(super) fn with_contacts(
     };
     let doubled = Selected::matching(base, is_there);
     if !doubled.forces.is_empty() {
-        return Err(Fault::new(FaultKind::ContactsExist { forces: base.short_force_names(&doubled.forces) }));
+        let forces = base.short_force_names(&doubled.forces);
+        return Err(Fault::new(FaultKind::ContactsExist { forces, can_scale: true }));
     }
     let rebuilt = add_contacts(base, layout)?;
     let new_forces: HashSet<&str> = layout.contacts.iter().map(|contact| contact.force.as_str()).collect();

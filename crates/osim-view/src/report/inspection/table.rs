@@ -100,7 +100,7 @@ fn table_of_spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
             extent.name(&sphere.name, 17),
             extent.name(body, 12),
             extent.name(sphere.limb.as_deref().unwrap_or("-"), 10),
-            length(sphere.radius_m),
+            radius_text(sphere, length),
         ];
         match sphere.lowest_point_m {
             Some(point) => cells.extend(point.map(length)),
@@ -336,10 +336,18 @@ fn few_digits(value: f64) -> String {
     if exact.len() <= 8 { exact } else { four_significant(value) }
 }
 
+/// The radius of a sphere, or the three radii of an ellipsoid, each number written by `length`.
+pub fn radius_text(sphere: &InspectedSphere, length: impl Fn(f64) -> String) -> String {
+    match sphere.radii_m {
+        Some(radii) => radii.map(length).join(" "),
+        None => length(sphere.radius_m),
+    }
+}
+
 /// The number of decimals with which a hundredth of the smallest radius can be seen.
 pub fn decimals(spheres: &[InspectedSphere]) -> usize {
-    let radii =
-        spheres.iter().map(|sphere| sphere.radius_m).filter(|radius| *radius > 0.0 && radius.is_finite());
+    let own = |sphere: &InspectedSphere| sphere.radii_m.unwrap_or([sphere.radius_m; 3]);
+    let radii = spheres.iter().flat_map(own).filter(|radius| *radius > 0.0 && radius.is_finite());
     let smallest = radii.fold(1.0, f64::min);
     let mut decimals = 2;
     let mut unit = smallest;
