@@ -78,6 +78,12 @@ def _setter_of(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[],
         _check_unchanged(change, [location.get(axis) for axis in range(3)])
         vector = opensim.Vec3(*value)
         return lambda: geometry.set_location(vector)
+    if name == "radii":
+        ellipsoid = opensim.ContactEllipsoid.safeDownCast(owner)
+        radii = ellipsoid.get_radii()
+        _check_unchanged(change, [radii.get(axis) for axis in range(3)])
+        new_radii = opensim.Vec3(*value)
+        return lambda: ellipsoid.set_radii(new_radii)
     if change["set"] is not None:
         sets = owner.updPropertyByName("contact_parameters").updValueAsObject()
         owner = sets.updPropertyByName("objects").updValueAsObject(change["set"])

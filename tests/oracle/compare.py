@@ -77,7 +77,10 @@ def numbers_equal(ours, theirs, where):
 
 def sphere_equals(ours, theirs):
     """Radius, place and frame of a sphere."""
-    assert hexed(ours["radius_m"]) == finite(theirs["radius"]), ours["path"]
+    if "radii" in theirs:  # an ellipsoid
+        assert (ours["radius_m"], [hexed(value) for value in ours["radii_m"]]) == (None, theirs["radii"]), ours["path"]
+    else:
+        assert (hexed(ours["radius_m"]), "radii_m" in ours) == (finite(theirs["radius"]), False), ours["path"]
     assert [hexed(value) for value in ours["location_m"]] == [finite(text) for text in theirs["location"]], ours["path"]
     assert (ours["name"], ours["frame"]) == (theirs["name"], theirs["frame"])
 

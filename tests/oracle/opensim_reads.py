@@ -79,6 +79,10 @@ def parts(opensim, model):
             result["bodies"].append(here | {"mass": number(component, "mass")})
         elif kind == "ContactSphere":
             result["spheres"].append(here | geometry(component) | {"radius": number(component, "radius")})
+        elif kind == "ContactEllipsoid":
+            radii = component.getPropertyByName("radii")
+            radii = [opensim.PropertyHelper.getValueVec3(radii, i).hex() for i in range(3)]
+            result["spheres"].append(here | geometry(component) | {"radius": None, "radii": radii})
         elif kind == "ContactHalfSpace":
             result["half_spaces"].append(here | geometry(component))
         elif kind == "SmoothSphereHalfSpaceForce":
