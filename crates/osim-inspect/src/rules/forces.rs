@@ -357,8 +357,7 @@ fn terrain_spheres(model: &Model) -> Option<Finding> {
     let feet = foot_spheres_on_ground(model);
     let is_scenery =
         |sphere: &&Sphere| sphere.fixed && feet.binary_search_by_key(&sphere.id, |foot| foot.id).is_err();
-    let fixed: Vec<&Sphere> =
-        used.into_iter().filter_map(|id| model.sphere(id)).filter(is_scenery).collect();
+    let fixed: Vec<&Sphere> = used.into_iter().filter_map(|id| model.sphere(id)).filter(is_scenery).collect();
     let first = fixed.first()?;
     let text = match fixed.len() {
         1 => {

@@ -182,7 +182,8 @@ fn find_in_sides(model: &Model) -> Vec<Finding> {
     findings.extend(places::find_toes_at_ankle(&sides));
     if !skeleton::foot_spheres_on_ground(model).is_empty() {
         // These have a finding of their own.
-        findings.retain(|one| !matches!(one.code(), FindingCode::LeftRightMissing | FindingCode::OneSideOnly));
+        findings
+            .retain(|one| !matches!(one.code(), FindingCode::LeftRightMissing | FindingCode::OneSideOnly));
     }
     findings
 }

@@ -238,8 +238,7 @@ fn sample_count(report: &DropReport, weight: &Weight, duration_s: f64) -> usize 
     let oscillation_s = std::f64::consts::PI * (weight.mass_kg / stiffness_n_m).sqrt();
     let shortest_s = contact_s.unwrap_or(oscillation_s).min(oscillation_s);
     let wanted = (SAMPLES_PER_IMPACT * duration_s / shortest_s).clamp(DROP_SAMPLES.0, DROP_SAMPLES.1);
-    let samples = wanted as usize;
-    samples
+    wanted as usize
 }
 
 pub fn run_drop_test(
