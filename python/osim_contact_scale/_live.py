@@ -80,10 +80,10 @@ def _setter_of(opensim: Any, model: Any, change: dict[str, Any]) -> Callable[[],
         return lambda: geometry.set_location(vector)
     if name == "radii":
         ellipsoid = opensim.ContactEllipsoid.safeDownCast(owner)
-        radii = ellipsoid.get_radii()
+        radii = ellipsoid.getRadii()
         _check_unchanged(change, [radii.get(axis) for axis in range(3)])
         new_radii = opensim.Vec3(*value)
-        return lambda: ellipsoid.set_radii(new_radii)
+        return lambda: ellipsoid.setRadii(new_radii)
     if change["set"] is not None:
         sets = owner.updPropertyByName("contact_parameters").updValueAsObject()
         owner = sets.updPropertyByName("objects").updValueAsObject(change["set"])

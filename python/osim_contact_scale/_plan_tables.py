@@ -25,10 +25,15 @@ def changes(record: dict[str, Any]) -> Table:
 
 def _change_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
     units = _native.units()
-    numbers = [change for change in record["changes"] if change["property"] != "location"]
-    return [
-        {**change, "old": change["from"], "new": change["to"], "unit": units[change["property"]]} for change in numbers
-    ]
+    rows = []
+    for change in record["changes"]:
+        name, old, new = change["property"], change["from"], change["to"]
+        if name == "radii":
+            axes = zip("xyz", old, new, strict=True)
+            rows += [{**change, "property": f"radii_{axis}", "old": a, "new": b, "unit": "m"} for axis, a, b in axes]
+        elif name != "location":
+            rows.append({**change, "old": old, "new": new, "unit": units[name]})
+    return rows
 
 
 def grouped_changes(record: dict[str, Any]) -> list[dict[str, Any]]:

@@ -39,7 +39,8 @@ def public(module):
 def functions(module):
     """The public functions of a module, with their keywords."""
     tree = ast.parse((PACKAGE / module).read_text(encoding="utf-8"))
-    return [(node.name, [each.arg for each in node.args.kwonlyargs]) for node in tree.body if isinstance(node, ast.FunctionDef)]
+    nodes = [node for node in tree.body if isinstance(node, ast.FunctionDef) and not node.name.startswith("_")]
+    return [(node.name, [each.arg for each in node.args.kwonlyargs]) for node in nodes]
 
 
 def text_of(page):

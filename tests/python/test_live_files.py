@@ -8,6 +8,7 @@ import contextlib
 import itertools
 import multiprocessing
 import re
+import shutil
 from concurrent.futures import ProcessPoolExecutor
 
 import pytest
@@ -87,6 +88,9 @@ def written(paths, folder, has_defaults, system):
             model = opensim.Model(str(path))
         except RuntimeError:
             continue
+        # OpenSim finds the meshes of contacts beside the file.
+        for mesh in path.parent.glob("*.obj"):
+            shutil.copy(mesh, folder)
         if model.getBodySet().getSize():
             body = model.getBodySet().get(0)
             body.setMass(1.0625 * body.getMass() + 1 / 3)
