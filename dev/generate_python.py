@@ -29,15 +29,13 @@ NOT_FOR_PYTHON = "Python shows results itself, and has no exit status"
 MANY = "these are for many models at once: rescale_many and many have them"
 # Groups of fields that are no keywords, with the reason. How results are shown is none of any function.
 GROUPS_LEFT_OUT = {
-    "change": {"output": WRITTEN, "many": MANY},
-    "fit": {"output": WRITTEN, "many": MANY},
+    **dict.fromkeys(("change", "fit"), {"output": WRITTEN, "many": MANY}),
     "plot": {"output": "Figure.save"},
     "reproduce": {"output": "Reproduction has the table, plot the figures"},
 }
 # Single fields that are no keywords, with the reason.
 LEFT_OUT = {
-    "change": {"dry_run": "a plan writes nothing", "report": "Result.report"},
-    "fit": {"dry_run": "a plan writes nothing", "report": "Result.report"},
+    **dict.fromkeys(("change", "fit"), {"dry_run": "a plan writes nothing", "report": "Result.report"}),
     "batch": {"output": "a column of the table", "geometry_output": "a column of the table"},
 }
 
@@ -477,18 +475,16 @@ def docstring(verb: Verb, shape: Shape, documented: list[tuple[str, str]]) -> st
 
 def body(verb: Verb, shape: Shape, keywords: str) -> str:
     arguments = [name.lstrip("*") for name, *_ in shape.positional]
-    if shape.body == "plan":
-        arguments = [f'"{verb.name}"', *arguments]
-    if shape.body == "survey":
+    if shape.body in ("plan", "survey"):
         arguments = [f'"{verb.name}"', *arguments]
     if shape.body == "batch":
         arguments.append("keep")
-    said = ""
+    line_of_keywords = ""
     if shape.body == "explain":
         arguments.append(keywords)
     elif shape.body != "reproduce":
         # In a line of its own: a traceback shows the line of the call to people whose model is wrong.
-        said = f"    keywords = {keywords}\n"
+        line_of_keywords = f"    keywords = {keywords}\n"
         arguments.append("keywords")
     if shape.group == "survey":
         arguments.append("jobs")
@@ -497,7 +493,7 @@ def body(verb: Verb, shape: Shape, keywords: str) -> str:
     call = f"_run.{shape.body}({', '.join(arguments)})"
     # Its result has one of several types, which depend on the verb or on what is given.
     cast = "  # type: ignore[no-any-return]" if shape.body in ("survey", "design", "batch") else ""
-    return f"{said}    return {call}{cast}\n"
+    return f"{line_of_keywords}    return {call}{cast}\n"
 
 
 if __name__ == "__main__":

@@ -20,7 +20,7 @@ class Loaded:
         self._error: BaseException | None = None
 
     def task(self, job: Job) -> Callable[..., Any] | None:
-        """The task of a job; None where it cannot be loaded."""
+        """The task of a job; None if it cannot be loaded."""
         if job.task != self._bytes:
             self._bytes, self._task, self._error = job.task, None, None
             try:

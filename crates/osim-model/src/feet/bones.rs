@@ -322,7 +322,7 @@ fn length_m(bone: &Bone) -> f64 {
     length(points().fold(DVec3::NEG_INFINITY, DVec3::max) - points().fold(DVec3::INFINITY, DVec3::min))
 }
 
-/// Advice on a mesh that is `times` as long as usual: change its scale factors, or choose another bone.
+/// Advice on a mesh that is longer than usual by the factor `times`: change its scale factors, or choose another bone.
 fn repair_advice(times: f64) -> String {
     let (verb, units) = match times > MOST_BONE_LENGTHS {
         true => ("divide", probable_units(times / USUAL_BONE_LENGTHS)),

@@ -253,7 +253,7 @@ fn doubt_about_mass(
     phrase![input.with_value(readable(kg)), format!(" is {why}")]
 }
 
-/// The units in which a length was probably given, if it is `times` as long as usual; each with the number of units in a metre.
+/// The units in which a length was probably given, if it is longer than usual by the factor `times`; each with the number of units in a metre.
 ///
 /// ```
 /// use osim_model::probable_units;

@@ -25,10 +25,11 @@ pub type Edited = Option<String>;
 impl Published {
     pub fn read(folder: &Path, name: &'static str) -> Self {
         let text = std::fs::read_to_string(folder.join(format!("{name}.osim"))).unwrap();
-        Self::of(name, text)
+        Self::parse(name, text)
     }
 
-    pub fn of(name: &'static str, text: String) -> Self {
+    /// Reads the model `text`.
+    pub fn parse(name: &'static str, text: String) -> Self {
         let model = Model::parse(text.as_str()).unwrap();
         Self { name, text, model }
     }

@@ -57,7 +57,7 @@ pub fn one_legged(m: &Published) -> Edited {
         let in_list = tree.parent(id).is_some_and(|list| tree.name(list) == "objects");
         forces.contains(&id) || in_list && tree.attribute(id, "name").is_some_and(|name| is_left(&name))
     })?;
-    let halved = Published::of(m.name, halved);
+    let halved = Published::parse(m.name, halved);
     let mass = |m: &Published| m.model.bodies().iter().filter_map(|body| body.mass_kg().ok()).sum::<f64>();
     let ratio = mass(m) / mass(&halved);
     halved.masses(all, |kg| kg * ratio)
@@ -84,10 +84,10 @@ pub fn prosthesis(m: &Published) -> Edited {
     let place = (talus.in_parent_m() - talus.in_child.translation_m + foot.in_parent_m()).to_array();
     let place = super::published::text(place);
     let element = parent_end(m, foot, &["location_in_parent"], &["translation"])?;
-    let with_place = Published::of(m.name, with_text(m, element, &place));
+    let with_place = Published::parse(m.name, with_text(m, element, &place));
     let is_foot = |joint: &&ModelJoint| joint.name == foot.name;
     let with_parent = with_parent(&with_place, with_place.model.joints().iter().find(is_foot)?, shank)?;
-    let hung = Published::of(m.name, with_parent);
+    let hung = Published::parse(m.name, with_parent);
     let tree = hung.model.document().tree();
     without(&hung, |id| {
         let name = tree.attribute(id, "name").unwrap_or_default();

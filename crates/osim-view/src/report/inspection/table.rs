@@ -337,7 +337,7 @@ fn few_digits(value: f64) -> String {
 }
 
 /// The radius of a sphere, or the three radii of an ellipsoid, each number written by `length`.
-pub fn radius_text(sphere: &InspectedSphere, length: impl Fn(f64) -> String) -> String {
+pub(crate) fn radius_text(sphere: &InspectedSphere, length: impl Fn(f64) -> String) -> String {
     match sphere.radii_m {
         Some(radii) => radii.map(length).join(" "),
         None => length(sphere.radius_m),
