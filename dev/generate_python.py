@@ -29,13 +29,13 @@ NOT_FOR_PYTHON = "Python shows results itself, and has no exit status"
 MANY = "these are for many models at once: rescale_many and many have them"
 # Groups of fields that are no keywords, with the reason. How results are shown is none of any function.
 GROUPS_LEFT_OUT = {
-    **dict.fromkeys(("change", "fit"), {"output": WRITTEN, "many": MANY}),
+    **{key: {"output": WRITTEN, "many": MANY} for key in ("change", "fit")},
     "plot": {"output": "Figure.save"},
     "reproduce": {"output": "Reproduction has the table, plot the figures"},
 }
 # Single fields that are no keywords, with the reason.
 LEFT_OUT = {
-    **dict.fromkeys(("change", "fit"), {"dry_run": "a plan writes nothing", "report": "Result.report"}),
+    **{key: {"dry_run": "a plan writes nothing", "report": "Result.report"} for key in ("change", "fit")},
     "batch": {"output": "a column of the table", "geometry_output": "a column of the table"},
 }
 
