@@ -11,6 +11,8 @@ import argparse
 import gzip
 import io
 import json
+import posixpath
+import re
 import shutil
 import subprocess
 import sys
@@ -27,6 +29,10 @@ from licences import licences
 
 SHELLS = {"bash": f"{COMMAND}.bash", "zsh": f"_{COMMAND}", "fish": f"{COMMAND}.fish",
           "powershell": f"{COMMAND}.ps1", "elvish": f"{COMMAND}.elv"}
+#: `[text](path)` and `[text](path#anchor)`, not addresses and not anchors of the page itself.
+LINK = re.compile(rb"\[(?P<text>[^\[\]]*)\]\((?P<path>[^\s():#]+)(?:#[^\s()]*)?\)")
+#: What of a page is only for those who have the sources.
+FOR_SOURCES = {"README.md": rb"(?ms)^## From the sources$.*?(?=^## )", "docs/README.md": rb"(?m)^- Develop: .*\n"}
 
 
 def output_of(*command, **options):
@@ -49,7 +55,11 @@ def contents(program, target, metadata):
         add(name, (ROOT / name).read_bytes())
     # The pages, the schemas of the JSON that they describe, and the package for MATLAB, which finds the program beside itself.
     for name in tracked("docs", "schemas", "matlab"):
-        add(name, (ROOT / name).read_bytes())
+        # Developers have the sources.
+        if not name.startswith("docs/developers/"):
+            add(name, (ROOT / name).read_bytes())
+    for page, sources in FOR_SOURCES.items():
+        add(page, re.sub(sources, b"", files[page][0]))
     # What the examples of the pages name, so that each can be tried: whole folders, because files there name one another.
     folders = {name for page in console_examples.pages(ROOT) for name in console_examples.folders(page.read_text("utf-8"))}
     for name in tracked("fixtures"):
@@ -61,13 +71,24 @@ def contents(program, target, metadata):
     for name in tracked("dev/release/opensim-gui"):
         add(f"opensim-gui/{Path(name).name}", (ROOT / name).read_bytes())
     if "windows" in target:
-        add("inspect.bat", (ROOT / "dev/release/inspect.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
+        add("check.bat", (ROOT / "dev/release/check.bat").read_bytes().replace(b"\r\n", b"\n").replace(b"\n", b"\r\n"))
     else:
         with tempfile.TemporaryDirectory() as folder:
             output_of(str(program), "man", "--output-dir", folder)
             for page in sorted(Path(folder).iterdir()):
                 add(f"man/{page.name}", page.read_bytes())
-    return files
+    return {path: (without_dead_links(path, data, files) if path.endswith(".md") else data, runs) for path, (data, runs) in files.items()}
+
+
+def without_dead_links(page, data, files):
+    """The text of a page, where links to files that are not in the archive are plain text."""
+
+    def kept(link):
+        path = posixpath.normpath(posixpath.join(posixpath.dirname(page), link["path"].decode()))
+        there = any(name == path or name.startswith(f"{path}/") for name in files)
+        return link[0] if there else link["text"]
+
+    return LINK.sub(kept, data)
 
 
 def tar_gz(files, folder, when):

@@ -42,6 +42,12 @@ def unpack(archive, into):
     return tops[0]
 
 
+def dead_links(page):
+    """The links of a page to files that do not exist."""
+    links = re.findall(r"\]\(([^\s():#]+)(?:#[^\s()]*)?\)", page.read_text(encoding="utf-8"))
+    return [link for link in links if not (page.parent / link).exists()]
+
+
 def empty_environment():
     # Windows loads no program without it.
     return {"SystemRoot": os.environ["SystemRoot"]} if os.name == "nt" else {}
@@ -117,8 +123,11 @@ def test(archive):
         top = unpack(archive, folder / "unpacked")
         program = next(top / name for name in [COMMAND, f"{COMMAND}.exe"] if (top / name).exists())
         missing = [name for name in EXPECTED if not (top / name).is_file()]
-        missing += [] if (top / ("inspect.bat" if os.name == "nt" else f"man/{COMMAND}.1")).is_file() else ["manual"]
+        missing += [] if (top / ("check.bat" if os.name == "nt" else f"man/{COMMAND}.1")).is_file() else ["manual"]
         assert not missing, f"not in the archive: {missing}"
+        dead = [f"{page.relative_to(top)}: {link}" for page in sorted(top.rglob("*.md")) for link in dead_links(page)]
+        assert not dead, f"links to files that are not in the archive: {dead}"
+        assert "cargo" not in (top / "README.md").read_text(encoding="utf-8"), "README.md has what needs the sources"
         print(f"{archive.name}: {run([program, '--version']).strip()}, {program.stat().st_size} bytes")
         model = top / "fixtures/table1" / MODEL
         work = folder / "a folder with spaces"
