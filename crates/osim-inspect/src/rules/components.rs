@@ -223,20 +223,15 @@ pub(super) fn find_unknown_class(model: &Model) -> Vec<Finding> {
 
 /// Applies the rules about single components, in the order of the component tree.
 pub(super) fn find_in_components(model: &Model) -> Vec<Finding> {
-    struct InComponents(Vec<Finding>);
-    let find_all = |model: &Model| {
-        let carriers = model.carriers_of_other_classes();
-        let all = model.components().tree.iter();
-        let found = all.flat_map(|(id, object)| {
-            [
-                find_not_hertz(model, id, &carriers),
-                find_duplicate_name(model, id, object),
-                find_refused_name(model, id, object),
-            ]
-        });
-        InComponents(found.flatten().collect())
-    };
-    model.derived_from_bodies(find_all).0.clone()
+    let carriers = model.carriers_of_other_classes();
+    let found = model.components().tree.iter().flat_map(|(id, object)| {
+        [
+            find_not_hertz(model, id, &carriers),
+            find_duplicate_name(model, id, object),
+            find_refused_name(model, id, object),
+        ]
+    });
+    found.flatten().collect()
 }
 
 pub(super) static NOT_HERTZ: Rule = Rule {

@@ -18,14 +18,8 @@ const VALUE_RULES: [(&Rule, DescribeValue); 3] = [
     (&OUT_OF_DOMAIN, describe_out_of_domain),
 ];
 
-/// Finds numbers and flags that are written oddly, numbers that are not finite, and contacts and masses outside their domain.
-pub(super) fn find_misread_values(model: &Model) -> Vec<Finding> {
-    struct InTexts(Vec<Finding>);
-    let InTexts(in_texts) = model.derived_from_bodies(|model| InTexts(find_in_texts(model)));
-    find_in_values(model).into_iter().chain(in_texts.iter().cloned()).collect()
-}
-
-fn find_in_values(model: &Model) -> Vec<Finding> {
+/// Finds numbers of contacts, and masses, that are written oddly, are not finite, or are outside their domain.
+pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
     let parameters = model.forces().iter().flat_map(|force| {
         // The older class has its transition velocity outside its parameter sets.
         let outside_sets = (force.kind == ForceKind::HuntCrossley).then_some(&force.transition_velocity);
@@ -57,61 +51,64 @@ enum TextForm {
 }
 use TextForm::{Flag, Numbers, OldFlag, OldNumbers};
 
-/// A property, or several of one form: the tags with blanks between them, the form of the text, and the default in OpenSim. If there is no
-/// default, OpenSim refuses the model.
-type WrittenProperty = (&'static str, TextForm, Option<&'static str>);
+/// Properties of one form: their tags, the form of the text, and the default in OpenSim. If there is no default, OpenSim refuses the model.
+type WrittenProperties = (&'static [&'static str], TextForm, Option<&'static str>);
 
 const ZERO: Option<&str> = Some("0 0 0");
-const OF_GEOMETRY: &[WrittenProperty] = &[("location orientation", Numbers(3), ZERO)];
-const OF_FRAME: &[WrittenProperty] = &[("translation orientation", Numbers(3), ZERO)];
-const OF_JOINT: &[WrittenProperty] = &[
+const OF_GEOMETRY: &[WrittenProperties] = &[(&["location", "orientation"], Numbers(3), ZERO)];
+const OF_FRAME: &[WrittenProperties] = &[(&["translation", "orientation"], Numbers(3), ZERO)];
+const OF_JOINT: &[WrittenProperties] = &[
     // Documents before version 4 have the frames of a joint in the joint itself.
-    ("location_in_parent orientation_in_parent location orientation", OldNumbers(Some(3)), None),
-    ("reverse", Flag, Some("false")),
-    ("radii_x_y_z", Numbers(3), None),
+    (&["location_in_parent", "orientation_in_parent", "location", "orientation"], OldNumbers(Some(3)), None),
+    (&["reverse"], Flag, Some("false")),
+    (&["radii_x_y_z"], Numbers(3), None),
 ];
-const OF_CURVE: &[WrittenProperty] = &[("x y", OldNumbers(None), None)];
-const OF_CONSTRAINT: &[WrittenProperty] = &[
-    ("isEnforced", Flag, Some("true")),
-    ("isDisabled", OldFlag, Some("false")),
-    ("scale_factor", Numbers(1), Some("1")),
-    ("constant_distance", Numbers(1), None),
-    ("location_body_1 location_body_2 orientation_body_1 orientation_body_2", Numbers(3), ZERO),
-    ("line_direction_vec point_on_line point_on_follower", Numbers(3), ZERO),
+const OF_CURVE: &[WrittenProperties] = &[(&["x", "y"], OldNumbers(None), None)];
+const OF_CONSTRAINT: &[WrittenProperties] = &[
+    (&["isEnforced"], Flag, Some("true")),
+    (&["isDisabled"], OldFlag, Some("false")),
+    (&["scale_factor"], Numbers(1), Some("1")),
+    (&["constant_distance"], Numbers(1), None),
+    (&["location_body_1", "location_body_2", "orientation_body_1", "orientation_body_2"], Numbers(3), ZERO),
+    (&["line_direction_vec", "point_on_line", "point_on_follower"], Numbers(3), ZERO),
 ];
 
 /// The properties of `class` on which a pose, a mass or a contact force depends, without the properties of contacts that are a [`Value`].
-fn written_properties(class: &str) -> &'static [WrittenProperty] {
+fn written_properties(class: &str) -> &'static [WrittenProperties] {
     match class {
-        "Model" => &[("gravity", Numbers(3), Some("0 -9.80665 0"))],
+        "Model" => &[(&["gravity"], Numbers(3), Some("0 -9.80665 0"))],
         "Body" => &[
-            ("mass_center", Numbers(3), ZERO),
-            ("inertia", Numbers(6), Some("0 0 0 0 0 0")),
-            ("inertia_xx inertia_yy inertia_zz inertia_xy inertia_xz inertia_yz", Numbers(1), None),
+            (&["mass_center"], Numbers(3), ZERO),
+            (&["inertia"], Numbers(6), Some("0 0 0 0 0 0")),
+            (
+                &["inertia_xx", "inertia_yy", "inertia_zz", "inertia_xy", "inertia_xz", "inertia_yz"],
+                Numbers(1),
+                None,
+            ),
         ],
-        "Mesh" | "VisibleObject" | "DisplayGeometry" => &[("scale_factors", Numbers(3), Some("1 1 1"))],
+        "Mesh" | "VisibleObject" | "DisplayGeometry" => &[(&["scale_factors"], Numbers(3), Some("1 1 1"))],
         "Coordinate" => &[
-            ("default_value default_speed_value", Numbers(1), Some("0")),
-            ("range", Numbers(2), Some("-10 10")),
-            ("clamped locked prescribed is_free_to_satisfy_constraints", Flag, Some("false")),
+            (&["default_value", "default_speed_value"], Numbers(1), Some("0")),
+            (&["range"], Numbers(2), Some("-10 10")),
+            (&["clamped", "locked", "prescribed", "is_free_to_satisfy_constraints"], Flag, Some("false")),
         ],
-        "TransformAxis" => &[("axis", Numbers(3), Some("1 0 0"))],
-        "Constant" => &[("value", Numbers(1), None)],
-        "MultiplierFunction" => &[("scale", Numbers(1), None)],
-        "LinearFunction" => &[("coefficients", OldNumbers(Some(2)), None)],
-        "PolynomialFunction" => &[("coefficients", OldNumbers(None), None)],
+        "TransformAxis" => &[(&["axis"], Numbers(3), Some("1 0 0"))],
+        "Constant" => &[(&["value"], Numbers(1), None)],
+        "MultiplierFunction" => &[(&["scale"], Numbers(1), None)],
+        "LinearFunction" => &[(&["coefficients"], OldNumbers(Some(2)), None)],
+        "PolynomialFunction" => &[(&["coefficients"], OldNumbers(None), None)],
         "SimmSpline" | "NaturalCubicSpline" | "PiecewiseLinearFunction" | "GCVSpline" => OF_CURVE,
-        "ContactSphere" => &[("location", Numbers(3), ZERO)],
-        "ContactEllipsoid" => &[("location orientation radii", Numbers(3), ZERO)],
+        "ContactSphere" => &[(&["location"], Numbers(3), ZERO)],
+        "ContactEllipsoid" => &[(&["location", "orientation", "radii"], Numbers(3), ZERO)],
         "ContactHalfSpace" => OF_GEOMETRY,
         "HuntCrossleyForce" => {
-            &[("appliesForce", Flag, Some("true")), ("isDisabled", OldFlag, Some("false"))]
+            &[(&["appliesForce"], Flag, Some("true")), (&["isDisabled"], OldFlag, Some("false"))]
         }
         "SmoothSphereHalfSpaceForce" => &[
-            ("appliesForce", Flag, Some("true")),
+            (&["appliesForce"], Flag, Some("true")),
             // As Moco 0.1 to 0.3 wrote them.
             (
-                "contact_sphere_location contact_half_space_location contact_half_space_orientation",
+                &["contact_sphere_location", "contact_half_space_location", "contact_half_space_orientation"],
                 Numbers(3),
                 ZERO,
             ),
@@ -125,8 +122,8 @@ fn written_properties(class: &str) -> &'static [WrittenProperty] {
 
 /// Finds texts of numbers and flags that OpenSim reads as other values than are written, or that are not finite. OpenSim silently takes its
 /// default if it cannot read a text.
-fn find_in_texts(model: &Model) -> Vec<Finding> {
-    let mut found = Vec::new();
+pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
+    let (mut found, mut children) = (Vec::new(), Vec::new());
     let components = model.components();
     for (id, component) in components.tree.iter() {
         let tag = components.tag(id);
@@ -148,13 +145,23 @@ fn find_in_texts(model: &Model) -> Vec<Finding> {
             // Names of properties are in lower case.
             let is_object = class.starts_with(|letter: char| letter.is_ascii_uppercase());
             let all = if is_object { written_properties(class) } else { &[] };
-            for property in
-                all.iter().flat_map(|&(tags, form, of)| tags.split(' ').map(move |tag| (tag, form, of)))
-            {
-                if let Some((rule, element_of_text, text)) = misread_text(document, element, property) {
+            if all.is_empty() {
+                return tag != "Model";
+            }
+            children.clear();
+            children.extend(tree.children(element).map(|child| (tree.name(child), child)));
+            let own = |tag: &str| children.iter().find(|(name, _)| *name == tag).map(|&(_, child)| child);
+            let properties =
+                all.iter().flat_map(|&(tags, form, of)| tags.iter().map(move |&tag| (tag, form, of)));
+            for (property, form, default) in properties {
+                let Some(of_text) = own(property).or_else(|| document.inherited_element(element, property))
+                else {
+                    continue;
+                };
+                if let Some((rule, text)) = misread_text(document, element, of_text, (form, default)) {
                     let path = path_of_part(document, path(), component.element, element);
-                    let line = document.line(tree.span(element_of_text).start);
-                    let finding = Finding::at(rule, line, format!("{} of {path} {text}", property.0));
+                    let line = document.line(tree.span(of_text).start);
+                    let finding = Finding::at(rule, line, format!("{property} of {path} {text}"));
                     found.push(if tag == "Model" { finding } else { finding.with_place(&path) });
                 }
             }
@@ -182,25 +189,26 @@ fn path_of_part(document: &Document, path: String, whole: ElementId, part: Eleme
     names.iter().rev().fold(path, |path, name| format!("{path}/{name}"))
 }
 
-/// What is wrong with the text of a property of `object`: the rule, the element of the text, and words that follow the property's name.
+/// What is wrong with the text of `element`, a property of `object` with this form and default: the rule, and words that follow the
+/// property's name.
 fn misread_text(
     document: &Document,
     object: ElementId,
-    (tag, form, default): WrittenProperty,
-) -> Option<(&'static Rule, ElementId, String)> {
+    element: ElementId,
+    (form, default): (TextForm, Option<&str>),
+) -> Option<(&'static Rule, String)> {
     if matches!(form, OldFlag) && document.version() > LAST_VERSION_WITH_IS_DISABLED {
         return None;
     }
-    let element = document.property_element(object, tag)?;
-    let raw = document.tree().raw_text(element);
+    let (tag, raw) = (document.tree().name(element), document.tree().raw_text(element));
     if let Some(read) = raw.in_one_piece.then(|| form.plain_numbers(&raw.text)).flatten() {
         if let Some(text) = unequal_counts(document, object, tag, &raw.text) {
-            return Some((&ODD_NUMBER, element, text));
+            return Some((&ODD_NUMBER, text));
         }
         // A coordinate may be without bounds.
         let is_fine = |value: &f64| value.is_finite() || (tag == "range" && !value.is_nan());
         let listed = || format!("is {}", read.iter().map(f64::to_string).collect::<Vec<_>>().join(" "));
-        return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, element, listed()));
+        return (!read.iter().all(is_fine)).then(|| (&NOT_FINITE, listed()));
     }
     let inherited = || document.inherited_element(object, tag).filter(|&inherited| inherited != element);
     let read = raw.in_one_piece.then(|| {
@@ -211,7 +219,7 @@ fn misread_text(
         Some(read) => format!("which OpenSim reads as {read}"),
         None => "with which OpenSim refuses the model".to_owned(),
     };
-    Some((&ODD_NUMBER, element, format!("is '{}', {meaning}", shown_text(&raw.text))))
+    Some((&ODD_NUMBER, format!("is '{}', {meaning}", shown_text(&raw.text))))
 }
 
 /// Words about a curve whose points have more or fewer numbers `tag` than numbers of the other axis; `None` if they have as many.

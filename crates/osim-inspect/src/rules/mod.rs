@@ -31,11 +31,21 @@ pub use places::find_misplaced_spheres;
 /// A table of rules: each line has one or several rules, and the function that applies them together.
 type Table<F> = &'static [(&'static [&'static Rule], F)];
 
+/// What the findings of a rule depend on.
+#[derive(Clone, Copy, PartialEq)]
+enum DependsOn {
+    /// Numbers of contacts or the note, which a change can make different.
+    Numbers,
+    /// Only what models share that differ in such numbers: bodies, joints, constraints, names, other texts.
+    Rest,
+}
+use DependsOn::{Numbers, Rest};
+
 /// Rules about the model itself, in the order in which reports list their findings.
-static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
+static MODEL_RULES: Table<(DependsOn, fn(&Model) -> Vec<Finding>)> = &[
     (
         &[&components::CONNECTEE_BY_NAME, &components::SOCKET_NOWHERE, &components::MISNAMED_PARAMETER_SET],
-        components::find_irregularities,
+        (Rest, components::find_irregularities),
     ),
     (
         &[
@@ -45,19 +55,24 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
             &unread::IGNORED_CONTACTS,
             &unread::UNKNOWN_NAME,
         ],
-        unread::find_unread,
+        (Rest, unread::find_unread),
     ),
-    (&[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN], misread::find_misread_values),
-    (&[&numbers::ANGLE_IN_DEGREES], numbers::find_angle_in_degrees),
-    (&[&numbers::MASSLESS_BODY], numbers::find_massless_body),
-    (&[&numbers::DEFAULT_OUTSIDE_RANGE], numbers::find_default_outside_range),
-    (&[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES], skeleton::find_in_skeleton),
-    (&[&skeleton::FOOT_SPHERE_ON_GROUND], skeleton::find_foot_sphere_on_ground),
-    (&[&skeleton::ROOT_HELD], skeleton::find_root_held),
-    (&[&components::INCLUDED_FILE], components::find_included_file),
-    (&[&forces::DEAD_DERIVATIVE_SMOOTHING], forces::find_dead_derivative_smoothing),
-    (&[&forces::SEVERAL_SPHERES_ONE_FORCE], forces::find_several_spheres_one_force),
-    (&[&forces::SPHERE_IN_TWO_FORCES], forces::find_sphere_in_two_forces),
+    (
+        &[&misread::ODD_NUMBER, &misread::NOT_FINITE, &misread::OUT_OF_DOMAIN],
+        (Numbers, misread::find_in_values),
+    ),
+    // The texts of other numbers, by the same rules.
+    (&[], (Rest, misread::find_in_texts)),
+    (&[&numbers::ANGLE_IN_DEGREES], (Rest, numbers::find_angle_in_degrees)),
+    (&[&numbers::MASSLESS_BODY], (Rest, numbers::find_massless_body)),
+    (&[&numbers::DEFAULT_OUTSIDE_RANGE], (Rest, numbers::find_default_outside_range)),
+    (&[&skeleton::ODD_PARENT, &skeleton::LEFT_RIGHT_BONES], (Rest, skeleton::find_in_skeleton)),
+    (&[&skeleton::FOOT_SPHERE_ON_GROUND], (Rest, skeleton::find_foot_sphere_on_ground)),
+    (&[&skeleton::ROOT_HELD], (Rest, skeleton::find_root_held)),
+    (&[&components::INCLUDED_FILE], (Rest, components::find_included_file)),
+    (&[&forces::DEAD_DERIVATIVE_SMOOTHING], (Numbers, forces::find_dead_derivative_smoothing)),
+    (&[&forces::SEVERAL_SPHERES_ONE_FORCE], (Rest, forces::find_several_spheres_one_force)),
+    (&[&forces::SPHERE_IN_TWO_FORCES], (Rest, forces::find_sphere_in_two_forces)),
     (
         &[
             &forces::SURFACE_NAMED_TWICE,
@@ -65,28 +80,31 @@ static MODEL_RULES: Table<fn(&Model) -> Vec<Finding>> = &[
             &forces::SPHERE_OF_OTHER_SIDE,
             &forces::SHAPE_PRESSES_NOTHING,
         ],
-        forces::find_in_surfaces,
+        (Rest, forces::find_in_surfaces),
     ),
-    (&[&forces::ELLIPSOID], forces::find_ellipsoid),
-    (&[&numbers::DEFAULT_STIFFNESS], numbers::find_default_stiffness),
-    (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], numbers::find_zero_constant_contact_force),
+    (&[&forces::ELLIPSOID], (Numbers, forces::find_ellipsoid)),
+    (&[&numbers::DEFAULT_STIFFNESS], (Numbers, numbers::find_default_stiffness)),
+    (&[&numbers::ZERO_CONSTANT_CONTACT_FORCE], (Numbers, numbers::find_zero_constant_contact_force)),
     // This line also applies `SIDE_RULES`.
-    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], find_in_sides),
+    (&[&sides::LEFT_RIGHT_DIFFER, &sides::LEFT_RIGHT_CLOSE], (Numbers, find_in_sides)),
     (
         &[&friction::LARGE_FRICTION, &friction::DYNAMIC_ABOVE_STATIC, &friction::ODD_TRANSITION_VELOCITY],
-        friction::find_odd_friction,
+        (Numbers, friction::find_odd_friction),
     ),
-    (&[&friction::NO_FRICTION, &friction::NO_DISSIPATION], friction::find_no_friction_or_dissipation),
-    (&[&components::CONTACT_DEFAULTS], components::find_contact_defaults),
-    (&[&forces::MOCO_DIALECT], forces::find_moco_dialect),
-    (&[&forces::TERRAIN], forces::find_terrain),
-    (&[&components::UNKNOWN_CLASS], components::find_unknown_class),
+    (
+        &[&friction::NO_FRICTION, &friction::NO_DISSIPATION],
+        (Numbers, friction::find_no_friction_or_dissipation),
+    ),
+    (&[&components::CONTACT_DEFAULTS], (Rest, components::find_contact_defaults)),
+    (&[&forces::MOCO_DIALECT], (Numbers, forces::find_moco_dialect)),
+    (&[&forces::TERRAIN], (Numbers, forces::find_terrain)),
+    (&[&components::UNKNOWN_CLASS], (Rest, components::find_unknown_class)),
     (
         &[&components::NOT_HERTZ, &components::DUPLICATE_NAMES, &components::REFUSED_NAME],
-        components::find_in_components,
+        (Rest, components::find_in_components),
     ),
-    (&[&components::LOOP_OF_JOINTS], components::find_loop_of_joints),
-    (&[&components::MIXED_PAIR], components::find_mixed_pair),
+    (&[&components::LOOP_OF_JOINTS], (Rest, components::find_loop_of_joints)),
+    (&[&components::MIXED_PAIR], (Numbers, components::find_mixed_pair)),
 ];
 
 /// Rules about the two sides of the body, and about places and sizes of spheres.
@@ -171,7 +189,18 @@ fn rules_in<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn model_findings(model: &Model) -> &[Finding] {
-    model.findings(|model| MODEL_RULES.iter().flat_map(|(_, find)| find(model)).collect())
+    struct OfRest(Vec<Vec<Finding>>);
+    model.findings(|model| {
+        let of_rest = MODEL_RULES.iter().filter(|(_, (depends_on, _))| *depends_on == Rest);
+        let OfRest(found) =
+            model.derived_from_bodies(|model| OfRest(of_rest.map(|(_, (_, find))| find(model)).collect()));
+        let mut found = found.iter().cloned();
+        let findings = MODEL_RULES.iter().flat_map(|(_, (depends_on, find))| match depends_on {
+            Numbers => find(model),
+            Rest => found.next().unwrap_or_default(),
+        });
+        findings.collect()
+    })
 }
 
 fn find_in_sides(model: &Model) -> Vec<Finding> {

@@ -11,7 +11,6 @@ use crate::rules::spheres::and_others;
 
 /// Applies all rules of this file.
 pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
-    struct Unread(Vec<Finding>);
     let rules = [
         find_body_without_joint,
         find_other_version,
@@ -19,8 +18,7 @@ pub(super) fn find_unread(model: &Model) -> Vec<Finding> {
         find_ignored_contacts,
         find_unknown_names,
     ];
-    let find_all = |model: &Model| Unread(rules.iter().flat_map(|find| find(model)).collect());
-    model.derived_from_bodies(find_all).0.clone()
+    rules.iter().flat_map(|find| find(model)).collect()
 }
 
 pub(super) static BODY_WITHOUT_JOINT: Rule = Rule {

@@ -150,7 +150,8 @@ impl Document {
         let offset = if raw.span.is_empty() { self.tree.span(element).start } else { raw.span.start };
         let span = if raw.span.is_empty() { self.tree.span(element) } else { raw.span };
         // A blank that is not ASCII looks like one and does not count as one: show it.
-        let text = if raw.text.is_ascii() { raw.text } else { raw.text.escape_default().to_string() };
+        let text =
+            if raw.text.is_ascii() { raw.text.into_owned() } else { raw.text.escape_default().to_string() };
         Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
     }
 

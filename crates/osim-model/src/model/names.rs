@@ -150,16 +150,19 @@ impl Side {
     /// Reads the side from a name such as `calcn_r`, `RFoot`, `left_toe` or `footL`; `None` if the name has no side or both.
     pub fn of_name(name: &str) -> Option<Self> {
         let lower = in_lower_case(name);
-        let word = |long: &str, short: &str| {
-            contains_word(&lower, long)
-                || lower.split(|c: char| !c.is_alphanumeric()).any(|token| token == short)
+        let is_alone = |(at, letter): (usize, &str)| {
+            let [before, behind] = [lower.get(..at), lower.get(at + letter.len()..)];
+            !before.is_some_and(|text| text.ends_with(char::is_alphanumeric))
+                && !behind.is_some_and(|text| text.starts_with(char::is_alphanumeric))
         };
+        let word =
+            |long: &str, short: char| contains_word(&lower, long) || lower.match_indices(short).any(is_alone);
         let camel = |letter: char| {
             let (first, last) = (first_three_letters(name), last_two_letters(name));
             let leading = first.is_some_and(|[a, b, c]| a == letter && b.is_uppercase() && c.is_lowercase());
             leading || last.is_some_and(|[a, b]| b == letter && a.is_lowercase())
         };
-        match (word("right", "r") || camel('R'), word("left", "l") || camel('L')) {
+        match (word("right", 'r') || camel('R'), word("left", 'l') || camel('L')) {
             (true, false) => Some(Self::Right),
             (false, true) => Some(Self::Left),
             _ => None,

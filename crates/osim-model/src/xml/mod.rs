@@ -11,7 +11,7 @@
 //!     let tree = Tree::scan("<a><b>  1e6 </b></a>").expect("it is well formed");
 //!     let b = tree.child(ElementId::ROOT, "b").expect("there is a <b>");
 //!     let text = tree.raw_text(b);
-//!     assert_eq!((text.text.as_str(), text.span), ("1e6", 8..11));
+//!     assert_eq!((&*text.text, text.span), ("1e6", 8..11));
 //! }
 //! ```
 //!

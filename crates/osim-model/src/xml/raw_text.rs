@@ -7,10 +7,10 @@ use super::tree::{ElementId, PieceKind, Tree, decode};
 
 /// The text between the tags of an element.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct RawText {
+pub struct RawText<'t> {
     /// The text with entities and CDATA resolved, without comments, and without the white space around it, as OpenSim reads it. White space
     /// from CDATA or a reference is kept.
-    pub text: String,
+    pub text: Cow<'t, str>,
     /// The bytes of the text in the file, without the white space around it: an edit replaces these bytes. Empty, at the place where text
     /// would begin, if there is no text.
     pub span: Range<usize>,
@@ -19,12 +19,13 @@ pub struct RawText {
 }
 
 impl Tree {
-    pub fn raw_text(&self, id: ElementId) -> RawText {
+    pub fn raw_text(&self, id: ElementId) -> RawText<'_> {
         if let Some((text, span)) = self.plain_text(id) {
-            return RawText { text: text.to_owned(), span, in_one_piece: true };
+            return RawText { text: Cow::Borrowed(text), span, in_one_piece: true };
         }
         let start = self.open_span(id).end;
-        let mut raw = RawText { text: String::new(), span: start..start, in_one_piece: true };
+        let mut text = String::new();
+        let mut raw = RawText { text: Cow::Borrowed(""), span: start..start, in_one_piece: true };
         let (mut begun, mut interrupted, mut texts, mut sections) = (false, false, false, 0);
         // Where the text ends without white space that only lies between it and the tag.
         let mut end = 0;
@@ -34,25 +35,25 @@ impl Tree {
                 PieceKind::Text => {
                     let inner = trimmed(source);
                     let before = source.find(|letter| !is_white(letter)).unwrap_or(source.len());
-                    raw.text.push_str(if begun { source } else { source.get(before..).unwrap_or_default() });
+                    text.push_str(if begun { source } else { source.get(before..).unwrap_or_default() });
                     if inner.is_empty() {
                         continue;
                     }
                     texts = true;
                     let behind = source.len() - before - inner.len();
                     (span.start, span.end) = (span.start + before, span.end - behind);
-                    end = raw.text.len() - behind;
+                    end = text.len() - behind;
                 }
                 PieceKind::CData => {
                     sections += 1;
                     let inner = source.strip_prefix("<![CDATA[").and_then(|s| s.strip_suffix("]]>"));
-                    raw.text.push_str(inner.unwrap_or_default());
-                    end = raw.text.len();
+                    text.push_str(inner.unwrap_or_default());
+                    end = text.len();
                 }
                 PieceKind::Reference => {
                     texts = true;
-                    raw.text.push_str(&decode(Cow::Borrowed(source)));
-                    end = raw.text.len();
+                    text.push_str(&decode(Cow::Borrowed(source)));
+                    end = text.len();
                 }
                 PieceKind::Comment | PieceKind::Other => {
                     interrupted = begun;
@@ -68,7 +69,8 @@ impl Tree {
             raw.span = if begun { raw.span.start..span.end } else { span };
             begun = true;
         }
-        raw.text.truncate(end);
+        text.truncate(end);
+        raw.text = Cow::Owned(text);
         // OpenSim takes text or one section of CDATA.
         raw.in_one_piece &= sections == 0 || (sections == 1 && !texts);
         raw
@@ -99,17 +101,13 @@ impl Tree {
 
     /// The text of `id`, for names and paths.
     pub fn text_of(&self, id: ElementId) -> Cow<'_, str> {
-        self.plain_text(id)
-            .map_or_else(|| Cow::Owned(self.raw_text(id).text), |(text, _)| Cow::Borrowed(text))
+        self.raw_text(id).text
     }
 
-    /// The text of `id`, not copied if possible; `None` if it is not in one piece.
+    /// The text of `id`; `None` if it is not in one piece.
     pub(crate) fn whole_text(&self, id: ElementId) -> Option<Cow<'_, str>> {
-        if let Some((text, _)) = self.plain_text(id) {
-            return Some(Cow::Borrowed(text));
-        }
         let raw = self.raw_text(id);
-        raw.in_one_piece.then_some(Cow::Owned(raw.text))
+        raw.in_one_piece.then_some(raw.text)
     }
 }
 
@@ -151,8 +149,8 @@ mod tests {
             ("<a>1e6&#32;</a>", "1e6&#32;"),
             ("<a></a>", ""),
         ] {
-            let raw = Tree::scan(xml).unwrap().raw_text(ElementId::ROOT);
-            assert_eq!(&xml[raw.span], number, "{xml}");
+            let tree = Tree::scan(xml).unwrap();
+            assert_eq!(&xml[tree.raw_text(ElementId::ROOT).span], number, "{xml}");
         }
     }
 
