@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
-    CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, Model, Needed,
-    NeedsAnswer, Selection, implausible_mass, same_mass,
+    CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, Model, MissingFact,
+    NeedsConfirmation, Selection, implausible_mass, same_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -117,7 +117,7 @@ impl LoadSharing {
         }
         match self.limbs.spheres_per_limb() {
             Ok(spheres) => Ok(spheres_on(spheres, stance_limbs)),
-            Err(why) => Err(Fault::new(Needed::SphereCount { of: whose, why })),
+            Err(why) => Err(Fault::new(MissingFact::SphereCount { of: whose, why })),
         }
     }
 
@@ -190,7 +190,7 @@ impl ContactsOrigin {
             return Ok(());
         }
         let (title, made_for_kg) = (title.to_owned(), self.mass.kg);
-        Err(Fault::new(Needed::KnownContactsMass { title, made_for_kg, bodies_kg, input }))
+        Err(Fault::new(MissingFact::KnownContactsMass { title, made_for_kg, bodies_kg, input }))
     }
 }
 
@@ -244,7 +244,7 @@ impl MassMismatch {
     /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.
     fn answer_to_question(&self) -> Phrase {
         match implausible_mass(Input::Mass, self.contacts_mass.kg, Some(self.body_kg)) {
-            Some(asks) => phrase![" with ", &asks.question().answer()],
+            Some(doubt) => phrase![" with ", &doubt.question().answer()],
             None => Phrase::default(),
         }
     }
@@ -256,7 +256,7 @@ pub fn unexplained_mass_slip(
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsAnswer> {
+) -> Option<NeedsConfirmation> {
     find_unexplained_slip(masses.implausible_masses(model), masses, model, selection)
 }
 
@@ -266,16 +266,16 @@ pub fn masses_perhaps_in_pounds(
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsAnswer> {
+) -> Option<NeedsConfirmation> {
     find_unexplained_slip(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
 fn find_unexplained_slip(
-    slips: Vec<NeedsAnswer>,
+    slips: Vec<NeedsConfirmation>,
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsAnswer> {
+) -> Option<NeedsConfirmation> {
     if slips.is_empty() {
         return None;
     }
@@ -283,11 +283,11 @@ fn find_unexplained_slip(
         .apply(model)
         .ok()
         .and_then(|selected| KnownContacts::find(model, &selected.forces, None, masses.bodies_kg(model)));
-    let is_known = |asks: &NeedsAnswer| match asks {
-        NeedsAnswer::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
+    let is_known = |doubt: &NeedsConfirmation| match doubt {
+        NeedsConfirmation::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
         _ => false,
     };
-    slips.into_iter().find(|asks| !is_known(asks))
+    slips.into_iter().find(|doubt| !is_known(doubt))
 }
 
 #[cfg(test)]
@@ -316,7 +316,7 @@ mod tests {
     ) -> Option<MassMistake> {
         let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
         match unexplained_mass_slip(&masses, model, &Selection::default())? {
-            NeedsAnswer::Mass { mistake, .. } => Some(mistake),
+            NeedsConfirmation::Mass { mistake, .. } => Some(mistake),
             _ => None,
         }
     }
@@ -358,9 +358,9 @@ mod tests {
             assert_eq!(reported_slip(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
         }
         let masses = MassRequest { target_mass_kg: Some(20_000.0), ..MassRequest::default() };
-        let asks =
+        let doubt =
             unexplained_mass_slip(&masses, &model, &Selection::default()).unwrap().phrase().to_string();
         // 20 000 / 28 is 714.3.
-        assert!(asks.contains("about 714 times the 28 kg") && asks.contains("in g, write 20;"), "{asks}");
+        assert!(doubt.contains("about 714 times the 28 kg") && doubt.contains("in g, write 20;"), "{doubt}");
     }
 }

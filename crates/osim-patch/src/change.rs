@@ -3,7 +3,7 @@
 
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable, shortest};
-use osim_model::{DissipationBy, Fault, FaultKind, FileId, GravityFor, Needed, Property, Slot, ValueKey};
+use osim_model::{DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Slot, ValueKey};
 
 /// A number that changes, in the unit of its [`Property`].
 ///
@@ -296,7 +296,7 @@ impl GravityChange {
                 );
                 Ok(Self { ratio: target / now, words: Some(words) })
             }
-            _ => Err(Fault::new(Needed::Gravity { purpose: now_for })),
+            _ => Err(Fault::new(MissingFact::Gravity { purpose: now_for })),
         }
     }
 

@@ -7,7 +7,7 @@ use contact_scaling::{
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, Model, Needed, Note, Property, PropertySet,
+    DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, Model, MissingFact, Note, Property, PropertySet,
     RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
 };
 
@@ -89,8 +89,8 @@ pub struct Design {
 ///
 /// # Errors
 /// - A quantity outside its domain ([`FaultKind::Quantity`](osim_model::FaultKind::Quantity)).
-/// - An indentation without a load ([`Needed::Load`]), or a restitution without an impact speed in a model without gravity
-///   ([`Needed::Gravity`]).
+/// - An indentation without a load ([`MissingFact::Load`]), or a restitution without an impact speed in a model without gravity
+///   ([`MissingFact::Gravity`]).
 /// - The errors of [`rescale`](crate::rescale) that are about values and shared spheres.
 pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Plan, Fault> {
     let mut plan = PlanBuilder::new(model);
@@ -334,7 +334,7 @@ impl Design {
         match modulus {
             DesignModulus::Indentation(x) => {
                 let Some(load) = &self.load else {
-                    return Err(Fault::new(Needed::Load));
+                    return Err(Fault::new(MissingFact::Load));
                 };
                 let composite = dimensioned::composite_modulus(radius_m, x, load).map_err(Fault::new)?;
                 let composite = composite / speed_state;
@@ -392,6 +392,6 @@ impl Design {
 fn default_impact_speed(gravity: Option<f64>, radius_m: f64) -> Result<f64, Fault> {
     match gravity.filter(|&gravity| gravity > 0.0) {
         Some(gravity) => restitution::drop_speed(gravity, radius_m).map_err(Fault::new),
-        None => Err(Fault::new(Needed::Gravity { purpose: GravityFor::ImpactSpeed })),
+        None => Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::ImpactSpeed })),
     }
 }

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
-    Fault, Force, ForceId, LevelAxis, Model, Needed, Property, PropertySet, RadiusChangeReason, RadiusRule,
+    Fault, Force, ForceId, LevelAxis, Model, MissingFact, Property, PropertySet, RadiusChangeReason, RadiusRule,
     SphereId, moving_spheres, root_mean_square,
 };
 
@@ -242,13 +242,13 @@ impl<'m> UnchangedUsers<'m> {
         }
         let uses = |&id: &ForceId| model.force(id).is_some_and(|force| force.spheres().contains(&sphere));
         let changed: Vec<ForceId> = chosen.iter().copied().filter(uses).collect();
-        let needed = Needed::SharedSphere {
+        let fact = MissingFact::SharedSphere {
             sphere: shared.path.clone(),
             changed: model.short_force_names(&changed),
             can_choose: left.len() == forces,
             radius,
             left: left.into_iter().map(str::to_owned).collect(),
         };
-        Err(Fault::at(needed, shared.radius.offset).at_element(shared.path.clone()).in_file(shared.file))
+        Err(Fault::at(fact, shared.radius.offset).at_element(shared.path.clone()).in_file(shared.file))
     }
 }

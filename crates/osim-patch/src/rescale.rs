@@ -4,7 +4,7 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, Phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, Needed, Property, PropertySet,
+    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, MissingFact, Property, PropertySet,
     RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
 };
 
@@ -128,8 +128,8 @@ impl Rescale {
 /// # Errors
 /// - A value of the model that cannot be scaled, with its place ([`FaultKind::Number`](osim_model::FaultKind::Number),
 ///   [`FaultKind::Domain`](osim_model::FaultKind::Domain)), or that is in an included file or in `<defaults>`.
-/// - A sphere whose radius would change while a force outside `selected` also uses it ([`Needed::SharedSphere`]).
-/// - A mass or gravity that is not above 0, or that is not known ([`Needed::Gravity`], [`Needed::ContactsGravity`]).
+/// - A sphere whose radius would change while a force outside `selected` also uses it ([`MissingFact::SharedSphere`]).
+/// - A mass or gravity that is not above 0, or that is not known ([`MissingFact::Gravity`], [`MissingFact::ContactsGravity`]).
 pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<Plan, Fault> {
     let target_mass_kg = positive_mass(Input::TargetMass, wanted.target_mass_kg)?;
     let contacts_mass_kg = wanted.contacts_mass.kg;
@@ -196,7 +196,7 @@ fn contacts_gravity(model: &Model, wanted: &Rescale) -> Result<Option<f64>, Faul
     match (wanted.contacts_gravity_m_s2, model.doubt_about_note()) {
         (Some(given), _) => Ok(Some(given)),
         (None, Some(doubt)) if wanted.target_gravity_m_s2.is_some() && differs => {
-            Err(Fault::new(Needed::ContactsGravity { doubt }))
+            Err(Fault::new(MissingFact::ContactsGravity { doubt }))
         }
         _ => Ok(model.contacts_gravity()),
     }

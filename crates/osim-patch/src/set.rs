@@ -3,7 +3,7 @@
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, Model, Needed, Property, RadiusChangeReason, Selected, SphereId,
+    Assignment, Fault, HalfSpace, Mass, Model, MissingFact, Property, RadiusChangeReason, Selected, SphereId,
     moving_spheres,
 };
 
@@ -101,12 +101,12 @@ fn is_assigned_already(model: &Model, wanted: &Set) -> bool {
 /// # Errors
 /// - A value outside the domain of its property, a property that none of the forces has, and the errors of
 ///   [`rescale`](crate::rescale) that are about values and shared spheres.
-/// - A factor that was applied already, by the note in the file ([`Needed::Repetition`]).
+/// - A factor that was applied already, by the note in the file ([`MissingFact::Repetition`]).
 pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fault> {
     let operation = wanted.operation();
     let relative = wanted.assignments.iter().any(|(_, value)| matches!(value, Assignment::Factor(_)));
     if relative && !wanted.repeat && is_assigned_already(model, wanted) {
-        return Err(Fault::new(Needed::Repetition { operation }));
+        return Err(Fault::new(MissingFact::Repetition { operation }));
     }
     let users = UnchangedUsers::find(model, &selected.forces);
     let mut plan = PlanBuilder::new(model);

@@ -12,7 +12,7 @@ use osim_inspect::{
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed};
+use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, MissingFact};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
 use self::FigureValue::{Always, Shown};
@@ -161,7 +161,7 @@ fn drop_of_model(
             CountedSpheres::Compared => GravityFor::Compared,
             _ => GravityFor::Weight,
         };
-        return Err(Fault::new(Needed::Gravity { purpose }));
+        return Err(Fault::new(MissingFact::Gravity { purpose }));
     };
     // The body falls along the normal of its floor.
     let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);

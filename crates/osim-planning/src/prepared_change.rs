@@ -9,7 +9,7 @@ use osim_inspect::{
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{
-    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, Model, Needed, NeedsAnswer, Property,
+    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, Model, MissingFact, NeedsConfirmation, Property,
     Question,
 };
 use osim_patch::{Plan, Set, set};
@@ -162,8 +162,8 @@ impl PreparedChange {
     /// Asks a question if a mass that the caller gave looks like a typing mistake or another unit, or differs from the mass in the note of
     /// this model.
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
-        let asks = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
-        self.answers.ask(asks).map_err(Fault::new)?;
+        let doubt = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
+        self.answers.ask(doubt).map_err(Fault::new)?;
         let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
         if slip.is_some() && self.verb != Verb::Add {
             // No mass helps where there are no contacts.
@@ -226,14 +226,14 @@ impl PreparedChange {
 }
 
 /// The question whether a mass that was given for several models is right for this model, whose note has another mass.
-fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsAnswer> {
+fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsConfirmation> {
     let (said_kg, noted_kg) = given.contacts_mass_kg.zip(given.disagreeing_note_kg(model))?;
     let text = phrase![
         "{} is for all models of this call, and the note in this one says {} kg: do this model in a call of its own, \
         or give each model its mass in a table ({})";
         Input::ContactsMass.with_value(readable(said_kg)), readable(noted_kg), Verb::Batch.call()
     ];
-    Some(NeedsAnswer::Other { question: Question::AgainstNote, text })
+    Some(NeedsConfirmation::Other { question: Question::AgainstNote, text })
 }
 
 /// The file's name without its folders, for notes and messages.
@@ -242,12 +242,12 @@ pub(crate) fn file_name(path: &Path) -> String {
 }
 
 /// Finds by trial plans what can be changed in a model, so that no remedy proposes a change that would be refused.
-pub fn changeable(options: &InspectOptions, model: &Model) -> Changeable {
-    changeable_with_numbers(options, model, numbers_may_change(options, model))
+pub fn try_what_can_change(options: &InspectOptions, model: &Model) -> Changeable {
+    try_what_else_can_change(options, model, numbers_may_change(options, model))
 }
 
-/// Like [`changeable`], for a caller who knows already whether numbers can be changed.
-pub(crate) fn changeable_with_numbers(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
+/// Like [`try_what_can_change`], for a caller who knows already whether numbers can be changed.
+pub(crate) fn try_what_else_can_change(options: &InspectOptions, model: &Model, numbers: bool) -> Changeable {
     Changeable { numbers, radii: !numbers || radii_may_change(options, model) }
 }
 
@@ -256,7 +256,7 @@ fn radii_may_change(options: &InspectOptions, model: &Model) -> bool {
     let mut trial = Set::new(vec![(Property::Radius, Assignment::Factor(2.0))]);
     trial.repeat = true;
     let plan = options.selection.apply(model).and_then(|selected| set(model, &selected, &trial));
-    !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::Needed(Needed::SharedSphere { .. })))
+    !plan.is_err_and(|fault| matches!(fault.kind, FaultKind::MissingFact(MissingFact::SharedSphere { .. })))
 }
 
 /// Whether a trial plan that changes dissipation and stiffness is accepted.
@@ -277,7 +277,7 @@ pub fn check_with_trials(
     inspected: &Inspection,
     beside: &[Finding],
 ) -> CheckResult {
-    check_model(options, model, inspected, beside, changeable(options, model))
+    check_model(options, model, inspected, beside, try_what_can_change(options, model))
 }
 
 #[cfg(test)]

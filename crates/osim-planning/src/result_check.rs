@@ -10,7 +10,7 @@ use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, NeedsAnswer, Property, Question, Severity, Source,
+    Fault, Finding, FindingCode, Limb, Model, NeedsConfirmation, Property, Question, Severity, Source,
     is_at_target, same_mass,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
@@ -247,7 +247,7 @@ pub(crate) fn findings_without_remedies(
 }
 
 /// The question whether the caller wants a result with the fault `wrong`. `has_parted` says that the change moved bottoms of a foot apart.
-fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
+fn question_about(wrong: &Finding, has_parted: bool) -> NeedsConfirmation {
     let advice = if has_parted {
         phrase![
             "Unlike radii change about centres that stay. Keep the lowest points where they are with {}, or the \
@@ -261,7 +261,7 @@ fn question_about(wrong: &Finding, has_parted: bool) -> NeedsAnswer {
         "the model would be wrong afterwards [{}]: {}. {}";
         wrong.code().as_str(), &wrong.message, &advice
     ];
-    NeedsAnswer::Other { question: Question::WrongAfterwards, text }
+    NeedsConfirmation::Other { question: Question::WrongAfterwards, text }
 }
 
 /// A finding about the new model for people who have only the old file. Its line is left out, because it is a line of the new file.

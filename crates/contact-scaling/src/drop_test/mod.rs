@@ -15,12 +15,12 @@
 //! # Ok::<(), contact_scaling::drop_test::DropError>(())
 //! ```
 
-mod motion;
+mod integration;
 
 use crate::error::{non_negative, positive, within};
 use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
-pub use motion::{DropError, DropValues};
-use motion::{FallingBody, RecordedDrop};
+pub use integration::{DropError, DropValues};
+use integration::{FallingBody, RecordedDrop};
 
 /// A drop test that can be run.
 ///
@@ -95,7 +95,7 @@ impl DropTest {
     /// carries the body weight.
     pub fn run(&self) -> Result<DropReport, DropError> {
         let body = self.body();
-        let record = motion::integrate(&body, &self.values)?;
+        let record = integration::integrate(&body, &self.values)?;
         DropReport::new(&body, &self.values, record)
     }
 

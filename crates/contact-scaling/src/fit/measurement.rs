@@ -36,7 +36,7 @@ pub enum Onset {
 
 /// The part of the measurement to fit: loading, unloading, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Branch {
+pub enum FittedBranch {
     /// Both branches of the measurement.
     Both,
     /// Loading: rows with ẋ ≥ 0; without a rate, rows up to the largest indentation.
@@ -55,7 +55,7 @@ pub struct FitValues {
     /// The onset of contact: given, or fitted.
     pub onset: Onset,
     /// The part of the measurement to fit.
-    pub branch: Branch,
+    pub branch: FittedBranch,
 }
 
 /// A fitted parameter; the covariance has the parameters in this order.
@@ -181,7 +181,7 @@ pub(super) struct Point {
 }
 
 /// The rows of the branch to fit, as points.
-pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<Vec<Point>, FitError> {
+pub(super) fn collect(measurement: &Measurement<'_>, branch: FittedBranch) -> Result<Vec<Point>, FitError> {
     let Measurement { indentation_m, force_n, rate } = measurement;
     check("indentation", indentation_m, indentation_m.len())?;
     check("force", force_n, indentation_m.len())?;
@@ -198,11 +198,11 @@ pub(super) fn collect(measurement: &Measurement<'_>, branch: Branch) -> Result<V
     };
     let deepest = deepest_row(indentation_m);
     let is_in_branch = |row: usize| match (branch, &speeds) {
-        (Branch::Both, _) => true,
-        (Branch::Loading, Some(speeds)) => speeds[row] >= 0.0,
-        (Branch::Unloading, Some(speeds)) => speeds[row] < 0.0,
-        (Branch::Loading, None) => row <= deepest,
-        (Branch::Unloading, None) => row > deepest,
+        (FittedBranch::Both, _) => true,
+        (FittedBranch::Loading, Some(speeds)) => speeds[row] >= 0.0,
+        (FittedBranch::Unloading, Some(speeds)) => speeds[row] < 0.0,
+        (FittedBranch::Loading, None) => row <= deepest,
+        (FittedBranch::Unloading, None) => row > deepest,
     };
     let point = |row: usize| Point {
         row,
@@ -263,7 +263,7 @@ mod tests {
     fn bad_columns_are_named_with_their_row() {
         let x = [0.0, 1.0, 2.0];
         let measure = |force_n, rate| {
-            collect(&Measurement { indentation_m: &x, force_n, rate }, Branch::Both).unwrap_err().to_string()
+            collect(&Measurement { indentation_m: &x, force_n, rate }, FittedBranch::Both).unwrap_err().to_string()
         };
         assert_eq!(measure(&[1.0], Rate::Unknown), "force has 1 rows, expected 3 as indentation has");
         let nan = [1.0, f64::NAN, 1.0];
@@ -279,10 +279,10 @@ mod tests {
             let points = collect(&Measurement { indentation_m: &x, force_n: &x, rate }, branch).unwrap();
             points.iter().map(|p| p.row).collect::<Vec<_>>()
         };
-        assert_eq!(rows(Rate::Unknown, Branch::Loading), [0, 1, 2]);
-        assert_eq!(rows(Rate::Unknown, Branch::Unloading), [3, 4]);
+        assert_eq!(rows(Rate::Unknown, FittedBranch::Loading), [0, 1, 2]);
+        assert_eq!(rows(Rate::Unknown, FittedBranch::Unloading), [3, 4]);
         let speeds = [1.0, 0.0, -0.1, -1.0, -1.0];
-        assert_eq!(rows(Rate::Speed(&speeds), Branch::Loading), [0, 1]);
-        assert_eq!(rows(Rate::Speed(&speeds), Branch::Unloading), [2, 3, 4]);
+        assert_eq!(rows(Rate::Speed(&speeds), FittedBranch::Loading), [0, 1]);
+        assert_eq!(rows(Rate::Speed(&speeds), FittedBranch::Unloading), [2, 3, 4]);
     }
 }

@@ -5,12 +5,12 @@
 //! and the solution has a closed form; with an unknown onset, it is found by Levenberg–Marquardt.
 //!
 //! ```
-//! use contact_scaling::fit::{Branch, FitValues, Measurement, Onset, Rate, fit};
+//! use contact_scaling::fit::{FittedBranch, FitValues, Measurement, Onset, Rate, fit};
 //! let indentation_m = [0.001, 0.002, 0.003, 0.004, 0.005];
 //! let force_n = indentation_m.map(|x: f64| 6.0 * 4.0 / 3.0 * 0.032_f64.sqrt() * 4e5 * x.powf(1.5));
 //! let measurement = Measurement { indentation_m: &indentation_m, force_n: &force_n, rate: Rate::Unknown };
 //! let values =
-//!     FitValues { radius_m: 0.032, sphere_count: 6.0, onset: Onset::At(0.0), branch: Branch::Both };
+//!     FitValues { radius_m: 0.032, sphere_count: 6.0, onset: Onset::At(0.0), branch: FittedBranch::Both };
 //! let result = fit(&measurement, &values)?;
 //! assert!((result.composite_modulus.value / 4e5 - 1.0).abs() < 1e-12);
 //! # Ok::<(), contact_scaling::fit::FitError>(())
@@ -24,7 +24,7 @@ use crate::error::{at_least_one, finite, positive};
 use crate::{EQUAL_SURFACES, limits, restitution};
 use least_squares::{FitModel, Parameters};
 use measurement::Point;
-pub use measurement::{Branch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
+pub use measurement::{FittedBranch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
 pub use result::{Doubt, Estimate, Fit};
 
 /// Indentations count as equal if they differ by less than this share of the largest distance from the onset.

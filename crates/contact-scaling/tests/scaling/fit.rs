@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::fit::{
-    Branch, Doubt, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,
+    FittedBranch, Doubt, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,
 };
 use contact_scaling::{Hertz, HuntCrossley};
 
@@ -18,7 +18,7 @@ impl PressData {
     fn fit(&self, radius_m: f64, with_speed: bool, onset: Onset) -> Result<Fit, FitError> {
         let rate = if with_speed { Rate::Speed(&self.v) } else { Rate::Unknown };
         let measurement = Measurement { indentation_m: &self.x, force_n: &self.f, rate };
-        fit(&measurement, &FitValues { radius_m, sphere_count: 2.0, onset, branch: Branch::Both })
+        fit(&measurement, &FitValues { radius_m, sphere_count: 2.0, onset, branch: FittedBranch::Both })
     }
 }
 
@@ -198,7 +198,7 @@ fn rates_from_times_give_the_same_fit() {
     let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut RandomNumbers(1));
     let times: Vec<f64> = (0..80).map(|i| std::f64::consts::PI * f64::from(i) / 79.0 / 40.0).collect();
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Time(&times) };
-    let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: Branch::Both };
+    let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: FittedBranch::Both };
     let result = fit(&measurement, &values).unwrap();
     assert_close(result.composite_modulus.value, 3e5, 1e-4, "E*");
     assert_close(result.dissipation.unwrap().value, 0.8, 1e-3, "alpha");
@@ -212,8 +212,8 @@ fn loading_and_unloading_are_fitted_apart() {
         let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch };
         fit(&measurement, &values).unwrap().composite_modulus.value
     };
-    assert!(modulus(Branch::Loading) > modulus(Branch::Both));
-    assert!(modulus(Branch::Both) > modulus(Branch::Unloading));
+    assert!(modulus(FittedBranch::Loading) > modulus(FittedBranch::Both));
+    assert!(modulus(FittedBranch::Both) > modulus(FittedBranch::Unloading));
 }
 
 #[test]

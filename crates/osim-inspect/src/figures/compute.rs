@@ -48,7 +48,7 @@ impl Figures {
         });
         let mut why: Option<Phrase> = match (mass, gravity) {
             (None, _) => Some("the mass of the model is not known".into()),
-            (_, None) => Some(Needed::Gravity { purpose: GravityFor::Figures }.phrase()),
+            (_, None) => Some(MissingFact::Gravity { purpose: GravityFor::Figures }.phrase()),
             _ => None,
         };
         let mut limbs = Vec::new();
@@ -153,7 +153,7 @@ fn chosen_by_limb<'p>(
 fn why_no_count(limbs: &Limbs) -> Option<Phrase> {
     match limbs {
         Limbs::Unknown(why) => {
-            Some(Needed::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase())
+            Some(MissingFact::SphereCount { of: CountedSpheres::Model, why: why.clone() }.phrase())
         }
         Limbs::Known(_) => None,
     }

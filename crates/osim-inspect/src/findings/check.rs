@@ -5,7 +5,7 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, NeedsAnswer, Question, Selection,
+    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, NeedsConfirmation, Question, Selection,
     Severity, same_mass,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
@@ -230,12 +230,12 @@ fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     }
 }
 
-fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsAnswer> {
+fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsConfirmation> {
     let selection: Selection = choice.selection();
     unexplained_mass_slip(masses, model, &selection).into_iter().collect()
 }
 
-fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsAnswer> {
+fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsConfirmation> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
     let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..with_mass(&request.masses, masses) };

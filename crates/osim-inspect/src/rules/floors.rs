@@ -3,7 +3,7 @@
 
 use osim_model::messages::{Input, phrase, readable, shown, three_significant};
 use osim_model::{
-    Example, Finding, FindingCode, GravityFor, Model, Needed, Repair, Rule, Severity, VerdictOn, same_gravity,
+    Example, Finding, FindingCode, GravityFor, Model, MissingFact, Repair, Rule, Severity, VerdictOn, same_gravity,
 };
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};
@@ -149,9 +149,9 @@ pub(crate) fn find_no_gravity(
 ) -> Option<Finding> {
     let gravity = inspected.gravity_m_s2.filter(|&gravity| gravity != 0.0);
     // The caller may also have given a gravity for the figures.
-    let needed = Needed::Gravity { purpose: GravityFor::Figures };
+    let fact = MissingFact::Gravity { purpose: GravityFor::Figures };
     let is_missing = gravity.or(inspected.figures.gravity_m_s2).is_none() && are_floors();
-    is_missing.then(|| Finding::new(&NO_GRAVITY, needed.phrase()).with_line(model.gravity_line()))
+    is_missing.then(|| Finding::new(&NO_GRAVITY, fact.phrase()).with_line(model.gravity_line()))
 }
 
 pub(crate) static GRAVITY_TOO_LARGE: Rule = Rule {

@@ -8,7 +8,7 @@ use contact_scaling::{
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, Needed, Selection, loaded_spheres,
+    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, MissingFact, Selection, loaded_spheres,
     short_digest,
 };
 
@@ -243,7 +243,7 @@ fn weight(model: &Model, forces: &[ForceId], masses: &MassRequest, stance: &Stan
     let sphere_count = sharing.count(stance.spheres, stance.limb_count(model), CountedSpheres::Model)?;
     let gravity = stance.gravity_m_s2.or(model.gravity().filter(|&gravity| gravity > 0.0));
     let Some(gravity_m_s2) = gravity else {
-        return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Weight }));
+        return Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::Weight }));
     };
     let spheres = standing_spheres(model, forces, sphere_count)?;
     let gravity_m_s2 = gravity_m_s2 * weight_share_on_floor(model, &sharing.forces);

@@ -144,7 +144,7 @@ impl RadiusAxis {
 /// What to do with spheres of the scaled model that somebody has already moved or resized.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MovedSpheres {
-    /// Refuse the request, so that the caller decides ([`Needed::MovedSpheres`](crate::model::Needed::MovedSpheres)).
+    /// Refuse the request, so that the caller decides ([`MissingFact::MovedSpheres`](crate::model::MissingFact::MovedSpheres)).
     #[default]
     Refuse,
     /// The spheres are right: keep their location and radius.

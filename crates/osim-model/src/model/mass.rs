@@ -137,7 +137,7 @@ impl MassRequest {
             return Ok(Mass { kg: positive_mass(Input::Mass, kg)?, source: MassSource::Mass });
         }
         if model.skeleton().loops().mass_is_in_doubt {
-            return Err(Fault::new(Needed::MassOfLoop));
+            return Err(Fault::new(MissingFact::MassOfLoop));
         }
         let mut kg = 0.0;
         let mut bodies = 0;
@@ -150,7 +150,7 @@ impl MassRequest {
         if kg > 0.0 && kg.is_finite() {
             return Ok(Mass { kg, source: MassSource::Bodies(bodies) });
         }
-        Err(Fault::new(Needed::ModelMass { bodies, kg }))
+        Err(Fault::new(MissingFact::ModelMass { bodies, kg }))
     }
 
     /// The mass for which contacts were made that are not published ones: as the caller gave it, else from the note, else the mass of the
@@ -163,7 +163,7 @@ impl MassRequest {
         let mass = if let Some(kg) = self.contacts_mass_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
         } else if let Some(doubt) = model.doubt_about_note() {
-            return Err(Fault::new(Needed::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
+            return Err(Fault::new(MissingFact::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
         } else if let Some(kg) = noted_kg {
             Mass { kg, source: MassSource::Note }
         } else {
@@ -275,13 +275,13 @@ const HEAVIEST_KG: f64 = 200e3;
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// A question about the mass `kg`, which the caller gave as `input`, if it looks wrong for bodies of `bodies_kg` together.
-pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsAnswer> {
+pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsConfirmation> {
     suspicious_mass(input, kg, bodies_kg, NEAR_POUNDS)
 }
 
 /// A question about a mass that looks wrong. The mass counts as pounds if it is as near as `near_pounds` (relative) to the bodies' mass in
 /// pounds.
-fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsAnswer> {
+fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsConfirmation> {
     // What the bodies weigh is the right unit.
     if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
@@ -291,7 +291,7 @@ fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f
     let mistake = gross_mistake(input, kg, bodies_kg)
         .or_else(|| near(1.0 / POUND_KG).then_some(MassMistake::Pounds))
         .or_else(|| near(POUND_KG).then_some(MassMistake::BodiesInPounds))?;
-    Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: None, mistake })
+    Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: None, mistake })
 }
 
 /// A question about the mass in a row of a table whose other rows have the masses `other_rows`. A mass is compared with the other rows, not
@@ -301,15 +301,15 @@ fn suspicious_mass_in_table(
     kg: f64,
     bodies_kg: Option<f64>,
     other_rows: MassesOfOtherRows,
-) -> Option<NeedsAnswer> {
+) -> Option<NeedsConfirmation> {
     if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
     }
     if let Some(mistake) = gross_mistake(input, kg, bodies_kg) {
-        return Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: None, mistake });
+        return Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: None, mistake });
     }
     let mistake = other_rows.mistake(kg)?;
-    Some(NeedsAnswer::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
+    Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
 }
 
 fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
@@ -339,21 +339,21 @@ impl MassRequest {
 
     /// Questions about given masses that look wrong for this model. A mass that the note in the model confirms is right. If the target mass
     /// equals the bodies' mass, the other given masses are in the same unit, too.
-    pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsAnswer> {
+    pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsConfirmation> {
         self.suspicious_masses(model, NEAR_POUNDS)
     }
 
     /// The given masses that may be in pounds, but not so probably that the program asks. Rows of a table are compared with each other
     /// instead.
-    pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsAnswer> {
+    pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsConfirmation> {
         let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);
         let asked = self.suspicious_masses(model, NEAR_POUNDS);
         let is_in_pounds =
-            |one: &NeedsAnswer| matches!(one, NeedsAnswer::Mass { mistake: MassMistake::Pounds, .. });
+            |one: &NeedsConfirmation| matches!(one, NeedsConfirmation::Mass { mistake: MassMistake::Pounds, .. });
         loosely.into_iter().filter(|one| is_in_pounds(one) && !asked.contains(one)).collect()
     }
 
-    fn suspicious_masses(&self, model: &Model, near_pounds: f64) -> Vec<NeedsAnswer> {
+    fn suspicious_masses(&self, model: &Model, near_pounds: f64) -> Vec<NeedsConfirmation> {
         let given_masses = [
             (Input::TargetMass, self.target_mass_kg),
             (Input::ContactsMass, self.contacts_mass_kg),
@@ -370,12 +370,12 @@ impl MassRequest {
             .is_some_and(|(target_mass_kg, bodies)| same_mass(target_mass_kg, bodies));
         let question = |(input, kg): (Input, Option<f64>)| {
             let kg = kg.filter(|&kg| !noted_kg.is_some_and(|noted| same_mass(kg, noted)))?;
-            let asks = match self.other_rows.get(&input) {
+            let doubt = match self.other_rows.get(&input) {
                 Some(&other_rows) => suspicious_mass_in_table(input, kg, bodies_kg, other_rows)?,
                 None => suspicious_mass(input, kg, bodies_kg, near_pounds)?,
             };
-            let explained = unit_is_known && input == Input::ContactsMass && asks.is_about_pounds();
-            (!explained).then_some(asks)
+            let explained = unit_is_known && input == Input::ContactsMass && doubt.is_about_pounds();
+            (!explained).then_some(doubt)
         };
         given_masses.into_iter().filter_map(question).collect()
     }

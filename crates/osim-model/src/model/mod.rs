@@ -10,7 +10,7 @@
 //! - [`Model`] has [bodies](Body), [spheres](Sphere) and [forces](Force). Each number is a [`Value`], with its origin and the fault of its
 //!   text, if there is one.
 //! - [`Selection`] chooses forces, [`MassRequest`] finds masses, [`Model::limbs`] finds limbs.
-//! - A [`Fault`] is an error, a [`Finding`] an unusual property of a model, [`Needed`] a fact that only the caller knows.
+//! - A [`Fault`] is an error, a [`Finding`] an unusual property of a model, [`MissingFact`] a fact that only the caller knows.
 //!
 //! # What it will not do
 //!
@@ -28,6 +28,7 @@ mod document;
 mod fault;
 pub mod files;
 mod finding;
+mod gravity;
 mod limbs;
 mod mass;
 mod names;
@@ -63,7 +64,7 @@ pub use contacts::{
 pub use document::Document;
 pub use fault::{
     CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor,
-    MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, NoteDoubt, Question, RadiusChangeReason,
+    MassMistake, MassesOfOtherRows, MissingFact, NeedsConfirmation, NoteDoubt, Question, RadiusChangeReason,
     probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictOn};

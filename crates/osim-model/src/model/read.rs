@@ -106,9 +106,9 @@ fn check_data_root(document: &Document, alone: bool) -> Result<(), Fault> {
     let tree = document.tree();
     let root = document.data_root();
     let kind = match tree.name(root) {
-        "ForceSet" if alone => FaultKind::Needed(Needed::Geometry),
+        "ForceSet" if alone => FaultKind::MissingFact(MissingFact::Geometry),
         "Model" | "ForceSet" => return Ok(()),
-        "ContactGeometrySet" => FaultKind::Needed(Needed::ForceSet),
+        "ContactGeometrySet" => FaultKind::MissingFact(MissingFact::ForceSet),
         tag => FaultKind::WrongDataRoot { tag: tag.to_owned() },
     };
     Err(Fault::at_span(kind, tree.open_span(root)))

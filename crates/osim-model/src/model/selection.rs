@@ -196,5 +196,5 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
         forces: model.short_force_names(&forces),
     };
     let trees = trees.into_iter().map(tree).collect();
-    Err(Fault::new(Needed::Selection { trees, input: Input::Select }))
+    Err(Fault::new(MissingFact::Selection { trees, input: Input::Select }))
 }

@@ -26,7 +26,7 @@ impl Body {
     pub fn mass_kg(&self) -> Result<f64, Fault> {
         let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {
-            Fault::at(FaultKind::Needed(Needed::BodyMass { body: self.name.clone() }), self.mass.offset)
+            Fault::at(FaultKind::MissingFact(MissingFact::BodyMass { body: self.name.clone() }), self.mass.offset)
         } else {
             match self.mass.checked() {
                 Ok(mass) => return Ok(mass),

@@ -46,9 +46,6 @@ pub struct Model {
 }
 
 impl Model {
-    /// Gravity that OpenSim uses if a model gives none, m/s².
-    pub(crate) const DEFAULT_GRAVITY: [f64; 3] = [0.0, -9.80665, 0.0];
-
     /// The contact spheres, in file order.
     pub fn spheres(&self) -> &[Sphere] {
         &self.spheres
@@ -143,29 +140,6 @@ impl Model {
     /// Bodies in file order, without ground.
     pub fn bodies(&self) -> &[Body] {
         &self.skeleton.bodies
-    }
-
-    /// The object that has the model's `gravity`, and its file; `None` for sets in separate files.
-    fn gravity_object(&self) -> Option<(FileId, ElementId)> {
-        let file = self.components.model_file()?;
-        Some((file, self.file(file).data_root()))
-    }
-
-    /// Line of `gravity` in its file, from 1; `None` if the file has no gravity and OpenSim's default is used.
-    pub fn gravity_line(&self) -> Option<usize> {
-        let (file, object) = self.gravity_object()?;
-        let document = self.file(file);
-        Some(document.line(document.tree().span(document.property_element(object, "gravity")?).start))
-    }
-
-    /// Magnitude of gravity, m/s²; `None` if it is not a number. Without gravity, or with 0, forces cannot be given in body weights.
-    pub fn gravity(&self) -> Option<f64> {
-        self.gravity_m_s2.map(|[x, y, z]| (x * x + y * y + z * z).sqrt()).filter(|size| size.is_finite())
-    }
-
-    /// Gravity for which the contacts were made, m/s²: from the note, else that of the model.
-    pub fn contacts_gravity(&self) -> Option<f64> {
-        self.note.as_ref().and_then(|note| note.gravity_m_s2).or(self.gravity())
     }
 
     pub fn skeleton(&self) -> &Skeleton {

@@ -3,7 +3,7 @@
 use contact_scaling::{DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{
-    Fault, FaultKind, Force, Model, Needed, Property, Selected, SphereId, Surfaces, moving_spheres,
+    Fault, FaultKind, Force, Model, MissingFact, Property, Selected, SphereId, Surfaces, moving_spheres,
     sphere_sets,
 };
 
@@ -91,7 +91,7 @@ impl<'t> ContactChoice<'t> {
             return Ok(Self::Paired { first, by_name });
         }
         let reference = wanted.reference.name.clone();
-        Err(Fault::new(Needed::ReferenceContact { reference, unmatched }))
+        Err(Fault::new(MissingFact::ReferenceContact { reference, unmatched }))
     }
 
     pub(crate) fn contact_for_sphere(&self, model: &Model, sphere: SphereId) -> &'t ReferenceContact {
@@ -132,7 +132,7 @@ impl<'t> ContactChoice<'t> {
         if unmatched.is_empty() {
             return Ok(());
         }
-        Err(Fault::new(Needed::ReferenceRadius { reference: reference.name.clone(), unmatched }))
+        Err(Fault::new(MissingFact::ReferenceRadius { reference: reference.name.clone(), unmatched }))
     }
 
     pub(crate) fn contact_for_force(
@@ -149,8 +149,8 @@ impl<'t> ContactChoice<'t> {
         let base = dimensionless_contact(first)?;
         for other in contacts {
             if !dimensionless_contact(other)?.agrees_with(&base, SAME_CONTACT) {
-                let needed = Needed::ReferenceContactOfForce { force: force.path.clone() };
-                return Err(Fault::new(needed).at_element(force.path.clone()));
+                let fact = MissingFact::ReferenceContactOfForce { force: force.path.clone() };
+                return Err(Fault::new(fact).at_element(force.path.clone()));
             }
         }
         Ok(first)

@@ -23,9 +23,9 @@ use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 /// # Errors
 /// - The errors of [`rescale`](crate::rescale).
 /// - It is not clear which contact of the reference a sphere gets, or which radius
-///   ([`Needed::ReferenceContact`](osim_model::Needed::ReferenceContact),
-///   [`Needed::ReferenceContactOfForce`](osim_model::Needed::ReferenceContactOfForce),
-///   [`Needed::ReferenceRadius`](osim_model::Needed::ReferenceRadius)), or the reference has no such sphere
+///   ([`MissingFact::ReferenceContact`](osim_model::MissingFact::ReferenceContact),
+///   [`MissingFact::ReferenceContactOfForce`](osim_model::MissingFact::ReferenceContactOfForce),
+///   [`MissingFact::ReferenceRadius`](osim_model::MissingFact::ReferenceRadius)), or the reference has no such sphere
 ///   ([`FaultKind::UnknownReferenceSphere`]).
 /// - A force that keeps its sphere inside itself, as in Moco 0.1 to 0.3 ([`FaultKind::SphereInsideForce`]).
 /// - Spheres of one force move with bodies of different scale factors, and [`Transfer::strict`] is set

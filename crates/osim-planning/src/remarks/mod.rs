@@ -4,7 +4,7 @@ mod feet;
 mod forces;
 
 use osim_model::messages::{Input, phrase, shortest};
-use osim_model::{Fault, Model, Needed, RadiusRule};
+use osim_model::{Fault, Model, MissingFact, RadiusRule};
 use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
 
@@ -26,7 +26,7 @@ pub(crate) fn refuse_repetition(model: &Model, operation: &str, may_repeat: bool
     if !done || may_repeat {
         return Ok(());
     }
-    Err(Fault::new(Needed::Repetition { operation: operation.to_owned() }))
+    Err(Fault::new(MissingFact::Repetition { operation: operation.to_owned() }))
 }
 
 /// The name of an operation for notes: the verb, and the factor of the radius if one is given.

@@ -1,6 +1,7 @@
 //! Makes variants of one model: the points of a grid, or the steps of a ladder, which lead from soft to stiff contacts.
 
 mod grid;
+mod ladder;
 mod variant;
 
 use std::borrow::Cow;
@@ -15,7 +16,8 @@ use osim_model::{MassRequest, Property, Question};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
 use grid::{GridPoint, padded, point_at, points_along, points_at_ends};
-use variant::{StepChanges, SweepLadder, Variant};
+use ladder::SweepLadder;
+use variant::{StepChanges, Variant};
 
 pub struct SweepPlan<'s> {
     request: &'s SweepRequest,

@@ -1,12 +1,10 @@
-//! A variant of a model: the changes that make it, its bytes and its figures; and the steps of a ladder, which lead from soft to stiff
-//! contacts.
+//! A variant of a model: the changes that make it, its bytes and its figures.
 
 use std::collections::BTreeSet;
 
-use contact_scaling::{continuation, stiffness};
 use osim_inspect::{Figure, Figures, InspectOptions, LoadSharing, Stance};
 use osim_model::files::{Failure, ModelFiles, OpenModel};
-use osim_model::messages::{Input, Phrase, phrase, shortest};
+use osim_model::messages::{Input, phrase, shortest};
 use osim_model::{
     Assignment, Fault, FileId, FindingCode, Mass, MassRequest, MassSource, Model, Property, Selected,
     Severity,
@@ -16,7 +14,7 @@ use osim_requests::{
     RestitutionCoefficient, SetRequest, SweepRequest,
 };
 
-use super::grid::{GridPoint, padded};
+use super::grid::GridPoint;
 use crate::prepared_change::PreparedChange;
 use crate::result_check::findings_without_remedies;
 use crate::verbs::{design, rescale, set};
@@ -230,7 +228,7 @@ pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result
     Ok(stages)
 }
 
-fn prepare_design(
+pub(super) fn prepare_design(
     request: &SweepRequest,
     indentation: Option<f64>,
     restitution: Option<f64>,
@@ -262,7 +260,7 @@ fn prepare_design(
     design::prepare(design)
 }
 
-fn prepare_set(
+pub(super) fn prepare_set(
     request: &SweepRequest,
     assignments: Vec<(Property, Assignment)>,
 ) -> Result<PreparedChange, RequestFault> {

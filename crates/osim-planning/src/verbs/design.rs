@@ -4,7 +4,7 @@ use contact_scaling::SharedLoad;
 use osim_inspect::{ContactsOrigin, LoadSharing, Stance, weight_share_on_floor};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, Needed, RadiusRule, Selected, Selection,
+    CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, MissingFact, RadiusRule, Selected, Selection,
 };
 use osim_patch::{Design, DesignModulus, Plan, design};
 use osim_requests::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
@@ -124,7 +124,7 @@ impl DesignPlanner {
                 let mass = self.masses.model_mass(model)?;
                 let gravity = self.load.gravity().or(model.gravity()).filter(|&gravity| gravity > 0.0);
                 let Some(gravity) = gravity else {
-                    return Err(Fault::new(Needed::Gravity { purpose: GravityFor::Load }));
+                    return Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::Load }));
                 };
                 let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
                 (mass.kg * along_normal * self.load.body_weights(), Some(mass))

@@ -11,7 +11,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, Needed, NeedsAnswer,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, MissingFact, NeedsConfirmation,
     Question, Selection, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
@@ -156,9 +156,9 @@ fn reference_from_model(
     }
     let mass = match options.reference_mass {
         Some(kg) => {
-            let asks =
+            let doubt =
                 implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
-            request.answers.ask(asks).map_err(Fault::new)?;
+            request.answers.ask(doubt).map_err(Fault::new)?;
             given_reference_mass(kg)
         }
         None => {
@@ -195,19 +195,19 @@ fn reference_from_model(
 
 /// The question whether the caller accepts places of spheres that do not fit the bones of the reference. The places in the model follow
 /// from them.
-fn misplaced_reference_spheres(model: &Model) -> Option<NeedsAnswer> {
+fn misplaced_reference_spheres(model: &Model) -> Option<NeedsConfirmation> {
     let finding = find_misplaced_spheres(model)?;
     let text = phrase![
         "the spheres of the reference do not fit its own bones, so those of the model would not fit, either: {}; \
         take the model that was scaled as {}";
         &finding.message, Input::From
     ];
-    Some(NeedsAnswer::Other { question: Question::WrongAfterwards, text })
+    Some(NeedsConfirmation::Other { question: Question::WrongAfterwards, text })
 }
 
 /// Adds the name of the reference to a question about its spheres, because the question may be asked while another model is read.
 fn name_reference_in_question(mut fault: Fault, from: &Path) -> Fault {
-    if let FaultKind::Needed(Needed::SphereCount { why, .. }) = &mut fault.kind {
+    if let FaultKind::MissingFact(MissingFact::SphereCount { why, .. }) = &mut fault.kind {
         *why = phrase![format!("in the reference {}, ", file_name(from)), &*why];
     }
     fault
@@ -216,8 +216,8 @@ fn name_reference_in_question(mut fault: Fault, from: &Path) -> Fault {
 /// Changes the option in a question about the choice of forces, or about their mass: the option is for the reference and not for the model.
 fn ask_for_reference_option(mut fault: Fault) -> Fault {
     match &mut fault.kind {
-        FaultKind::Needed(Needed::Selection { input, .. }) => *input = Input::ReferenceSelect,
-        FaultKind::Needed(Needed::ContactsMass { input, .. }) => *input = Input::ReferenceMass,
+        FaultKind::MissingFact(MissingFact::Selection { input, .. }) => *input = Input::ReferenceSelect,
+        FaultKind::MissingFact(MissingFact::ContactsMass { input, .. }) => *input = Input::ReferenceMass,
         _ => {}
     }
     fault

@@ -5,7 +5,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
-    Fault, MassRequest, Model, Needed, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
+    Fault, MassRequest, Model, MissingFact, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
 };
 use osim_patch::{Plan, RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions};
@@ -102,7 +102,7 @@ impl Planner for RescalePlanner {
         let bodies = self.following.factors(model)?;
         if bodies.is_some() && !contacts_mass.source.is_about_contacts() {
             // The bodies were scaled, so their mass is not the one that the contacts were made for.
-            return Err(Fault::new(Needed::ContactsMass {
+            return Err(Fault::new(MissingFact::ContactsMass {
                 noted_kg: None,
                 doubt: NoteDoubt::Absent,
                 input: Input::ContactsMass,
@@ -157,7 +157,7 @@ impl BodyFactors {
                 match model.scaled_since_note() {
                     Some(since) if since.is_scaled() => check_factors_agree(&since, file)?,
                     Some(_) if model.note.as_ref().is_some_and(Note::has_placed_spheres) => {
-                        return Err(Fault::new(Needed::AlreadyFollowed));
+                        return Err(Fault::new(MissingFact::AlreadyFollowed));
                     }
                     _ => {}
                 }
@@ -169,7 +169,7 @@ impl BodyFactors {
 
 /// The scale factors of bodies from the time of the note to now.
 fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
-    let unknown = || Fault::new(Needed::NotedSizes);
+    let unknown = || Fault::new(MissingFact::NotedSizes);
     let since = model.scaled_since_note().ok_or_else(unknown)?;
     if !since.has_all_carriers(model) {
         return Err(unknown());

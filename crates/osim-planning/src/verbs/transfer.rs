@@ -8,7 +8,7 @@ use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, Model, Needed, Property, RadiusAxis, RadiusRule,
+    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, Model, MissingFact, Property, RadiusAxis, RadiusRule,
     Selected, Selection, implausible_mass, moving_spheres,
 };
 use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING_BODIES, Transfer, transfer};
@@ -44,8 +44,8 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
         NamedSource::Preset(preset) => {
             // A preset has no bodies to compare its mass with.
             let given_mass = request.reference.reference_mass.map(Kilograms::get);
-            let asks = given_mass.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
-            let asked = request.answers.ask(asks);
+            let doubt = given_mass.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
+            let asked = request.answers.ask(doubt);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
             let (reference, state) = reference_of_preset(&request, &preset);
             (reference, state, None)
@@ -332,7 +332,7 @@ impl TransferPlanner {
         let asked = self.has_reference_gravity && self.follow.rule == RuleChoice::Paper;
         let target = self.scaling.target_gravity.map(Acceleration::get);
         match (target, model.gravity().filter(|&gravity| gravity > 0.0)) {
-            (None, None) if asked => Err(Fault::new(Needed::Gravity { purpose: GravityFor::Target })),
+            (None, None) if asked => Err(Fault::new(MissingFact::Gravity { purpose: GravityFor::Target })),
             (None, file_of_reference) if asked => Ok(file_of_reference),
             (target, _) => Ok(target),
         }
@@ -345,7 +345,7 @@ impl TransferPlanner {
         let given = self.follow.height_ratio.map(Positive::get);
         match given.or(follow.map(|follow| follow.size_ratio)) {
             Some(height_ratio) => Ok(ScalingRule::PredSim { height_ratio }),
-            None => Err(Fault::new(Needed::HeightRatio)),
+            None => Err(Fault::new(MissingFact::HeightRatio)),
         }
     }
 }

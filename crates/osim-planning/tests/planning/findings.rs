@@ -5,7 +5,7 @@ use crate::feet::{SOLE, Smooth, foot};
 use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
 use osim_model::files::FileName;
 use osim_model::{Finding, FindingCode, Model, Severity};
-use osim_planning::changeable;
+use osim_planning::try_what_can_change;
 use osim_planning::check_with_trials;
 use osim_requests::Request;
 
@@ -366,7 +366,7 @@ fn only_a_model_that_can_be_changed_gets_commands() {
     // Spheres that are too soft by a factor of ten sink in.
     let model = Model::parse(HUMAN.replace(">1000000<", ">100000<")).unwrap();
     let options = InspectOptions::default();
-    assert!(changeable(&options, &model).numbers);
+    assert!(try_what_can_change(&options, &model).numbers);
     let inspected = options.inspect("human.osim", &model, None);
     let remedies = |changes| {
         let result =
@@ -375,5 +375,5 @@ fn only_a_model_that_can_be_changed_gets_commands() {
     };
     assert_eq!((remedies(true), remedies(false)), (1, 0));
     // "1,5e6" is no number, so that a change of it is refused.
-    assert!(!changeable(&options, &Model::parse(DECIMAL_COMMA).unwrap()).numbers);
+    assert!(!try_what_can_change(&options, &Model::parse(DECIMAL_COMMA).unwrap()).numbers);
 }

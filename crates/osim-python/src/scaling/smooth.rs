@@ -7,41 +7,41 @@ use contact_scaling::{DomainError, Hertz, SmoothSphere, SmoothingValues, smoothi
 
 use crate::scaling::function::{Function, function};
 use crate::scaling::laws::hertz;
-use crate::scaling::text::Returns::Value;
+use crate::scaling::docstring::Returns::Value;
 
 pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_CF), "SmoothSphere::constant_indentation_force",
-        law(hertz(composite_modulus, radius, shape_factor)?, Smooth { constant_contact_force, ..Smooth::UNUSED })?
+        law(hertz(composite_modulus, radius, shape_factor)?, BeyondHertz { constant_contact_force, ..BeyondHertz::UNUSED })?
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(F_S), "SmoothSphere::elastic_force",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::UNUSED })?
+            BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::stiffness",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { constant_contact_force, hertz_smoothing, ..Smooth::UNUSED })?
+            BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .stiffness(indentation)),
     function!(contact_state(hertz_smoothing: BD, indentation: X)
         -> Value(S_C), "SmoothSphere::contact_state",
-        law(Hertz::sphere(1.0, 1.0)?, Smooth { hertz_smoothing, ..Smooth::UNUSED })?.contact_state(indentation)),
+        law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { hertz_smoothing, ..BeyondHertz::UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::force",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .force(indentation, speed)),
     function!(speed_state(dissipation: ALPHA, hunt_crossley_smoothing: BV, speed: SPEED)
         -> Value(SPEED_STATE), "SmoothSphere::speed_state",
-        law(Hertz::sphere(1.0, 1.0)?, Smooth { dissipation, hunt_crossley_smoothing, ..Smooth::UNUSED })?
+        law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { dissipation, hunt_crossley_smoothing, ..BeyondHertz::UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
         -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
@@ -51,20 +51,20 @@ pub(super) const SMOOTH: &[Function] = &[
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::rest_force",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_force(indentation)),
     function!(smooth_rest_stiffness(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::rest_stiffness",
         law(hertz(composite_modulus, radius, shape_factor)?,
-            Smooth { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
+            BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_stiffness(indentation)),
 ];
 
-/// Parameters of a smoothed force law that the Hertz law does not have, as OpenSim names them.
+/// What the law of a `SmoothSphereHalfSpaceForce` has beyond Hertz's: dissipation, cf, bd and bv, by OpenSim's names.
 #[derive(Clone, Copy)]
-struct Smooth {
+struct BeyondHertz {
     /// Dissipation α, in s/m.
     dissipation: f64,
     /// Constant contact force cf, in m².
@@ -75,7 +75,7 @@ struct Smooth {
     hunt_crossley_smoothing: f64,
 }
 
-impl Smooth {
+impl BeyondHertz {
     /// Values for parameters that an equation does not depend on.
     const UNUSED: Self = Self {
         dissipation: 0.0,
@@ -85,8 +85,8 @@ impl Smooth {
     };
 }
 
-fn law(hertz: Hertz, smooth: Smooth) -> Result<SmoothSphere, DomainError> {
-    let Smooth { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } = smooth;
+fn law(hertz: Hertz, beyond: BeyondHertz) -> Result<SmoothSphere, DomainError> {
+    let BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } = beyond;
     let smoothing = SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing };
     SmoothSphere::new(hertz, dissipation, smoothing)
 }

@@ -147,9 +147,9 @@ impl AnswerOptions {
     ///
     /// # Errors
     /// The question.
-    pub fn ask(&self, asks: Option<NeedsAnswer>) -> Result<(), FaultKind> {
-        match asks {
-            Some(asks) if !self.has(asks.question()) => Err(asks.into()),
+    pub fn ask(&self, doubt: Option<NeedsConfirmation>) -> Result<(), FaultKind> {
+        match doubt {
+            Some(doubt) if !self.has(doubt.question()) => Err(doubt.into()),
             _ => Ok(()),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use contact_scaling::fit::Branch;
+use contact_scaling::fit::FittedBranch;
 
 use crate::options::{
     AnswerOptions, CountOptions, ForceOptions, LoadOptions, MassOptions, OutputOptions, RunOptions, SetFiles,
@@ -126,11 +126,11 @@ choices! {
 }
 
 impl BranchChoice {
-    pub const fn branch(self) -> Branch {
+    pub const fn branch(self) -> FittedBranch {
         match self {
-            Self::Both => Branch::Both,
-            Self::Loading => Branch::Loading,
-            Self::Unloading => Branch::Unloading,
+            Self::Both => FittedBranch::Both,
+            Self::Loading => FittedBranch::Loading,
+            Self::Unloading => FittedBranch::Unloading,
         }
     }
 }

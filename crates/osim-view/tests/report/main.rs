@@ -4,7 +4,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod explained;
-mod needed;
+mod missing_facts;
 mod records;
 mod registers;
 mod remedies;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use osim_model::files::Failure;
-use osim_model::{Fault, Needed};
+use osim_model::{Fault, MissingFact};
 use osim_requests::spell::{CommandLine, Python};
 use osim_view::report::json::{FailureRecord, PlanRecord, line};
 
@@ -47,7 +47,7 @@ fn a_name_that_is_not_utf_8_has_its_bytes_beside_it() {
 fn a_failure_is_told_in_the_words_of_its_front_end() {
     let failure = Failure::from_fault(
         "walker.osim",
-        Fault::new(Needed::Gravity { purpose: osim_model::GravityFor::Weight }),
+        Fault::new(MissingFact::Gravity { purpose: osim_model::GravityFor::Weight }),
     );
     let text = |dialect| line(&FailureRecord::new(&failure, dialect));
     assert_eq!(

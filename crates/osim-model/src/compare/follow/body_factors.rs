@@ -82,13 +82,12 @@ const SHORTEST_DISTANCE_M: f64 = 0.02;
 /// shorter than [`SHORTEST_DISTANCE_M`].
 const SHORTEST_OF_BONE: f64 = 0.2;
 
-/// A joint below a body that both models have, with its place in each model. The places are seen from the origin of the body at the default
+/// A joint of both models that lies below one body in each, with its two places. They are seen from the origin of the body at the default
 /// pose.
 pub(super) struct ComparedJoint<'a> {
     pub(super) joint: &'a str,
-    /// Location in the reference model, m.
-    pub(super) old_m: DVec3,
-    new_m: DVec3,
+    pub(super) reference_m: DVec3,
+    scaled_m: DVec3,
 }
 
 /// The joints that have the same name in both models, listed under the body that is the joint's parent in one of the models.
@@ -117,14 +116,14 @@ impl<'a> ComparedJoints<'a> {
     /// The farthest joint that lies below `body` in both models. Its parent is `body` in at least one of them.
     pub(super) fn farthest(&self, body: &str) -> Option<ComparedJoint<'a>> {
         let places = self.on_body.get(body).into_iter().flatten().filter_map(|[joint, there]| {
-            let old_m = self.reference.joint_place_seen_from(body, there)?;
-            let new_m = self.scaled.joint_place_seen_from(body, joint)?;
-            Some(ComparedJoint { joint: &joint.name, old_m, new_m })
+            let reference_m = self.reference.joint_place_seen_from(body, there)?;
+            let scaled_m = self.scaled.joint_place_seen_from(body, joint)?;
+            Some(ComparedJoint { joint: &joint.name, reference_m, scaled_m })
         });
-        let [old_m, new_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
+        let [least_reference_m, least_scaled_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
         places
-            .filter(|place| place.old_m.length() >= old_m && place.new_m.length() >= new_m)
-            .max_by(|a, b| a.old_m.length().total_cmp(&b.old_m.length()))
+            .filter(|place| place.reference_m.length() >= least_reference_m && place.scaled_m.length() >= least_scaled_m)
+            .max_by(|a, b| a.reference_m.length().total_cmp(&b.reference_m.length()))
     }
 }
 
@@ -137,7 +136,7 @@ fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
 impl ComparedJoint<'_> {
     /// The distance to the joint in the new model over the distance in the old model.
     pub(super) fn ratio(&self) -> f64 {
-        self.new_m.length() / self.old_m.length()
+        self.scaled_m.length() / self.reference_m.length()
     }
 }
 

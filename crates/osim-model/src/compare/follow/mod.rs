@@ -13,7 +13,7 @@ use foldhash::HashSet;
 
 use crate::messages::Phrase;
 use crate::model::{
-    Anatomy, AnatomySphere, Fault, FaultKind, Finding, LevelAxis, Model, MovedSpheres, Needed, RadiusAxis,
+    Anatomy, AnatomySphere, Fault, FaultKind, Finding, LevelAxis, Model, MovedSpheres, MissingFact, RadiusAxis,
     SphereId, rules,
 };
 
@@ -135,7 +135,7 @@ impl Follow {
     ///
     /// # Errors
     /// A sphere without a sphere of its name in `generic`, or on another body than there; a sphere that somebody has moved already
-    /// ([`Needed::MovedSpheres`]); a body without known factors ([`Needed::BodyFactors`]).
+    /// ([`MissingFact::MovedSpheres`]); a body without known factors ([`MissingFact::BodyFactors`]).
     pub fn find(
         model: &Model,
         wanted: &[SphereId],
@@ -263,7 +263,7 @@ fn refuse_moved_spheres(
         return Ok(());
     }
     let spheres = changed.into_iter().map(str::to_owned).collect();
-    Err(Fault::new(Needed::MovedSpheres { model: model.name.clone(), spheres }))
+    Err(Fault::new(MissingFact::MovedSpheres { model: model.name.clone(), spheres }))
 }
 
 /// The factors of all bodies of a model against a reference: new lengths over old lengths.
@@ -379,8 +379,8 @@ impl Factors {
     /// The scale factors of `body` along x, y and z.
     ///
     /// # Errors
-    /// - No source gives the factor of an axis ([`Needed::BodyFactors`]): the error names the body and the axis.
-    /// - The models are different, and the factors of the body are in doubt ([`Needed::Factors`]).
+    /// - No source gives the factor of an axis ([`MissingFact::BodyFactors`]): the error names the body and the axis.
+    /// - The models are different, and the factors of the body are in doubt ([`MissingFact::Factors`]).
     /// - A factor that is zero, negative or not finite.
     pub fn body_factors(&self, body: &str) -> Result<[f64; 3], Fault> {
         let found = self.by_name.index_of(body).and_then(|at| self.bodies.get(at));
@@ -392,7 +392,7 @@ impl Factors {
             AXIS_NAMES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {
             [Some(x), Some(y), Some(z)] => Ok([x.factor, y.factor, z.factor]),
-            _ => Err(Fault::new(Needed::BodyFactors { body: body.to_owned(), axes: missing })),
+            _ => Err(Fault::new(MissingFact::BodyFactors { body: body.to_owned(), axes: missing })),
         }
     }
 }

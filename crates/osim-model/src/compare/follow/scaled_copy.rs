@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use super::body_factors::{AXIS_NAMES, BonePair, bone_pairs};
 use crate::messages::Phrase;
-use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, Needed};
+use crate::model::{Anatomy, AnatomyJoint, Document, FactorQuestion, Fault, FaultKind, MissingFact};
 
 /// Largest error of an offset of a joint, m, at which a scale factor still explains the offset.
 const EXPLAINED_OFFSET_M: f64 = 1e-6;
@@ -85,8 +85,8 @@ fn joint_of_other_bodies(scaled: &Anatomy, reference: &Anatomy) -> Option<CopyDi
 #[derive(Clone, Copy)]
 pub(super) struct SharedOffset<'a> {
     pub(super) joint: &'a str,
-    pub(super) old_m: DVec3,
-    pub(super) new_m: DVec3,
+    pub(super) reference_m: DVec3,
+    pub(super) scaled_m: DVec3,
 }
 
 /// The joints that connect the same bodies in both models, listed under each of these bodies.
@@ -102,7 +102,7 @@ impl<'a> SharedJoints<'a> {
         let mut shared = Self(HashMap::new());
         for joint in &scaled.joints {
             let Some(old) = there.get(&ends(joint)) else { continue };
-            let offset = |old_m, new_m| SharedOffset { joint: &joint.name, old_m, new_m };
+            let offset = |reference_m, scaled_m| SharedOffset { joint: &joint.name, reference_m, scaled_m };
             shared.push(&joint.parent, offset(old.in_parent_m, joint.in_parent_m));
             shared.push(&joint.child, offset(old.in_child_m, joint.in_child_m));
         }
@@ -128,7 +128,7 @@ fn unexplained_offset(
 ) -> Option<CopyDifference> {
     let meshes: Vec<f64> = meshes.iter().filter_map(|pair| pair.factors[axis]).collect();
     let offsets: Vec<(&str, f64, f64)> =
-        joints.iter().map(|offset| (offset.joint, offset.old_m[axis], offset.new_m[axis])).collect();
+        joints.iter().map(|offset| (offset.joint, offset.reference_m[axis], offset.scaled_m[axis])).collect();
     let longest = offsets
         .iter()
         .filter(|(_, old, _)| old.abs() > SHORTEST_OFFSET_M)
@@ -242,13 +242,13 @@ impl ScaleFile {
         let joints = SharedJoints::of(scaled, reference);
         for &body in bodies {
             let Some(factors) = self.factors(body) else { continue };
-            for &SharedOffset { joint, old_m: old, new_m: new } in joints.on(body) {
+            for &SharedOffset { joint, reference_m: old, scaled_m: new } in joints.on(body) {
                 let expected = old * DVec3::from(factors);
                 let apart_m = new.distance(expected);
                 if apart_m > SPELLING_DIFFERENCE_M + LARGEST_JOINT_ERROR * expected.length() {
                     let (body, joint) = (body.to_owned(), joint.to_owned());
                     let question = FactorQuestion::OtherReference { body, joint, apart_m };
-                    return Err(Fault::new(Needed::Factors(question)));
+                    return Err(Fault::new(MissingFact::Factors(question)));
                 }
             }
         }

@@ -9,7 +9,7 @@ use super::body_factors::{
 };
 use super::scaled_copy::{SHORTEST_OFFSET_M, ScaleFile};
 use crate::messages::Phrase;
-use crate::model::{Anatomy, FactorQuestion, Fault, Needed, Side, without_side};
+use crate::model::{Anatomy, FactorQuestion, Fault, MissingFact, Side, without_side};
 
 /// Two sources of a scaled copy disagree if their factors differ by more than this (relative).
 const TOLERANCE_IN_A_COPY: f64 = 0.01;
@@ -140,8 +140,8 @@ impl<'a> BodyFactorSources<'a> {
         if x.source >= FactorSource::Distance {
             return None;
         }
-        let taken = DVec3::new(x.factor, y.factor, z.factor) * distance.old_m;
-        let along = taken.length() / distance.old_m.length();
+        let taken = DVec3::new(x.factor, y.factor, z.factor) * distance.reference_m;
+        let along = taken.length() / distance.reference_m.length();
         Some((distance, x.source, [along, distance.ratio()]))
     }
 }
@@ -321,7 +321,7 @@ pub(super) fn add_questions(
         .collect();
     for (body, question) in factors.iter_mut().zip(questions) {
         if let Some(question) = question {
-            body.question = Some(Fault::new(Needed::Factors(question)));
+            body.question = Some(Fault::new(MissingFact::Factors(question)));
             body.axes = [None; 3];
         }
     }

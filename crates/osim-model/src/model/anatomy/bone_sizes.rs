@@ -221,7 +221,7 @@ impl JointDistances {
         };
         let usual_m = is_given_length.then_some(usual_m);
         let sphere = sphere.name.clone();
-        (radius_m > longest_m).then_some(NeedsAnswer::Radius { sphere, radius_m, longest_m, usual_m })
+        (radius_m > longest_m).then_some(NeedsConfirmation::Radius { sphere, radius_m, longest_m, usual_m })
     }
 }
 

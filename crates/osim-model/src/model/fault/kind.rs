@@ -5,8 +5,8 @@ use crate::xml::SyntaxFault;
 use crate::xml::opensim_text::NumberFault;
 use contact_scaling::{DomainError, limits};
 
-use super::needed::Needed;
-use super::needs_answer::NeedsAnswer;
+use super::missing_fact::MissingFact;
+use super::needs_confirmation::NeedsConfirmation;
 
 /// The kinds of errors, each with the data that a program needs.
 ///
@@ -53,9 +53,9 @@ pub enum FaultKind {
     /// The socket of a force leads to `connectee`, contact geometry of a class that it does not take.
     OtherSurface { owner: String, connectee: String, class: String, expected: String },
     /// The caller has to give a missing fact.
-    Needed(Needed),
+    MissingFact(MissingFact),
     /// A number that looks wrong. It is used only if the caller confirms it.
-    NeedsAnswer(NeedsAnswer),
+    NeedsConfirmation(NeedsConfirmation),
     /// Contacts are to be added to a model that already has some.
     ContactsExist { forces: String, can_scale: bool },
     /// Bodies that carry spheres in the reference do not exist in the model. `others` is a pattern that matches only the reference's forces
@@ -124,8 +124,8 @@ impl FaultKind {
 
     pub fn phrase(&self) -> Phrase {
         match self {
-            Self::Needed(needed) => needed.phrase(),
-            Self::NeedsAnswer(asks) => asks.phrase(),
+            Self::MissingFact(fact) => fact.phrase(),
+            Self::NeedsConfirmation(doubt) => doubt.phrase(),
             Self::Syntax(fault @ SyntaxFault::Motion) => phrase![
                 fault.to_string(),
                 Verb::Check.call_with_model().with_placeholder(Input::Motion, "FILE"),
@@ -264,15 +264,15 @@ impl From<SyntaxFault> for FaultKind {
     }
 }
 
-impl From<Needed> for FaultKind {
-    fn from(needed: Needed) -> Self {
-        Self::Needed(needed)
+impl From<MissingFact> for FaultKind {
+    fn from(fact: MissingFact) -> Self {
+        Self::MissingFact(fact)
     }
 }
 
-impl From<NeedsAnswer> for FaultKind {
-    fn from(asks: NeedsAnswer) -> Self {
-        Self::NeedsAnswer(asks)
+impl From<NeedsConfirmation> for FaultKind {
+    fn from(doubt: NeedsConfirmation) -> Self {
+        Self::NeedsConfirmation(doubt)
     }
 }
 

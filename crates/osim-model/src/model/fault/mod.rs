@@ -5,8 +5,8 @@
 //! data, which each front end writes in its own way.
 
 mod kind;
-mod needed;
-mod needs_answer;
+mod missing_fact;
+mod needs_confirmation;
 mod reasons;
 
 use std::ops::Range;
@@ -14,9 +14,9 @@ use std::ops::Range;
 use crate::messages::Phrase;
 use crate::xml::{LineIndex, Position};
 pub use kind::FaultKind;
-pub use needed::{CountedSpheres, ForcesOfAnimal, Needed};
-pub(crate) use needs_answer::POUND_KG;
-pub use needs_answer::{MassMistake, MassesOfOtherRows, NeedsAnswer, Question, probable_units};
+pub use missing_fact::{CountedSpheres, ForcesOfAnimal, MissingFact};
+pub(crate) use needs_confirmation::POUND_KG;
+pub use needs_confirmation::{MassMistake, MassesOfOtherRows, NeedsConfirmation, Question, probable_units};
 pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
 
 /// An error in a model or a request, with its place in a file.

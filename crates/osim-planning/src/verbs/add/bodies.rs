@@ -5,7 +5,7 @@ use std::path::Path;
 use osim_model::feet::FeetFault;
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
-use osim_model::{Fault, FaultKind, Needed};
+use osim_model::{Fault, FaultKind, MissingFact};
 use osim_requests::RequestFault;
 use osim_requests::values::typed::trimmed;
 
@@ -62,7 +62,7 @@ pub(super) enum AddFault {
 impl From<Fault> for AddFault {
     fn from(fault: Fault) -> Self {
         // The usual advice names the mass that old contacts were made for. New contacts were made for none.
-        if let FaultKind::Needed(Needed::ModelMass { bodies, kg }) = fault.kind {
+        if let FaultKind::MissingFact(MissingFact::ModelMass { bodies, kg }) = fault.kind {
             let text = format!(
                 "the {bodies} bodies weigh {} kg in all: give the mass of the model with ",
                 readable(kg)

@@ -154,7 +154,7 @@ impl AddPlanner {
         let spheres = built.spheres().iter().filter(|sphere| new_spheres.contains(sphere.name.as_str()));
         let mut slips =
             spheres.filter_map(|sphere| distances.implausible_radius(sphere, sphere.radius.number, true));
-        slips.next().map_or(Ok(()), |asks| Err(Fault::new(asks)))
+        slips.next().map_or(Ok(()), |doubt| Err(Fault::new(doubt)))
     }
 }
 

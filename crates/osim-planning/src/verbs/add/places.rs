@@ -9,7 +9,7 @@ use osim_model::feet::{
 };
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
-use osim_model::{Fault, Model, NeedsAnswer, Question, Side};
+use osim_model::{Fault, Model, NeedsConfirmation, Question, Side};
 use osim_patch::{ContactLayout, NewContact};
 use osim_requests::options::AnswerOptions;
 
@@ -150,7 +150,7 @@ impl TablePlaces {
     }
 
     /// The question about the place that is farthest from the bones of its body, if it is too far.
-    fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<NeedsAnswer> {
+    fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<NeedsConfirmation> {
         let bones = JointPositions::of(model);
         let distance = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
         let contacts = self.table.rows.iter().zip(&layout.contacts);
@@ -232,13 +232,13 @@ impl FeetPlaces {
 }
 
 /// The question about a mesh that is probably in another unit, or from another animal.
-fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<NeedsAnswer> {
+fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<NeedsConfirmation> {
     let text = odd_size(model, bone)?.text;
-    Some(NeedsAnswer::Other { question: Question::ImplausibleScale, text: text.into() })
+    Some(NeedsConfirmation::Other { question: Question::ImplausibleScale, text: text.into() })
 }
 
 /// The question about a foot that does not lie flat.
-fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
+fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsConfirmation> {
     let mut text: Phrase = sole.not_flat()?.into();
     let tilting = sole.tilted_by(model);
     text.push(&match tilting.is_empty() {
@@ -251,11 +251,11 @@ fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsAnswer> {
             Input::Feet.with_placeholder("BODY,BODY"), Input::Contacts.with_placeholder("TABLE")
         ],
     });
-    Some(NeedsAnswer::Other { question: Question::TiltedFoot, text })
+    Some(NeedsConfirmation::Other { question: Question::TiltedFoot, text })
 }
 
 /// The question about two feet that are not posed as mirror images.
-fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsAnswer> {
+fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsConfirmation> {
     let pairs = soles
         .iter()
         .enumerate()
@@ -278,7 +278,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsAns
         angles(sole),
         angles(other),
     );
-    Some(NeedsAnswer::Other { question: Question::UnequalFeet, text: text.into() })
+    Some(NeedsConfirmation::Other { question: Question::UnequalFeet, text: text.into() })
 }
 
 /// The new contacts of one sole. Each has the name of the body that carries it, and a number.

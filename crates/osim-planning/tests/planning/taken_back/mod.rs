@@ -1,9 +1,9 @@
 //! `remove` after `add` gives the first file back, byte for byte: for every model of the project, in every form of text, for every way of
 //! adding contacts, and also after other changes in between.
 
+mod add_calls;
 pub mod documents;
 mod forms;
-mod ways;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,9 +15,9 @@ use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::{Value, json};
 
+use add_calls::{AddCall, TABLE, add_calls, between};
 use documents::{Desk, Document, all_files, models};
 use forms::{bytes, forms, letters};
-use ways::{TABLE, Way, between, ways};
 
 /// Numbers of trials, and of trials in which the first file came back.
 #[derive(Default)]
@@ -44,18 +44,18 @@ fn step(desk: &mut Desk<'_>, name: &str, bytes: &[u8], request: &Value) -> Resul
     plan.patched(&opened.model, FileId::MAIN).map_err(|fault| (fault.code().to_owned(), fault.to_string()))
 }
 
-/// Adds contacts in one way, applies the requests in between, removes the contacts, and compares the bytes.
+/// Adds contacts by one call, applies the requests in between, removes the contacts, and compares the bytes.
 fn try_one(
     desk: &mut Desk<'_>,
     what: &str,
     first: &Document,
-    way: &Way,
+    call: &AddCall,
     steps: &[Value],
     counts: &mut Counts,
 ) {
-    desk.own.insert(TABLE.into(), way.table.clone().into_bytes());
+    desk.own.insert(TABLE.into(), call.table.clone().into_bytes());
     let name = &first.name;
-    let mut now = match step(desk, name, &first.bytes, &way.request) {
+    let mut now = match step(desk, name, &first.bytes, &call.request) {
         Ok(added) => added,
         Err((code, why)) => {
             let why = if std::env::var_os("TAKEN_BACK_REASONS").is_some() {
@@ -63,7 +63,7 @@ fn try_one(
             } else {
                 code
             };
-            *counts.refused.entry(format!("{}: {why}", way.name)).or_default() += 1;
+            *counts.refused.entry(format!("{}: {why}", call.name)).or_default() += 1;
             return;
         }
     };
@@ -107,8 +107,8 @@ fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document
     Some(Document { name: name.clone(), bytes })
 }
 
-/// The share of the forms in which each model is tried: one in `small` forms for a small model, one in `large` for a large one. Forms, ways
-/// and requests take turns, so that every form occurs with every way and with all requests.
+/// The share of the forms in which each model is tried: one in `small` forms for a small model, one in `large` for a large one. Forms, calls
+/// and requests take turns, so that every form occurs with every call and with all requests.
 #[derive(Clone, Copy)]
 struct FormShare {
     small: usize,
@@ -138,20 +138,20 @@ fn try_all(files: &InMemory, documents: &[Document], share: FormShare, next: &At
                 let Some(text) = write(&letters(&own.bytes)) else { continue };
                 let first = Document { name: own.name.clone(), bytes: bytes(&text) };
                 let Ok(model) = Model::parse(first.bytes.clone()) else { continue };
-                let ways = ways(&first.name, &model);
-                let Some((way, steps)) = way_of_turn(&ways, &first.name, turn) else { continue };
-                let what = format!("{} [{form}] {}, {}", first.name, way.name, steps.0);
-                try_one(&mut desk, &what, &first, way, &steps.1, &mut counts);
+                let calls = add_calls(&first.name, &model);
+                let Some((call, steps)) = call_of_turn(&calls, &first.name, turn) else { continue };
+                let what = format!("{} [{form}] {}, {}", first.name, call.name, steps.0);
+                try_one(&mut desk, &what, &first, call, &steps.1, &mut counts);
             }
         }
     }
 }
 
-/// The way of adding contacts and the requests in between, if it is the turn of this form.
-fn way_of_turn<'w>(ways: &'w [Way], name: &str, turn: usize) -> Option<(&'w Way, Steps)> {
-    let number = (turn * 5).checked_rem(ways.len())?;
-    let way = ways.get(number)?;
-    let mut steps = between(name, way);
+/// The call that adds contacts and the requests in between, if it is the turn of this form.
+fn call_of_turn<'c>(calls: &'c [AddCall], name: &str, turn: usize) -> Option<(&'c AddCall, Steps)> {
+    let number = (turn * 5).checked_rem(calls.len())?;
+    let call = calls.get(number)?;
+    let mut steps = between(name, call);
     Some((way, steps.swap_remove((turn + 3 * number) % steps.len())))
 }
 
@@ -181,9 +181,9 @@ impl Counts {
         }
     }
 
-    fn told(&self) -> String {
+    fn summary(&self) -> String {
         let refused: String = self.refused.iter().map(|(why, count)| format!("\n  {count}: {why}")).collect();
-        format!("{} times the first file is back; ways that do not fit:{refused}", self.back)
+        format!("{} times the first file is back; calls that were refused:{refused}", self.back)
     }
 
     fn check(&self) {
@@ -205,7 +205,7 @@ impl Counts {
 #[test]
 fn added_contacts_are_taken_back() {
     let counts = try_share(FEW_FORMS);
-    println!("{}", counts.told());
+    println!("{}", counts.summary());
     counts.check();
 }
 
@@ -214,6 +214,6 @@ fn added_contacts_are_taken_back() {
 #[ignore = "slow: dev/thorough runs it"]
 fn added_contacts_are_taken_back_in_every_form() {
     let counts = try_share(MANY_FORMS);
-    println!("{}", counts.told());
+    println!("{}", counts.summary());
     counts.check();
 }

@@ -140,11 +140,11 @@ impl FromStr for Question {
 /// A question about a number that looks wrong. The caller has to confirm the number.
 ///
 /// ```
-/// use osim_model::{Fault, FaultKind, MassMistake, NeedsAnswer};
+/// use osim_model::{Fault, FaultKind, MassMistake, NeedsConfirmation};
 /// use osim_model::messages::Input;
 ///
-/// let grams = NeedsAnswer::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), other_rows: None, mistake: MassMistake::Grams };
-/// let fault = Fault::new(FaultKind::NeedsAnswer(grams));
+/// let grams = NeedsConfirmation::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), other_rows: None, mistake: MassMistake::Grams };
+/// let fault = Fault::new(FaultKind::NeedsConfirmation(grams));
 /// assert_eq!(fault.code(), "implausible-mass");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -166,7 +166,7 @@ pub enum NeedsAnswer {
     Other { question: Question, text: Phrase },
 }
 
-impl NeedsAnswer {
+impl NeedsConfirmation {
     pub const fn question(&self) -> Question {
         match self {
             Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,

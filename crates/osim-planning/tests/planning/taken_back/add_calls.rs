@@ -1,21 +1,21 @@
-//! Ways of adding contacts to a model, and changes between adding and removing them.
+//! Requests that add contacts to a model, and changes between adding and removing them.
 
 use osim_model::{Model, Question};
 use serde_json::{Value, json};
 
 pub const TABLE: &str = "places.csv";
-/// The name of the way in which a model keeps its own contacts.
+/// The name of the call that leaves the contacts that the model has.
 const BESIDE: &str = "beside others";
 
 /// A request that adds contacts, and the table that it reads.
-pub struct Way {
+pub struct AddCall {
     pub name: &'static str,
     pub request: Value,
     pub table: String,
 }
 
-/// The ways of adding contacts to this model, which is called `name`.
-pub fn ways(name: &str, model: &Model) -> Vec<Way> {
+/// One `add` request for each way in which this model can get contacts; the requests call the model `name`.
+pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
     let bodies: Vec<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
     let (Some(first), Some(last)) = (bodies.first(), bodies.last()) else { return Vec::new() };
     let yes: Vec<&str> = Question::ALL.iter().map(|question| question.as_str()).collect();
@@ -47,16 +47,16 @@ pub fn ways(name: &str, model: &Model) -> Vec<Way> {
             "contacts": TABLE, "class": class, "indentation": 0.1, "restitution": 0.3, "load": 30.0, "spheres": 2, "impact_speed": 0.3,
         }))
     };
-    let mut ways = Vec::new();
+    let mut calls = Vec::new();
     if has_feet || bodies.contains(&"calcn_r") {
         for (name, class) in [("reference", "smooth"), ("reference, Hunt-Crossley", "hunt-crossley")] {
-            ways.push(Way { name, request: of_reference(class), table: String::new() });
+            calls.push(AddCall { name, request: of_reference(class), table: String::new() });
         }
     }
-    ways.extend([
-        Way { name: "table", request: by_table("smooth"), table: table_of(&[first, last]) },
-        Way { name: "table, Hunt-Crossley", request: by_table("hunt-crossley"), table: table_of(&[last]) },
-        Way {
+    calls.extend([
+        AddCall { name: "table", request: by_table("smooth"), table: table_of(&[first, last]) },
+        AddCall { name: "table, Hunt-Crossley", request: by_table("hunt-crossley"), table: table_of(&[last]) },
+        AddCall {
             name: "table, every body",
             request: by_table("smooth"),
             table: table_of(&bodies.iter().copied().take(9).collect::<Vec<_>>()),
@@ -64,7 +64,7 @@ pub fn ways(name: &str, model: &Model) -> Vec<Way> {
     ]);
     if has_feet && name.starts_with("feet/") | name.starts_with("corpus/") {
         let fields = json!({"feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"});
-        ways.push(Way { name: "meshes", request: request(fields), table: String::new() });
+        calls.push(AddCall { name: "meshes", request: request(fields), table: String::new() });
     }
     let loaded: Vec<&str> = model.spheres().iter().filter_map(|sphere| sphere.body.as_deref()).collect();
     let free: Vec<&str> = bodies.iter().copied().filter(|body| !loaded.contains(body)).take(2).collect();
@@ -74,17 +74,17 @@ pub fn ways(name: &str, model: &Model) -> Vec<Way> {
         }
         let mut request = by_table("smooth");
         request["exclude"] = json!(["*"]);
-        return vec![Way { name: BESIDE, request, table: table_of(&free) }];
+        return vec![AddCall { name: BESIDE, request, table: table_of(&free) }];
     }
-    ways
+    calls
 }
 
 /// Changes between adding and removing contacts: none, one or two requests. If the model has other contacts, they apply only to the new
 /// forces.
-pub fn between(name: &str, way: &Way) -> Vec<(&'static str, Vec<Value>)> {
+pub fn between(name: &str, call: &AddCall) -> Vec<(&'static str, Vec<Value>)> {
     let one = |mut request: Value| {
         request["models"] = json!([name]);
-        if way.name == BESIDE && request["verb"] != "note" {
+        if call.name == BESIDE && request["verb"] != "note" {
             request["select"] = json!([if request["verb"] == "remove" { "force_s0*" } else { "force_s*" }]);
         }
         request

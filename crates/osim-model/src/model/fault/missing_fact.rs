@@ -11,7 +11,7 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 
 /// A fact that the caller has to give, because the files do not contain it.
 ///
-/// Each variant is one unknown fact. [`Needed::inputs`] are the fields with which the caller can give it.
+/// Each variant is one unknown fact. [`MissingFact::inputs`] are the fields with which the caller can give it.
 ///
 /// ```
 /// use osim_model::messages::Input;
@@ -21,10 +21,10 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// // A model whose only body has no mass.
 /// let model = Model::parse(text.replace("<mass>10</mass>", ""))?;
 /// let fault = MassRequest::default().model_mass(&model).unwrap_err();
-/// let FaultKind::Needed(needed) = fault.kind else { panic!("{fault}") };
+/// let FaultKind::MissingFact(fact) = fault.kind else { panic!("{fault}") };
 /// // A page can show a field for the mass; the text says it in words.
-/// assert_eq!((needed.code(), needed.inputs()), ("no-mass", vec![Input::Mass]));
-/// assert!(needed.phrase().to_string().starts_with("body 'foot_r' has no mass"));
+/// assert_eq!((fact.code(), fact.inputs()), ("no-mass", vec![Input::Mass]));
+/// assert!(fact.phrase().to_string().starts_with("body 'foot_r' has no mass"));
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -109,7 +109,7 @@ impl CountedSpheres {
     }
 }
 
-impl Needed {
+impl MissingFact {
     /// Stable short name, as in the JSON `code`.
     pub const fn code(&self) -> &'static str {
         match self {
