@@ -65,7 +65,7 @@ impl Changed {
         let mut plan = change.plan(&opened, files)?;
         plan.spell(&CommandLine);
         let model = &opened.model;
-        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(path));
+        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::result_beside(path));
         let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
         let names = std::iter::once(output).chain(geometry);
         let file = |(from, name)| {

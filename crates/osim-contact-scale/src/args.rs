@@ -9,7 +9,7 @@ use osim_model::messages::{Input, Phrase, Verb, shown};
 use osim_requests::command_line::{read, with_options};
 use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
 use osim_view::report::ExitStatus;
-use osim_view::report::layout::broken;
+use osim_view::report::layout::break_long_lines;
 
 use crate::session::{Language, WORDS};
 
@@ -100,7 +100,7 @@ pub(crate) enum OwnVerb {
 impl OwnVerb {
     /// The arguments of an equal call with `--help` or `--version`, which clap answers itself; `None` for verbs other than `help` and
     /// `version`.
-    pub(crate) fn in_other_words(&self) -> Option<Vec<&str>> {
+    pub(crate) fn as_call_that_clap_answers(&self) -> Option<Vec<&str>> {
         match self {
             Self::Help { verb: Some(verb) } => Some(vec![PROGRAM_NAME, verb, "--help"]),
             Self::Help { verb: None } => Some(vec![PROGRAM_NAME, "-h"]),
@@ -206,7 +206,7 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     let is_file = Path::exists;
     Ok(match matches.subcommand() {
         None => read(Verb::Rescale, matches, is_file).map(Call::WithoutVerb),
-        Some((name, typed)) => match Verb::named(name) {
+        Some((name, typed)) => match Verb::from_name(name) {
             Some(verb) => read(verb, typed, is_file).and_then(with_models).map(Call::Request),
             None => Ok(Call::Own(OwnVerb::from_arg_matches(matches)?)),
         },

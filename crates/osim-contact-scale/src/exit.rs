@@ -6,7 +6,7 @@ use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
-use osim_library::Cause;
+use osim_library::FaultCause;
 use osim_library::report_page::Words;
 use osim_model::Excerpt;
 use osim_model::files::Failure;
@@ -46,11 +46,11 @@ pub(crate) fn text_of(error: &anyhow::Error) -> String {
 }
 
 /// The exit status of a run that ended with a fault of this cause.
-pub(crate) fn exit_of_cause(cause: Cause) -> Exit {
+pub(crate) fn exit_of_cause(cause: FaultCause) -> Exit {
     match cause {
-        Cause::Call => Exit::Usage,
-        Cause::System => Exit::Failed,
-        Cause::Busy => Exit::Busy,
+        FaultCause::Call => Exit::Usage,
+        FaultCause::System => Exit::Failed,
+        FaultCause::Busy => Exit::Busy,
     }
 }
 
@@ -68,7 +68,7 @@ const STOP_SIGNALS: [c_int; 3] = [consts::SIGINT, consts::SIGTERM, consts::SIGHU
 const STOP_SIGNALS: [c_int; 2] = [consts::SIGINT, consts::SIGBREAK];
 
 /// Makes Ctrl-C a request to stop after the models that are being changed.
-pub(crate) fn listen() {
+pub(crate) fn listen_for_stop_signals() {
     static LISTENING: Once = Once::new();
     LISTENING.call_once(|| {
         for signal in STOP_SIGNALS {
@@ -94,7 +94,7 @@ pub(crate) fn outlive_size_limit() {
 pub(crate) fn outlive_size_limit() {}
 
 /// Whether Ctrl-C was pressed, or another program asked this one to end.
-pub(crate) fn came() -> bool {
+pub(crate) fn stop_is_requested() -> bool {
     STOP_REQUESTED.load(Ordering::Relaxed)
 }
 
@@ -128,8 +128,8 @@ mod tests {
     #[test]
     fn ctrl_c_asks_the_run_to_stop() {
         super::listen();
-        assert!(!super::came());
+        assert!(!super::stop_is_requested());
         signal_hook::low_level::raise(super::consts::SIGINT).unwrap();
-        assert!(super::came());
+        assert!(super::stop_is_requested());
     }
 }

@@ -34,7 +34,7 @@ impl Session {
     }
 
     /// Reports a failure on standard error; with `json`, also as a record on standard output.
-    pub(crate) fn fail(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
+    pub(crate) fn report_failure(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
         }
@@ -44,10 +44,10 @@ impl Session {
 
     /// The error of a request that cannot be done, because of wrong usage or of a file that it needs. What is wrong with a file is
     /// reported at once, and the error has no text any more.
-    pub(crate) fn refuse(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
+    pub(crate) fn request_error(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
         match error.into() {
-            RequestError::Fault(fault) => self.usage(&fault),
-            RequestError::Failure(failure) => match self.fail(&failure, json) {
+            RequestError::Fault(fault) => self.usage_error(&fault),
+            RequestError::Failure(failure) => match self.report_failure(&failure, json) {
                 Ok(exit) => ExitError { text: String::new(), exit }.into(),
                 Err(error) => error,
             },
@@ -55,7 +55,7 @@ impl Session {
     }
 
     /// Makes the error for a wrong request.
-    pub(crate) fn usage(&self, fault: &RequestFault) -> anyhow::Error {
+    pub(crate) fn usage_error(&self, fault: &RequestFault) -> anyhow::Error {
         anyhow::anyhow!(fault.spelled(self.words))
     }
 
@@ -79,7 +79,7 @@ pub(crate) enum Language {
 }
 
 /// Spells options as the caller wrote them: as fields of the request, or as arguments of the function that made the request.
-pub(crate) fn of_request(language: Language) -> Words {
+pub(crate) fn words_of_language(language: Language) -> Words {
     match language {
         Language::Json => &JsonRequest,
         Language::Matlab => &Matlab,
@@ -93,7 +93,7 @@ pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit 
     match page.map_or(Ok(()), ReportPage::finish) {
         Ok(()) => Exit::Done,
         Err(fault) => {
-            let why = session.refused(&fault);
+            let why = session.library_error(&fault);
             session.terminal.error_line(&format!("the report: {why:#}"));
             Exit::Failed
         }
@@ -103,7 +103,7 @@ pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit 
 // The call as it was typed, for reports.
 
 /// The command line of this call, each argument quoted where a shell needs it.
-pub(super) fn asked() -> String {
+pub(super) fn typed_command_line() -> String {
     let words = std::env::args_os().skip(1).map(|word| shell_quoted(&word.to_string_lossy()));
     std::iter::once("osim-contact-scale".to_owned()).chain(words).collect::<Vec<_>>().join(" ")
 }

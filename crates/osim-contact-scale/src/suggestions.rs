@@ -20,7 +20,7 @@ const VERBS_ELSEWHERE: [(&str, &str); 5] = [
 
 /// The message that suggests another call instead of `words` (the arguments beside the options); `None` if no call fits. With
 /// `may_be_mass`, a bare number can only be the target mass.
-pub(crate) fn meant(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
+pub(crate) fn suggested_call(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
     if let Some((_, text)) = VERBS_ELSEWHERE.iter().find(|(verb, _)| first.as_os_str() == *verb)
@@ -69,12 +69,12 @@ pub(crate) fn suggested_axis(words: &[String], terms: Words) -> Option<String> {
         let is_of_grid = std::mem::replace(&mut before, word) == grid;
         Some(word).filter(|_| !is_of_grid)?;
         let assigned = || word.trim_start_matches("--").split_once('=');
-        assigned().and_then(|(name, values)| Some((word.clone(), AxisName::meant(name, values)?)))
+        assigned().and_then(|(name, values)| Some((word.clone(), AxisName::suggested_axis(name, values)?)))
     });
     let of_option = || {
         let options = rest.iter().zip(rest.iter().skip(1)).filter(|(option, _)| **option != grid);
         let mut options = options.filter_map(|(option, values)| {
-            let axis = AxisName::meant(option.strip_prefix("--")?, values)?;
+            let axis = AxisName::suggested_axis(option.strip_prefix("--")?, values)?;
             Some((format!("{option} {values}"), axis))
         });
         options.next()

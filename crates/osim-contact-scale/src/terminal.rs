@@ -120,11 +120,11 @@ impl Terminal {
         if self.is_quiet {
             return Ok(());
         }
-        self.aside(&fitted(text, self.err))
+        self.print_beside_unbroken(&fitted(text, self.err))
     }
 
     /// Prints text that is not a result on standard error, with unbroken lines.
-    pub(crate) fn aside(&mut self, text: &str) -> io::Result<()> {
+    pub(crate) fn print_beside_unbroken(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
@@ -160,7 +160,7 @@ fn columns(is_terminal: bool, width: Option<Width>) -> Option<usize> {
 
 /// The text, broken into lines of at most this number of columns.
 fn fitted(text: &str, columns: Option<usize>) -> Cow<'_, str> {
-    columns.map_or(Cow::Borrowed(text), |columns| broken(text, columns).into())
+    columns.map_or(Cow::Borrowed(text), |columns| break_long_lines(text, columns).into())
 }
 
 /// The text with control characters written by their numbers; line ends and tabs stay.

@@ -232,7 +232,7 @@ impl MassMismatch {
     }
 
     /// A clause about the two masses, to add to the message of a finding.
-    pub(crate) fn clause(&self) -> Phrase {
+    pub(crate) fn clause_about_masses(&self) -> Phrase {
         let (body, contacts) = (readable(self.body_kg), readable(self.contacts_mass.kg));
         let other = phrase![
             ": for those under the mass of the contacts give {}{}";

@@ -14,7 +14,7 @@ pub struct LibraryFault {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Cause {
+pub enum FaultCause {
     /// The user's call asks for something that is refused.
     Call,
     /// The operating system refused, for example because the disk is full or the folder may not be written.
@@ -26,17 +26,17 @@ pub enum Cause {
 impl LibraryFault {
     /// A fault of the user's call. The message has names of options as data, which a front end spells.
     pub fn new(message: impl Into<Phrase>) -> Self {
-        Self { message: message.into(), cause: Cause::Call }
+        Self { message: message.into(), cause: FaultCause::Call }
     }
 
     /// A fault of the operating system: the action `what` failed for the reason `why`.
     pub(crate) fn system(what: impl Display, why: impl Display) -> Self {
-        Self { cause: Cause::System, ..Self::new(format!("{what}: {why}")) }
+        Self { cause: FaultCause::System, ..Self::new(format!("{what}: {why}")) }
     }
 
     /// The fault that another run is using a file.
     pub(crate) fn busy(message: Phrase) -> Self {
-        Self { message, cause: Cause::Busy }
+        Self { message, cause: FaultCause::Busy }
     }
 
     /// The fault that several results exist already: `which` and how many, with the `first` of them. `resume` goes on with them.

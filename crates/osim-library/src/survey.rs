@@ -18,7 +18,7 @@ use crate::report_page::{MayReplace, ReportPage, Words};
 use crate::run::{ModelToFix, PathConflicts};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
-use crate::{Disk, LibraryFault, Loaded, OutputFolders, Source, Sources, sha256};
+use crate::{Disk, LibraryFault, LoadedModel, OutputFolders, Source, Sources, sha256};
 
 /// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {

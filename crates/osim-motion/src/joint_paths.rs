@@ -94,7 +94,7 @@ impl<'m> JointPaths<'m> {
             };
             let moving =
                 step.joint.placement_and_velocity(self.model, values.get(range).unwrap_or_default(), speeds);
-            let moving = moving.unwrap_or(MovingPlacement::still(Placement::IDENTITY));
+            let moving = moving.unwrap_or(MovingPlacement::at_rest(Placement::IDENTITY));
             let moving = if step.forward { moving } else { moving.inverse() };
             let there = step.from.and_then(|body| places.get(body)).map(|above| above.then(&moving));
             places.push(there.unwrap_or(moving));

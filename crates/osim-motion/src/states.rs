@@ -266,7 +266,7 @@ impl Surface {
     }
 
     fn at(&self, places: &[MovingPlacement], centre_m: DVec3) -> SurfaceInFrame {
-        let ground = MovingPlacement::still(Placement::IDENTITY);
+        let ground = MovingPlacement::at_rest(Placement::IDENTITY);
         let body_motion = self.body.and_then(|body| places.get(body)).copied().unwrap_or(ground);
         let away = centre_m - body_motion.at.point(self.point_m);
         match self.shape {

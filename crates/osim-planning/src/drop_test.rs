@@ -15,7 +15,7 @@ use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, MissingFact};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
-use self::FigureValue::{Always, Shown};
+use self::FigureValue::{Always, Sometimes};
 use crate::calculator::STANDARD_GRAVITY_M_S2;
 use crate::opening::Subject;
 
@@ -119,7 +119,7 @@ fn options_for_compared(request: &DropTestRequest) -> BodyOptions {
 /// Prepares the body that the request names: a model, a preset, or a body given by numbers.
 fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<PreparedDrop, RequestError> {
     let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
-    let given = request.numbers.given();
+    let given = request.numbers.given_inputs();
     if !given.is_empty() {
         let mut message = phrase!["a model or preset has its own numbers: leave out "];
         push_listed(&mut message, &given);
@@ -148,7 +148,7 @@ fn drop_of_model(
     let model = &open.model;
     let masses = MassRequest { model_kg: own.mass_kg, ..request.masses.request() };
     let slip = unexplained_mass_slip(&masses, model, &request.choice.selection());
-    request.answers.ask(slip).map_err(Fault::new)?;
+    request.answers.refuse_unconfirmed(slip).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.model_mass(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);
@@ -270,7 +270,7 @@ struct Entry {
 enum FigureValue {
     Always(fn(&DropResult) -> f64),
     /// The function of a number that only some drops have, for example drops after which the body lifts off again.
-    Shown(fn(&DropResult) -> Option<f64>),
+    Sometimes(fn(&DropResult) -> Option<f64>),
 }
 
 /// The part of the table that shows a number. JSON has all numbers.
@@ -288,7 +288,7 @@ const fn only_in_json(value: FigureValue) -> Entry {
     Entry { row: DropRow::Nowhere, value }
 }
 
-const fn in_order(value: FigureValue) -> Entry {
+const fn row_in_order(value: FigureValue) -> Entry {
     Entry { row: DropRow::InOrder, value }
 }
 
@@ -317,42 +317,42 @@ osim_inspect::quantities! {
             => last_row(Always(|drop| drop.report.reference_time_s));
         /// x̂ at the end of the series.
         FinalIndentation = Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
-            => in_order(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
+            => row_in_order(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
         /// x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.
         IndentationHertz = Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
-            => in_order(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
+            => row_in_order(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
         /// x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.
         IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
-            => in_order(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
+            => row_in_order(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
         /// The largest force of all spheres together.
-        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => in_order(Always(|drop| drop.report.peak_force_n));
+        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => row_in_order(Always(|drop| drop.report.peak_force_n));
         /// The largest force over body weight.
         PeakForceBw = Quantity::new("peak_force_bw", "peak force/body weight", "")
-            => in_order(Always(|drop| drop.report.peak_force_bw()));
+            => row_in_order(Always(|drop| drop.report.peak_force_bw()));
         /// Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.
         EquilibriumStiffness
             = Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
-            => in_order(Always(|drop| drop.report.equilibrium_stiffness_n_m));
+            => row_in_order(Always(|drop| drop.report.equilibrium_stiffness_n_m));
         /// Slope of the Hertz force of one sphere where it rests: the k of Table 1.
         HertzStiffness
             = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
-            => in_order(Always(|drop| drop.report.hertz_stiffness_n_m));
+            => row_in_order(Always(|drop| drop.report.hertz_stiffness_n_m));
         /// Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not
         /// reached.
         ImpactSpeed = Quantity::IMPACT_SPEED
-            => in_order(Shown(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
+            => row_in_order(Sometimes(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
         /// Restitution of an impact at this speed by (12), if there were no gravity.
         RestitutionExact = Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
-            => in_order(Shown(|drop| Some(first_contact(drop)?.restitution_exact)));
+            => row_in_order(Sometimes(|drop| Some(first_contact(drop)?.restitution_exact)));
         /// Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE
-            => in_order(Shown(|drop| first_contact(drop)?.restitution_approximate));
+            => row_in_order(Sometimes(|drop| first_contact(drop)?.restitution_approximate));
         /// Time from touch-down to lift-off. Absent where the body does not leave the ground again.
         ContactTime = Quantity::new("contact_time_s", "contact time", "s")
-            => in_order(Shown(|drop| Some(lift_off(drop)?.contact_time_s)));
+            => row_in_order(Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
         /// Speed at lift-off. Absent where the body does not leave the ground again.
         ReboundSpeed = Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
-            => in_order(Shown(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
+            => row_in_order(Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
     }
 }
 
@@ -369,7 +369,7 @@ impl DropFigure {
     pub fn value(self, drop: &DropResult) -> Option<f64> {
         match self.entry().value {
             Always(value) => Some(value(drop)),
-            Shown(value) => value(drop),
+            Sometimes(value) => value(drop),
         }
     }
 }

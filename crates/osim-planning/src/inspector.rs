@@ -179,7 +179,7 @@ impl Inspector {
         if let Some(answers) = &self.answers {
             let options = &self.options;
             let asked =
-                answers.ask(unexplained_mass_slip(&options.masses, &opened.model, &options.selection));
+                answers.refuse_unconfirmed(unexplained_mass_slip(&options.masses, &opened.model, &options.selection));
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;

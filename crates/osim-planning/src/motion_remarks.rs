@@ -327,7 +327,7 @@ impl CheckedMotion {
     /// known.
     pub(crate) fn answer(&self, path: &Path, files: &dyn Files) -> Result<Result<Phrase, Finding>, Phrase> {
         match self.follow(path, files) {
-            Ok((result, _)) => answer(&result),
+            Ok((result, _)) => judge_fit(&result),
             Err(RequestError::Failure(failure)) => {
                 Err(phrase![failure.model.to_string(), ": ", &failure.message])
             }
@@ -336,7 +336,7 @@ impl CheckedMotion {
     }
 }
 
-fn answer(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
+fn judge_fit(result: &MotionResult) -> Result<Result<Phrase, Finding>, Phrase> {
     let weight_n = result.summary.weight_n;
     let feet = result.summary.feet.iter();
     let compared: Vec<_> = feet.filter_map(|foot| Some((foot, foot.comparison.as_ref()?))).collect();

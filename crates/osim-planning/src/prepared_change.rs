@@ -163,27 +163,27 @@ impl PreparedChange {
     /// this model.
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let doubt = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
-        self.answers.ask(doubt).map_err(Fault::new)?;
+        self.answers.refuse_unconfirmed(doubt).map_err(Fault::new)?;
         let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
         if slip.is_some() && self.verb != Verb::Add {
             // No mass helps where there are no contacts.
             self.options.selection.apply(model)?;
         }
-        self.answers.ask(slip).map_err(Fault::new)
+        self.answers.refuse_unconfirmed(slip).map_err(Fault::new)
     }
 
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
         let perhaps_in_pounds_question =
             masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
-        let is_meant = self.answers.has(Question::MassInPounds);
+        let is_meant = self.answers.confirms(Question::MassInPounds);
         plan.remarks.extend(
             perhaps_in_pounds_question
                 .filter(|_| !is_meant)
                 .map(|perhaps_in_pounds_question| perhaps_in_pounds_question.doubt()),
         );
         match plan.implausible_radius(model) {
-            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
+            Some(fault) if !self.answers.confirms(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
     }

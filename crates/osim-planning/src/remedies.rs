@@ -291,7 +291,7 @@ fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) ->
 /// of a step, the output keeps its number.
 fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
     if split_step_number(from).1 == 0
-        && !files.exists(&OutputOptions::beside(from))
+        && !files.exists(&OutputOptions::result_beside(from))
         && let Some(output) = request.output_mut()
     {
         output.output = None;

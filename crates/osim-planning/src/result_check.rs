@@ -114,7 +114,7 @@ impl PreparedChange {
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
         let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
             || plan.restores_original()
-            || self.answers.has(Question::WrongAfterwards);
+            || self.answers.confirms(Question::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
         let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);
@@ -306,7 +306,7 @@ impl MovedBottoms {
         let both = BodiesOverFloor::at_default_pose(before).zip(BodiesOverFloor::at_default_pose(after));
         both.map_or_else(Self::default, |(before, after)| Self {
             off_floor: after.no_longer_standing(&before).collect(),
-            uneven: after.uneven(&before),
+            uneven: after.uneven_limbs(&before),
         })
     }
 }
@@ -340,13 +340,13 @@ impl<'m> BodiesOverFloor<'m> {
     }
 
     /// Findings about limbs whose bottoms are less level than `before` the change.
-    fn uneven(&self, before: &Self) -> Vec<Finding> {
+    fn uneven_limbs(&self, before: &Self) -> Vec<Finding> {
         let (old, new) = (before.bottoms(), self.bottoms());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
         let limbs = self.sharing.limbs.if_known().unwrap_or_default().iter();
         let of_limb = |limb: &Limb| {
             let spheres = limb.spheres.iter().filter_map(|&id| self.model.sphere(id));
-            uneven(&limb.name, &spheres.filter_map(|sphere| pair(&sphere.path)).collect::<Vec<_>>())
+            uneven_limb(&limb.name, &spheres.filter_map(|sphere| pair(&sphere.path)).collect::<Vec<_>>())
         };
         limbs.filter_map(of_limb).collect()
     }
@@ -361,11 +361,11 @@ fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
 }
 
 /// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
-fn uneven(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
+fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let heights = |of: fn(&(&Bottom, &Bottom)) -> f64| bottoms.iter().map(of).collect::<Vec<f64>>();
-    let moved_m = spread(&heights(|(was, is)| is.height_m - was.height_m));
+    let moved_m = largest_difference(&heights(|(was, is)| is.height_m - was.height_m));
     let (before_m, now_m) =
-        (spread(&heights(|(was, _)| was.height_m)), spread(&heights(|(_, is)| is.height_m)));
+        (largest_difference(&heights(|(was, _)| was.height_m)), largest_difference(&heights(|(_, is)| is.height_m)));
     let by_height = |a: &&Bottom, b: &&Bottom| a.height_m.total_cmp(&b.height_m);
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
@@ -376,7 +376,7 @@ fn uneven(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
 }
 
-fn spread(values: &[f64]) -> f64 {
+fn largest_difference(values: &[f64]) -> f64 {
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     most - least

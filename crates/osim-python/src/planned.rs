@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use osim_inspect::CheckResult;
 use osim_library::report_page::{Words, entry_of_change};
 use osim_library::run::{PlannedModel, Written};
-use osim_library::{Loaded, Source};
+use osim_library::{LoadedModel, Source};
 use osim_model::FileId;
 use osim_model::messages::Verb;
 use osim_planning::{PreparedChange, prepare};

@@ -205,7 +205,7 @@ pub(crate) fn sweep<'py>(
         sweep.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
-            let record = sweep_record(&sweep, None).counted(sweep.count(), 0);
+            let record = sweep_record(&sweep, None).with_counts(sweep.count(), 0);
             return Ok(((serde_json::to_value(&record), None), failures));
         }
         let watch = ProgressCallback::new(callback);
@@ -217,7 +217,7 @@ pub(crate) fn sweep<'py>(
         watch.check_stopped()?;
         let end = end?;
         let record = sweep_record(&sweep, end.manifest.as_deref());
-        let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
+        let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
         Ok(((serde_json::to_value(&record), end.manifest), failures))
     })?;
     let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
@@ -228,5 +228,5 @@ pub(crate) fn sweep<'py>(
 /// The record of a sweep before its variants are counted.
 fn sweep_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
-    record.of_points(sweep.points(), sweep.point_file())
+    record.with_points(sweep.points(), sweep.point_file())
 }

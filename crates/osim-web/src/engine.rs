@@ -125,7 +125,7 @@ impl Engine {
                 answer
             }
             EngineQuestion::Diff => ok_answer(json!({ "text": self.last_change()?.diff() })),
-            EngineQuestion::Keep => self.keep(),
+            EngineQuestion::Keep => self.keep_last_change(),
             EngineQuestion::Report { request } => ok_answer(self.report(request)?),
             EngineQuestion::Calculate { request } => {
                 ok_answer(knowledge::calculate(&Request::from_map(request)?)?)
@@ -139,7 +139,7 @@ impl Engine {
 
     /// The model at `path`. It is read again only after a file changed.
     fn open(&mut self, path: &Path, set_files: &SetFiles) -> Result<Rc<OpenedModel>, Failure> {
-        if let Some(at) = self.opened.iter().position(|opened| opened.is(path, set_files)) {
+        if let Some(at) = self.opened.iter().position(|opened| opened.was_opened_from(path, set_files)) {
             let opened = self.opened.remove(at);
             self.opened.insert(0, Rc::clone(&opened));
             return Ok(opened);
@@ -164,7 +164,7 @@ impl Engine {
     }
 
     /// Adds the results of the last change to the files in memory.
-    fn keep(&mut self) -> Result<String, Problem> {
+    fn keep_last_change(&mut self) -> Result<String, Problem> {
         let planned = self.last.take().ok_or_else(|| Problem::question("there is no change yet"))?;
         let mut names = Vec::new();
         if planned.is_unchanged() {

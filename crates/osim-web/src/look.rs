@@ -44,7 +44,7 @@ impl OpenedModel {
     }
 
     /// Whether this model was opened from `path` with the files `set_files`.
-    pub(crate) fn is(&self, path: &Path, set_files: &SetFiles) -> bool {
+    pub(crate) fn was_opened_from(&self, path: &Path, set_files: &SetFiles) -> bool {
         self.path == path && self.set_files == *set_files
     }
 
@@ -157,7 +157,7 @@ fn feet(inspector: &Inspector, opened: &OpenedModel, given_files: &GivenFiles) -
 }
 
 /// Inspects and checks a model; `wanted` are the sections to make, `None` for all.
-pub(crate) fn look(
+pub(crate) fn inspect_for_page(
     inspector: &Inspector,
     opened: &OpenedModel,
     wanted: Option<&[String]>,

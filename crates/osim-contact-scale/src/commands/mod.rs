@@ -99,12 +99,12 @@ const STDIN: &str = "-";
 /// # Errors
 /// The file cannot be read, or has no valid request.
 fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<Request> {
-    session.words = session::of_request(words);
+    session.words = session::words_of_language(words);
     session.terminal.never_break();
     let is_stdin = file == Path::new(STDIN);
     let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };
     let bytes = Disk.read(file).with_context(|| shown.clone())?;
-    let request = Request::from_json(&bytes).map_err(|fault| session.usage(&fault));
+    let request = Request::from_json(&bytes).map_err(|fault| session.usage_error(&fault));
     // Who called a function knows of no file.
     let request = if words == Language::Matlab { request? } else { request.with_context(|| shown)? };
     if is_stdin && let Some(field) = request.option_that_reads(file) {

@@ -20,7 +20,7 @@ use crate::terminal::Progress;
 
 impl SweepFrontEnd for Progress {
     fn is_interrupted(&self) -> bool {
-        exit::came()
+        exit::stop_is_requested()
     }
 
     fn variant_done(&self, failed: bool) {
@@ -34,11 +34,11 @@ impl SweepFrontEnd for Progress {
 /// Wrong usage, found before anything is written.
 pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    let sweep = SweepRun::new(request).map_err(|error| session.refuse(error, json))?;
-    sweep.check_ends().map_err(|error| session.refuse(error, json))?;
+    let sweep = SweepRun::new(request).map_err(|error| session.request_error(error, json))?;
+    sweep.check_ends().map_err(|error| session.request_error(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
-        let record = first_record(&sweep, None).counted(sweep.count(), 0);
+        let record = first_record(&sweep, None).with_counts(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
@@ -64,7 +64,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         ))?;
     }
     let record = first_record(&sweep, end.manifest.as_deref());
-    let record = record.counted(end.made + end.earlier, end.failed).of_which_before(end.earlier);
+    let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
     report(&record, &text(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
@@ -100,24 +100,24 @@ fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
 /// The record of a sweep before the first variant is made.
 fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
     let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
-    record.of_points(sweep.points(), sweep.point_file())
+    record.with_points(sweep.points(), sweep.point_file())
 }
 
 fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
-    exit::listen();
+    exit::listen_for_stop_signals();
     let watch = Progress::begin(sweep.count(), request.quiet);
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.
     let mut untold = None;
     let report = |failure: Option<Failure>| {
-        let reported = failure.map(|failure| watch.suspended(|| session.fail(&failure, json)));
+        let reported = failure.map(|failure| watch.suspended(|| session.report_failure(&failure, json)));
         if let Some(Err(error)) = reported {
             untold.get_or_insert(error);
         }
     };
     let end = sweep.run(&watch, report);
     watch.end();
-    let end = end.map_err(|fault| session.refused(&fault))?;
+    let end = end.map_err(|fault| session.library_error(&fault))?;
     untold.map_or(Ok(end), Err)
 }
 

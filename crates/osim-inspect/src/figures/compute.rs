@@ -233,12 +233,12 @@ impl LoadedLimb<'_> {
             impact_speed_m_s: self.speed,
             rests,
         };
-        let answers = Figure::ALL.iter().map(|figure| figure.answer(&on_floor)).collect();
+        let computed = Figure::ALL.iter().map(|figure| figure.compute(&on_floor)).collect();
         SphereFigures {
             sphere: name.map(|sphere| sphere.name.clone()).unwrap_or_default(),
             path: name.map(|sphere| sphere.path.clone()).unwrap_or_default(),
             forces: one.forces.iter().filter_map(force).collect(),
-            answers,
+            computed,
         }
     }
 }

@@ -6,7 +6,7 @@ use osim_model::{Fault, ForceId, LoadedSphere, SphereId};
 
 /// The value of a figure, or the reason why the figure has no value.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Answer {
+pub(super) enum ComputedFigure {
     Known(f64),
     /// A quantity in the equation of the figure is not known.
     Unknown,
@@ -14,13 +14,13 @@ pub(super) enum Answer {
     Beyond,
 }
 
-impl From<Option<f64>> for Answer {
+impl From<Option<f64>> for ComputedFigure {
     fn from(value: Option<f64>) -> Self {
         value.map_or(Self::Unknown, Self::Known)
     }
 }
 
-impl Answer {
+impl ComputedFigure {
     pub(super) fn value(self) -> Option<f64> {
         match self {
             Self::Known(value) => Some(value),
@@ -74,11 +74,11 @@ impl SphereOnFloor<'_> {
         self.rest_at(1.0)
     }
 
-    pub(super) fn at_one_body_weight(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> Answer {
+    pub(super) fn at_one_body_weight(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> ComputedFigure {
         self.rest_at(1.0).and_then(figure).into()
     }
 
-    pub(super) fn at_two_body_weights(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> Answer {
+    pub(super) fn at_two_body_weights(&self, figure: impl Fn(&SphereRest) -> Option<f64>) -> ComputedFigure {
         self.rest_at(2.0).and_then(figure).into()
     }
 

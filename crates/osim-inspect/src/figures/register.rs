@@ -9,7 +9,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use self::FigureVisibility::{Always, IfMixed, IfMixedAndSmooth, IfSmooth, Never};
-use crate::figures::on_floor::{Answer, SphereOnFloor};
+use crate::figures::on_floor::{ComputedFigure, SphereOnFloor};
 use crate::quantity::Quantity;
 #[cfg(feature = "schemas")]
 use crate::serialized::ObjectSchema;
@@ -18,10 +18,10 @@ use crate::serialized::optional_phrase;
 /// An entry of the register of figures: the condition on which tables show the figure, and the function that computes its value.
 struct Entry {
     visibility: FigureVisibility,
-    answer: fn(&SphereOnFloor<'_>) -> Answer,
+    compute: fn(&SphereOnFloor<'_>) -> ComputedFigure,
 }
 
-const fn entry(visibility: FigureVisibility, answer: fn(&SphereOnFloor<'_>) -> Answer) -> Entry {
+const fn entry(visibility: FigureVisibility, compute: fn(&SphereOnFloor<'_>) -> ComputedFigure) -> Entry {
     Entry { visibility, answer }
 }
 
@@ -38,9 +38,9 @@ crate::quantities! {
     /// A number of a contact sphere that carries its share of the body weight; [`Quantity`] says which.
     Figure: Entry {
         /// Radius R of the sphere.
-        Radius = Quantity::RADIUS => entry(Always, |s| Answer::Known(s.contacts.radius_m));
+        Radius = Quantity::RADIUS => entry(Always, |s| ComputedFigure::Known(s.contacts.radius_m));
         /// Composite modulus E*; the sum where several forces press the sphere.
-        CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Never, |s| Answer::Known(s.composite_modulus()));
+        CompositeModulus = Quantity::COMPOSITE_MODULUS => entry(Never, |s| ComputedFigure::Known(s.composite_modulus()));
         /// Dissipation α; absent where forces of different α press the sphere.
         Dissipation = Quantity::new("dissipation_s_m", "dissipation", "s/m")
             .with_column("dissipation_of_sphere")
@@ -117,8 +117,8 @@ crate::quantities! {
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE.labelled("  by (13)")
             .with_column("coefficient_of_restitution_equation_13")
             => entry(Always, |s| match s.dissipation_and_speed() {
-                Some((alpha, speed)) => restitution::approximate(alpha, speed).map_or(Answer::Beyond, Answer::Known),
-                None => Answer::Unknown,
+                Some((alpha, speed)) => restitution::approximate(alpha, speed).map_or(ComputedFigure::Beyond, ComputedFigure::Known),
+                None => ComputedFigure::Unknown,
             });
         /// Constant indentation √cf / R; absent for a `HuntCrossleyForce`. Of several forces the largest.
         ConstantIndentation
@@ -154,7 +154,7 @@ impl Figure {
     }
 
     /// The value of this figure for one sphere.
-    pub(super) fn answer(self, sphere: &SphereOnFloor<'_>) -> Answer {
+    pub(super) fn compute(self, sphere: &SphereOnFloor<'_>) -> ComputedFigure {
         (self.entry().answer)(sphere)
     }
 }
@@ -221,7 +221,7 @@ pub struct SphereFigures {
     /// Names of the forces that press this sphere on the floor.
     pub forces: Vec<String>,
     /// The value of each figure, or the reason why it has none, in the order of [`Figure::ALL`].
-    pub(super) answers: Vec<Answer>,
+    pub(super) computed: Vec<ComputedFigure>,
 }
 
 /// A figure of a sphere and its limit.
@@ -272,22 +272,22 @@ impl LimbFigures {
 }
 
 impl SphereFigures {
-    fn answer(&self, figure: Figure) -> Answer {
+    fn compute(&self, figure: Figure) -> ComputedFigure {
         // The discriminant is the place in `Figure::ALL`: both come from one list.
-        self.answers.get(figure as usize).copied().unwrap_or(Answer::Unknown)
+        self.computed.get(figure as usize).copied().unwrap_or(ComputedFigure::Unknown)
     }
 
     pub fn value(&self, figure: Figure) -> Option<f64> {
-        self.answer(figure).value()
+        self.compute(figure).value()
     }
 
     /// Whether `figure` is within its limit; `None` if the value of the figure is not known, or the figure has no limit.
     pub fn is_within(&self, figure: Figure) -> Option<bool> {
         let limit = figure.info().limit?;
-        match self.answer(figure) {
-            Answer::Known(value) => Some(limit.admits(value)),
-            Answer::Beyond => Some(false),
-            Answer::Unknown => None,
+        match self.compute(figure) {
+            ComputedFigure::Known(value) => Some(limit.admits(value)),
+            ComputedFigure::Beyond => Some(false),
+            ComputedFigure::Unknown => None,
         }
     }
 

@@ -101,7 +101,7 @@ fn find_all(
     if let Some(mismatch) = mismatch {
         let disagree =
             findings.iter_mut().filter(|finding| finding.code() == FindingCode::MassSourcesDisagree);
-        disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause()));
+        disagree.for_each(|finding| finding.finding.message.push(&mismatch.clause_about_masses()));
     }
     // Figures under a gravity in another unit are not judged.
     if !in_other_units || options.stance.gravity_m_s2.is_some() {

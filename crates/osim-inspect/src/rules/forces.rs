@@ -86,7 +86,7 @@ pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
         (&SPHERE_OF_OTHER_SIDE, describe_other_side),
         (&SHAPE_PRESSES_NOTHING, describe_shape),
     ];
-    let find = |(rule, describe): (&'static Rule, Describe)| {
+    let find = |(rule, describe): (&'static Rule, DescribeForce)| {
         // Once for each force, not for each of its parameter sets.
         about_forces(model, rule, |force, set| (set.id == SetId::FIRST).then(|| describe(model, force))?)
     };

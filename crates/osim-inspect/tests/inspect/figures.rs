@@ -10,7 +10,7 @@
 
 use std::collections::BTreeSet;
 
-use crate::feet::{HEEL, Smooth, TOE, foot};
+use crate::feet::{HEEL, SmoothContact, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, Inspection, SphereFigures, Stance};
 use osim_model::messages::{Call, Dialect, Example, Input};
 use osim_model::{Model, Pattern, Selection};
@@ -258,10 +258,10 @@ fn a_limb_is_mixed_if_figures_with_level_bottoms_differ_from_equal_shares() {
     assert!(figures(&foot(&[HEEL, TOE])).limbs[0].is_mixed());
     assert!(figures(HUMAN).limbs.iter().all(|limb| !limb.is_mixed()));
     // x̂ by 4e-9 of itself otherwise: x follows E*^(-2/3), and the level is half way between.
-    let hardly = Smooth { stiffness: HEEL.stiffness * (1.0 + 12e-9), name: "toe_r", ..HEEL };
+    let hardly = SmoothContact { stiffness: HEEL.stiffness * (1.0 + 12e-9), name: "toe_r", ..HEEL };
     assert!(figures(&foot(&[HEEL, hardly])).limbs[0].is_mixed());
     // By 4e-10 is as good as alike.
-    let alike = Smooth { stiffness: HEEL.stiffness * (1.0 + 1.2e-9), name: "toe_r", ..HEEL };
+    let alike = SmoothContact { stiffness: HEEL.stiffness * (1.0 + 1.2e-9), name: "toe_r", ..HEEL };
     assert!(!figures(&foot(&[HEEL, alike])).limbs[0].is_mixed());
     assert!(!figures(FEET_WITHOUT_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
 }
@@ -294,7 +294,7 @@ fn spheres_are_in_their_own_order_not_in_that_of_their_forces() {
 
 #[test]
 fn spheres_that_are_alike_stand_level_with_equal_shares_to_the_last_bit() {
-    let spheres = ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| Smooth { name, ..TOE });
+    let spheres = ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| SmoothContact { name, ..TOE });
     for count in 1..=spheres.len() {
         let figures = figures(&foot(&spheres[..count]));
         for (level, equal) in [

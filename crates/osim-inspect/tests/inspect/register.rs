@@ -8,7 +8,7 @@
     reason = "a test fails by panicking"
 )]
 
-use crate::feet::{HEEL, Smooth, TOE, foot};
+use crate::feet::{HEEL, SmoothContact, TOE, foot};
 use osim_inspect::{Figure, Figures, InspectOptions, LimitCheck, SphereFigures};
 use osim_model::Model;
 
@@ -57,7 +57,7 @@ fn each_limit_is_compared_with_its_figure() {
 #[test]
 fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
     // 1 − 2.25 · 0.454 is −0.02 by (13).
-    let figures = figures(&foot(&[Smooth { dissipation: 2.25, ..HEEL }, TOE]));
+    let figures = figures(&foot(&[SmoothContact { dissipation: 2.25, ..HEEL }, TOE]));
     let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
     let check = check_of_figure(&checks, Figure::RestitutionApproximate);
     assert_eq!((check.value, check.within_limit), (None, false));

@@ -22,7 +22,7 @@ pub(crate) struct ModelToFix<'m> {
     /// The model's files; the bytes of the model itself are not needed.
     pub(crate) files: ModelFiles,
     pub(crate) opened: &'m OpenModel,
-    pub(crate) origin: &'m Origin,
+    pub(crate) origin: &'m ModelOrigin,
     pub(crate) checked: CheckResult,
 }
 

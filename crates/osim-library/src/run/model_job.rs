@@ -114,7 +114,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
     fn try_to_run(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
         let task = self.task;
         let detail = self.front_end.detail();
-        let loaded = Loaded::read(&task.source, &task.settings.change.set_files)?;
+        let loaded = LoadedModel::read(&task.source, &task.settings.change.set_files)?;
         let mut force = task.settings.force;
         // A digest takes longer than a plan: each is made once, for the summary and for the page.
         let wanted = self.context.summary.is_some() || detail != ModelDetail::ResultOnly;
@@ -144,7 +144,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
             }
         }
         record.sha256_input = inputs.first().cloned();
-        let Loaded { files, origin } = loaded;
+        let LoadedModel { files, origin } = loaded;
         // The changed files are read again only if details are wanted.
         let kept = (detail != ModelDetail::ResultOnly).then(|| files.with_bytes(Vec::new()));
         let opened = files.open()?;
@@ -173,7 +173,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
     /// changed in place, because the old model is gone.
     fn show_earlier(
         &self,
-        loaded: Loaded,
+        loaded: LoadedModel,
         record: &Record,
         detail: ModelDetail,
         inputs: &[String],
@@ -262,7 +262,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
     fn write(
         &self,
         opened: &OpenModel,
-        origin: &Origin,
+        origin: &ModelOrigin,
         plan: &Plan,
         results: &ResultBytes<'_>,
         force: bool,

@@ -36,12 +36,12 @@ impl PlannedModel {
     /// Those of [`PreparedChange::plan`].
     pub fn new(
         path: &Path,
-        loaded: Loaded,
+        loaded: LoadedModel,
         change: PreparedChange,
         files: &dyn Files,
         dialect: &dyn Speller,
     ) -> Result<Self, Failure> {
-        let Loaded { files: model, origin } = loaded;
+        let LoadedModel { files: model, origin } = loaded;
         let kept = model.with_bytes(Vec::new());
         let opened = model.open()?;
         let mut plan = change.plan(&opened, files)?;

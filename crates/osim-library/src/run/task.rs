@@ -128,7 +128,7 @@ impl Destination {
         match &output.output_dir {
             // A named file goes to DIR/NAME, a file of a folder to DIR/PATH-BELOW-THE-FOLDER.
             Some(folder) => Self::File(folder.join(source.below_folder())),
-            None => Self::File(OutputOptions::beside(&source.path)),
+            None => Self::File(OutputOptions::result_beside(&source.path)),
         }
     }
 }

@@ -83,7 +83,7 @@ impl Written {
 pub(super) struct PreparedFiles<'w> {
     task: &'w Task,
     opened: &'w OpenModel,
-    origin: &'w Origin,
+    origin: &'w ModelOrigin,
     backups: Vec<PendingFile>,
     successors: Vec<(FileId, PendingFile)>,
     /// The backup of the old file of each of the `successors`, in the same order.
@@ -100,7 +100,7 @@ impl<'w> PreparedFiles<'w> {
     pub(super) fn new(
         task: &'w Task,
         opened: &'w OpenModel,
-        origin: &'w Origin,
+        origin: &'w ModelOrigin,
         results: &ResultBytes<'_>,
         force: bool,
     ) -> Result<Self, LibraryFault> {
@@ -154,7 +154,7 @@ impl<'w> PreparedFiles<'w> {
             (false, true) => WriteMode::Replace,
             (false, false) => WriteMode::New,
         };
-        let like = self.origin.stamp_of(file).map(Stamp::metadata);
+        let like = self.origin.stamp_of(file).map(FileStamp::metadata);
         self.successors.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
         self.backup_paths.push(backup_paths);
         self.paths.push(path.to_owned());

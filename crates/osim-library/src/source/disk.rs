@@ -62,10 +62,10 @@ impl Files for OrdinaryFiles {
     }
 }
 
-/// Reads files from the disk, and keeps a [`Stamp`] of each file that was read.
+/// Reads files from the disk, and keeps a [`FileStamp`] of each file that was read.
 struct StampedDisk {
     kinds: FileKinds,
-    stamps: RefCell<HashMap<PathBuf, Stamp>>,
+    stamps: RefCell<HashMap<PathBuf, FileStamp>>,
 }
 
 impl StampedDisk {
@@ -98,12 +98,12 @@ impl Files for StampedDisk {
 
 /// Metadata of a file at the time when it was read, to notice later changes by other programs.
 #[derive(Debug, Clone)]
-pub struct Stamp {
+pub struct FileStamp {
     metadata: Metadata,
     modified: Option<SystemTime>,
 }
 
-impl Stamp {
+impl FileStamp {
     fn of(metadata: Metadata) -> Self {
         let modified = metadata.modified().ok();
         Self { metadata, modified }
@@ -135,7 +135,7 @@ impl Stamp {
 ///
 /// # Errors
 /// The file does not exist, cannot be read, or changes while it is read.
-fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileError> {
+fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<FileStamp>), FileError> {
     if path.as_os_str() == "-" && kinds == FileKinds::Streams {
         let read = file_access::standard_input();
         return read
@@ -143,25 +143,25 @@ fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Option<Stamp>), FileE
             .map_err(|why| FileError::new(format!("standard input: {why}")));
     }
     let (bytes, metadata) = file_access::read(path, kinds)?;
-    Ok((workbook_as_csv(bytes)?, Some(Stamp::of(metadata))))
+    Ok((workbook_as_csv(bytes)?, Some(FileStamp::of(metadata))))
 }
 
 /// Bytes of a model and of the files that belong to it, and the paths that they come from.
-pub struct Loaded {
+pub struct LoadedModel {
     pub files: ModelFiles,
-    pub origin: Origin,
+    pub origin: ModelOrigin,
 }
 
-pub struct Origin {
+pub struct ModelOrigin {
     path: PathBuf,
     /// Stamps of files on the disk; standard input and models in memory have none.
-    stamps: HashMap<PathBuf, Stamp>,
+    stamps: HashMap<PathBuf, FileStamp>,
     companions: HashMap<FileId, PathBuf>,
     /// Names of the files that the model includes, as the model spells them.
     included: Vec<String>,
 }
 
-impl Loaded {
+impl LoadedModel {
     /// Reads the model `source`, the files that it includes and the files `set_files` that the user gave beside it.
     pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
         Self::read_with_memory(source, set_files, &BTreeMap::new())
@@ -192,10 +192,10 @@ impl Loaded {
         Ok(Self::of(path, ModelFiles::read(path, bytes, set_files.companion_paths(), files)?, HashMap::new()))
     }
 
-    fn of(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, Stamp>) -> Self {
+    fn of(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, FileStamp>) -> Self {
         let included = files.included().map(str::to_owned).collect();
         let companions = files.companions().map(|(file, path, _)| (file, path.to_owned())).collect();
-        let origin = Origin { path: path.to_owned(), stamps, companions, included };
+        let origin = ModelOrigin { path: path.to_owned(), stamps, companions, included };
         Self { files, origin }
     }
 
@@ -226,9 +226,9 @@ impl Files for MemoryFirst<'_> {
     }
 }
 
-impl Origin {
+impl ModelOrigin {
     /// The stamp of one of the model's files; `None` for standard input.
-    pub(crate) fn stamp_of(&self, file: FileId) -> Option<&Stamp> {
+    pub(crate) fn stamp_of(&self, file: FileId) -> Option<&FileStamp> {
         let path = if file == FileId::MAIN { &self.path } else { self.companions.get(&file)? };
         self.stamps.get(path)
     }

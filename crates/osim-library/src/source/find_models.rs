@@ -134,7 +134,7 @@ impl Sources {
         if own_outputs > 0 {
             self.remarks.push(format!(
                 "{shown}: outputs of this tool (*{}.osim) skipped: {own_outputs}",
-                OutputOptions::MARK
+                OutputOptions::RESULT_SUFFIX
             ));
         }
         if sweeps > 0 {
@@ -167,7 +167,7 @@ fn is_dead_link(path: &Path) -> bool {
 }
 
 fn is_own_output(path: &Path) -> bool {
-    path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OutputOptions::MARK.as_bytes())
+    path.file_stem().unwrap_or_default().as_encoded_bytes().ends_with(OutputOptions::RESULT_SUFFIX.as_bytes())
 }
 
 fn is_sweep(folder: &Path) -> bool {

@@ -5,7 +5,7 @@ mod find_models;
 mod workbook;
 
 pub(crate) use disk::MemoryFirst;
-pub use disk::{Disk, Loaded, OrdinaryFiles, Origin, Stamp};
+pub use disk::{Disk, LoadedModel, OrdinaryFiles, ModelOrigin, FileStamp};
 pub(crate) use find_models::SWEEP_FOLDER_ENDING;
 pub use find_models::{Source, Sources, SplitName};
 pub use workbook::workbook_as_csv;

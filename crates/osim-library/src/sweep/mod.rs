@@ -18,7 +18,7 @@ use crate::file_access;
 use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
-use crate::source::{Loaded, Origin, SWEEP_FOLDER_ENDING, Source, Stamp};
+use crate::source::{LoadedModel, ModelOrigin, SWEEP_FOLDER_ENDING, Source, FileStamp};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, PendingFile, WriteMode};
@@ -36,7 +36,7 @@ pub trait SweepFrontEnd: Sync {
 pub struct SweepRun<'s> {
     request: &'s SweepRequest,
     plan: SweepPlan<'s>,
-    origin: Origin,
+    origin: ModelOrigin,
     folder: PathBuf,
 }
 
@@ -88,8 +88,8 @@ impl<'s> SweepRun<'s> {
         Ok(Self { request, plan, origin, folder: folder_of_variants(request, model) })
     }
 
-    fn plan(request: &'s SweepRequest, model: &Path) -> Result<(SweepPlan<'s>, Origin), RequestError> {
-        let Loaded { files, origin } = Loaded::read(&Source::file(model), &SetFiles::default())?;
+    fn plan(request: &'s SweepRequest, model: &Path) -> Result<(SweepPlan<'s>, ModelOrigin), RequestError> {
+        let LoadedModel { files, origin } = LoadedModel::read(&Source::file(model), &SetFiles::default())?;
         Ok((SweepPlan::new(request, files)?, origin))
     }
 
@@ -290,7 +290,7 @@ impl<'s> SweepRun<'s> {
     }
 
     fn write_file(&self, path: &Path, bytes: &[u8], mode: WriteMode) -> Result<(), LibraryFault> {
-        let like = self.origin.stamp_of(FileId::MAIN).map(Stamp::metadata);
+        let like = self.origin.stamp_of(FileId::MAIN).map(FileStamp::metadata);
         let prepared = PendingFile::new(path, bytes, like, mode)?;
         if prepared.replaces() {
             prepared.sync()?;

@@ -185,7 +185,7 @@ fn placed_spheres(
         let Some(body) = &now.body else { continue };
         let of_body = factors.body_factors(body)?;
         stretched |= is_stretched(of_body);
-        uneven |= stretch(of_body) > SAME_FACTOR;
+        uneven |= height_stretch(of_body) > SAME_FACTOR;
         compared.push((sphere, now, old, of_body));
     }
     let suits_level = uneven && !stretched;
@@ -216,13 +216,13 @@ fn placed_spheres(
 }
 
 /// The relative difference of a body's y factor from √(x z).
-fn stretch([x, y, z]: [f64; 3]) -> f64 {
+fn height_stretch([x, y, z]: [f64; 3]) -> f64 {
     (y / (x * z).sqrt() - 1.0).abs()
 }
 
 /// Whether a foot was stretched or flattened so much that spheres should not keep their bottoms on the scaled sole.
 pub fn is_stretched(factors: [f64; 3]) -> bool {
-    stretch(factors) > MOST_STRETCH_FOR_LEVEL
+    height_stretch(factors) > MOST_STRETCH_FOR_LEVEL
 }
 
 /// The centre of a sphere whose bottom stays on the sole, after its body was scaled by the factors.

@@ -191,17 +191,17 @@ pub fn joints_from_ground(joints: &[ModelJoint]) -> Vec<JointStep<'_>> {
 /// Groups of bodies that WeldJoints connect, directly or through other bodies.
 pub(crate) struct WeldedGroups<'j> {
     /// For each body, another body of its welded group, closer to the group's first body. The first body has none. `None` is ground.
-    leaders: HashMap<Option<&'j str>, Option<&'j str>>,
+    representatives: HashMap<Option<&'j str>, Option<&'j str>>,
 }
 
 impl<'j> WeldedGroups<'j> {
     pub(crate) fn of(joints: &'j [ModelJoint]) -> Self {
-        let mut welds = Self { leaders: HashMap::new() };
+        let mut welds = Self { representatives: HashMap::new() };
         for joint in joints.iter().filter(|joint| joint.class == "WeldJoint") {
-            let parent = welds.leader(joint.parent.as_deref());
-            let child = welds.leader(joint.child.as_deref());
+            let parent = welds.representative(joint.parent.as_deref());
+            let child = welds.representative(joint.child.as_deref());
             if parent != child {
-                welds.leaders.insert(child, parent);
+                welds.representatives.insert(child, parent);
             }
         }
         welds
@@ -209,12 +209,13 @@ impl<'j> WeldedGroups<'j> {
 
     /// Whether two bodies are the same, or welded to each other; `None` is ground.
     pub(crate) fn are_welded(&self, one: Option<&'j str>, other: Option<&'j str>) -> bool {
-        self.leader(one) == self.leader(other)
+        self.representative(one) == self.representative(other)
     }
 
-    fn leader(&self, body: Option<&'j str>) -> Option<&'j str> {
+    /// One body for all bodies that are welded to `body`; `None` is ground.
+    fn representative(&self, body: Option<&'j str>) -> Option<&'j str> {
         let mut at = body;
-        while let Some(&next) = self.leaders.get(&at) {
+        while let Some(&next) = self.representatives.get(&at) {
             at = next;
         }
         at

@@ -17,7 +17,7 @@ const MOST_JOINTS: usize = 64;
 
 /// The relative movements that joints allow between two bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Freedom {
+pub struct FreeMovements {
     /// Whether a coordinate turns one of the bodies against the other.
     pub turns: bool,
     /// Whether a coordinate shifts one of the bodies without turning it.
@@ -28,7 +28,7 @@ pub struct Freedom {
 struct JointAbove {
     /// The parent body of the joint; `None` is ground.
     parent: Option<String>,
-    freedom: Freedom,
+    free: FreeMovements,
 }
 
 /// The possible movements of the bodies of a model. Locked and prescribed coordinates, and those that a coupler constraint determines, are
@@ -52,14 +52,14 @@ struct PathEnd {
     moves: bool,
 }
 
-impl Freedom {
+impl FreeMovements {
     const ALL: Self = Self { turns: true, slides: true };
 
     pub const fn is_any(self) -> bool {
         self.turns || self.slides
     }
 
-    fn with(self, other: Self) -> Self {
+    fn or(self, other: Self) -> Self {
         Self { turns: self.turns || other.turns, slides: self.slides || other.slides }
     }
 }
@@ -81,7 +81,7 @@ impl Movements {
     }
 
     /// The free relative movements of two bodies; `None` if only ground connects them.
-    pub fn between(&self, one: &str, other: &str) -> Option<Freedom> {
+    pub fn between(&self, one: &str, other: &str) -> Option<FreeMovements> {
         let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());
         // From the top down, as long as both ways are one.
@@ -93,7 +93,7 @@ impl Movements {
             there -= 1;
         }
         let steps = one.iter().take(here).chain(other.iter().take(there));
-        (here < one.len()).then(|| steps.fold(Freedom::default(), |all, (_, freedom)| all.with(*freedom)))
+        (here < one.len()).then(|| steps.fold(FreeMovements::default(), |all, (_, free)| all.or(*free)))
     }
 }
 
@@ -114,18 +114,18 @@ impl PathsToGround {
             };
             above
                 .entry(body.clone())
-                .or_insert_with(|| JointAbove { parent, freedom: coordinates.freedom_of(joint) });
+                .or_insert_with(|| JointAbove { parent, free: coordinates.free_movements_of(joint) });
         }
         Self { ends: path_ends(&above), above }
     }
 
-    /// `body` and the bodies above it, each with the freedom of the joint above it.
-    fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Freedom)> {
+    /// `body` and the bodies above it, each with the free movements of the joint above it.
+    fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, FreeMovements)> {
         let mut path = Vec::new();
         let mut at = Some(body);
         while let Some(body) = at.filter(|_| path.len() < MOST_JOINTS) {
             let above = self.above.get(body);
-            path.push((body, above.map_or(Freedom::ALL, |above| above.freedom)));
+            path.push((body, above.map_or(FreeMovements::ALL, |above| above.free)));
             at = above.and_then(|above| above.parent.as_deref());
         }
         path
@@ -142,15 +142,15 @@ fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
             if ends.contains_key(name) || path.len() > above.len() {
                 break;
             }
-            path.push((name, joint.freedom));
+            path.push((name, joint.free));
             at = joint.parent.as_deref();
         }
         let known = at.and_then(|name| ends.get(name).cloned());
         let last = at.or(path.last().map(|(name, _)| *name)).unwrap_or(body);
         let alone = || PathEnd { top: last.to_owned(), moves: at.is_some() };
         let mut end = known.unwrap_or_else(alone);
-        for (name, freedom) in path.into_iter().rev() {
-            end.moves |= freedom.is_any();
+        for (name, free) in path.into_iter().rev() {
+            end.moves |= free.is_any();
             ends.insert(name.to_owned(), end.clone());
         }
     }
@@ -165,41 +165,41 @@ struct Coordinates<'m> {
 }
 
 impl Coordinates<'_> {
-    fn freedom_of(&self, joint: &ModelJoint) -> Freedom {
+    fn free_movements_of(&self, joint: &ModelJoint) -> FreeMovements {
         if joint.coordinates.is_empty() {
-            return freedom_of_class(&joint.class);
+            return free_movements_of_class(&joint.class);
         }
         let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
         let placed = own
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
-        let Some((here, values)) = placed else { return Freedom::ALL };
+        let Some((here, values)) = placed else { return FreeMovements::ALL };
         let is_free = |coordinate| self.states.state(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
-        free.fold(Freedom::default(), |all, (index, _)| {
+        free.fold(FreeMovements::default(), |all, (index, _)| {
             let mut moved = values.clone();
             moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_STEP);
-            all.with(
+            all.or(
                 joint
                     .placement(self.model, &moved)
-                    .map_or(Freedom::ALL, |there| freedom_between_placements(&here, &there)),
+                    .map_or(FreeMovements::ALL, |there| movements_between_placements(&here, &there)),
             )
         })
     }
 }
 
-/// The freedom of a joint whose coordinates are not in the file, by the joint's class.
-fn freedom_of_class(class: &str) -> Freedom {
+/// The free movements of a joint whose coordinates are not in the file, by the joint's class.
+fn free_movements_of_class(class: &str) -> FreeMovements {
     match class {
-        "WeldJoint" | "CustomJoint" => Freedom::default(),
-        "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => Freedom { turns: true, slides: false },
-        _ => Freedom::ALL,
+        "WeldJoint" | "CustomJoint" => FreeMovements::default(),
+        "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => FreeMovements { turns: true, slides: false },
+        _ => FreeMovements::ALL,
     }
 }
 
-fn freedom_between_placements(here: &Placement, there: &Placement) -> Freedom {
+fn movements_between_placements(here: &Placement, there: &Placement) -> FreeMovements {
     let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_COMPONENT)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);
-    Freedom { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
+    FreeMovements { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
 }

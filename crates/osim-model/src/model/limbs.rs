@@ -114,7 +114,7 @@ impl Model {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
             let top = |sphere: &Sphere| match sphere.base {
-                Base::Body(body) => Some(self.skeleton().top(body)),
+                FrameBase::Body(body) => Some(self.skeleton().top(body)),
                 _ => None,
             };
             moving.filter_map(top).collect()
@@ -129,7 +129,7 @@ impl Model {
         let spheres = force.sets.iter().flat_map(|set| &set.spheres);
         spheres.filter_map(|&id| self.sphere(id)).any(|sphere| {
             !sphere.fixed
-                && force.half_space_bases().any(|plane| plane != sphere.base || plane == Base::Unknown)
+                && force.half_space_bases().any(|plane| plane != sphere.base || plane == FrameBase::Unknown)
         })
     }
 
@@ -141,7 +141,7 @@ impl Model {
         let mut bodies: BTreeMap<ComponentId, Vec<SphereId>> = BTreeMap::new();
         for index in loaded {
             let Some(sphere) = self.sphere(index) else { continue };
-            let Base::Body(body) = sphere.base else {
+            let FrameBase::Body(body) = sphere.base else {
                 return Err(format!("the body of sphere {} is not in the files given", sphere.name));
             };
             bodies.entry(body).or_default().push(index);

@@ -238,7 +238,7 @@ pub(crate) fn six_digits(value: f64) -> f64 {
 ///
 /// // 1 m along x, and 2 rad/s about z: a point another metre out moves along y.
 /// let there = Placement { rotation: Rotation::IDENTITY, translation_m: DVec3::X };
-/// let turning = MovingPlacement { angular_velocity: 2.0 * DVec3::Z, ..MovingPlacement::still(there) };
+/// let turning = MovingPlacement { angular_velocity: 2.0 * DVec3::Z, ..MovingPlacement::at_rest(there) };
 /// assert_eq!(turning.velocity_of(DVec3::X), 2.0 * DVec3::Y);
 /// // Seen from the frame, the other one turns back.
 /// assert_eq!(turning.inverse().angular_velocity, -2.0 * DVec3::Z);
@@ -254,7 +254,7 @@ pub struct MovingPlacement {
 
 impl MovingPlacement {
     /// The placement `at` with a velocity of 0.
-    pub const fn still(at: Placement) -> Self {
+    pub const fn at_rest(at: Placement) -> Self {
         Self { at, angular_velocity: DVec3::ZERO, velocity_m_s: DVec3::ZERO }
     }
 

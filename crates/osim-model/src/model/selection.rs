@@ -175,7 +175,7 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
-            let Base::Body(body) = sphere.base else { continue };
+            let FrameBase::Body(body) = sphere.base else { continue };
             if sphere.fixed {
                 continue;
             }

@@ -47,7 +47,7 @@ pub struct Skeleton {
 /// The parents of bodies, and other facts that follow from the joints.
 #[derive(Debug, Default)]
 struct JointRelations {
-    parents: HashMap<ComponentId, Base>,
+    parents: HashMap<ComponentId, FrameBase>,
     loops: Loops,
     /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
     ignored_joints: Vec<ComponentId>,
@@ -85,9 +85,9 @@ impl Skeleton {
     /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
         let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
-        let top = |base: &Base| match base {
-            Base::Body(body) => Some(self.top(*body)),
-            Base::Ground | Base::Unknown => None,
+        let top = |base: &FrameBase| match base {
+            FrameBase::Body(body) => Some(self.top(*body)),
+            FrameBase::Ground | FrameBase::Unknown => None,
         };
         let on_floors = forces.iter().filter(|force| of_force(force).any(|sphere| !sphere.fixed));
         let floors = on_floors.flat_map(Force::half_space_bases);
@@ -136,11 +136,11 @@ impl Skeleton {
     }
 
     /// Whether `base` is ground or a body that is welded to ground.
-    pub(crate) fn is_fixed(&self, base: Base) -> bool {
+    pub(crate) fn is_fixed(&self, base: FrameBase) -> bool {
         match base {
-            Base::Ground => true,
-            Base::Unknown => false,
-            Base::Body(body) => self.joined.welded.contains(&body),
+            FrameBase::Ground => true,
+            FrameBase::Unknown => false,
+            FrameBase::Body(body) => self.joined.welded.contains(&body),
         }
     }
 }
@@ -164,14 +164,14 @@ impl JointRelations {
             }
         }
         if are_read && !links.is_empty() {
-            let ends: HashSet<Base> = links.iter().flat_map(|link| link.ends).collect();
+            let ends: HashSet<FrameBase> = links.iter().flat_map(|link| link.ends).collect();
             let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
-            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&Base::Body(id)));
+            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&FrameBase::Body(id)));
             joined.without_joint = bodies.collect();
         }
         joined.loops = Loops::of(&links);
         joined.find_tops();
-        joined.welded = welded_to(vec![Base::Ground], &links);
+        joined.welded = welded_to(vec![FrameBase::Ground], &links);
         joined.excluded_from_mass = excluded_from_mass(&joined.welded, &links);
         joined
     }
@@ -212,23 +212,23 @@ impl JointRelations {
     }
 
     fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
-        let end = |socket: &str, legacy: &[&str]| -> Option<Base> {
+        let end = |socket: &str, legacy: &[&str]| -> Option<FrameBase> {
             let connectee = components.connectee(joint, socket, legacy)?;
             components.base(components.frame(joint, &connectee)?.component).ok()
         };
         let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
         let owner = components.tree.get(joint).and_then(|component| component.parent);
-        let inside = owner.filter(|&id| components.tag(id) == "Body").map(Base::Body);
+        let inside = owner.filter(|&id| components.tag(id) == "Body").map(FrameBase::Body);
         let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
-        let if_known = |end: Option<Base>| end.filter(|end| *end != Base::Unknown);
+        let if_known = |end: Option<FrameBase>| end.filter(|end| *end != FrameBase::Unknown);
         let ends = [if_known(parent)?, if_known(child)?];
         match (parent, child) {
-            (Some(parent), Some(Base::Body(child))) => {
+            (Some(parent), Some(FrameBase::Body(child))) => {
                 self.parents.entry(child).or_insert(parent);
             }
             // A joint written the other way round, from the body to ground.
-            (Some(Base::Body(body)), Some(Base::Ground)) => {
-                self.parents.entry(body).or_insert(Base::Ground);
+            (Some(FrameBase::Body(body)), Some(FrameBase::Ground)) => {
+                self.parents.entry(body).or_insert(FrameBase::Ground);
             }
             _ => {}
         }
@@ -239,15 +239,15 @@ impl JointRelations {
 
     fn parent(&self, body: ComponentId) -> Option<ComponentId> {
         match self.parents.get(&body)? {
-            Base::Body(parent) => Some(*parent),
-            Base::Ground | Base::Unknown => None,
+            FrameBase::Body(parent) => Some(*parent),
+            FrameBase::Ground | FrameBase::Unknown => None,
         }
     }
 }
 
 /// The bodies that WeldJoints connect with a member of `from`, directly or through other bodies, whatever the direction of each joint.
-fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
-    let mut at: HashMap<Base, Vec<Base>> = HashMap::new();
+fn welded_to(from: Vec<FrameBase>, links: &[JointLink]) -> HashSet<ComponentId> {
+    let mut at: HashMap<FrameBase, Vec<FrameBase>> = HashMap::new();
     for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
         at.entry(one).or_default().push(other);
         at.entry(other).or_default().push(one);
@@ -255,7 +255,7 @@ fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
     let (mut welded, mut next) = (HashSet::new(), from);
     while let Some(from) = next.pop() {
         for &to in at.get(&from).into_iter().flatten() {
-            if let Base::Body(body) = to
+            if let FrameBase::Body(body) = to
                 && welded.insert(body)
             {
                 next.push(to);
@@ -268,14 +268,14 @@ fn welded_to(from: Vec<Base>, links: &[JointLink]) -> HashSet<ComponentId> {
 /// The bodies welded to ground without a child body, direct or indirect. A fixed body that carries others is part of the animal, such as a
 /// pelvis that is welded to ground.
 fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
-    let is_fixed = |end: &Base| matches!(end, Base::Body(body) if welded.contains(body));
-    let is_free = |end: &Base| matches!(end, Base::Body(body) if !welded.contains(body));
+    let is_fixed = |end: &FrameBase| matches!(end, FrameBase::Body(body) if welded.contains(body));
+    let is_free = |end: &FrameBase| matches!(end, FrameBase::Body(body) if !welded.contains(body));
     let holds = |link: &&JointLink| !link.moves_away && link.ends.iter().any(is_free);
-    let holding: Vec<Base> =
+    let holding: Vec<FrameBase> =
         links.iter().filter(holds).flat_map(|link| link.ends).filter(|end| is_fixed(end)).collect();
     let mut hangs = welded_to(holding.clone(), links);
     hangs.extend(
-        holding.into_iter().filter_map(|end| if let Base::Body(body) = end { Some(body) } else { None }),
+        holding.into_iter().filter_map(|end| if let FrameBase::Body(body) = end { Some(body) } else { None }),
     );
     welded.difference(&hangs).copied().collect()
 }
@@ -286,7 +286,7 @@ fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> Has
 #[derive(Debug, Clone, Copy)]
 struct JointLink {
     pub joint: ComponentId,
-    pub ends: [Base; 2],
+    pub ends: [FrameBase; 2],
     pub weld: bool,
     /// Whether the joint is a WeldJoint or a FreeJoint. If a loop contains such a joint, OpenSim counts a body twice.
     pub counts_twice: bool,
@@ -296,7 +296,7 @@ struct JointLink {
 
 impl JointLink {
     fn is_between_bodies(&self) -> bool {
-        self.ends.iter().all(|end| matches!(end, Base::Body(_)))
+        self.ends.iter().all(|end| matches!(end, FrameBase::Body(_)))
     }
 }
 
@@ -313,15 +313,15 @@ impl Loops {
     /// Finds the joints in loops: bodies with only one remaining joint are removed again and again; the remaining bodies are joined in
     /// loops.
     fn of(links: &[JointLink]) -> Self {
-        let mut at: HashMap<Base, Vec<usize>> = HashMap::new();
+        let mut at: HashMap<FrameBase, Vec<usize>> = HashMap::new();
         for (index, link) in links.iter().enumerate() {
             for end in link.ends {
                 at.entry(end).or_default().push(index);
             }
         }
         let mut left: Vec<bool> = vec![true; links.len()];
-        let mut count: HashMap<Base, usize> = at.iter().map(|(&end, links)| (end, links.len())).collect();
-        let mut ends: Vec<Base> =
+        let mut count: HashMap<FrameBase, usize> = at.iter().map(|(&end, links)| (end, links.len())).collect();
+        let mut ends: Vec<FrameBase> =
             count.iter().filter(|(_, count)| **count == 1).map(|(end, _)| *end).collect();
         while let Some(end) = ends.pop() {
             for &index in at.get(&end).into_iter().flatten() {

@@ -239,7 +239,7 @@ fn divide_force(
             _ => names.reserve(&format!("{}_{}", force.name, sphere.name))?,
         };
         let (sphere_path, plane_path) = match sphere.is_inside_force() {
-            true => inside.take(model, force, (sphere, &pair.plane), names)?,
+            true => inside.add_surfaces(model, force, (sphere, &pair.plane), names)?,
             false => (sphere.path.clone(), pair.plane.path.clone()),
         };
         for used in [&name, &sphere_path, &plane_path] {

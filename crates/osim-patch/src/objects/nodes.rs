@@ -191,7 +191,7 @@ impl SurfacesInsideForces {
     ///
     /// # Errors
     /// A number that cannot be written, a name that OpenSim refuses, or a frame whose offset the first version of the class ignored.
-    pub(super) fn take(
+    pub(super) fn add_surfaces(
         &mut self,
         model: &Model,
         force: &Force,

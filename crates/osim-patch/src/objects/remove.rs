@@ -71,7 +71,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     }
     refuse_users(model, &elements, &going_names)?;
     let mut rebuilt = edited(model, removal_edits(model, &elements, &mut made))?;
-    let is_last = !crate::note::leaves_noted_contacts(model, &rebuilt) || takes_all_added(model, &going);
+    let is_last = !crate::note::leaves_noted_contacts(model, &rebuilt) || removes_all_added(model, &going);
     if is_last {
         // Without contacts, a note about contacts would be wrong.
         rebuilt = edited(&rebuilt, crate::note_edits::remove_note(rebuilt.document()))?;
@@ -140,7 +140,7 @@ pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
 }
 
 /// Whether all forces recorded as added are removed, so that the note is about no force any more.
-fn takes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
+fn removes_all_added(model: &Model, going: &HashSet<ForceId>) -> bool {
     let beside_others = model.note.as_ref().is_some_and(|note| !note.added_forces.is_empty());
     beside_others && added_forces(model).is_some_and(|added| added.iter().all(|force| going.contains(force)))
 }

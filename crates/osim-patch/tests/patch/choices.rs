@@ -22,7 +22,7 @@ fn with_the_radius_kept_only_the_modulus_follows_the_mass() {
         .rescaled_to(64.0)
         .produces(foot(&full("64000000"), "0.01"));
     given(foot(&full("1000000"), "0.01"))
-        .only(&[Property::Stiffness])
+        .changing_only(&[Property::Stiffness])
         .rescaled_to(64.0)
         .produces(foot(&full("64000000"), "0.01"));
 }
@@ -36,7 +36,7 @@ fn a_kept_property_stays_and_the_others_follow_the_new_radius() {
         ))
     };
     given(foot(&text("1000000", "50"), "0.01"))
-        .keeping(&[Property::Dissipation, Property::HertzSmoothing])
+        .leaving(&[Property::Dissipation, Property::HertzSmoothing])
         .rescaled_to(64.0)
         .produces(foot(&text("4000000", "25"), "0.04"));
 }
@@ -202,7 +202,7 @@ fn spheres_of_terrain_are_never_resized() {
 #[test]
 fn spheres_that_no_ground_contact_uses_stay() {
     given_fixture("format/sphere_unused.osim")
-        .only(&[Property::Radius])
+        .changing_only(&[Property::Radius])
         .rescaled_to(8.0 * 61.5)
         .changes_only(&[("<radius>0.0325</radius>", "<radius>0.065</radius>")]);
     // Two spheres that knock against each other are not a ground contact, but they are the feet's spheres.

@@ -10,7 +10,7 @@ use osim_model::Property;
 fn a_standalone_pair_changes_together() {
     let pair = || {
         given(fixture("format/standalone_ForceSet.xml"))
-            .beside(fixture("format/standalone_ContactGeometrySet.xml"))
+            .with_companion(fixture("format/standalone_ContactGeometrySet.xml"))
     };
     let outcome = pair().standing_for(61.5).rescaled_to(492.0);
     outcome.sets(Property::Stiffness, 1, 2_469_135.6).sets(Property::Radius, 1, 0.065);
@@ -18,7 +18,7 @@ fn a_standalone_pair_changes_together() {
     let expected = geometry.replace("<radius>0.0325</radius>", "<radius>0.065</radius>");
     assert_eq!(String::from_utf8(outcome.file(1).to_vec()).unwrap(), expected);
     // The masses of the model they belong to.
-    let outcome = pair().beside(fixture("format/standalone_model_without_contacts.osim")).rescaled_to(492.0);
+    let outcome = pair().with_companion(fixture("format/standalone_model_without_contacts.osim")).rescaled_to(492.0);
     outcome.sets(Property::Stiffness, 1, 2_469_135.6);
     assert_eq!(outcome.file(2), fixture("format/standalone_model_without_contacts.osim"));
     pair().rescaled_to(492.0).is_refused("no-mass", &["`mass`", "`contacts_mass`"]);
@@ -54,7 +54,7 @@ fn a_partial_or_stale_note_is_not_believed() {
     let foot =
         || given(foot(&smooth("<stiffness>1000000</stiffness>\n<dissipation>2</dissipation>"), "0.01"));
     let after = |outcome: &crate::given::Outcome| String::from_utf8(outcome.bytes().to_vec()).unwrap();
-    let partial = after(&foot().with_note().only(&[Property::Stiffness]).rescaled_to(64.0));
+    let partial = after(&foot().with_note().changing_only(&[Property::Stiffness]).rescaled_to(64.0));
     assert!(partial.contains("; partial; "), "{partial}");
     given(partial.clone()).rescaled_to(100.0).is_refused("stale-note", &["64 kg", "`contacts_mass`"]);
     given(partial).standing_for(1.0).rescaled_to(64.0).sets(Property::Radius, 1, 0.04);

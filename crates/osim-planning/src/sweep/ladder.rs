@@ -2,7 +2,7 @@
 
 use contact_scaling::{continuation, stiffness};
 use osim_model::files::{Failure, ModelFiles};
-use osim_model::messages::{Input, Phrase, phrase, shortest};
+use osim_model::messages::{Input, phrase, shortest};
 use osim_model::{Assignment, Property};
 use osim_requests::{RequestFault, SweepRequest};
 
@@ -36,13 +36,9 @@ impl SweepLadder {
         let last = stiffness::dimensionless_hertz(indentation.get())
             .map_err(|error| RequestFault::general(error.to_string()))?;
         let end = vec![prepare_design(request, None, None)?];
-        let original_dissipation = largest_dissipation(
-            &Variant::unchanged(request, model).map_err(|failure| fault_of_original(&failure))?,
-        );
-        let wanted_dissipation = largest_dissipation(
-            &Variant::of_stages(request, model, &end, "ladder", None)
-                .map_err(|failure| fault_of_original(&failure))?,
-        );
+        let original_dissipation = largest_dissipation(Variant::unchanged(request, model))?;
+        let wanted_dissipation =
+            largest_dissipation(Variant::of_stages(request, model, &end, "ladder", None))?;
         let falls = original_dissipation > wanted_dissipation && wanted_dissipation > 0.0;
         let ratio = if falls { original_dissipation / wanted_dissipation } else { 1.0 };
         let soft = request.soft.get();
@@ -95,13 +91,13 @@ impl SweepLadder {
     }
 }
 
-/// The largest dissipation α of the selected forces, s/m.
-fn largest_dissipation(variant: &Variant) -> f64 {
-    variant.values_of(Property::Dissipation).fold(0.0, f64::max)
-}
-
-fn fault_of_original(failure: &Failure) -> RequestFault {
-    let mut message = Phrase::from(format!("{}: ", failure.model));
-    message.push(&failure.message);
-    RequestFault::general(message)
+/// The largest dissipation α of the selected forces of a variant, s/m.
+///
+/// # Errors
+/// The variant cannot be made.
+fn largest_dissipation(variant: Result<Variant, Failure>) -> Result<f64, RequestFault> {
+    let fault = |failure: Failure| {
+        RequestFault::general(phrase![failure.model.to_string(), ": ", &failure.message])
+    };
+    Ok(variant.map_err(fault)?.values_of(Property::Dissipation).fold(0.0, f64::max))
 }

@@ -198,7 +198,7 @@ pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result
         (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
     let wanted = &request.wanted;
     let designs =
-        indentation.is_some() || restitution.is_some() || wanted.asks() || wanted.contact_stiffness.is_some();
+        indentation.is_some() || restitution.is_some() || wanted.has_contact_options() || wanted.contact_stiffness.is_some();
     let mut stages = StepChanges::new();
     if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
         if designs {

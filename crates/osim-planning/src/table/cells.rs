@@ -62,7 +62,7 @@ impl RowCells {
             geometry_output: None,
             fields: Map::new(),
         };
-        for (column, cell) in filled(row, columns) {
+        for (column, cell) in filled_cells(row, columns) {
             if column.kind != CellKind::UserColumn && is_broken_formula(cell) {
                 return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
             }
@@ -128,7 +128,7 @@ fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r C
 /// The verb of a row: the text in its verb cell; else the verb that the other cells of the row show.
 fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     let has = |kind: CellKind, field: &str| {
-        filled(row, columns)
+        filled_cells(row, columns)
             .find(|(column, _)| column.kind == kind && (field.is_empty() || column.field == field))
     };
     if let Some((column, cell)) = has(CellKind::Verb, "") {
@@ -150,7 +150,7 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
 }
 
 fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
-    let (_, cell) = filled(row, columns).find(|(column, _)| column.field == "presets")?;
+    let (_, cell) = filled_cells(row, columns).find(|(column, _)| column.field == "presets")?;
     Some(path_below(folder, cell))
 }
 

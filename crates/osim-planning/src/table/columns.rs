@@ -94,7 +94,7 @@ impl Columns {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
-            return Err(format!("no column 'model' in the first row, which has {}", listed(header)).into());
+            return Err(format!("no column 'model' in the first row, which has {}", quoted_cells(header)).into());
         };
         let model = model.header.clone();
         Ok(Self { columns, model })
@@ -122,7 +122,7 @@ impl Columns {
     }
 }
 
-fn listed(header: &[String]) -> String {
+fn quoted_cells(header: &[String]) -> String {
     let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
@@ -144,7 +144,7 @@ fn other_header<'k>(cell: &str, known: &'k BTreeMap<String, Option<CellKind>>) -
         return Some("model");
     }
     let is_meant = |name: &str| {
-        letters(name) == header || Input::named(name).is_some_and(|input| letters(input.label()) == header)
+        letters(name) == header || Input::from_name(name).is_some_and(|input| letters(input.label()) == header)
     };
     known.iter().find(|(name, kind)| kind.is_some() && is_meant(name)).map(|(name, _)| name.as_str())
 }
@@ -166,8 +166,8 @@ fn column(
         "set" if !dashes => CellKind::Set,
         name => match known.get(name) {
             Some(Some(kind)) => *kind,
-            Some(None) => return Err(of_the_run(cell, name)),
-            None => match nearest(cell, name, known) {
+            Some(None) => return Err(message_about_run_option(cell, name)),
+            None => match did_you_mean(cell, name, known) {
                 None if keeps_others => CellKind::UserColumn,
                 hint => return Err(format!(
                     "the column '{cell}' is not an option of {} (a column whose name begins with # is carried along){}",
@@ -181,16 +181,16 @@ fn column(
     Ok(Column { header: cell.to_owned(), field, kind })
 }
 
-fn of_the_run(cell: &str, field: &str) -> Phrase {
+fn message_about_run_option(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
-    match Input::named(field) {
+    match Input::from_name(field) {
         Some(input) => phrase![about, input, " after the manifest's name"],
         None => format!("{about}{field} after the manifest's name").into(),
     }
 }
 
 /// The hint `: did you mean ...?` with the field that the user probably wanted to write as `cell`; `None` if no field is similar.
-fn nearest(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
+fn did_you_mean(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind>>) -> Option<String> {
     let letters = |text: &str| text.replace('_', "");
     let name = letters(name);
     // Short names are near to everything: `sex` to `yes`.

@@ -108,12 +108,12 @@ impl Table {
             fields.insert(Input::Yes.name().to_owned(), yes.collect());
         }
         let other_rows = self.masses.other_rows(&fields);
-        let mut request = Request::read(row.verb, fields).map_err(|fault| self.placed(&fault, row.verb))?;
+        let mut request = Request::read(row.verb, fields).map_err(|fault| self.row_fault(&fault, row.verb))?;
         if let Some(masses) = request.masses_mut() {
             masses.other_rows = other_rows;
         }
         let change = prepare(request, files).map_err(|error| match error {
-            RequestError::Fault(fault) => self.placed(&fault, row.verb),
+            RequestError::Fault(fault) => self.row_fault(&fault, row.verb),
             RequestError::Failure(Failure { model, message, .. }) => {
                 let mut text = Phrase::from(format!("{model}: "));
                 text.push(&message);
@@ -123,7 +123,7 @@ impl Table {
         Ok(PreparedChange { output: row.output.clone(), ..change })
     }
 
-    fn placed(&self, fault: &RequestFault, verb: Verb) -> RowFault {
+    fn row_fault(&self, fault: &RequestFault, verb: Verb) -> RowFault {
         let column = fault
             .field()
             .and_then(|field| self.columns.header_of(field))

@@ -26,12 +26,12 @@ fn plan_sockets(model: &Model) -> Result<Plan, Fault> {
     let rebuilt = connect_sockets(model)?;
     let summary = match rebuilt.objects.len() {
         0 => "no socket can be connected by the name in it".to_owned(),
-        count => format!("{} the path that OpenSim finds; no other byte changes", gets(count)),
+        count => format!("{} the path that OpenSim finds; no other byte changes", sockets_get(count)),
     };
     Ok(Plan::from_objects(rebuilt, summary.into()))
 }
 
-fn gets(count: usize) -> String {
+fn sockets_get(count: usize) -> String {
     if count == 1 { "1 socket gets".to_owned() } else { format!("{count} sockets get") }
 }
 

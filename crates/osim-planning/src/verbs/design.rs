@@ -93,7 +93,7 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::ContactStiffness, why);
     }
-    if !wanted.asks() {
+    if !wanted.has_contact_options() {
         return Err(RequestFault::general(phrase![
             "nothing is asked for: give for example {}, {} or {}";
             Input::Indentation.with_placeholder("X"), Input::Restitution.with_placeholder("CR"),

@@ -152,13 +152,13 @@ fn reference_from_model(
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let selected = selection.apply(model).map_err(ask_for_reference_option)?;
     if request.follow.follow_bodies {
-        request.answers.ask(misplaced_reference_spheres(model)).map_err(Fault::new)?;
+        request.answers.refuse_unconfirmed(misplaced_reference_spheres(model)).map_err(Fault::new)?;
     }
     let mass = match options.reference_mass {
         Some(kg) => {
             let doubt =
                 implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
-            request.answers.ask(doubt).map_err(Fault::new)?;
+            request.answers.refuse_unconfirmed(doubt).map_err(Fault::new)?;
             given_reference_mass(kg)
         }
         None => {

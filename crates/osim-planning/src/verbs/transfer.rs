@@ -45,7 +45,7 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
             // A preset has no bodies to compare its mass with.
             let given_mass = request.reference.reference_mass.map(Kilograms::get);
             let doubt = given_mass.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
-            let asked = request.answers.ask(doubt);
+            let asked = request.answers.refuse_unconfirmed(doubt);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
             let (reference, state) = reference_of_preset(&request, &preset);
             (reference, state, None)
@@ -263,11 +263,11 @@ impl TransferPlanner {
         generic: &GenericModel,
     ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
-        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given())?;
+        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given_factors())?;
         let mut wanted = FollowRequest {
             radius_axis: self.follow.radius_axis(),
             level: self.scaling.level_axis(model.gravity_m_s2),
-            moved: self.follow.moved(),
+            moved: self.follow.rule_for_moved_spheres(),
             ..FollowRequest::default()
         };
         let rule = self.scaling.radius.map(Radius::rule);

@@ -35,36 +35,36 @@ impl FixedObjects {
     fn of(random: &mut Random) -> Self {
         let mut made = Self::default();
         let mut carriers = vec!["/ground".to_owned()];
-        for index in 0..random.below(4) {
-            let name = format!("rock_{index}{}", random.of_words(&["", "_r", "_l"]));
-            let under = random.below(carriers.len() as u64);
+        for index in 0..random.integer_below(4) {
+            let name = format!("rock_{index}{}", random.one_of(&["", "_r", "_l"]));
+            let under = random.integer_below(carriers.len() as u64);
             let under = carriers[usize::try_from(under).unwrap()].clone();
             // Massless, so that the weight of the model stays.
             made.bodies.push_str(&format!("<Body name=\"{name}\"><mass>0</mass></Body>\n"));
             let body = format!("/bodyset/{name}");
             // A joint may be written from either end.
-            let (parent, child) = if random.below(2) == 0 { (&under, &body) } else { (&body, &under) };
+            let (parent, child) = if random.integer_below(2) == 0 { (&under, &body) } else { (&body, &under) };
             made.joints.push_str(&format!(
                 "<WeldJoint name=\"weld_{index}\"><socket_parent_frame>{parent}</socket_parent_frame>\
                  <socket_child_frame>{child}</socket_child_frame></WeldJoint>\n"
             ));
             carriers.push(body);
         }
-        for index in 0..=random.below(3) {
-            let carrier = random.below(carriers.len() as u64);
+        for index in 0..=random.integer_below(3) {
+            let carrier = random.integer_below(carriers.len() as u64);
             made.add_sphere(random, index, &carriers[usize::try_from(carrier).unwrap()]);
         }
         made
     }
 
     fn add_sphere(&mut self, random: &mut Random, index: u64, carrier: &str) {
-        let name = format!("boulder_{index}{}", random.of_words(&["", "_r", "_l"]));
-        let radius = random.of_words(&["0.3", "0.0325", "nan", "0"]);
+        let name = format!("boulder_{index}{}", random.one_of(&["", "_r", "_l"]));
+        let radius = random.one_of(&["0.3", "0.0325", "nan", "0"]);
         self.geometry.push_str(&format!(
             "<ContactSphere name=\"{name}\"><socket_frame>{carrier}</socket_frame><location>0.5 -9 0</location>\
              <radius>{radius}</radius></ContactSphere>\n"
         ));
-        let forces = random.below(3);
+        let forces = random.integer_below(3);
         for number in 0..=forces {
             self.forces.push_str(&force(random, &format!("force_{index}_{number}"), &name));
         }
@@ -89,7 +89,7 @@ impl FixedObjects {
 
 /// The XML of a force of either class that presses the sphere on the floor.
 fn force(random: &mut Random, name: &str, sphere: &str) -> String {
-    if random.below(2) == 0 {
+    if random.integer_below(2) == 0 {
         return format!(
             "<SmoothSphereHalfSpaceForce name=\"{name}\"><socket_sphere>/contactgeometryset/{sphere}</socket_sphere>\
              <socket_half_space>/contactgeometryset/floor</socket_half_space><stiffness>1e6</stiffness>\
@@ -172,11 +172,11 @@ fn text_of(path: &str, files: &InMemory) -> String {
 #[test]
 fn fixed_objects_count_nowhere_and_stay_as_they_are() {
     let files = crate::rules::fixtures();
-    let (first, runs) = (number("FIXED_SEED", 1), number("FIXED_RUNS", 60));
+    let (first, runs) = (number_from_environment("FIXED_SEED", 1), number_from_environment("FIXED_RUNS", 60));
     let mut compared = 0;
     for seed in first..first + runs {
         let mut random = Random::of(seed);
-        let bare = text_of(random.of_words(&MODELS), &files);
+        let bare = text_of(random.one_of(&MODELS), &files);
         let fixed = FixedObjects::of(&mut random);
         let whole = fixed.within(&bare);
         let said = Model::parse(whole.as_str()).unwrap();

@@ -12,7 +12,7 @@ use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use crate::taken_back::documents::{Desk, all_files, models};
+use crate::taken_back::documents::{ChangedFiles, all_files, models};
 
 const MODEL: &str = "model.osim";
 
@@ -68,11 +68,11 @@ fn numbers_are_judged_as_in_the_file() {
     let files = all_files();
     let mut compared = Compared::default();
     for (number, document) in models(&files).into_iter().enumerate() {
-        let desk = Desk { files: &files, own: BTreeMap::new() };
+        let files_with_changes = ChangedFiles { files: &files, own: BTreeMap::new() };
         // The same on what was written: it has a note.
-        let Some(bytes) = try_some(&desk, &document.name, number, &mut compared) else { continue };
-        let desk = Desk { files: &files, own: BTreeMap::from([(MODEL.into(), bytes)]) };
-        try_some(&desk, MODEL, number + 1, &mut compared);
+        let Some(bytes) = try_some(&files_with_changes, &document.name, number, &mut compared) else { continue };
+        let files_with_changes = ChangedFiles { files: &files, own: BTreeMap::from([(MODEL.into(), bytes)]) };
+        try_some(&files_with_changes, MODEL, number + 1, &mut compared);
     }
     let Compared { plans, refused, worse, models } = compared;
     assert!(plans > 2000 && refused > 0 && worse > 1000 && models > 2000, "{compared:?}");
@@ -103,7 +103,7 @@ fn rules_find_the_same_without_what_only_people_read() {
 }
 
 /// Tries every third request on the model `name`. Returns the bytes that one of the requests would write.
-fn try_some(files: &Desk<'_>, name: &str, number: usize, compared: &mut Compared) -> Option<Vec<u8>> {
+fn try_some(files: &ChangedFiles<'_>, name: &str, number: usize, compared: &mut Compared) -> Option<Vec<u8>> {
     let model = Model::parse(files.read(Path::new(name)).ok()?).ok()?;
     let first = model.forces().first().map_or("none", |force| force.name.as_str());
     let calls = calls(first).into_iter().skip(number % EVERY_THIRD_CALL).step_by(EVERY_THIRD_CALL);

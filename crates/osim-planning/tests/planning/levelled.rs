@@ -74,7 +74,7 @@ fn remarks_on_moved_bottoms(text: &str, fields: &Value) -> Vec<String> {
 fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
     let found = check_with(NAME, UNEVEN, &InspectOptions::default());
     let remedy = find(&found, FindingCode::UnevenBottoms).remedy.as_ref();
-    assert_eq!(said(remedy), json!({"verb": "set", "level": true}));
+    assert_eq!(fields_of_remedy(remedy), json!({"verb": "set", "level": true}));
     let after = changed(UNEVEN, &json!({"verb": "set", "level": true}));
     assert!(is_level(&after) && !is_level(UNEVEN));
     let found = check_with(NAME, &after, &InspectOptions::default());

@@ -154,7 +154,7 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     assert_eq!(behind.len(), 7);
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
     let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
-    assert_eq!(said(found.findings[0].remedy.as_ref()), expected);
+    assert_eq!(fields_of_remedy(found.findings[0].remedy.as_ref()), expected);
     // What the spheres do where they should not be is judged, too, but nothing else has a command.
     assert!(
         found.findings.iter().all(|one| one.remedy.is_none() || one.code() == FindingCode::SpheresLeftBehind)
@@ -213,10 +213,10 @@ fn the_note_counts_more_than_all_other_evidence() {
     let by_note = json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true});
     let mut level = by_note.clone();
     level["level"] = json!(true);
-    assert_eq!(said(left.remedy.as_ref()), level);
+    assert_eq!(fields_of_remedy(left.remedy.as_ref()), level);
     // Stretched by more than 20 %: bottoms are not kept.
     let stretched = check(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.9 0.6"), None);
-    assert!(stretched.findings.iter().any(|finding| said(finding.remedy.as_ref()) == by_note));
+    assert!(stretched.findings.iter().any(|finding| fields_of_remedy(finding.remedy.as_ref()) == by_note));
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn a_sphere_moved_after_the_note_makes_the_note_no_evidence_of_places() {
 fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
     let found = check(&bones_of(&with_note(RIGHT_PLACES, "rescale"), "0.6306 0.6397 0.6306"), None);
     let remedies = found.findings.iter().filter_map(|finding| finding.remedy.as_ref());
-    let remedies: Vec<Value> = remedies.map(|remedy| said(Some(remedy))).collect();
+    let remedies: Vec<Value> = remedies.map(|remedy| fields_of_remedy(Some(remedy))).collect();
     assert_eq!(remedies, [json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true})]);
 }
 
@@ -307,7 +307,7 @@ fn spheres_that_this_program_resized_are_placed_again() {
     let change = |text: &str| {
         let found = check(text, Some(GENERIC));
         let behind = found.findings.iter().find(|one| one.code() == FindingCode::SpheresLeftBehind).unwrap();
-        said(behind.remedy.as_ref())
+        fields_of_remedy(behind.remedy.as_ref())
     };
     let expected = json!({
         "verb": "transfer", "from": "generic.osim", "follow_bodies": true, "moved_spheres": "replace", "level": true,

@@ -17,31 +17,31 @@ impl Random {
         mixed ^ (mixed >> 31)
     }
 
-    pub(crate) fn below(&mut self, end: u64) -> u64 {
+    pub(crate) fn integer_below(&mut self, end: u64) -> u64 {
         self.next() % end
     }
 
     pub(crate) fn index(&mut self, end: usize) -> usize {
-        usize::try_from(self.below(end as u64)).unwrap()
+        usize::try_from(self.integer_below(end as u64)).unwrap()
     }
 
-    pub(crate) fn of_words<'t>(&mut self, choices: &[&'t str]) -> &'t str {
+    pub(crate) fn one_of<'t>(&mut self, choices: &[&'t str]) -> &'t str {
         choices[self.index(choices.len())]
     }
 
     /// A random number from 0 to 1, with all 53 bits of a double.
-    pub(crate) fn part(&mut self) -> f64 {
+    pub(crate) fn fraction(&mut self) -> f64 {
         (self.next() >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
 /// The number in the environment variable `variable`; `otherwise` if it is not set.
-pub(crate) fn number(variable: &str, otherwise: u64) -> u64 {
+pub(crate) fn number_from_environment(variable: &str, otherwise: u64) -> u64 {
     std::env::var(variable).map_or(otherwise, |text| text.parse().unwrap())
 }
 
 /// The seeds with which a test runs.
 pub(crate) fn seeds() -> std::ops::Range<u64> {
-    let first = number("GENERATED_SEED", 1);
-    first..first + number("GENERATED_RUNS", 200)
+    let first = number_from_environment("GENERATED_SEED", 1);
+    first..first + number_from_environment("GENERATED_RUNS", 200)
 }

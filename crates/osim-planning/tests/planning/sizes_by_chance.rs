@@ -69,7 +69,7 @@ fn scaled_model(factors: &[[f64; 3]; 3], hips: &[[f64; 3]; 2], spheres: &[Sphere
 
 /// A random scale factor between a third and three; sometimes it is exactly 1.
 fn random_factor(random: &mut Random) -> f64 {
-    if random.below(5) == 0 { 1.0 } else { 3_f64.powf(2.0 * random.part() - 1.0) }
+    if random.integer_below(5) == 0 { 1.0 } else { 3_f64.powf(2.0 * random.fraction() - 1.0) }
 }
 
 #[test]
@@ -80,20 +80,20 @@ fn spheres_follow_their_bodies() {
         let mut factors = one;
         for body in &mut factors {
             let alike = random_factor(&mut random);
-            let is_alike = random.below(2) == 0;
+            let is_alike = random.integer_below(2) == 0;
             *body = std::array::from_fn(|_| if is_alike { alike } else { random_factor(&mut random) });
         }
-        let hips = [0.1, -0.1].map(|side| [0.02 * random.part() + 0.01, -0.9 + 0.1 * random.part(), side]);
-        let radius = 0.01 + 0.05 * random.part();
+        let hips = [0.1, -0.1].map(|side| [0.02 * random.fraction() + 0.01, -0.9 + 0.1 * random.fraction(), side]);
+        let radius = 0.01 + 0.05 * random.fraction();
         let count = 1 + random.index(3);
         let mut spheres = Vec::new();
         for (body, side) in ["r", "l"].into_iter().enumerate() {
             for number in 0..count {
-                let place = [0.2 * random.part() - 0.05, -0.03 * random.part(), 0.08 * random.part() - 0.04];
+                let place = [0.2 * random.fraction() - 0.05, -0.03 * random.fraction(), 0.08 * random.fraction() - 0.04];
                 spheres.push(Sphere { name: format!("s{number}_{side}"), body, place, radius });
             }
         }
-        let (old, new) = (30.0 + 50.0 * random.part(), 20.0 + 100.0 * random.part());
+        let (old, new) = (30.0 + 50.0 * random.fraction(), 20.0 + 100.0 * random.fraction());
         let mut files = InMemory::default();
         files.add("generic.osim", scaled_model(&one, &hips, &spheres, old).into_bytes());
         let scaled = scaled_model(&factors, &hips, &spheres, new);

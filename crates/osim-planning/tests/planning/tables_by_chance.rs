@@ -16,15 +16,15 @@ struct TableStyle {
 impl TableStyle {
     fn of(random: &mut Random) -> Self {
         let delimiter = [',', ';', '\t'][random.index(3)];
-        let decimal = if delimiter != ',' && random.below(2) == 0 { ',' } else { '.' };
+        let decimal = if delimiter != ',' && random.integer_below(2) == 0 { ',' } else { '.' };
         let end = ["\n", "\r\n"][random.index(2)];
-        Self { delimiter, decimal, end, bom: random.below(4) == 0, last_end: random.below(4) > 0 }
+        Self { delimiter, decimal, end, bom: random.integer_below(4) == 0, last_end: random.integer_below(4) > 0 }
     }
 
     fn line(&self, cells: &[String], random: &mut Random) -> String {
         let quoted = |cell: &String, random: &mut Random| {
             let needs = cell.contains(self.delimiter);
-            if needs || random.below(6) == 0 { format!("\"{cell}\"") } else { cell.clone() }
+            if needs || random.integer_below(6) == 0 { format!("\"{cell}\"") } else { cell.clone() }
         };
         let cells: Vec<String> = cells.iter().map(|cell| quoted(cell, random)).collect();
         cells.join(&self.delimiter.to_string())
@@ -33,10 +33,10 @@ impl TableStyle {
 
 /// A random number with few digits, and a text of this number.
 fn number(random: &mut Random, above_0: bool, decimal: char) -> (f64, String) {
-    let whole = random.below(2_000_000) as f64 + if above_0 { 1.0 } else { -1e6 };
+    let whole = random.integer_below(2_000_000) as f64 + if above_0 { 1.0 } else { -1e6 };
     let digits = random.index(7);
     let value = whole / 10_f64.powi(i32::try_from(digits).unwrap());
-    let text = match random.below(4) {
+    let text = match random.integer_below(4) {
         0 => format!("{value:e}"),
         1 => format!("{value:.8}"),
         2 if value >= 0.0 => format!("+{value}"),
@@ -56,16 +56,16 @@ struct RandomTable {
 fn random_table(random: &mut Random) -> RandomTable {
     let style = TableStyle::of(random);
     let mut columns = vec!["name", "body", "x", "y", "z"];
-    if random.below(3) > 0 {
+    if random.integer_below(3) > 0 {
         columns.push("radius");
     }
-    if random.below(3) == 0 {
+    if random.integer_below(3) == 0 {
         columns.push("#remark");
     }
     for last in (1..columns.len()).rev() {
         columns.swap(last, random.index(last + 1));
     }
-    let header = columns.iter().map(|column| match random.below(6) {
+    let header = columns.iter().map(|column| match random.integer_below(6) {
         0 => column.to_uppercase(),
         1 if !["name", "body", "#remark"].contains(column) => format!("{column} [m]"),
         _ => (*column).to_owned(),
@@ -75,12 +75,12 @@ fn random_table(random: &mut Random) -> RandomTable {
     let mut rows = Vec::new();
     for row in 0..1 + random.index(6) {
         let mut own = (
-            format!("{}_{row}", random.of_words(&["heel", "t\u{f6}e", "a.b", "1"])),
+            format!("{}_{row}", random.one_of(&["heel", "t\u{f6}e", "a.b", "1"])),
             String::new(),
             [0.0; 3],
             None,
         );
-        own.1 = random.of_words(&["calcn_r", "toes l", "Fu\u{df}"]).to_owned();
+        own.1 = random.one_of(&["calcn_r", "toes l", "Fu\u{df}"]).to_owned();
         let cells = columns.iter().map(|column| match *column {
             "name" => own.0.clone(),
             "body" => own.1.clone(),
@@ -89,7 +89,7 @@ fn random_table(random: &mut Random) -> RandomTable {
                 own.3 = Some(value);
                 text
             }
-            "#remark" => random.of_words(&["", "seen", "left, and up", "x;y"]).to_owned(),
+            "#remark" => random.one_of(&["", "seen", "left, and up", "x;y"]).to_owned(),
             axis => {
                 let (value, text) = number(random, false, style.decimal);
                 own.2[["x", "y", "z"].iter().position(|name| *name == axis).unwrap()] = value;
@@ -141,7 +141,7 @@ fn a_wrong_cell_of_a_random_table_is_reported() {
         let column =
             made.columns.iter().position(|column| ["x", "y", "z", "radius"].contains(column)).unwrap();
         let row = random.index(made.rows.len());
-        let bad = random.of_words(&[
+        let bad = random.one_of(&[
             "#REF!", "#N/A", "#DIV/0!", "two", "1 cm", "0x10", "", "nan", "inf", "1e999", "--1", "1.2.3",
         ]);
         let mut lines: Vec<String> = made.text.split(made.style.end).map(str::to_owned).collect();

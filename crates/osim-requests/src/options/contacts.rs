@@ -75,7 +75,7 @@ impl WantedOptions {
     }
 
     /// Whether an option is given from which a contact can be computed.
-    pub fn asks(&self) -> bool {
+    pub fn has_contact_options(&self) -> bool {
         self.indentation.is_some()
             || self.young.is_some()
             || self.restitution.is_some()
@@ -115,7 +115,7 @@ impl NumberOptions {
 
 impl ContactNumbers {
     /// The given inputs that describe the contact itself, without gravity.
-    pub fn given(&self) -> Vec<Input> {
+    pub fn given_inputs(&self) -> Vec<Input> {
         let all = [
             (Input::Radius, self.radius.is_some()),
             (Input::Stiffness, self.stiffness.is_some()),

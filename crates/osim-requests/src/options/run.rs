@@ -102,7 +102,7 @@ impl RunOptions {
 
 impl OutputOptions {
     /// The default suffix of result names, before their extension.
-    pub const MARK: &'static str = ".scaled";
+    pub const RESULT_SUFFIX: &'static str = ".scaled";
 
     /// Whether a factor may be applied again to a model whose note says that it was applied already: true if the model itself
     /// is not overwritten, or with `force`.
@@ -111,9 +111,9 @@ impl OutputOptions {
     }
 
     /// The default file of a result: `NAME.scaled.osim` beside the model.
-    pub fn beside(model: &Path) -> PathBuf {
+    pub fn result_beside(model: &Path) -> PathBuf {
         let mut name = model.file_stem().unwrap_or_default().to_owned();
-        name.push(Self::MARK);
+        name.push(Self::RESULT_SUFFIX);
         if let Some(extension) = model.extension() {
             name.push(".");
             name.push(extension);
@@ -127,7 +127,7 @@ impl OutputOptions {
             _ if self.in_place => geometry.to_owned(),
             (Some(path), _) => path.clone(),
             (None, Some(folder)) => folder.join(geometry.file_name().unwrap_or_default()),
-            (None, None) => Self::beside(geometry),
+            (None, None) => Self::result_beside(geometry),
         }
     }
 }
@@ -138,18 +138,15 @@ impl AnswerOptions {
         Self { yes }
     }
 
-    /// Whether the options answer `question`.
-    pub fn has(&self, question: Question) -> bool {
+    /// Whether the caller has answered `question` with yes.
+    pub fn confirms(&self, question: Question) -> bool {
         self.yes.contains(&question)
     }
 
-    /// Asks the question, unless it is answered already or there is none.
-    ///
-    /// # Errors
-    /// The question.
-    pub fn ask(&self, doubt: Option<NeedsConfirmation>) -> Result<(), FaultKind> {
+    /// Refuses what looks wrong, if there is such a `doubt` and the caller has not confirmed it with `yes`.
+    pub fn refuse_unconfirmed(&self, doubt: Option<NeedsConfirmation>) -> Result<(), FaultKind> {
         match doubt {
-            Some(doubt) if !self.has(doubt.question()) => Err(doubt.into()),
+            Some(doubt) if !self.confirms(doubt.question()) => Err(doubt.into()),
             _ => Ok(()),
         }
     }
@@ -177,7 +174,7 @@ mod tests {
 
     #[test]
     fn the_default_is_a_new_file_beside_the_model() {
-        assert_eq!(OutputOptions::beside(Path::new("a/human.osim")), Path::new("a/human.scaled.osim"));
-        assert_eq!(OutputOptions::beside(Path::new("set.xml")), Path::new("set.scaled.xml"));
+        assert_eq!(OutputOptions::result_beside(Path::new("a/human.osim")), Path::new("a/human.scaled.osim"));
+        assert_eq!(OutputOptions::result_beside(Path::new("set.xml")), Path::new("set.scaled.xml"));
     }
 }

@@ -171,12 +171,12 @@ impl ScalingOptions {
 
 impl FollowOptions {
     /// The scale factors given by the caller, by names of bodies.
-    pub fn given(&self) -> BTreeMap<String, [f64; 3]> {
+    pub fn given_factors(&self) -> BTreeMap<String, [f64; 3]> {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
     }
 
     /// The rule for spheres that were moved already.
-    pub fn moved(&self) -> MovedSpheres {
+    pub fn rule_for_moved_spheres(&self) -> MovedSpheres {
         match self.moved_spheres {
             None => MovedSpheres::Refuse,
             Some(MovedChoice::Keep) => MovedSpheres::Keep,

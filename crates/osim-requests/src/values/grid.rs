@@ -35,7 +35,7 @@ pub enum AxisName {
 impl AxisName {
     /// The axis in the form `NAME=FROM..TO/COUNT` that the caller probably meant by the option or argument `name`; `None` if
     /// `values` is not a range, or `name` is not an axis.
-    pub fn meant(name: &str, values: &str) -> Option<String> {
+    pub fn suggested_axis(name: &str, values: &str) -> Option<String> {
         let name: Self = name.replace('-', "_").parse().ok()?;
         let is_axis = Range::is_meant(values) || values.contains(',');
         let values = respelled(values).or_else(|| is_axis.then(|| values.to_owned()))?;

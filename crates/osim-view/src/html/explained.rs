@@ -124,7 +124,7 @@ pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> Strin
 }
 
 /// The anchor and the explanation of each topic, in the order of the registers.
-pub(super) fn each_topic(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
+pub(super) fn explanations_by_anchor(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
     let equations = equations().filter(|equation| topics.equations.contains(equation.label));
     let equations =
         equations.map(|equation| (anchor("equation", equation.label), explained_equation(equation, dialect)));

@@ -30,7 +30,7 @@ pub struct Sections {
 
 impl Sections {
     fn of(fragment: Fragment, dialect: &dyn Dialect) -> Self {
-        let explained = explained::each_topic(&fragment.topics, dialect).into_iter();
+        let explained = explained::explanations_by_anchor(&fragment.topics, dialect).into_iter();
         let explained =
             explained.map(|(id, html)| Explained { id, html: terminal_safe(&html.0).into_owned() });
         let sections = fragment.sections.into_iter();

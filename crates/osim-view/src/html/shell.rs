@@ -45,7 +45,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
 }
 
 /// The purpose of the verb, and the `command` that makes the page again.
-pub(super) fn asked(verb: Verb, command: &str) -> String {
+pub(super) fn purpose_and_command(verb: Verb, command: &str) -> String {
     let (id, title) = ASKED;
     html! {
         section id=(id) aria-labelledby="asked-title" {
@@ -70,7 +70,7 @@ pub(super) fn command_line(command: &str) -> Markup {
 }
 
 /// The end of the page, after the last model.
-pub(super) fn closing() -> String {
+pub(super) fn origin_and_closing() -> String {
     let (id, title) = ORIGIN;
     let end = html! {
         section id=(id) aria-labelledby="origin-title" {

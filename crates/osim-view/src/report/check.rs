@@ -180,7 +180,7 @@ fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
     let Counts { error, warning, .. } = found.counts;
     if error + warning > 0 {
         let counts = Counts { remark: 0, ..found.counts }.describe("");
-        let right = share(found.corrected, error + warning);
+        let right = part_of_all(found.corrected, error + warning);
         return match found.commands.len() {
             0 => counts,
             1 => format!("{counts}; this command puts {right} right:"),
@@ -200,7 +200,7 @@ fn headline(found: &CheckResult, rows: &AnswerRows<'_>) -> String {
 }
 
 /// "Some of all" findings or models in words: `a part`, `it`, `both`, `all 3` or `2 of 3`.
-fn share(some: usize, all: usize) -> String {
+fn part_of_all(some: usize, all: usize) -> String {
     match (some, all) {
         (0, _) => "a part".to_owned(),
         (_, 1) => "it".to_owned(),
@@ -333,7 +333,7 @@ impl LibraryTable {
         let (command, head) = (self.command(), self.headline());
         let head = match &command {
             Some(_) => {
-                format!("{head}; this command puts {} right:", share(self.corrected, self.bad_models()))
+                format!("{head}; this command puts {} right:", part_of_all(self.corrected, self.bad_models()))
             }
             None => head,
         };

@@ -37,15 +37,15 @@ pub(crate) fn filled(text: &str, width: usize) -> String {
 
 /// The text in lines of at most `width` columns. The second and later lines begin with `indent`. Line ends in the text are escaped.
 pub fn wrapped(text: &str, indent: &str, width: usize) -> String {
-    in_lines(&paragraph(text), indent, width)
+    wrap_lines(&paragraph(text), indent, width)
 }
 
 /// Breaks a text about a file into lines. The path of the file is never cut, because the reader has to find the file.
 pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str, width: usize) -> String {
-    in_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent, width)
+    wrap_lines(&format!("{}: {}", shown_whole(path), paragraph(text)), indent, width)
 }
 
-fn in_lines(text: &str, indent: &str, width: usize) -> String {
+fn wrap_lines(text: &str, indent: &str, width: usize) -> String {
     let options = options(width).subsequent_indent(indent).break_words(false);
     format!("{}\n", textwrap::fill(text, options))
 }
@@ -61,7 +61,7 @@ fn breakable_words(line: &str) -> Box<dyn Iterator<Item = Word<'_>> + '_> {
         // Whether a word is broken at its hyphens is for the caller to say.
         let ends = linebreaks(part).map(|(end, _)| end);
         let ends = ends.filter(|&end| end == part.len() || !part[..end].ends_with(['-', '/', SOFT_HYPHEN]));
-        cut(part, ends).map(Word::from)
+        split_at_ends(part, ends).map(Word::from)
     }))
 }
 
@@ -73,10 +73,10 @@ fn words_with_brackets_apart(line: &str) -> impl Iterator<Item = &str> {
         let before = line[..at].trim_end_matches(' ');
         before.len() < at && before.ends_with(['"', '\''])
     });
-    cut(line, begins.chain([line.len()]))
+    split_at_ends(line, begins.chain([line.len()]))
 }
 
-fn cut(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &str> {
+fn split_at_ends(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator<Item = &str> {
     ends.scan(0, move |start, end| Some(&text[std::mem::replace(start, end)..end]))
 }
 
@@ -93,19 +93,19 @@ const COMMAND_BEGINNINGS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
 ///
 /// ```
 /// let text = "error: model.osim: a sentence that is too long\n  in a table  a sentence that is too long\n";
-/// let broken = osim_view::report::layout::broken(text, 30);
+/// let broken = osim_view::report::layout::break_long_lines(text, 30);
 /// assert_eq!(
 ///     broken,
 ///     "error: model.osim: a sentence\n  that is too long\n\
 ///      \x20 in a table  a sentence that\n              is too long\n"
 /// );
-/// assert_eq!(osim_view::report::layout::broken(text, 80), text);
+/// assert_eq!(osim_view::report::layout::break_long_lines(text, 80), text);
 /// ```
-pub fn broken(text: &str, width: usize) -> String {
-    text.split_inclusive('\n').map(|line| line_broken(line, width)).collect()
+pub fn break_long_lines(text: &str, width: usize) -> String {
+    text.split_inclusive('\n').map(|line| break_long_line(line, width)).collect()
 }
 
-fn line_broken(line: &str, width: usize) -> String {
+fn break_long_line(line: &str, width: usize) -> String {
     let (text, end) = line.strip_suffix('\n').map_or((line, ""), |text| (text, "\n"));
     let words = text.trim_start_matches(' ');
     if display_width(text) <= width || COMMAND_BEGINNINGS.iter().any(|command| words.starts_with(command)) {
@@ -194,13 +194,13 @@ impl TextTable {
             }
         }
         match columns.filter(|columns| self.width() > columns + 1) {
-            Some(columns) => self.in_parts(columns),
+            Some(columns) => self.to_parts(columns),
             None => self.trim_fmt(),
         }
     }
 
     /// The table in parts: as many columns as fit, and below them the first column with the next ones.
-    fn in_parts(self, columns: usize) -> String {
+    fn to_parts(self, columns: usize) -> String {
         let all = self.header.len();
         let fit = (2..all).take_while(|&end| self.with_columns(0..end).width() <= columns + 1).last();
         let end = fit.unwrap_or(2);
@@ -305,7 +305,7 @@ fn cut_name(name: &str, width: usize, end: usize) -> String {
 }
 
 /// A name in at most `width` columns. Its middle is left out, because names differ at their ends. Invisible letters are escaped.
-pub(crate) fn clipped(name: &str, width: usize) -> String {
+pub(crate) fn shorten_name(name: &str, width: usize) -> String {
     cut_name(&shown(name).to_string(), width, width / 2)
 }
 
@@ -344,7 +344,7 @@ pub enum Colour {
 }
 
 /// A table with every figure that has an [`OUTSIDE`] mark in colour.
-pub(crate) fn painted(text: &str, colour: Colour) -> String {
+pub(crate) fn colour_marked_figures(text: &str, colour: Colour) -> String {
     if colour == Colour::Plain {
         return text.to_owned();
     }
@@ -451,9 +451,9 @@ mod tests {
 
     #[test]
     fn names_keep_both_ends() {
-        assert_eq!(clipped("heel_r", 10), "heel_r");
-        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
-        assert_eq!(clipped("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+        assert_eq!(shorten_name("heel_r", 10), "heel_r");
+        assert_eq!(shorten_name("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
+        assert_eq!(shorten_name("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
     }
 
     #[test]
@@ -478,7 +478,7 @@ mod tests {
         let style = AnsiColor::Yellow.on_default().bold();
         let text = "x/R   <= 0.16  0.12    0.35 !\nnext  1\n";
         let expected = format!("x/R   <= 0.16  0.12    {style}0.35 !{style:#}\nnext  1\n");
-        assert_eq!(painted(text, Colour::Ansi), expected);
-        assert_eq!(painted(text, Colour::Plain), text);
+        assert_eq!(colour_marked_figures(text, Colour::Ansi), expected);
+        assert_eq!(colour_marked_figures(text, Colour::Plain), text);
     }
 }

@@ -2,7 +2,7 @@
 
 /// A sphere on the foot. Its `SmoothSphereHalfSpaceForce` is called `contact_` and the name of the sphere.
 #[derive(Clone, Copy)]
-pub struct Smooth {
+pub struct SmoothContact {
     pub name: &'static str,
     /// Radius R, m.
     pub radius: f64,
@@ -20,7 +20,7 @@ pub struct Smooth {
 
 /// A sphere under 600 N that is within every limit: x̂ is 0.0865, under twice the weight 0.137; the restitution (13) is 0.85 at 0.5 m/s;
 /// √cf/R is 0.02; the transition width is 0.236 R; a sphere that just touches the floor carries 0.056 of its load.
-pub const SOLE: Smooth = Smooth {
+pub const SOLE: SmoothContact = SmoothContact {
     name: "heel_r",
     radius: 0.05,
     stiffness: 2e7,
@@ -31,7 +31,7 @@ pub const SOLE: Smooth = Smooth {
 };
 
 /// A sphere of a heel. Each of its figures has another value.
-pub const HEEL: Smooth = Smooth {
+pub const HEEL: SmoothContact = SmoothContact {
     name: "heel_r",
     radius: 0.05,
     stiffness: 3e6,
@@ -41,7 +41,7 @@ pub const HEEL: Smooth = Smooth {
     hunt_crossley_smoothing: 0.7,
 };
 /// A sphere of a toe. Its numbers differ from the numbers of [`HEEL`].
-pub const TOE: Smooth = Smooth {
+pub const TOE: SmoothContact = SmoothContact {
     name: "toe_r",
     radius: 0.03,
     stiffness: 5e6,
@@ -51,7 +51,7 @@ pub const TOE: Smooth = Smooth {
     hunt_crossley_smoothing: 60.0,
 };
 
-impl Smooth {
+impl SmoothContact {
     fn force(&self) -> String {
         format!(
             "<SmoothSphereHalfSpaceForce name=\"contact_{0}\">
@@ -86,7 +86,7 @@ impl Smooth {
 }
 
 /// The text of a model: a foot that weighs 600 N, with these spheres.
-pub fn foot(spheres: &[Smooth]) -> String {
+pub fn foot(spheres: &[SmoothContact]) -> String {
     let mut text = String::from(
         "<OpenSimDocument Version=\"40000\">
 <Model name=\"one_foot\">

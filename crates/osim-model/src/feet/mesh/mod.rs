@@ -142,7 +142,7 @@ const LEAST_NEIGHBOURS: usize = 3;
 const MOST_POINTS_COMPARED: usize = 16;
 
 /// A point that is far from all other points, probably because of a broken number.
-struct Stray {
+struct StrayPoint {
     /// Index of the stray point, from 0.
     index: usize,
     /// Distance of the stray point from the middle, in the unit of the points.
@@ -152,7 +152,7 @@ struct Stray {
 }
 
 /// The farthest stray point of `points`, which have no repeats.
-fn stray_point(points: &[[f64; 3]]) -> Option<Stray> {
+fn stray_point(points: &[[f64; 3]]) -> Option<StrayPoint> {
     if points.len() < LEAST_POINTS {
         return None;
     }
@@ -169,7 +169,7 @@ fn stray_point(points: &[[f64; 3]]) -> Option<Stray> {
         .into_iter()
         .take(MOST_POINTS_COMPARED)
         .find(|&index| is_alone(points, index, NEIGHBOUR_DISTANCE * reach))?;
-    Some(Stray { index, distance: *far.get(index)?, reach })
+    Some(StrayPoint { index, distance: *far.get(index)?, reach })
 }
 
 /// Whether the point has few neighbours within the distance `around`.
@@ -246,7 +246,7 @@ mod tests {
     fn stray_points_that_lie_together_are_found() {
         let mut points = points_of_box();
         (points[3], points[4]) = ([0.05, -1.0, 0.1], [0.05, -1.0, 0.101]);
-        assert!(matches!(stray_point(&points), Some(Stray { index: 3 | 4, .. })));
+        assert!(matches!(stray_point(&points), Some(StrayPoint { index: 3 | 4, .. })));
     }
 
     #[test]

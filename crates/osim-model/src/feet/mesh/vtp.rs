@@ -17,7 +17,7 @@ const APPENDED_DATA_TAG: &[u8] = b"<AppendedData";
 /// The points of all pieces of a .vtp file.
 pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     let mut all = Vec::new();
-    each_piece(bytes, |_, _, _, points| {
+    for_each_piece(bytes, |_, _, _, points| {
         all.extend(points);
         check_point_count(all.len())
     })?;
@@ -27,7 +27,7 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 /// The points and polygons of all pieces of a .vtp file. Strips and lines are left out: no known bone has any.
 pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
     let mut all = Surface::default();
-    each_piece(bytes, |tree, piece, coding, points| {
+    for_each_piece(bytes, |tree, piece, coding, points| {
         let start = all.points.len();
         all.points.extend(points);
         check_point_count(all.points.len())?;
@@ -51,10 +51,10 @@ fn no_points_fault() -> MeshFault {
     MeshFault::NotUnderstood("it has no <Points> in a <Piece> of <PolyData>".into())
 }
 
-/// Calls `take` with each piece of the file and the points of the piece.
-fn each_piece(
+/// Calls `use_piece` with each piece of the file and the points of the piece.
+fn for_each_piece(
     bytes: &[u8],
-    mut take: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<(), MeshFault>,
+    mut use_piece: impl FnMut(&Tree, ElementId, &Coding<'_>, Vec<[f64; 3]>) -> Result<(), MeshFault>,
 ) -> Result<(), MeshFault> {
     let (xml, appended) = split_appended_data(bytes);
     let tree = Tree::scan(xml).map_err(|error| xml_mesh_fault(&error.fault))?;
@@ -74,7 +74,7 @@ fn each_piece(
             let fault = format!("it has {} points where it says {count:?}", points.len());
             return Err(MeshFault::NotUnderstood(fault));
         }
-        take(&tree, piece, &coding, points)?;
+        use_piece(&tree, piece, &coding, points)?;
     }
     Ok(())
 }
@@ -113,7 +113,7 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
     }
     match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => triples(words(&text), "the points"),
-        ArrayContent::Bytes(bytes) => binary(&bytes, &attribute("type"), coding),
+        ArrayContent::Bytes(bytes) => decode_points(&bytes, &attribute("type"), coding),
     }
 }
 
@@ -199,7 +199,7 @@ impl<'b> Coding<'b> {
         if !self.appended_is_text {
             return self.unpacked(bytes);
         }
-        self.unpacked(&decoded(bytes.iter().copied().take_while(|&byte| byte != b'<'))?)
+        self.unpacked(&decode_base64(bytes.iter().copied().take_while(|&byte| byte != b'<'))?)
     }
 
     /// The bytes of an array without its header, decompressed if necessary.
@@ -260,7 +260,7 @@ fn inflate(packed: &[u8], size: usize, all: &mut Vec<u8>) -> Result<(), MeshFaul
 }
 
 /// Decodes base64. White space is skipped, and padding may stand at the end of each part.
-fn decoded(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
+fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
     let text: Vec<u8> = bytes.filter(|byte| !byte.is_ascii_whitespace()).collect();
     let broken = || MeshFault::NotUnderstood("its points are not valid base64".into());
     let mut all = Vec::new();
@@ -277,7 +277,7 @@ fn decoded(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> {
 }
 
 /// Decodes an array of points. `kind` is the number type that the array declares.
-pub(super) fn binary(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn decode_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
     let values: Vec<f64> = match kind {
         "Float32" => {
             let read = if coding.big_endian { f32::from_be_bytes } else { f32::from_le_bytes };

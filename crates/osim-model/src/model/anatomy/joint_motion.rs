@@ -143,7 +143,7 @@ impl JointMotion {
         let speed = |index: usize| speeds.speed_at(index);
         let [first, second, third] = [speed(0), speed(1), speed(2)];
         let at = self.placement(values);
-        let still = MovingPlacement::still(at);
+        let still = MovingPlacement::at_rest(at);
         match self {
             Self::Weld => still,
             Self::Pin => MovingPlacement { angular_velocity: DVec3::new(0.0, 0.0, first), ..still },
@@ -175,7 +175,7 @@ impl JointMotion {
                 MovingPlacement { angular_velocity, velocity_m_s: *radii_m * along, ..still }
             }
             Self::Spatial(axes) => {
-                let start = MovingPlacement::still(Placement::IDENTITY);
+                let start = MovingPlacement::at_rest(Placement::IDENTITY);
                 axes.iter().fold(start, |moving, axis| axis.applied_to_moving(moving, value, speed))
             }
         }

@@ -39,8 +39,9 @@ pub(crate) struct Connectee {
     pub legacy: bool,
 }
 
+/// What carries a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum Base {
+pub(crate) enum FrameBase {
     Ground,
     Body(ComponentId),
     /// The body is in a file that was not given. Possible only for sets in separate files.
@@ -245,14 +246,14 @@ impl Components {
     ///
     /// # Errors
     /// An offset frame has no parent, or its chain of parents returns to itself.
-    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Base, Fault> {
+    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<FrameBase, Fault> {
         let mut at = frame;
         for _ in 0..MOST_FRAMES_IN_CHAIN {
-            let Some(id) = at else { return Ok(Base::Ground) };
+            let Some(id) = at else { return Ok(FrameBase::Ground) };
             match self.tag(id) {
-                "Ground" => return Ok(Base::Ground),
-                "Body" if self.is_ground(id) => return Ok(Base::Ground),
-                "Body" => return Ok(Base::Body(id)),
+                "Ground" => return Ok(FrameBase::Ground),
+                "Body" if self.is_ground(id) => return Ok(FrameBase::Ground),
+                "Body" => return Ok(FrameBase::Body(id)),
                 _ => {}
             }
             let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {

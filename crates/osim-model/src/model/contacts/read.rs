@@ -2,7 +2,7 @@
 
 use foldhash::{HashSet, HashSetExt};
 
-use crate::model::components::{Base, ComponentId, Components, Connectee};
+use crate::model::components::{FrameBase, ComponentId, Components, Connectee};
 use crate::model::contacts::force::{
     Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
 };
@@ -14,9 +14,9 @@ use crate::xml::ElementId;
 use crate::xml::opensim_text::{self, is_disabled};
 
 /// The frame to which a contact geometry is attached.
-struct Attachment {
+struct GeometryFrame {
     path: String,
-    base: Base,
+    base: FrameBase,
     component: Option<ComponentId>,
 }
 
@@ -97,10 +97,10 @@ impl<'r> ContactReader<'r> {
         name: String,
         radius: Value,
         location_m: [f64; 3],
-        frame: Attachment,
+        frame: GeometryFrame,
         spelling: SphereSpelling,
     ) {
-        let Attachment { path: frame, base, component: frame_component } = frame;
+        let GeometryFrame { path: frame, base, component: frame_component } = frame;
         let document = self.components.doc(id);
         let location = document.tree().child(self.components.element(id), spelling.location_tag());
         let location_span = location.map(|element| {
@@ -108,8 +108,8 @@ impl<'r> ContactReader<'r> {
             if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
         });
         let body = match base {
-            Base::Body(body) => Some(self.components.name(body).into_owned()),
-            Base::Ground | Base::Unknown => None,
+            FrameBase::Body(body) => Some(self.components.name(body).into_owned()),
+            FrameBase::Ground | FrameBase::Unknown => None,
         };
         let element = self.components.element(id);
         self.spheres.push(Sphere {
@@ -134,7 +134,7 @@ impl<'r> ContactReader<'r> {
     }
 
     /// The frame to which a contact geometry is attached: its path and the body that carries it.
-    fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<Attachment, Fault> {
+    fn attachment(&mut self, id: ComponentId, socket: &str, legacy: &[&str]) -> Result<GeometryFrame, Fault> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
         };
@@ -142,7 +142,7 @@ impl<'r> ContactReader<'r> {
             // A geometry set that stands alone points into a model that may not have been read.
             let is_standalone_set = self.components.tag(self.components.tree.root_of(id)) != "Model";
             return if is_standalone_set {
-                Ok(Attachment { path: connectee.text, base: Base::Unknown, component: None })
+                Ok(GeometryFrame { path: connectee.text, base: FrameBase::Unknown, component: None })
             } else {
                 Err(self.components.unresolved(id, &connectee.text, "frame it is attached to"))
             };
@@ -152,7 +152,7 @@ impl<'r> ContactReader<'r> {
         }
         let path =
             found.component.map_or_else(|| "/ground".to_owned(), |object| self.components.tree.path(object));
-        Ok(Attachment { path, base: self.components.base(found.component)?, component: found.component })
+        Ok(GeometryFrame { path, base: self.components.base(found.component)?, component: found.component })
     }
 
     /// The contact geometry to which `text` of `force` refers. `socket` is the class that the geometry must have; `None` in a `<geometry>`
@@ -239,7 +239,7 @@ impl<'r> ContactReader<'r> {
         if self.components.connectee(id, "sphere_frame", &[]).is_some() {
             let sphere = self.add_sphere_inside(id)?;
             set.spheres.push(sphere);
-            let base = self.attachment(id, "half_space_frame", &[]).map_or(Base::Unknown, |plane| plane.base);
+            let base = self.attachment(id, "half_space_frame", &[]).map_or(FrameBase::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
             self.read_old_constant(&mut set, document, element);

@@ -142,7 +142,7 @@ fn patterns(pattern: &str) -> Vec<Pattern> {
 
 impl Given {
     /// Adds a file of a set or a model that belongs to the model.
-    pub(crate) fn beside(mut self, bytes: impl Into<Vec<u8>>) -> Self {
+    pub(crate) fn with_companion(mut self, bytes: impl Into<Vec<u8>>) -> Self {
         self.parts.push(bytes.into());
         self
     }
@@ -152,12 +152,12 @@ impl Given {
         self
     }
 
-    pub(crate) fn only(mut self, properties: &[Property]) -> Self {
+    pub(crate) fn changing_only(mut self, properties: &[Property]) -> Self {
         self.only = properties.to_vec();
         self
     }
 
-    pub(crate) fn keeping(mut self, properties: &[Property]) -> Self {
+    pub(crate) fn leaving(mut self, properties: &[Property]) -> Self {
         self.keep = properties.to_vec();
         self
     }

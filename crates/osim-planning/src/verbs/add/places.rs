@@ -70,7 +70,7 @@ impl Places {
         match self {
             Self::Table(table) => {
                 layout.contacts = table.contacts(model, numbers, &mut remarks)?;
-                answers.ask(table.question_about_place(model, &layout)).map_err(Fault::new)?;
+                answers.refuse_unconfirmed(table.question_about_place(model, &layout)).map_err(Fault::new)?;
             }
             Self::Feet(feet) => {
                 let radius_m = match feet.radius_m {
@@ -79,11 +79,11 @@ impl Places {
                 };
                 let soles = feet.soles((model, path), radius_m, (answers, files), &mut remarks)?;
                 for sole in &soles {
-                    answers.ask(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
-                    answers.ask(question_about_tilt(sole, model)).map_err(Fault::new)?;
+                    answers.refuse_unconfirmed(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
+                    answers.refuse_unconfirmed(question_about_tilt(sole, model)).map_err(Fault::new)?;
                     layout.contacts.extend(contacts_of_sole(sole, numbers)?);
                 }
-                answers.ask(question_about_unequal_feet(&soles, model)).map_err(Fault::new)?;
+                answers.refuse_unconfirmed(question_about_unequal_feet(&soles, model)).map_err(Fault::new)?;
                 remarks.extend(remarks_on_parts_of_feet(model, &soles));
             }
         }
@@ -214,7 +214,7 @@ impl FeetPlaces {
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
         answers
-            .ask(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
+            .refuse_unconfirmed(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
             .map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =

@@ -49,11 +49,11 @@ pub fn message(result: &CheckResult, code: FindingCode) -> String {
 /// The request that corrects the finding `code`, as a dictionary without the model; null if there is none.
 #[track_caller]
 pub fn remedy(result: &CheckResult, code: FindingCode) -> Value {
-    said(find(result, code).remedy.as_ref())
+    fields_of_remedy(find(result, code).remedy.as_ref())
 }
 
 /// The fields of a remedy, without the model that it changes; null without a remedy.
-pub fn said(remedy: Option<&Request>) -> Value {
+pub fn fields_of_remedy(remedy: Option<&Request>) -> Value {
     let Some(remedy) = remedy else { return Value::Null };
     let mut fields = remedy.to_map();
     fields.shift_remove("models");

@@ -3,7 +3,7 @@
 
 mod cases;
 mod damage;
-mod desk;
+mod folder_in_memory;
 mod named;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 
 use cases::{NAME, models, options};
 use damage::damages;
-use desk::{Desk, Ran, Said, wrong};
+use folder_in_memory::{FolderInMemory, CommandResult, FindingAndPlace, warnings_and_errors};
 
 /// Numbers of commands that were run, and of commands that had the right effect.
 #[derive(Default)]
@@ -69,7 +69,7 @@ fn commands(found: &CheckResult) -> Vec<Request> {
 
 /// Runs a command, compares the model before and after it, and returns the name of the new file.
 fn run_command(
-    desk: &mut Desk,
+    folder: &mut FolderInMemory,
     request: &Request,
     name: &str,
     counts: &mut Counts,
@@ -78,24 +78,24 @@ fn run_command(
     counts.remedies.0 += 1;
     let said = Value::Object(request.to_map()).to_string();
     let model = request.to_map()["models"][0].as_str().unwrap().to_owned();
-    let before = desk.check(Path::new(&model));
-    let ran = match desk.run(request) {
+    let before = folder.check(Path::new(&model));
+    let ran = match folder.run(request) {
         Err(why) => {
             counts.fails(name, "refused", &format!("{said}: {why}"));
             return None;
         }
         Ok(ran) => ran,
     };
-    let different = differs_from_check(desk, request, &ran);
+    let different = differs_from_check(folder, request, &ran);
     let made = ran.output;
-    let (Some(before), Some(after)) = (before, desk.check(Path::new(&made))) else {
+    let (Some(before), Some(after)) = (before, folder.check(Path::new(&made))) else {
         counts.fails(name, "cannot be checked", &said);
         return Some(made);
     };
     let its = before.findings.iter().filter(|one| one.remedy.as_ref() == Some(request));
     let its: BTreeSet<_> =
         its.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect();
-    let (was, is) = (wrong(&before), wrong(&after));
+    let (was, is) = (warnings_and_errors(&before), warnings_and_errors(&after));
     let codes = |set: &BTreeSet<(FindingCode, Option<String>)>| -> BTreeSet<_> {
         set.iter().map(|(code, _)| *code).collect()
     };
@@ -118,7 +118,7 @@ fn run_command(
         held = false;
     }
     let pairs =
-        verbs.into_iter().flat_map(|kg| desk.verbs(&model, kg).into_iter().zip(desk.verbs(&made, kg)));
+        verbs.into_iter().flat_map(|kg| folder.run_each_verb(&model, kg).into_iter().zip(folder.run_each_verb(&made, kg)));
     for ((call, then), (_, now)) in pairs {
         let worse = match (&then, &now) {
             (_, Err(why)) if why == "nothing to change" => None,
@@ -145,11 +145,11 @@ fn run_command(
 
 /// A finding about the new model that only the run has, or only `check RESULT --mass M`, where M is the mass that the run scaled to. A run
 /// for some forces, and a check with options of its own, are not compared: each judges something else.
-fn differs_from_check(desk: &Desk, request: &Request, ran: &Ran) -> Option<String> {
+fn differs_from_check(folder: &FolderInMemory, request: &Request, ran: &CommandResult) -> Option<String> {
     let said =
-        ran.said.as_ref().filter(|_| !desk.has_options() && !request.to_map().contains_key("select"))?;
-    let found = desk.check_at_mass(Path::new(&ran.output), ran.target_kg)?;
-    let found: BTreeSet<Said> =
+        ran.said.as_ref().filter(|_| !folder.has_options() && !request.to_map().contains_key("select"))?;
+    let found = folder.check_at_mass(Path::new(&ran.output), ran.target_kg)?;
+    let found: BTreeSet<FindingAndPlace> =
         found.findings.iter().map(|one| (one.code(), one.severity, one.place.clone())).collect();
     let of_models = |code: FindingCode| {
         rules::with_code(|one| one == code).all(|rule| !matches!(rule.repair, Repair::OnlyInChange(_)))
@@ -165,8 +165,8 @@ fn differs_from_check(desk: &Desk, request: &Request, ran: &Ran) -> Option<Strin
 fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &mut Counts) {
     let Ok(model) = Model::parse(text) else { return };
     let kg = MassRequest::default().model_mass(&model).map_or(60.0, |mass| mass.kg);
-    let mut desk = Desk::of(text, given);
-    let Some(found) = desk.check(Path::new(NAME)) else { return };
+    let mut folder = FolderInMemory::of(text, given);
+    let Some(found) = folder.check(Path::new(NAME)) else { return };
     counts.models += 1;
     let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     counts.findings.0 += bad.clone().count();
@@ -179,7 +179,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     }
     counts.proposed.extend(found.findings.iter().filter(|one| one.remedy.is_some()).map(|one| one.code()));
     let all = commands(&found);
-    try_commands_in_texts(name, &found, &desk, kg, counts);
+    try_commands_in_texts(name, &found, &folder, kg, counts);
     if all.is_empty() {
         return;
     }
@@ -188,7 +188,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     let mut last = None;
     let mut names = BTreeSet::new();
     for request in &all {
-        if let Some(made) = run_command(&mut desk, request, name, counts, with_verbs.then_some(kg)) {
+        if let Some(made) = run_command(&mut folder, request, name, counts, with_verbs.then_some(kg)) {
             names.insert(made.clone());
             last = Some(made);
         }
@@ -196,7 +196,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     if names.len() < all.len() {
         *counts.causes.entry("chain: a step is missing".to_owned()).or_default() += 1;
     }
-    let left = last.and_then(|last| desk.check(Path::new(&last)));
+    let left = last.and_then(|last| folder.check(Path::new(&last)));
     let settled = left.as_ref().is_some_and(|left| commands(left).is_empty());
     if !settled {
         counts.fails(
@@ -227,7 +227,7 @@ impl Dialect for Calls {
 }
 
 /// Runs the commands in the texts of the findings of a model. Placeholders get suitable numbers, `kg` for a mass.
-fn try_commands_in_texts(name: &str, found: &CheckResult, desk: &Desk, kg: f64, counts: &mut Counts) {
+fn try_commands_in_texts(name: &str, found: &CheckResult, folder: &FolderInMemory, kg: f64, counts: &mut Counts) {
     for finding in &found.findings {
         let calls = Calls::default();
         for text in [&finding.message, &finding.advice] {
@@ -236,8 +236,8 @@ fn try_commands_in_texts(name: &str, found: &CheckResult, desk: &Desk, kg: f64, 
         for call in calls.0.into_inner() {
             let Some(request) = filled(&call, kg) else { continue };
             counts.prose.0 += 1;
-            let mut desk = desk.clone();
-            let ran = desk.run(&request).ok().and_then(|ran| desk.check(Path::new(&ran.output)));
+            let mut folder = folder.clone();
+            let ran = folder.run(&request).ok().and_then(|ran| folder.check(Path::new(&ran.output)));
             let gone = ran.is_some_and(|left| left.findings.iter().all(|one| one.code() != finding.code()));
             counts.prose.1 += usize::from(gone);
             if !gone {

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::cases::{NAME, models};
 use super::damage::damages;
-use super::desk::Desk;
+use super::folder_in_memory::FolderInMemory;
 
 /// For each damage, the codes that may be found. Damages that only some models can have wrongly are left out: three times the mass is right
 /// for contacts that were made for it.
@@ -52,7 +52,7 @@ fn is_foot(model: &Model) -> bool {
 }
 
 fn codes(text: &str) -> BTreeSet<FindingCode> {
-    let found = Desk::of(text, &json!({})).check(Path::new(NAME));
+    let found = FolderInMemory::of(text, &json!({})).check(Path::new(NAME));
     found
         .into_iter()
         .flat_map(|found| found.findings.iter().map(|one| one.code()).collect::<Vec<_>>())

@@ -60,12 +60,12 @@ fn below(folder: &Path) -> Vec<PathBuf> {
 }
 
 /// The files of the project, with some files replaced or added.
-pub struct Desk<'f> {
+pub struct ChangedFiles<'f> {
     pub files: &'f InMemory,
     pub own: BTreeMap<PathBuf, Vec<u8>>,
 }
 
-impl Files for Desk<'_> {
+impl Files for ChangedFiles<'_> {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
         self.own.get(path).map_or_else(|| self.files.read(path), |bytes| Ok(bytes.clone()))
     }

@@ -16,7 +16,7 @@ use osim_requests::Request;
 use serde_json::{Value, json};
 
 use add_calls::{AddCall, TABLE, add_calls, between};
-use documents::{Desk, Document, all_files, models};
+use documents::{ChangedFiles, Document, all_files, models};
 use forms::{bytes, forms, letters};
 
 /// Numbers of trials, and of trials in which the first file came back.
@@ -32,30 +32,30 @@ struct Counts {
 type Steps = (&'static str, Vec<Value>);
 
 /// The bytes of the model after a request; or the code and the message of the refusal.
-fn step(desk: &mut Desk<'_>, name: &str, bytes: &[u8], request: &Value) -> Result<Vec<u8>, (String, String)> {
-    desk.own.insert(name.into(), bytes.to_vec());
+fn step(files_with_changes: &mut ChangedFiles<'_>, name: &str, bytes: &[u8], request: &Value) -> Result<Vec<u8>, (String, String)> {
+    files_with_changes.own.insert(name.into(), bytes.to_vec());
     let other = |error: String| ("other".to_owned(), error);
     let request =
         Request::from_json(request.to_string().as_bytes()).map_err(|fault| other(format!("{fault:?}")))?;
-    let change = prepare(request, &*desk).map_err(|fault| other(format!("{fault:?}")))?;
+    let change = prepare(request, &*files_with_changes).map_err(|fault| other(format!("{fault:?}")))?;
     let failed = |failure: osim_model::files::Failure| (failure.code.to_owned(), failure.message.to_string());
-    let opened = change.open(Path::new(name), &*desk).map_err(failed)?;
-    let plan = change.plan(&opened, &*desk).map_err(failed)?;
+    let opened = change.open(Path::new(name), &*files_with_changes).map_err(failed)?;
+    let plan = change.plan(&opened, &*files_with_changes).map_err(failed)?;
     plan.patched(&opened.model, FileId::MAIN).map_err(|fault| (fault.code().to_owned(), fault.to_string()))
 }
 
 /// Adds contacts by one call, applies the requests in between, removes the contacts, and compares the bytes.
 fn try_one(
-    desk: &mut Desk<'_>,
+    files_with_changes: &mut ChangedFiles<'_>,
     what: &str,
     first: &Document,
     call: &AddCall,
     steps: &[Value],
     counts: &mut Counts,
 ) {
-    desk.own.insert(TABLE.into(), call.table.clone().into_bytes());
+    files_with_changes.own.insert(TABLE.into(), call.table.clone().into_bytes());
     let name = &first.name;
-    let mut now = match step(desk, name, &first.bytes, &call.request) {
+    let mut now = match step(files_with_changes, name, &first.bytes, &call.request) {
         Ok(added) => added,
         Err((code, why)) => {
             let why = if std::env::var_os("TAKEN_BACK_REASONS").is_some() {
@@ -69,7 +69,7 @@ fn try_one(
     };
     for request in steps {
         // What makes no sense for these contacts, such as their own class, changes nothing.
-        if let Ok(next) = step(desk, name, &now, request) {
+        if let Ok(next) = step(files_with_changes, name, &now, request) {
             now = next;
         }
     }
@@ -78,7 +78,7 @@ fn try_one(
         counts.back += 1;
         return;
     }
-    match step(desk, name, &now, &json!({"verb": "remove", "models": [name]})) {
+    match step(files_with_changes, name, &now, &json!({"verb": "remove", "models": [name]})) {
         Ok(back) if back == first.bytes => counts.back += 1,
         Ok(back) => counts.failures.push(format!("{what}: differs: {}", difference(&first.bytes, &back))),
         Err((code, why)) => counts.failures.push(format!("{what}: refused: {code}: {why}")),
@@ -96,10 +96,10 @@ fn difference(expected: &[u8], seen: &[u8]) -> String {
 }
 
 /// The model itself if it has no contacts, else the model after its contacts were removed.
-fn without_contacts(desk: &mut Desk<'_>, document: &Document) -> Option<Document> {
+fn without_contacts(files_with_changes: &mut ChangedFiles<'_>, document: &Document) -> Option<Document> {
     let name = &document.name;
     let select = json!({"verb": "remove", "models": [name], "select": ["*"]});
-    let bytes = match step(desk, name, &document.bytes, &select) {
+    let bytes = match step(files_with_changes, name, &document.bytes, &select) {
         Ok(bytes) => bytes,
         Err((code, _)) if code == "no-contacts" || code == "refused" => document.bytes.clone(),
         Err(_) => return None,
@@ -122,12 +122,12 @@ const MANY_FORMS: FormShare = FormShare { small: 1, large: 7 };
 fn try_all(files: &InMemory, documents: &[Document], share: FormShare, next: &AtomicUsize) -> Counts {
     let mut counts = Counts::default();
     let forms = forms();
-    let mut desk = Desk { files, own: BTreeMap::new() };
+    let mut files_with_changes = ChangedFiles { files, own: BTreeMap::new() };
     loop {
         let at = next.fetch_add(1, Ordering::Relaxed);
         let Some(document) = documents.get(at) else { return counts };
-        desk.own.clear();
-        let own = [Some(document.clone()), without_contacts(&mut desk, document)];
+        files_with_changes.own.clear();
+        let own = [Some(document.clone()), without_contacts(&mut files_with_changes, document)];
         for (which, own) in own.into_iter().flatten().enumerate() {
             let one_in = if own.bytes.len() > 100_000 { share.large } else { share.small };
             for (number, (form, write)) in forms.iter().enumerate() {
@@ -141,7 +141,7 @@ fn try_all(files: &InMemory, documents: &[Document], share: FormShare, next: &At
                 let calls = add_calls(&first.name, &model);
                 let Some((call, steps)) = call_of_turn(&calls, &first.name, turn) else { continue };
                 let what = format!("{} [{form}] {}, {}", first.name, call.name, steps.0);
-                try_one(&mut desk, &what, &first, call, &steps.1, &mut counts);
+                try_one(&mut files_with_changes, &what, &first, call, &steps.1, &mut counts);
             }
         }
     }

@@ -11,7 +11,7 @@ use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{options, table};
 
 /// The whole explanation of one topic as text, in lines of at most `width` columns.
-pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
+pub fn text(topic: Topic, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
     match topic {
         Topic::Equation(equation) => equation_text(equation, dialect, letters, width),
         Topic::Quantity(quantity) => quantity_text(quantity, dialect, letters, width),
@@ -20,12 +20,12 @@ pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Letters, width: usize)
     }
 }
 
-fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
-    let spelled = |template: &'static str| letters.spelled(&Phrase::template(template).spelled(dialect));
+fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
+    let spelled = |template: &'static str| letters.convert(&Phrase::template(template).spelled(dialect));
     let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
         let variant = if form.variant.is_empty() { String::new() } else { format!("    ({})", form.variant) };
-        text.push_str(&letters.spelled(&format!("    {}{variant}\n", form.formula)));
+        text.push_str(&letters.convert(&format!("    {}{variant}\n", form.formula)));
     }
     let mut symbols = table(&["symbol", "meaning", "unit"]);
     for symbol in equation.symbols {
@@ -41,7 +41,7 @@ fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Letters, w
     text
 }
 
-fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
+fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
     let mut parts =
         vec![("What:  ", quantity.what().spelled(dialect)), ("Unit:  ", quantity.unit_in_words().to_owned())];
     if !quantity.symbols.is_empty() {
@@ -53,7 +53,7 @@ fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Lette
     parts.extend(quantity.limit.clone().map(|limit| ("Limit: ", limit)));
     parts.push(("Trap:  ", quantity.trap().spelled(dialect)));
     let body: String =
-        parts.into_iter().map(|(label, body)| paragraph(label, &letters.spelled(&body), width)).collect();
+        parts.into_iter().map(|(label, body)| paragraph(label, &letters.convert(&body), width)).collect();
     format!("{} (quantity)\n\n{body}", quantity.name)
 }
 
@@ -74,7 +74,7 @@ fn error_text(error: &ErrorCode, dialect: &dyn Dialect, width: usize) -> String 
 }
 
 /// A list of topics by kind, in lines of at most `width` columns.
-pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters, width: usize) -> String {
+pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
     let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
         table(&["quantity", "what it is"]),
@@ -84,17 +84,17 @@ pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Letters, width: us
     for topic in topics {
         match topic {
             Topic::Equation(equation) => {
-                equations.add_row(vec![reference(equation.label), letters.spelled(equation.title)]);
+                equations.add_row(vec![reference(equation.label), letters.convert(equation.title)]);
             }
             Topic::Quantity(quantity) => {
-                let what = letters.spelled(&quantity.what().spelled(dialect));
+                let what = letters.convert(&quantity.what().spelled(dialect));
                 quantities.add_row(vec![quantity.name.to_owned(), what]);
             }
             Topic::Finding(rule) => {
                 findings.add_row(vec![rule.code.as_str().to_owned(), rule.what().spelled(dialect)]);
             }
             Topic::Error(error) => {
-                let means = letters.spelled(&error.means().spelled(dialect));
+                let means = letters.convert(&error.means().spelled(dialect));
                 errors.add_row(vec![error.code.to_owned(), means]);
             }
         }
@@ -118,16 +118,16 @@ fn paragraph(label: &str, body: &str, width: usize) -> String {
 
 /// Whether a text may have letters outside ASCII.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Letters {
+pub enum CharacterSet {
     #[default]
     Unicode,
     /// Only ASCII, for old consoles: `alpha`, `sqrt(R)`.
     Ascii,
 }
 
-impl Letters {
+impl CharacterSet {
     /// The `text` in these letters. This has to be done before lines are broken, because the spellings differ in length.
-    pub(super) fn spelled(self, text: &str) -> String {
+    pub(super) fn convert(self, text: &str) -> String {
         match self {
             Self::Unicode => text.to_owned(),
             Self::Ascii => ascii(text),

@@ -13,6 +13,7 @@ use osim_planning::{ComparedDrop, DropColumn, DropFigure, DropResult, DropRow};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::fit::within_or_outside;
 use crate::report::layout::{WIDTH, table};
 
 /// Curves closer than this (in radii and body weights) differ only by rounding errors of the integration.
@@ -70,7 +71,6 @@ fn rows(drop: &DropResult, columns: Option<usize>) -> String {
 
 /// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.
 fn limits_in_words(drop: &DropResult) -> String {
-    let word = |within: bool| if within { "within" } else { "outside" };
     let admits = |figure: DropFigure| {
         let limit = figure.info().limit?;
         Some((figure.value(drop).is_some_and(|value| limit.admits(value)), limit.in_words()))
@@ -79,14 +79,14 @@ fn limits_in_words(drop: &DropResult) -> String {
     if let Some((within, limit)) = admits(DropFigure::IndentationHertz) {
         text.push_str(&format!(
             "\nindentation/radius at rest, by (11), is {} the limit of the Hertz law ({limit})\n",
-            word(within)
+            within_or_outside(within)
         ));
     }
     let restitution = admits(DropFigure::RestitutionApproximate).zip(DropFigure::ImpactSpeed.value(drop));
     if let Some(((within, limit), speed)) = restitution {
         text.push_str(&format!(
             "restitution by (13) is {} the limit of the Hunt-Crossley law ({limit})\n",
-            word(within)
+            within_or_outside(within)
         ));
         if DropFigure::RestitutionApproximate.value(drop).is_none() {
             text.push_str(&format!(

@@ -30,7 +30,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize
     text.push_str(&format!(
         "largest indentation/radius {:.4}: {} the limit of the Hertz law ({})\n",
         fit.largest_relative_indentation,
-        word(fit.within_hertz_limit),
+        within_or_outside(fit.within_hertz_limit),
         limits::INDENTATION.in_words()
     ));
     if fit.largest_relative_indentation > 1.0 {
@@ -40,7 +40,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize
     }
     text.push_str(&restitution(fit));
     for doubt in &fit.doubts {
-        text.push_str(&format!("warning: {} [{}]\n", in_words(doubt), doubt.code()));
+        text.push_str(&format!("warning: {} [{}]\n", doubt_in_words(doubt), doubt.code()));
     }
     if fit.dissipation.is_some_and(|dissipation| dissipation.value < 0.0) {
         text.push_str(
@@ -51,7 +51,7 @@ pub fn fit_text(result: &FitResult, dialect: &dyn Dialect, columns: Option<usize
 }
 
 /// A reason to doubt a fit, in words.
-pub(super) fn in_words(doubt: &Doubt) -> String {
+pub(super) fn doubt_in_words(doubt: &Doubt) -> String {
     match doubt {
         Doubt::LowRSquared { r_squared } => format!(
             "the law explains only {:.0} % of what the force does: look at the residuals before you use these values",
@@ -69,12 +69,12 @@ pub(super) fn in_words(doubt: &Doubt) -> String {
     }
 }
 
-/// A bound of a confidence interval, in words; the bound may be unknown.
-fn bound(value: f64) -> String {
+/// An end of a confidence interval, in words; it may be unknown.
+fn interval_end(value: f64) -> String {
     if value.is_nan() { "not known".to_owned() } else { four_significant(value) }
 }
 
-fn word(within: bool) -> &'static str {
+pub(super) fn within_or_outside(within: bool) -> &'static str {
     if within { "within" } else { "outside" }
 }
 
@@ -82,7 +82,7 @@ fn parameters(fit: &Fit, columns: Option<usize>) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
         let cells =
-            [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
+            [name, &four_significant(value.value), &interval_end(value.low), &interval_end(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");
@@ -102,7 +102,7 @@ fn restitution(fit: &Fit) -> String {
         (Some(restitution), Some(within), Some(speed)) => format!(
             "restitution by (13) at the largest speed ({} m/s) {restitution:.4}: {} the limit of the Hunt-Crossley law ({})\n",
             four_significant(speed),
-            word(within),
+            within_or_outside(within),
             limits::RESTITUTION.in_words()
         ),
         (None, Some(_), Some(speed)) => format!(
@@ -224,7 +224,7 @@ fn name(parameter: &Parameter) -> &'static str {
 }
 
 fn warning(doubt: &Doubt) -> FitWarningRecord {
-    FitWarningRecord { code: doubt.code(), message: in_words(doubt) }
+    FitWarningRecord { code: doubt.code(), message: doubt_in_words(doubt) }
 }
 
 impl From<&FitResult> for FitRecord {

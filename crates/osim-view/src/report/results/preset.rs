@@ -218,17 +218,17 @@ impl SweepRecord {
     }
 
     /// Adds the number of points, and the file of the point that the request names.
-    pub fn of_points(self, points: usize, file: Option<String>) -> Self {
+    pub fn with_points(self, points: usize, file: Option<String>) -> Self {
         Self { points, file, ..self }
     }
 
     /// Adds the number of models that were made, and of models that could not be made.
-    pub fn counted(self, models: usize, failed: usize) -> Self {
+    pub fn with_counts(self, models: usize, failed: usize) -> Self {
         Self { models, failed, ..self }
     }
 
     /// Adds the number of its models that an earlier sweep had made.
-    pub fn of_which_before(self, done_before: usize) -> Self {
+    pub fn with_done_before(self, done_before: usize) -> Self {
         Self { done_before, ..self }
     }
 }

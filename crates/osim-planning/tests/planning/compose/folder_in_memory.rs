@@ -15,28 +15,28 @@ use serde_json::{Value, json};
 use super::cases::NAME;
 
 /// A finding as its code, its severity and its place.
-pub type Said = (FindingCode, Severity, Option<String>);
+pub type FindingAndPlace = (FindingCode, Severity, Option<String>);
 
 /// A command that was run.
-pub struct Ran {
+pub struct CommandResult {
     /// The name of the new file.
     pub output: String,
     /// The codes of the warnings and errors.
     pub warned: BTreeSet<&'static str>,
     /// All findings; `None` if no note is written, so that only the run knows what the contacts are made for.
-    pub said: Option<BTreeSet<Said>>,
+    pub said: Option<BTreeSet<FindingAndPlace>>,
     /// The mass for which the contacts were scaled.
     pub target_kg: Option<f64>,
 }
 
 /// Files in memory, and the options with which they are checked.
 #[derive(Clone)]
-pub struct Desk {
+pub struct FolderInMemory {
     pub files: InMemory,
     options: Value,
 }
 
-impl Desk {
+impl FolderInMemory {
     pub fn of(text: &str, options: &Value) -> Self {
         Self { files: InMemory::from_iter([(NAME, text)]), options: options.clone() }
     }
@@ -73,7 +73,7 @@ impl Desk {
     }
 
     /// Runs a command as it is printed. No file is overwritten.
-    pub fn run(&mut self, request: &Request) -> Result<Ran, String> {
+    pub fn run(&mut self, request: &Request) -> Result<CommandResult, String> {
         // As somebody who copies the text.
         let request =
             Request::from_json(request.to_json().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
@@ -92,7 +92,7 @@ impl Desk {
         if plan.is_empty() {
             return Err("nothing to change".to_owned());
         }
-        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::beside(model));
+        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::result_beside(model));
         let bytes =
             plan.patched(&opened.model, osim_model::FileId::MAIN).map_err(|fault| fault.to_string())?;
         if self.files.exists(&output) {
@@ -103,11 +103,11 @@ impl Desk {
         let said = plan.findings.iter().map(|one| (one.code(), one.severity, one.place.clone()));
         let said = plan.note().map(|_| said.collect());
         let masses = plan.masses.as_ref().filter(|_| change.verb == Verb::Rescale);
-        Ok(Ran { output: name, warned, said, target_kg: masses.map(|masses| masses.target_mass_kg) })
+        Ok(CommandResult { output: name, warned, said, target_kg: masses.map(|masses| masses.target_mass_kg) })
     }
 
     /// The result of each verb for a file: the codes of its warnings, or the reason why it is refused.
-    pub fn verbs(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
+    pub fn run_each_verb(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
         let calls = [
             json!({"verb": "rescale", "target_mass": kg * 1.3}),
             json!({"verb": "transfer", "from": "falisse2022"}),
@@ -139,7 +139,7 @@ impl Desk {
 }
 
 /// The findings that are at least warnings, as code and place. Findings about spheres have no place, because they are about all spheres.
-pub fn wrong(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
+pub fn warnings_and_errors(found: &CheckResult) -> BTreeSet<(FindingCode, Option<String>)> {
     let bad = found.findings.iter().filter(|one| one.severity >= Severity::Warning);
     bad.map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty()))).collect()
 }
