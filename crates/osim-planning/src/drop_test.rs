@@ -166,7 +166,7 @@ fn drop_of_model(
     // The body falls along the normal of its floor.
     let along_normal = gravity * weight_share_on_floor(model, &sharing.forces);
     let weight = Weight { mass_kg: mass.kg, gravity_m_s2: along_normal, sphere_count: count };
-    let prepared_drop = prepared_drop(request, open.name(), spheres, &weight)
+    let prepared_drop = prepare_drop(request, open.name(), spheres, &weight)
         .map_err(|error| Fault::refused(error.to_string()))?;
     let stance = Stance { spheres: own.spheres, limbs: own.stance_limbs, ..Stance::default() };
     let origin = ContactsOrigin::find(model, &selected.forces, &masses, &stance).ok();
@@ -189,7 +189,7 @@ fn drop_of_preset(
     };
     let spheres = Law::of(&preset.contact, scale.radius_m()).and_then(|law| Spheres::new(law, count));
     let spheres = vec![spheres.map_err(domain_fault)?];
-    prepared_drop(request, &*preset.name, spheres, &weight).map_err(domain_fault)
+    prepare_drop(request, &*preset.name, spheres, &weight).map_err(domain_fault)
 }
 
 fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFault> {
@@ -216,7 +216,7 @@ fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFau
     let spheres = vec![law.and_then(|law| Spheres::new(law, count)).map_err(domain_fault)?];
     let gravity_m_s2 = numbers.gravity().unwrap_or(STANDARD_GRAVITY_M_S2);
     let weight = Weight { mass_kg: mass, gravity_m_s2, sphere_count: count };
-    prepared_drop(request, "the numbers given", spheres, &weight).map_err(domain_fault)
+    prepare_drop(request, "the numbers given", spheres, &weight).map_err(domain_fault)
 }
 
 /// The mass that falls, its gravity, and the number of spheres that share its weight.
@@ -226,7 +226,7 @@ struct Weight {
     sphere_count: f64,
 }
 
-fn prepared_drop(
+fn prepare_drop(
     request: &DropTestRequest,
     name: impl Into<FileName>,
     spheres: Vec<Spheres>,

@@ -296,7 +296,7 @@ fn a_left_frame_with_another_mirrored_axis_is_understood() {
         ((SPHERE, "toe_l"), "location"),
         (("PinJoint", "toes_l_joint"), "translation"),
     ] {
-        text = with_x_reversed_not_z(&text, object, property);
+        text = mirrored_in_x_instead_of_z(&text, object, property);
     }
     assert_found(&text, &[]);
 }
@@ -312,7 +312,7 @@ fn a_centre_of_mass_that_is_not_mirrored_turns_no_frame() {
 }
 
 /// The model `text` with the signs of x and z of a triple changed: it was mirrored in z, and is then mirrored in x.
-fn with_x_reversed_not_z(text: &str, object: (&str, &str), property: &str) -> String {
+fn mirrored_in_x_instead_of_z(text: &str, object: (&str, &str), property: &str) -> String {
     let own = text_of_element(text, object.0, object.1);
     let start = own.find(&format!("<{property}>")).unwrap() + property.len() + 2;
     let old = &own[start..start + own[start..].find('<').unwrap()];

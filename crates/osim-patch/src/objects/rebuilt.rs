@@ -74,7 +74,7 @@ impl RebuiltModel {
         Self { model, objects, made, added, earlier_note: EarlierNote::Replaced }
     }
 
-    pub fn following(mut self, first: &Self) -> Self {
+    pub fn with_earlier_step(mut self, first: &Self) -> Self {
         self.objects.splice(0..0, first.objects.iter().cloned());
         // The earlier note still is about some contacts, so the new one replaces it.
         if first.earlier_note != EarlierNote::TakenOut {

@@ -124,7 +124,7 @@ fn contacts_removed_since_the_note_are_counted() {
     assert_eq!(model.doubt_about_note(), Some(NoteDoubt::ValuesChanged));
 }
 
-/// If two forces exchange their numbers, no number is new, but the note does not match.
+/// After the user exchanged the numbers of two forces, each number is one that the note knows, but not the number of its force.
 #[test]
 fn numbers_exchanged_between_forces_are_detected() {
     let plain = String::from_utf8(fixture(SMOOTH)).unwrap();

@@ -92,7 +92,7 @@ impl AddPlanner {
         plan.remarks.extend(remark_on_leaning_planes(base, &rebuilt));
         plan.remarks.extend(removed.and_then(|forces| remark_on_other_planes(model, &forces, &rebuilt)));
         let mut plan = plan.attach_to(match &bare {
-            Some(bare) => rebuilt.clone().following(bare),
+            Some(bare) => rebuilt.clone().with_earlier_step(bare),
             None => rebuilt.clone(),
         });
         if self.level {
