@@ -3,7 +3,7 @@
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit};
 use osim_requests::RequestError;
 use osim_requests::spell::CommandLine;
-use osim_view::report::explain::{CharacterSet, answer};
+use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::json::{FailureRecord, line};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
@@ -127,12 +127,12 @@ fn explain_equals_the_command() {
         ("explain 10 --format json", json!({"verb": "explain", "topics": "10", "format": "json"})),
     ] {
         let request = request!(Explain, json);
-        let text = answer(&request, CharacterSet::Unicode, &CommandLine, WIDTH).unwrap();
+        let text = answer(&request, Alphabet::Unicode, &CommandLine, WIDTH).unwrap();
         assert_eq!(text, dir.run(words).succeeded().out(), "{words}");
     }
     let unknown = answer(
         &request!(Explain, {"verb": "explain", "topics": "flots"}),
-        CharacterSet::Unicode,
+        Alphabet::Unicode,
         &CommandLine,
         WIDTH,
     );

@@ -120,7 +120,7 @@ pub(crate) fn verb_names() -> impl Iterator<Item = &'static str> {
 /// The parser for the verb that the `first` argument names, or for a call without a verb. It knows neither `--help` nor `-h`.
 pub(crate) fn bare_command(first: Option<&str>) -> Command {
     let command = command_without_verbs().disable_help_flag(true);
-    match first.and_then(Verb::named) {
+    match first.and_then(Verb::find) {
         Some(verb) => {
             let verb = with_options(Command::new(verb.name()).disable_help_flag(true), verb);
             command.subcommand(with_quiet(verb))
@@ -206,7 +206,7 @@ pub(crate) fn typed_call(matches: &ArgMatches) -> Result<Result<Call, RequestFau
     let is_file = Path::exists;
     Ok(match matches.subcommand() {
         None => read(Verb::Rescale, matches, is_file).map(Call::WithoutVerb),
-        Some((name, typed)) => match Verb::from_name(name) {
+        Some((name, typed)) => match Verb::find(name) {
             Some(verb) => read(verb, typed, is_file).and_then(with_models).map(Call::Request),
             None => Ok(Call::Own(OwnVerb::from_arg_matches(matches)?)),
         },
@@ -308,7 +308,7 @@ fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
     let line = |verb: &str| {
         let about = command.find_subcommand(verb).and_then(Command::get_about);
         let about = about.map(ToString::to_string).unwrap_or_default();
-        broken(&format!("  {verb:<11}  {about}\n"), width)
+        break_long_lines(&format!("  {verb:<11}  {about}\n"), width)
     };
     let groups = VerbGroup::ALL.map(|group| {
         let lines: String = verbs_of(group).map(line).collect();

@@ -127,7 +127,7 @@ mod tests {
     /// Stops of whole runs are tested in `tests/library/interrupted.rs`.
     #[test]
     fn ctrl_c_asks_the_run_to_stop() {
-        super::listen();
+        super::listen_for_stop_signals();
         assert!(!super::stop_is_requested());
         signal_hook::low_level::raise(super::consts::SIGINT).unwrap();
         assert!(super::stop_is_requested());

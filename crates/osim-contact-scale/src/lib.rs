@@ -20,7 +20,7 @@ use osim_requests::{PlotKind, RequestFault};
 use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
 use crate::session::{Session, WORDS};
-use crate::suggestions::{suggested_call, suggested_axis, suggested_figure};
+use crate::suggestions::{suggest, suggested_axis, suggested_figure};
 use crate::terminal::Terminal;
 
 /// Runs the command with the arguments of the command line.
@@ -90,7 +90,7 @@ fn suggestion_for_call() -> Option<String> {
     let after_kind = after_verb + usize::from(is_plot && words.get(1).is_some_and(is_kind));
     let words = words.get(after_kind..)?;
     let plain = words.iter().position(is_option).unwrap_or(words.len());
-    suggested_call(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
+    suggest(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
 }
 
 /// Prints help and version on standard output; prints all other errors of clap as one line on standard error.

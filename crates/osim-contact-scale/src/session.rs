@@ -34,7 +34,7 @@ impl Session {
     }
 
     /// Reports a failure on standard error; with `json`, also as a record on standard output.
-    pub(crate) fn report_failure(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
+    pub(crate) fn report(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
         }
@@ -44,10 +44,10 @@ impl Session {
 
     /// The error of a request that cannot be done, because of wrong usage or of a file that it needs. What is wrong with a file is
     /// reported at once, and the error has no text any more.
-    pub(crate) fn request_error(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
+    pub(crate) fn refuse(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
         match error.into() {
             RequestError::Fault(fault) => self.usage_error(&fault),
-            RequestError::Failure(failure) => match self.report_failure(&failure, json) {
+            RequestError::Failure(failure) => match self.report(&failure, json) {
                 Ok(exit) => ExitError { text: String::new(), exit }.into(),
                 Err(error) => error,
             },
@@ -60,7 +60,7 @@ impl Session {
     }
 
     /// Makes the error for refused files.
-    pub(crate) fn refused(&self, fault: &LibraryFault) -> anyhow::Error {
+    pub(crate) fn file_error(&self, fault: &LibraryFault) -> anyhow::Error {
         ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause) }.into()
     }
 }
@@ -93,7 +93,7 @@ pub(super) fn end_page(page: Option<ReportPage>, session: &mut Session) -> Exit 
     match page.map_or(Ok(()), ReportPage::finish) {
         Ok(()) => Exit::Done,
         Err(fault) => {
-            let why = session.library_error(&fault);
+            let why = session.file_error(&fault);
             session.terminal.error_line(&format!("the report: {why:#}"));
             Exit::Failed
         }

@@ -20,7 +20,7 @@ const VERBS_ELSEWHERE: [(&str, &str); 5] = [
 
 /// The message that suggests another call instead of `words` (the arguments beside the options); `None` if no call fits. With
 /// `may_be_mass`, a bare number can only be the target mass.
-pub(crate) fn suggested_call(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
+pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
     if let Some((_, text)) = VERBS_ELSEWHERE.iter().find(|(verb, _)| first.as_os_str() == *verb)

@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use osim_model::messages::{one_line, terminal_safe};
-use osim_view::report::layout::{WIDTH, broken};
+use osim_view::report::layout::{WIDTH, break_long_lines};
 use terminal_size::Width;
 
 /// Standard output and standard error of the command.

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use osim_model::messages::{Input, Phrase, phrase, readable};
 use osim_model::{
-    CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, Model, MissingFact,
-    NeedsConfirmation, Selection, implausible_mass, same_mass,
+    CountedSpheres, Fault, Finding, ForceId, Limb, Limbs, Mass, MassRequest, MassSource, MissingFact, Model,
+    Selection, Suspicion, implausible_mass, same_mass,
 };
 use osim_requests::options::{InspectionOptions, StanceOptions};
 use osim_requests::{Acceleration, Count, Positive};
@@ -256,7 +256,7 @@ pub fn unexplained_mass_slip(
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsConfirmation> {
+) -> Option<Suspicion> {
     find_unexplained_slip(masses.implausible_masses(model), masses, model, selection)
 }
 
@@ -266,16 +266,16 @@ pub fn masses_perhaps_in_pounds(
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsConfirmation> {
+) -> Option<Suspicion> {
     find_unexplained_slip(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
 fn find_unexplained_slip(
-    slips: Vec<NeedsConfirmation>,
+    slips: Vec<Suspicion>,
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
-) -> Option<NeedsConfirmation> {
+) -> Option<Suspicion> {
     if slips.is_empty() {
         return None;
     }
@@ -283,8 +283,8 @@ fn find_unexplained_slip(
         .apply(model)
         .ok()
         .and_then(|selected| KnownContacts::find(model, &selected.forces, None, masses.bodies_kg(model)));
-    let is_known = |doubt: &NeedsConfirmation| match doubt {
-        NeedsConfirmation::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
+    let is_known = |doubt: &Suspicion| match doubt {
+        Suspicion::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
         _ => false,
     };
     slips.into_iter().find(|doubt| !is_known(doubt))
@@ -316,7 +316,7 @@ mod tests {
     ) -> Option<MassMistake> {
         let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
         match unexplained_mass_slip(&masses, model, &Selection::default())? {
-            NeedsConfirmation::Mass { mistake, .. } => Some(mistake),
+            Suspicion::Mass { mistake, .. } => Some(mistake),
             _ => None,
         }
     }

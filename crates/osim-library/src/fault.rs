@@ -10,7 +10,7 @@ use osim_model::messages::{Dialect, Input, Phrase, phrase};
 #[derive(Debug, Clone, PartialEq)]
 pub struct LibraryFault {
     message: Phrase,
-    pub cause: Cause,
+    pub cause: FaultCause,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -21,7 +21,9 @@ mod write;
 pub use fault::{FaultCause, LibraryFault};
 pub use file_access::{reason, sha256};
 pub use paths::{folder_of, make_folder_of, resolved};
-pub use source::{Disk, LoadedModel, OrdinaryFiles, ModelOrigin, Source, Sources, SplitName, FileStamp, workbook_as_csv};
+pub use source::{
+    Disk, FileStamp, LoadedModel, ModelOrigin, OrdinaryFiles, Source, Sources, SplitName, workbook_as_csv,
+};
 pub use survey::{Survey, SurveyText, SurveyedModel};
 pub use sweep::{OtherModels, SameContacts, SweepEnd, SweepFrontEnd, SweepRun};
 pub use workers::work_in_order;

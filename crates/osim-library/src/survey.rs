@@ -174,8 +174,8 @@ impl Survey<'_> {
         folders: Option<&OutputFolders>,
         with_page: bool,
     ) -> Result<(SurveyedModel, Option<Entry>), Failure> {
-        let Loaded { files: kept, origin } =
-            Loaded::read_with_memory(source, &self.inspector.set_files, self.memory)?;
+        let LoadedModel { files: kept, origin } =
+            LoadedModel::read_with_memory(source, &self.inspector.set_files, self.memory)?;
         let fix = self.check.filter(|call| call.fix).map(|call| (call.output(), kept.with_bytes(Vec::new())));
         let opened = kept.open()?;
         let mut inspection = self.inspector.inspect(&opened)?;

@@ -3,7 +3,9 @@
 
 use contact_scaling::Ratios;
 use osim_model::messages::{Input, readable, shortest};
-use osim_model::{DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Slot, ValueKey};
+use osim_model::{
+    DissipationBy, Fault, FaultKind, FileId, GravityFor, MissingFact, Property, Slot, ValueKey,
+};
 
 /// A number that changes, in the unit of its [`Property`].
 ///

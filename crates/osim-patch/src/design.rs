@@ -7,8 +7,8 @@ use contact_scaling::{
 };
 use osim_model::messages::{Phrase, counted, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, Model, MissingFact, Note, Property, PropertySet,
-    RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
+    DissipationBy, Fault, Force, ForceKind, GravityFor, Mass, MissingFact, Model, Note, Property,
+    PropertySet, RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
 };
 
 use crate::builder::{NewValue, PlanBuilder, change_composite};

@@ -290,8 +290,8 @@ impl Plan {
         radii.find_map(|change| {
             let sphere = spheres.get(change.path.as_str())?;
             let said = change.by == ChangedBy::Given && change.factor.is_none();
-            let doubt = distances.implausible_radius(sphere, change.to, said)?;
-            Some(Fault::at(doubt, sphere.radius.offset).at_element(change.path.clone()).in_file(change.file()))
+            let odd = distances.implausible_radius(sphere, change.to, said)?;
+            Some(Fault::at(odd, sphere.radius.offset).at_element(change.path.clone()).in_file(change.file()))
         })
     }
 

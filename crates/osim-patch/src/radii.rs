@@ -5,8 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt, HashSet};
 use osim_model::compare::ScaleFile;
 use osim_model::{
-    Fault, Force, ForceId, LevelAxis, Model, MissingFact, Property, PropertySet, RadiusChangeReason, RadiusRule,
-    SphereId, moving_spheres, root_mean_square,
+    Fault, Force, ForceId, LevelAxis, MissingFact, Model, Property, PropertySet, RadiusChangeReason,
+    RadiusRule, SphereId, moving_spheres, root_mean_square,
 };
 
 use crate::builder::{NewValue, PlanBuilder};

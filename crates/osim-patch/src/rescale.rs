@@ -4,7 +4,7 @@ use contact_scaling::{RatioValues, Ratios};
 use osim_model::compare::ScaleFile;
 use osim_model::messages::{Input, Phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, Model, MissingFact, Property, PropertySet,
+    DissipationBy, Fault, ForceId, GravityFor, LevelAxis, Mass, MissingFact, Model, Property, PropertySet,
     RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
 };
 

@@ -3,7 +3,7 @@
 use foldhash::HashMap;
 use osim_model::messages::{Verb, phrase};
 use osim_model::{
-    Assignment, Fault, HalfSpace, Mass, Model, MissingFact, Property, RadiusChangeReason, Selected, SphereId,
+    Assignment, Fault, HalfSpace, Mass, MissingFact, Model, Property, RadiusChangeReason, Selected, SphereId,
     moving_spheres,
 };
 

@@ -12,7 +12,7 @@ use osim_inspect::{
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
-use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, Model, MissingFact};
+use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
 use self::FigureValue::{Always, Sometimes};
@@ -148,7 +148,7 @@ fn drop_of_model(
     let model = &open.model;
     let masses = MassRequest { model_kg: own.mass_kg, ..request.masses.request() };
     let slip = unexplained_mass_slip(&masses, model, &request.choice.selection());
-    request.answers.refuse_unconfirmed(slip).map_err(Fault::new)?;
+    request.answers.require_yes(slip).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.model_mass(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);

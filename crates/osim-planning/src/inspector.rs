@@ -178,8 +178,8 @@ impl Inspector {
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         if let Some(answers) = &self.answers {
             let options = &self.options;
-            let asked =
-                answers.refuse_unconfirmed(unexplained_mass_slip(&options.masses, &opened.model, &options.selection));
+            let slip = unexplained_mass_slip(&options.masses, &opened.model, &options.selection);
+            let asked = answers.require_yes(slip);
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;

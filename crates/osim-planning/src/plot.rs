@@ -139,7 +139,8 @@ fn plotted_body(
         Subject::Model(open) => {
             let given_masses = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
             let selection = request.choice.selection();
-            let asked = request.answers.refuse_unconfirmed(unexplained_mass_slip(&given_masses, &open.model, &selection));
+            let asked =
+                request.answers.require_yes(unexplained_mass_slip(&given_masses, &open.model, &selection));
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
             let failed = |fault| open.failure(fault);

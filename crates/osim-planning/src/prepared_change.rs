@@ -9,8 +9,8 @@ use osim_inspect::{
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
 use osim_model::{
-    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, Model, MissingFact, NeedsConfirmation, Property,
-    Question,
+    Assignment, Fault, FaultKind, FileId, Finding, MassRequest, MissingFact, Model, Property, Question,
+    Suspicion,
 };
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
@@ -163,27 +163,27 @@ impl PreparedChange {
     /// this model.
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let doubt = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
-        self.answers.refuse_unconfirmed(doubt).map_err(Fault::new)?;
+        self.answers.require_yes(doubt).map_err(Fault::new)?;
         let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
         if slip.is_some() && self.verb != Verb::Add {
             // No mass helps where there are no contacts.
             self.options.selection.apply(model)?;
         }
-        self.answers.refuse_unconfirmed(slip).map_err(Fault::new)
+        self.answers.require_yes(slip).map_err(Fault::new)
     }
 
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
         let perhaps_in_pounds_question =
             masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
-        let is_meant = self.answers.confirms(Question::MassInPounds);
+        let is_meant = self.answers.has(Question::MassInPounds);
         plan.remarks.extend(
             perhaps_in_pounds_question
                 .filter(|_| !is_meant)
                 .map(|perhaps_in_pounds_question| perhaps_in_pounds_question.doubt()),
         );
         match plan.implausible_radius(model) {
-            Some(fault) if !self.answers.confirms(Question::ImplausibleRadius) => Err(fault),
+            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
     }
@@ -226,14 +226,14 @@ impl PreparedChange {
 }
 
 /// The question whether a mass that was given for several models is right for this model, whose note has another mass.
-fn question_against_note(given: &MassRequest, model: &Model) -> Option<NeedsConfirmation> {
+fn question_against_note(given: &MassRequest, model: &Model) -> Option<Suspicion> {
     let (said_kg, noted_kg) = given.contacts_mass_kg.zip(given.disagreeing_note_kg(model))?;
     let text = phrase![
         "{} is for all models of this call, and the note in this one says {} kg: do this model in a call of its own, \
         or give each model its mass in a table ({})";
         Input::ContactsMass.with_value(readable(said_kg)), readable(noted_kg), Verb::Batch.call()
     ];
-    Some(NeedsConfirmation::Other { question: Question::AgainstNote, text })
+    Some(Suspicion::Other { question: Question::AgainstNote, text })
 }
 
 /// The file's name without its folders, for notes and messages.

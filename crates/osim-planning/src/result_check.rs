@@ -10,8 +10,8 @@ use osim_model::feet::{MOST_LEAN_RAD, PoseFault, Standing};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase};
 use osim_model::{
-    Fault, Finding, FindingCode, Limb, Model, NeedsConfirmation, Property, Question, Severity, Source,
-    is_at_target, same_mass,
+    Fault, Finding, FindingCode, Limb, Model, Property, Question, Severity, Source, Suspicion, is_at_target,
+    same_mass,
 };
 use osim_patch::{ChangedBy, Plan, StepDetails};
 use osim_requests::NoteDetails;
@@ -114,7 +114,7 @@ impl PreparedChange {
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
         let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
             || plan.restores_original()
-            || self.answers.confirms(Question::WrongAfterwards);
+            || self.answers.has(Question::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
         let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);
@@ -247,7 +247,7 @@ pub(crate) fn findings_without_remedies(
 }
 
 /// The question whether the caller wants a result with the fault `wrong`. `has_parted` says that the change moved bottoms of a foot apart.
-fn question_about(wrong: &Finding, has_parted: bool) -> NeedsConfirmation {
+fn question_about(wrong: &Finding, has_parted: bool) -> Suspicion {
     let advice = if has_parted {
         phrase![
             "Unlike radii change about centres that stay. Keep the lowest points where they are with {}, or the \
@@ -261,7 +261,7 @@ fn question_about(wrong: &Finding, has_parted: bool) -> NeedsConfirmation {
         "the model would be wrong afterwards [{}]: {}. {}";
         wrong.code().as_str(), &wrong.message, &advice
     ];
-    NeedsConfirmation::Other { question: Question::WrongAfterwards, text }
+    Suspicion::Other { question: Question::WrongAfterwards, text }
 }
 
 /// A finding about the new model for people who have only the old file. Its line is left out, because it is a line of the new file.
@@ -363,9 +363,9 @@ fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
 /// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
 fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let heights = |of: fn(&(&Bottom, &Bottom)) -> f64| bottoms.iter().map(of).collect::<Vec<f64>>();
-    let moved_m = largest_difference(&heights(|(was, is)| is.height_m - was.height_m));
+    let moved_m = range(&heights(|(was, is)| is.height_m - was.height_m));
     let (before_m, now_m) =
-        (largest_difference(&heights(|(was, _)| was.height_m)), largest_difference(&heights(|(_, is)| is.height_m)));
+        (range(&heights(|(was, _)| was.height_m)), range(&heights(|(_, is)| is.height_m)));
     let by_height = |a: &&Bottom, b: &&Bottom| a.height_m.total_cmp(&b.height_m);
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
@@ -376,7 +376,7 @@ fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
 }
 
-fn largest_difference(values: &[f64]) -> f64 {
+fn range(values: &[f64]) -> f64 {
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     most - least

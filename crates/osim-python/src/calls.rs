@@ -7,7 +7,7 @@ use osim_model::Property;
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_motion};
 use osim_requests::Request;
 use osim_requests::spell::Python as PythonWords;
-use osim_view::report::explain::{CharacterSet, answer};
+use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
 use osim_view::report::reproduce::{ReproductionRecord, fig1_text, reproduction_text};
@@ -126,7 +126,7 @@ pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(S
             let mut fields: Map<String, Value> = fields.clone();
             fields.extend(format.map(|format| ("format".to_owned(), format.into())));
             let request = request!(Explain, fields);
-            answer(&request, CharacterSet::Unicode, &PythonWords, WIDTH)
+            answer(&request, Alphabet::Unicode, &PythonWords, WIDTH)
                 .map_err(|unknown| Problem::general("RequestError", "usage", unknown.message(&PythonWords)))
         };
         Ok((explanation(None)?, explanation(Some("json"))?))

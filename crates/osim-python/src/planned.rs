@@ -88,9 +88,9 @@ impl Planned {
 }
 
 /// Reads the model at `path` from memory, or else from the disk.
-fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Loaded, Problem> {
+fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<LoadedModel, Problem> {
     Ok(match files.memory.get(path) {
-        Some(bytes) => Loaded::in_memory(path, bytes.clone(), &change.set_files, files)?,
+        Some(bytes) => LoadedModel::in_memory(path, bytes.clone(), &change.set_files, files)?,
         None if path.is_dir() => {
             let folder = path.display();
             let message = format!(
@@ -98,7 +98,7 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
             );
             return Err(Problem::general("RequestError", "usage", message));
         }
-        None => Loaded::read_with_memory(&Source::file(path), &change.set_files, &files.memory)?,
+        None => LoadedModel::read_with_memory(&Source::file(path), &change.set_files, &files.memory)?,
     })
 }
 

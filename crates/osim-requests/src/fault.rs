@@ -70,7 +70,7 @@ impl RequestFault {
 
 /// A field name as a phrase, which each front end spells in its own way.
 fn name_of_field(field: &str) -> Phrase {
-    match Input::from_name(field) {
+    match Input::find(field) {
         Some(input) => input.into(),
         None => format!("`{field}`").into(),
     }

@@ -26,7 +26,7 @@ fn read_back(line: &str) -> Request {
         words = words.iter().map(|word| word.replace(r"\n", "\n").replace(r"\t", "\t")).collect();
     }
     assert_eq!(words[0], "osim-contact-scale");
-    let verb = Verb::from_name(&words[1]).unwrap();
+    let verb = Verb::find(&words[1]).unwrap();
     let matches =
         parser(verb).try_get_matches_from(&words[1..]).unwrap_or_else(|error| panic!("{words:?}: {error}"));
     read(verb, &matches, |_| false).unwrap()

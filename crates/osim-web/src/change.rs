@@ -87,7 +87,8 @@ impl PlannedChange {
     ) -> Result<Self, Problem> {
         let (mut plan, changed) = change.plan_with_result(&opened.model, given_files)?;
         plan.spell(words);
-        let output = change.output.output.clone().unwrap_or_else(|| OutputOptions::result_beside(&opened.path));
+        let output =
+            change.output.output.clone().unwrap_or_else(|| OutputOptions::result_beside(&opened.path));
         let geometry = change.set_files.geometry.as_deref().map(|path| change.output.of_geometry(path));
         let model = &opened.model.model;
         let named = plan.files(model).zip(std::iter::once(output).chain(geometry));

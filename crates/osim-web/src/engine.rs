@@ -107,7 +107,7 @@ impl Engine {
             EngineQuestion::Look { model, fields, parts } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), &inspector.set_files)?;
-                ok_answer(look::look(&inspector, &opened, parts.as_deref(), &self.files)?)
+                ok_answer(look::inspect_for_page(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
             EngineQuestion::Bones { model, fields } => {
                 let inspector = look::inspector(&model, fields, &self.files)?;

@@ -3,7 +3,7 @@
 use osim_planning::{DesignSheet, design_sheet, find_presets};
 use osim_requests::Request;
 use osim_requests::spell::{CommandLine, Matlab, Page, Python, Speller};
-use osim_view::report::explain::{CharacterSet, answer};
+use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::results::{PresetRecord, design_sheet_text, preset_text};
 use serde::{Deserialize, Serialize};
@@ -49,7 +49,7 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
     let fields = [("verb", "explain"), ("topics", topic)];
     let fields: Fields = fields.map(|(name, value)| (name.to_owned(), value.into())).into_iter().collect();
     let Request::Explain(request) = Request::from_map(fields)? else { return Ok(String::new()) };
-    answer(&request, CharacterSet::Unicode, &Page, WIDTH)
+    answer(&request, Alphabet::Unicode, &Page, WIDTH)
         .map_err(|unknown| Problem::question(unknown.message(&Page)))
 }
 

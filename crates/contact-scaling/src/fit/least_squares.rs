@@ -35,14 +35,14 @@ impl FitModel {
     }
 
     /// K u^(3/2), the factor of E* in the force; u is the indentation from the onset.
-    pub(super) fn elastic_factor(&self, point: &Point, onset: f64) -> f64 {
+    pub(super) fn elastic(&self, point: &Point, onset: f64) -> f64 {
         let u = (point.indentation - onset).max(0.0);
         self.gain * (u * u.sqrt())
     }
 
     /// K 3/2 u^(3/2) ẋ, the factor of E* α in the force; u is the indentation from the onset.
-    pub(super) fn dissipative_factor(&self, point: &Point, onset: f64) -> f64 {
-        self.elastic_factor(point, onset) * (1.5 * point.speed)
+    pub(super) fn dissipative(&self, point: &Point, onset: f64) -> f64 {
+        self.elastic(point, onset) * (1.5 * point.speed)
     }
 
     /// Derivative of the force by the onset, ∂F/∂x₀ = −3/2 K √u (E* + E* α 3/2 ẋ).
@@ -52,13 +52,13 @@ impl FitModel {
     }
 
     pub(super) fn force(&self, p: &Parameters, point: &Point) -> f64 {
-        p.modulus * self.elastic_factor(point, p.onset) + p.modulus_dissipation * self.dissipative_factor(point, p.onset)
+        p.modulus * self.elastic(point, p.onset) + p.modulus_dissipation * self.dissipative(point, p.onset)
     }
 
     /// Derivatives of the force by each fitted parameter: E*, α, x₀.
     pub(super) fn gradient(&self, p: &Parameters, point: &Point) -> Vec<f64> {
         let alpha = p.dissipation();
-        let (elastic, dissipative) = (self.elastic_factor(point, p.onset), self.dissipative_factor(point, p.onset));
+        let (elastic, dissipative) = (self.elastic(point, p.onset), self.dissipative(point, p.onset));
         let mut row = vec![elastic + alpha * dissipative];
         row.extend(self.with_dissipation.then_some(p.modulus * dissipative));
         row.extend(self.with_onset.then(|| self.onset_slope(p, point)));
@@ -82,13 +82,13 @@ pub(super) fn solve_with_known_onset(
     if found < needed {
         return Err(FitError::TooFewPoints { found, needed });
     }
-    let (a, f): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (model.elastic_factor(p, onset), p.force)).unzip();
+    let (a, f): (Vec<f64>, Vec<f64>) = points.iter().map(|p| (model.elastic(p, onset), p.force)).unzip();
     let aa = dot(&a, &a);
     if !model.with_dissipation {
         return Ok(Parameters { modulus: dot(&a, &f) / aa, modulus_dissipation: 0.0, onset });
     }
     // Gram–Schmidt: c is what b has besides a.
-    let b: Vec<f64> = points.iter().map(|p| model.dissipative_factor(p, onset)).collect();
+    let b: Vec<f64> = points.iter().map(|p| model.dissipative(p, onset)).collect();
     let share = dot(&a, &b) / aa;
     let c: Vec<f64> = a.iter().zip(&b).map(|(a, b)| b - share * a).collect();
     let (bb, cc) = (dot(&b, &b), dot(&c, &c));
@@ -244,9 +244,9 @@ impl MPFitter for OnsetSearch<'_> {
                 let rate = if column == last {
                     self.model.onset_slope(&p, point) * self.length
                 } else if column == 0 {
-                    self.model.elastic_factor(point, p.onset) * self.modulus
+                    self.model.elastic(point, p.onset) * self.modulus
                 } else {
-                    self.model.dissipative_factor(point, p.onset) * self.modulus_dissipation
+                    self.model.dissipative(point, p.onset) * self.modulus_dissipation
                 };
                 *value = -rate / self.force;
             }

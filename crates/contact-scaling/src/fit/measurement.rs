@@ -263,7 +263,9 @@ mod tests {
     fn bad_columns_are_named_with_their_row() {
         let x = [0.0, 1.0, 2.0];
         let measure = |force_n, rate| {
-            collect(&Measurement { indentation_m: &x, force_n, rate }, FittedBranch::Both).unwrap_err().to_string()
+            collect(&Measurement { indentation_m: &x, force_n, rate }, FittedBranch::Both)
+                .unwrap_err()
+                .to_string()
         };
         assert_eq!(measure(&[1.0], Rate::Unknown), "force has 1 rows, expected 3 as indentation has");
         let nan = [1.0, f64::NAN, 1.0];

@@ -24,7 +24,7 @@ use crate::error::{at_least_one, finite, positive};
 use crate::{EQUAL_SURFACES, limits, restitution};
 use least_squares::{FitModel, Parameters};
 use measurement::Point;
-pub use measurement::{FittedBranch, FitError, FitValues, Measurement, Onset, Parameter, Rate};
+pub use measurement::{FitError, FitValues, FittedBranch, Measurement, Onset, Parameter, Rate};
 pub use result::{Doubt, Estimate, Fit};
 
 /// Indentations count as equal if they differ by less than this share of the largest distance from the onset.

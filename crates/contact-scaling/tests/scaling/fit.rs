@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 use contact_scaling::fit::{
-    FittedBranch, Doubt, Estimate, Fit, FitError, FitValues, Measurement, Onset, Parameter, Rate, fit,
+    Doubt, Estimate, Fit, FitError, FitValues, FittedBranch, Measurement, Onset, Parameter, Rate, fit,
 };
 use contact_scaling::{Hertz, HuntCrossley};
 
@@ -198,7 +198,8 @@ fn rates_from_times_give_the_same_fit() {
     let data = simulated_press(&law_of_the_press(), 0.0, 0.0, &mut RandomNumbers(1));
     let times: Vec<f64> = (0..80).map(|i| std::f64::consts::PI * f64::from(i) / 79.0 / 40.0).collect();
     let measurement = Measurement { indentation_m: &data.x, force_n: &data.f, rate: Rate::Time(&times) };
-    let values = FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: FittedBranch::Both };
+    let values =
+        FitValues { radius_m: 0.02, sphere_count: 2.0, onset: Onset::At(0.0), branch: FittedBranch::Both };
     let result = fit(&measurement, &values).unwrap();
     assert_close(result.composite_modulus.value, 3e5, 1e-4, "E*");
     assert_close(result.dissipation.unwrap().value, 0.8, 1e-3, "alpha");

@@ -14,7 +14,7 @@ use osim_requests::{
     ReproduceRequest, RequestError, SeriesFormat,
 };
 use osim_view::figures;
-use osim_view::report::explain::{CharacterSet, answer};
+use osim_view::report::explain::{Alphabet, answer};
 use osim_view::report::json::{FailureRecord, line};
 use osim_view::report::layout::WIDTH;
 use osim_view::report::messages::mass_mismatch;
@@ -51,7 +51,7 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
         bail!("{}", refusal_of_folder(&folder.display().to_string(), session));
     }
     let drop = run_drop_test(request, &Disk)
-        .map_err(|error| session.request_error(error, request.format == SeriesFormat::Json))?;
+        .map_err(|error| session.refuse(error, request.format == SeriesFormat::Json))?;
     let columns = session.terminal.columns();
     let text = match request.format {
         SeriesFormat::Json => line(&DropRecord::from(&drop)),
@@ -118,7 +118,7 @@ pub(crate) fn fit(request: &FitRequest, session: &mut Session) -> Result<Exit> {
 /// A file exists already, or the folder cannot be written.
 pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    let record = ReproductionRecord::new(session.words).map_err(|failure| session.request_error(failure, json))?;
+    let record = ReproductionRecord::new(session.words).map_err(|failure| session.refuse(failure, json))?;
     let mut written = String::new();
     if let Some(folder) = &request.output_dir {
         let files = output_files(folder, &record, json, session)?;
@@ -152,7 +152,7 @@ fn output_files(
         let request = PlotRequest { kind: Some(kind), ..PlotRequest::default() };
         let drawing = figures::draw(&request, &[], None);
         let svg = drawing.and_then(|drawing| figures::svg(&drawing, Paper::default(), &[]));
-        files.push((folder.join(name), svg.map_err(|failure| session.request_error(failure, json))?));
+        files.push((folder.join(name), svg.map_err(|failure| session.refuse(failure, json))?));
     }
     Ok(files)
 }
@@ -166,7 +166,7 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
             there.display()
         );
     }
-    let refused = |fault| session.library_error(&fault);
+    let refused = |fault| session.file_error(&fault);
     let mode = if force { WriteMode::Replace } else { WriteMode::New };
     for (path, _) in files {
         make_folder_of(path).map_err(refused)?;
@@ -182,7 +182,7 @@ fn write(files: &[(PathBuf, String)], force: bool, session: &Session) -> Result<
 /// The topic is neither an equation nor a code.
 pub(crate) fn explain(request: &ExplainRequest, session: &mut Session) -> Result<Exit> {
     let words = session.words;
-    let letters = if Terminal::shows_unicode() { CharacterSet::Unicode } else { CharacterSet::Ascii };
+    let letters = if Terminal::shows_unicode() { Alphabet::Unicode } else { Alphabet::Ascii };
     let width = session.terminal.columns().unwrap_or(WIDTH);
     let shown = answer(request, letters, words, width).map_err(|unknown| anyhow!(unknown.message(words)))?;
     session.terminal.print_as(&shown, request.format == Format::Json)?;

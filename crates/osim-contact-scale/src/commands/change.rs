@@ -23,7 +23,7 @@ use osim_view::report::plan;
 use crate::commands::survey;
 use crate::exit::{self, Exit};
 use crate::session::{Session, end_page, typed_command_line};
-use crate::suggestions::suggested_call;
+use crate::suggestions::suggest;
 use crate::terminal::Progress;
 
 /// Makes a prepared change in all models that it names.
@@ -33,7 +33,7 @@ use crate::terminal::Progress;
 pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut Session) -> Result<Exit> {
     let named = change.output.output.clone();
     let unusual = named.filter(|path| path.extension().is_none() && path.as_os_str() != "-");
-    let request = RunRequest::for_change(change, options).map_err(|fault| session.library_error(&fault))?;
+    let request = RunRequest::for_change(change, options).map_err(|fault| session.file_error(&fault))?;
     if let Some(path) = unusual {
         let folder = session.words.input(Input::OutputDir, None);
         let text = format!("the name of a model ends in .osim; to write into a folder, say {folder}");
@@ -48,7 +48,7 @@ pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut
 /// Wrong usage.
 pub(crate) fn change_models(request: Request, session: &mut Session) -> Result<Exit> {
     let options = request.run_options().cloned().unwrap_or_default();
-    let prepared = prepare(request, &Disk).map_err(|error| session.request_error(error, options.is_json()))?;
+    let prepared = prepare(request, &Disk).map_err(|error| session.refuse(error, options.is_json()))?;
     change(prepared, &options, session)
 }
 
@@ -64,7 +64,7 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
     }
     // If there is a file of that name, it is a model; a name that was split at its blanks is another failure.
     let is_odd = request.models.iter().any(|path| !Disk.exists(path) && path.as_os_str() != "-");
-    if is_odd && let Some(text) = suggested_call(&request.models, request.target_mass.is_none(), session.words) {
+    if is_odd && let Some(text) = suggest(&request.models, request.target_mass.is_none(), session.words) {
         bail!("{text} (see --help)");
     }
     if let Some(word) = request.models.iter().find(|path| !may_be_file(path, &Disk)).filter(|_| may_inspect) {
@@ -78,7 +78,7 @@ pub(crate) fn rescale(request: RescaleRequest, may_inspect: bool, session: &mut 
             Err(RequestError::Fault(fault)) if missing => {
                 bail!("{}{}", fault.spelled(session.words), session.words.see_also())
             }
-            Err(error) => Err(session.request_error(error, run.is_json())),
+            Err(error) => Err(session.refuse(error, run.is_json())),
         };
     }
     // A model alone, perhaps dropped on the program: show something useful.
@@ -114,23 +114,23 @@ const MOST_MODELS_IN_TABLES: usize = 10;
 /// # Errors
 /// Wrong usage: found before anything is written.
 pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
-    let mut run = Run::new(request, options).map_err(|fault| session.refused(&fault))?;
+    let mut run = Run::new(request, options).map_err(|fault| session.file_error(&fault))?;
     let tasks = run.request.tasks.len();
     let several = tasks + run.request.failures.len() > 1;
     let few = if tasks > MOST_MODELS_IN_TABLES { RunFormat::Lines } else { RunFormat::Table };
     let format = options.format.unwrap_or(few);
     let mut exit = Exit::Done;
     for failure in &run.request.failures {
-        let reported = session.fail(failure, format == RunFormat::Json);
-        exit = exit.and(reported.unwrap_or(Exit::Failed));
+        let reported = session.report(failure, format == RunFormat::Json);
+        exit = exit.plus(reported.unwrap_or(Exit::Failed));
     }
     for remark in &run.request.remarks {
         session.terminal.remark(remark)?;
     }
-    run.read_previous().map_err(|fault| session.refused(&fault))?;
-    let mut page = ReportPage::begin_for_run(&run, options, asked(), session.words)
-        .map_err(|fault| session.refused(&fault))?;
-    run.begin().map_err(|fault| session.refused(&fault))?;
+    run.read_previous().map_err(|fault| session.file_error(&fault))?;
+    let mut page = ReportPage::begin_for_run(&run, options, typed_command_line(), session.words)
+        .map_err(|fault| session.file_error(&fault))?;
+    run.begin().map_err(|fault| session.file_error(&fault))?;
     for kept in &run.kept_files {
         // Also with `--quiet`: these files are somebody's work.
         session.terminal.error(&format!("remark: {}\n", one_line(kept.clone())));
@@ -138,12 +138,12 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     let end = do_tasks(&run, options, format, &mut page, session)?;
     if let Err(fault) = run.finish() {
         session.terminal.error_line(&fault.spelled(session.words));
-        exit = exit.combined_with(Exit::Failed);
+        exit = exit.plus(Exit::Failed);
     }
-    exit = exit.combined_with(end_page(page, session));
+    exit = exit.plus(end_page(page, session));
     let RunEnd { counts, untold, worst, failed, skipped } = end;
     if options.deny.is_some_and(|deny| worst >= Some(deny.severity())) {
-        exit = exit.combined_with(Exit::Failed);
+        exit = exit.plus(Exit::Failed);
     }
     if several {
         session.terminal.print_beside(&last_line_of_run(&counts, options, session.words))?;
@@ -155,7 +155,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     } else if counts.interrupted() {
         session.terminal.print_beside("stopped\n")?;
     }
-    Ok(exit.combined_with(exit_of(&counts, untold)))
+    Ok(exit.plus(exit_of(&counts, untold)))
 }
 
 /// The end of a run.
@@ -210,7 +210,7 @@ fn do_tasks(
         }
         // Results that cannot be shown are no reason to leave the other models undone.
         let reported = printer.progress.suspended(|| match &failure {
-            Some(failure) => session.report_failure(failure, format == RunFormat::Json).map(drop),
+            Some(failure) => session.report(failure, format == RunFormat::Json).map(drop),
             None => print_outputs(&outputs, session),
         });
         if let Err(error) = reported {
@@ -222,7 +222,7 @@ fn do_tasks(
     printer.progress.end();
     match counts {
         Ok(counts) => Ok(RunEnd { counts, untold, worst, failed, skipped }),
-        Err(fault) => Err(session.library_error(&fault)),
+        Err(fault) => Err(session.file_error(&fault)),
     }
 }
 
@@ -423,11 +423,11 @@ const MOST_REPORTED_ROWS: usize = 20;
 pub(crate) fn run_batch(request: &BatchRequest, session: &mut Session) -> Result<Exit> {
     let Some(manifest) = &request.manifest else { bail!("no manifest given") };
     let shown = manifest.display().to_string();
-    let reader = RowReader::new(request).map_err(|fault| session.library_error(&fault))?;
+    let reader = RowReader::new(request).map_err(|fault| session.file_error(&fault))?;
     let bytes = Disk.read(manifest).with_context(|| shown.clone())?;
     let from_stdin = manifest.as_os_str() == "-";
     let folder = if from_stdin { Path::new("") } else { folder_of(manifest) };
-    match reader.read(&bytes, &shown, folder).map_err(|fault| session.library_error(&fault))? {
+    match reader.read(&bytes, &shown, folder).map_err(|fault| session.file_error(&fault))? {
         CheckedRows::Run(rows) => run(rows, &request.run, session),
         CheckedRows::Invalid(wrong) => report_wrong_rows(&wrong, &shown, request.run.is_json(), session),
     }

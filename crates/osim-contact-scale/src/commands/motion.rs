@@ -26,7 +26,7 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     }
     let output = MotionOutput::of(request, session)?;
     let result = run_motion(request, &Disk)
-        .map_err(|error| session.request_error(error, request.format == MotionFormat::Json))?;
+        .map_err(|error| session.refuse(error, request.format == MotionFormat::Json))?;
     let remarks = result.remarks(request);
     let text = match request.format {
         MotionFormat::Json => line(&MotionRecord::new(&result, &remarks, session.words)),
@@ -74,8 +74,8 @@ impl<'o> MotionOutput<'o> {
         for path in read.into_iter().flatten().chain(set_files) {
             conflicts.add_input(path);
         }
-        conflicts.add_output(table, "the ground reactions").map_err(|fault| session.library_error(&fault))?;
-        conflicts.add_output(&loads, "their ExternalLoads").map_err(|fault| session.library_error(&fault))?;
+        conflicts.add_output(table, "the ground reactions").map_err(|fault| session.file_error(&fault))?;
+        conflicts.add_output(&loads, "their ExternalLoads").map_err(|fault| session.file_error(&fault))?;
         Ok(Some(Self { table, loads }))
     }
 
@@ -92,7 +92,7 @@ impl<'o> MotionOutput<'o> {
         ];
         // Both are complete before the first gets its name.
         write_files(files.iter().map(|(path, text)| (*path, text.as_bytes())), mode)
-            .map_err(|fault| session.library_error(&fault))?;
+            .map_err(|fault| session.file_error(&fault))?;
         Ok(files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect())
     }
 }

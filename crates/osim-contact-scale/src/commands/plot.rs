@@ -42,10 +42,10 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
     if request.is_of_motion() {
         return motion(request, &output, session);
     }
-    let table = plot_table(request, &Disk).map_err(|error| session.request_error(error, false))?;
-    let bodies = plot_bodies(request, &Disk).map_err(|error| session.request_error(error, false))?;
+    let table = plot_table(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let bodies = plot_bodies(request, &Disk).map_err(|error| session.refuse(error, false))?;
     let drawing =
-        figures::draw(request, &bodies, table.as_ref()).map_err(|failure| session.request_error(failure, false))?;
+        figures::draw(request, &bodies, table.as_ref()).map_err(|failure| session.refuse(failure, false))?;
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
             session.terminal.print_beside(&mass_mismatch(&body.name, mismatch, session.words))?;
@@ -60,8 +60,8 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
 /// # Errors
 /// As [`run`].
 fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let states = plot_feet(request, &Disk).map_err(|error| session.request_error(error, false))?;
-    let drawing = figures::draw_feet(request, &states).map_err(|failure| session.request_error(failure, false))?;
+    let states = plot_feet(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let drawing = figures::draw_feet(request, &states).map_err(|failure| session.refuse(failure, false))?;
     let remarks = figures::feet_remarks(&states, session.words);
     output.write(&drawing, &[], &remarks, request, session)
 }
@@ -71,8 +71,8 @@ fn feet(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -
 /// # Errors
 /// As [`run`].
 fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session) -> Result<Exit> {
-    let result = plot_motion(request, &Disk).map_err(|error| session.request_error(error, false))?;
-    let drawing = figures::draw_motion(request, &result).map_err(|failure| session.request_error(failure, false))?;
+    let result = plot_motion(request, &Disk).map_err(|error| session.refuse(error, false))?;
+    let drawing = figures::draw_motion(request, &result).map_err(|failure| session.refuse(failure, false))?;
     output.write(&drawing, &[], "", request, session)
 }
 
@@ -107,7 +107,9 @@ impl<'o> PlotOutput<'o> {
                     data.display()
                 );
             }
-            conflicts.add_output(data, "the table of the figure").map_err(|fault| session.library_error(&fault))?;
+            conflicts
+                .add_output(data, "the table of the figure")
+                .map_err(|fault| session.file_error(&fault))?;
         }
         if path.as_os_str() == "-" {
             return Ok(Self { path: None, picture: Picture::Svg, data });
@@ -126,7 +128,7 @@ impl<'o> PlotOutput<'o> {
                 path.display()
             ),
         };
-        conflicts.add_output(path, "the figure").map_err(|fault| session.library_error(&fault))?;
+        conflicts.add_output(path, "the figure").map_err(|fault| session.file_error(&fault))?;
         Ok(Self { path: Some(path), picture, data })
     }
 
@@ -143,7 +145,7 @@ impl<'o> PlotOutput<'o> {
         session: &mut Session,
     ) -> Result<Exit> {
         let svg = figures::svg(drawing, figures::paper_of(&request.looks), bodies)
-            .map_err(|failure| session.request_error(failure, false))?;
+            .map_err(|failure| session.refuse(failure, false))?;
         let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
         let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
         if let Some(path) = self.path {
@@ -159,7 +161,7 @@ impl<'o> PlotOutput<'o> {
         }
         // All are complete before the first gets its name.
         write_files(files.iter().map(|(path, bytes)| (*path, bytes.as_slice())), mode)
-            .map_err(|fault| session.library_error(&fault))?;
+            .map_err(|fault| session.file_error(&fault))?;
         let written: String =
             files.iter().map(|(path, _)| format!("written to {}\n", path.display())).collect();
         if self.path.is_some() {

@@ -25,7 +25,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
     let format = request.format;
     if let Some(failure) = inspector.generic_failure() {
         // Once, not for every model.
-        return session.report_failure(failure, format == SheetFormat::Json);
+        return session.report(failure, format == SheetFormat::Json);
     }
     let survey = Survey {
         verb: Verb::Inspect,
@@ -70,7 +70,7 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
         session.terminal.print_beside(&text)?;
     }
     let is_denied = shown.worst >= Some(request.deny.severity());
-    Ok(if is_denied { shown.exit.combined_with(Exit::Failed) } else { shown.exit })
+    Ok(if is_denied { shown.exit.plus(Exit::Failed) } else { shown.exit })
 }
 
 /// Counts and findings over all models that were shown.
@@ -91,12 +91,12 @@ struct Shown {
 /// Wrong usage, or standard output cannot be written.
 fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Result<Shown> {
     exit::outlive_size_limit();
-    let mut page = survey.begin_page(typed_command_line()).map_err(|fault| session.library_error(&fault))?;
+    let mut page = survey.begin_page(typed_command_line()).map_err(|fault| session.file_error(&fault))?;
     let json = format == SheetFormat::Json;
     let mut shown =
         Shown { exit: Exit::Done, is_any: false, has_contacts: false, without_contacts: 0, worst: None };
     for failure in &survey.sources.failures {
-        shown.exit = shown.exit.combined_with(session.report_failure(failure, json)?);
+        shown.exit = shown.exit.plus(session.report(failure, json)?);
     }
     for remark in &survey.sources.remarks {
         session.terminal.remark(remark)?;
@@ -111,7 +111,7 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
                 shown.worst = shown.worst.max(worst);
             }
             SurveyedModel::WithoutContacts => shown.without_contacts += 1,
-            SurveyedModel::Failed(failure) => shown.exit = shown.exit.combined_with(session.report_failure(failure, json)?),
+            SurveyedModel::Failed(failure) => shown.exit = shown.exit.plus(session.report(failure, json)?),
         }
         shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(..));
         let terminal = &mut session.terminal;
@@ -131,7 +131,7 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
         Ok(())
     };
     let untold = survey.run(&mut page, None, || false, each)?;
-    shown.exit = shown.exit.combined_with(end_page(page, session));
+    shown.exit = shown.exit.plus(end_page(page, session));
     untold.map_or(Ok(()), Err)?;
     session.terminal.print_painted(&text.end())?;
     Ok(shown)

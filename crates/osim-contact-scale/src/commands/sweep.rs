@@ -34,8 +34,8 @@ impl SweepFrontEnd for Progress {
 /// Wrong usage, found before anything is written.
 pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit> {
     let json = request.format == Format::Json;
-    let sweep = SweepRun::new(request).map_err(|error| session.request_error(error, json))?;
-    sweep.check_ends().map_err(|error| session.request_error(error, json))?;
+    let sweep = SweepRun::new(request).map_err(|error| session.refuse(error, json))?;
+    sweep.check_ends().map_err(|error| session.refuse(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
         let record = first_record(&sweep, None).with_counts(sweep.count(), 0);
@@ -110,14 +110,14 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
     // What cannot be shown is no reason to leave the other variants undone.
     let mut untold = None;
     let report = |failure: Option<Failure>| {
-        let reported = failure.map(|failure| watch.suspended(|| session.report_failure(&failure, json)));
+        let reported = failure.map(|failure| watch.suspended(|| session.report(&failure, json)));
         if let Some(Err(error)) = reported {
             untold.get_or_insert(error);
         }
     };
     let end = sweep.run(&watch, report);
     watch.end();
-    let end = end.map_err(|fault| session.library_error(&fault))?;
+    let end = end.map_err(|fault| session.file_error(&fault))?;
     untold.map_or(Ok(end), Err)
 }
 

@@ -8,7 +8,7 @@ use foldhash::{HashMap, HashMapExt};
 use osim_model::feet::{DefaultPose, RestLaw, Standing};
 use osim_model::messages::Phrase;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, Model, Needed, Selected, SphereId,
+    CountedSpheres, Fault, ForceId, GravityFor, Limbs, Mass, MissingFact, Model, Selected, SphereId,
     loaded_spheres, loaded_spheres_alone,
 };
 

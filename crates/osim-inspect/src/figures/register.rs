@@ -22,7 +22,7 @@ struct Entry {
 }
 
 const fn entry(visibility: FigureVisibility, compute: fn(&SphereOnFloor<'_>) -> ComputedFigure) -> Entry {
-    Entry { visibility, answer }
+    Entry { visibility, compute }
 }
 
 const fn indentation(name: &'static str, label: &'static str) -> Quantity {
@@ -155,7 +155,7 @@ impl Figure {
 
     /// The value of this figure for one sphere.
     pub(super) fn compute(self, sphere: &SphereOnFloor<'_>) -> ComputedFigure {
-        (self.entry().answer)(sphere)
+        (self.entry().compute)(sphere)
     }
 }
 

@@ -5,8 +5,8 @@
 use std::cell::LazyCell;
 
 use osim_model::{
-    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, NeedsConfirmation, Question, Selection,
-    Severity, same_mass,
+    Finding, FindingCode, ForceId, MassRequest, MassSource, Model, Question, Selection, Severity, Suspicion,
+    same_mass,
 };
 use osim_requests::options::{AnswerOptions, ForceOptions, MassOptions};
 use osim_requests::{Kilograms, Request, RescaleRequest};
@@ -230,12 +230,12 @@ fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     }
 }
 
-fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<NeedsConfirmation> {
+fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
     let selection: Selection = choice.selection();
     unexplained_mass_slip(masses, model, &selection).into_iter().collect()
 }
 
-fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<NeedsConfirmation> {
+fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<Suspicion> {
     let target_mass_kg = request.target_mass.map(Kilograms::get);
     let contacts_mass_kg = request.masses.contacts_mass.map(Kilograms::get);
     let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..with_mass(&request.masses, masses) };

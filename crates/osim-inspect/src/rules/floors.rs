@@ -3,7 +3,8 @@
 
 use osim_model::messages::{Input, phrase, readable, shown, three_significant};
 use osim_model::{
-    Example, Finding, FindingCode, GravityFor, Model, MissingFact, Repair, Rule, Severity, VerdictOn, same_gravity,
+    Example, Finding, FindingCode, GravityFor, MissingFact, Model, Repair, Rule, Severity, VerdictOn,
+    same_gravity,
 };
 
 use crate::floors::{Floors, JudgedPlane, PlaneKind};

@@ -79,8 +79,8 @@ pub(super) fn find_sphere_in_two_forces(model: &Model) -> Vec<Finding> {
 
 /// Finds surfaces of a force that press nothing, press twice, or belong to the other foot: at most one finding for each rule.
 pub(super) fn find_in_surfaces(model: &Model) -> Vec<Finding> {
-    type Describe = fn(&Model, &Force) -> Option<String>;
-    let rules: [(&Rule, Describe); 4] = [
+    type DescribeForce = fn(&Model, &Force) -> Option<String>;
+    let rules: [(&Rule, DescribeForce); 4] = [
         (&SURFACE_NAMED_TWICE, describe_named_twice),
         (&NO_SURFACES_MEET, describe_apart),
         (&SPHERE_OF_OTHER_SIDE, describe_other_side),

@@ -8,7 +8,7 @@ use contact_scaling::{
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::readable;
 use osim_model::{
-    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, Model, MissingFact, Selection, loaded_spheres,
+    CountedSpheres, Fault, ForceId, GravityFor, MassRequest, MissingFact, Model, Selection, loaded_spheres,
     short_digest,
 };
 

@@ -294,7 +294,8 @@ fn spheres_are_in_their_own_order_not_in_that_of_their_forces() {
 
 #[test]
 fn spheres_that_are_alike_stand_level_with_equal_shares_to_the_last_bit() {
-    let spheres = ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| SmoothContact { name, ..TOE });
+    let spheres =
+        ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| SmoothContact { name, ..TOE });
     for count in 1..=spheres.len() {
         let figures = figures(&foot(&spheres[..count]));
         for (level, equal) in [

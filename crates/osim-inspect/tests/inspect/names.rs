@@ -192,13 +192,14 @@ fn each_force_presses_the_sphere_of_its_name_for_random_names() {
         let mut random = Random::of(seed);
         let version = [30000, 30505, 30516, 40000][random.index(4)];
         let mut pair = |plain: [&'static str; 2]| {
-            let names = plain.map(|name| if random.below(3) == 0 { name } else { random.of_words(&ODD) });
+            let names =
+                plain.map(|name| if random.integer_below(3) == 0 { name } else { random.one_of(&ODD) });
             if names[0] == names[1] { plain } else { names }
         };
         let (feet, spheres) = (pair(["foot_r", "foot_l"]), pair(["heel_r", "heel_l"]));
         let floor = [pair(["floor", "plane"])[0], "ground_plane"];
         let floor = if spheres.contains(&floor[0]) { floor[1] } else { floor[0] };
-        let style = random.below(if version == 30000 { 1 } else { 4 });
+        let style = random.integer_below(if version == 30000 { 1 } else { 4 });
         let text = two_feet(version, feet, spheres, floor, |name| match style {
             0 => name.to_owned(),
             1 => format!("/contactgeometryset/{name}"),

@@ -14,7 +14,7 @@ use osim_requests::{Request, RequestError};
 use crate::run::request::RunRequest;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
-use crate::{Disk, LibraryFault, Origin, OutputFolders, Source};
+use crate::{Disk, LibraryFault, ModelOrigin, OutputFolders, Source};
 
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {

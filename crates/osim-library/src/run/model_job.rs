@@ -13,7 +13,7 @@ use crate::run::summary::SummaryWriter;
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::run::{ChangedModel, Destination, ModelDetail, Record, RunFrontEnd, Status, Task};
 use crate::write::{OutputFolders, hard_link_finding};
-use crate::{Disk, LibraryFault, Loaded, Origin};
+use crate::{Disk, LibraryFault, LoadedModel, ModelOrigin};
 
 /// Data that all models of a run share.
 pub(super) struct RunContext<'r> {

@@ -17,14 +17,14 @@ use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::run::{ChangedModel, Record, RunRequest, Status};
 use crate::write::{OutputFolders, hard_link_finding};
-use crate::{Loaded, Origin, Source, file_access, sha256};
+use crate::{LoadedModel, ModelOrigin, Source, file_access, sha256};
 
 pub struct PlannedModel {
     source: Source,
     /// The files that belong to the model, without the bytes of the model itself.
     files: ModelFiles,
     pub opened: OpenModel,
-    origin: Origin,
+    origin: ModelOrigin,
     pub plan: Plan,
     change: Arc<PreparedChange>,
 }

@@ -9,7 +9,7 @@ use osim_patch::{Patch, Plan};
 
 use crate::run::task::{Destination, Task};
 use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
-use crate::{LibraryFault, Origin, Stamp, make_folder_of};
+use crate::{FileStamp, LibraryFault, ModelOrigin, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
 pub struct ResultBytes<'m> {

@@ -18,7 +18,7 @@ use crate::file_access;
 use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
-use crate::source::{LoadedModel, ModelOrigin, SWEEP_FOLDER_ENDING, Source, FileStamp};
+use crate::source::{FileStamp, LoadedModel, ModelOrigin, SWEEP_FOLDER_ENDING, Source};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, PendingFile, WriteMode};

@@ -53,7 +53,7 @@ pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
 };
 pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
-pub use movements::{FreeMovements, Movements};
+pub use movements::{Mobility, Movements};
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sole_pose::TiltingCoordinate;
 pub use standing::{

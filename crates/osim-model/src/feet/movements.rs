@@ -17,7 +17,7 @@ const MOST_JOINTS: usize = 64;
 
 /// The relative movements that joints allow between two bodies.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct FreeMovements {
+pub struct Mobility {
     /// Whether a coordinate turns one of the bodies against the other.
     pub turns: bool,
     /// Whether a coordinate shifts one of the bodies without turning it.
@@ -28,7 +28,7 @@ pub struct FreeMovements {
 struct JointAbove {
     /// The parent body of the joint; `None` is ground.
     parent: Option<String>,
-    free: FreeMovements,
+    mobility: Mobility,
 }
 
 /// The possible movements of the bodies of a model. Locked and prescribed coordinates, and those that a coupler constraint determines, are
@@ -52,7 +52,7 @@ struct PathEnd {
     moves: bool,
 }
 
-impl FreeMovements {
+impl Mobility {
     const ALL: Self = Self { turns: true, slides: true };
 
     pub const fn is_any(self) -> bool {
@@ -81,7 +81,7 @@ impl Movements {
     }
 
     /// The free relative movements of two bodies; `None` if only ground connects them.
-    pub fn between(&self, one: &str, other: &str) -> Option<FreeMovements> {
+    pub fn between(&self, one: &str, other: &str) -> Option<Mobility> {
         let (one, other) = (self.0.path(one), self.0.path(other));
         let (mut here, mut there) = (one.len(), other.len());
         // From the top down, as long as both ways are one.
@@ -93,7 +93,7 @@ impl Movements {
             there -= 1;
         }
         let steps = one.iter().take(here).chain(other.iter().take(there));
-        (here < one.len()).then(|| steps.fold(FreeMovements::default(), |all, (_, free)| all.or(*free)))
+        (here < one.len()).then(|| steps.fold(Mobility::default(), |all, (_, mobility)| all.or(*mobility)))
     }
 }
 
@@ -114,18 +114,18 @@ impl PathsToGround {
             };
             above
                 .entry(body.clone())
-                .or_insert_with(|| JointAbove { parent, free: coordinates.free_movements_of(joint) });
+                .or_insert_with(|| JointAbove { parent, mobility: coordinates.mobility_of(joint) });
         }
         Self { ends: path_ends(&above), above }
     }
 
-    /// `body` and the bodies above it, each with the free movements of the joint above it.
-    fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, FreeMovements)> {
+    /// `body` and the bodies above it, each with the mobility of the joint above it.
+    fn path<'b>(&'b self, body: &'b str) -> Vec<(&'b str, Mobility)> {
         let mut path = Vec::new();
         let mut at = Some(body);
         while let Some(body) = at.filter(|_| path.len() < MOST_JOINTS) {
             let above = self.above.get(body);
-            path.push((body, above.map_or(FreeMovements::ALL, |above| above.free)));
+            path.push((body, above.map_or(Mobility::ALL, |above| above.mobility)));
             at = above.and_then(|above| above.parent.as_deref());
         }
         path
@@ -142,15 +142,15 @@ fn path_ends(above: &HashMap<String, JointAbove>) -> HashMap<String, PathEnd> {
             if ends.contains_key(name) || path.len() > above.len() {
                 break;
             }
-            path.push((name, joint.free));
+            path.push((name, joint.mobility));
             at = joint.parent.as_deref();
         }
         let known = at.and_then(|name| ends.get(name).cloned());
         let last = at.or(path.last().map(|(name, _)| *name)).unwrap_or(body);
         let alone = || PathEnd { top: last.to_owned(), moves: at.is_some() };
         let mut end = known.unwrap_or_else(alone);
-        for (name, free) in path.into_iter().rev() {
-            end.moves |= free.is_any();
+        for (name, mobility) in path.into_iter().rev() {
+            end.moves |= mobility.is_any();
             ends.insert(name.to_owned(), end.clone());
         }
     }
@@ -165,41 +165,41 @@ struct Coordinates<'m> {
 }
 
 impl Coordinates<'_> {
-    fn free_movements_of(&self, joint: &ModelJoint) -> FreeMovements {
+    fn mobility_of(&self, joint: &ModelJoint) -> Mobility {
         if joint.coordinates.is_empty() {
-            return free_movements_of_class(&joint.class);
+            return mobility_of_class(&joint.class);
         }
         let own = joint.coordinates.iter().map(|coordinate| self.known.values.get(&coordinate.name).copied());
         let placed = own
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
-        let Some((here, values)) = placed else { return FreeMovements::ALL };
+        let Some((here, values)) = placed else { return Mobility::ALL };
         let is_free = |coordinate| self.states.state(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
-        free.fold(FreeMovements::default(), |all, (index, _)| {
+        free.fold(Mobility::default(), |all, (index, _)| {
             let mut moved = values.clone();
             moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_STEP);
-            all.or(
-                joint
-                    .placement(self.model, &moved)
-                    .map_or(FreeMovements::ALL, |there| movements_between_placements(&here, &there)),
-            )
+            all.or(joint
+                .placement(self.model, &moved)
+                .map_or(Mobility::ALL, |there| mobility_between(&here, &there)))
         })
     }
 }
 
-/// The free movements of a joint whose coordinates are not in the file, by the joint's class.
-fn free_movements_of_class(class: &str) -> FreeMovements {
+/// The mobility of a joint whose coordinates are not in the file, by the joint's class.
+fn mobility_of_class(class: &str) -> Mobility {
     match class {
-        "WeldJoint" | "CustomJoint" => FreeMovements::default(),
-        "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => FreeMovements { turns: true, slides: false },
-        _ => FreeMovements::ALL,
+        "WeldJoint" | "CustomJoint" => Mobility::default(),
+        "PinJoint" | "UniversalJoint" | "BallJoint" | "GimbalJoint" => {
+            Mobility { turns: true, slides: false }
+        }
+        _ => Mobility::ALL,
     }
 }
 
-fn movements_between_placements(here: &Placement, there: &Placement) -> FreeMovements {
+fn mobility_between(here: &Placement, there: &Placement) -> Mobility {
     let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_COMPONENT)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);
-    FreeMovements { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
+    Mobility { turns, slides: !turns && differ(here.translation_m, there.translation_m) }
 }

@@ -22,7 +22,7 @@ macro_rules! inputs {
             }
 
             /// The input with exactly this name.
-            pub fn from_name(name: &str) -> Option<Self> {
+            pub fn find(name: &str) -> Option<Self> {
                 match name {
                     $($name => Some(Self::$variant),)+
                     _ => None,
@@ -197,7 +197,7 @@ macro_rules! verbs {
             }
 
             /// The verb with exactly this name.
-            pub fn from_name(name: &str) -> Option<Self> {
+            pub fn find(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|verb| verb.name() == name)
             }
         }

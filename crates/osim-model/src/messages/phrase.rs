@@ -152,7 +152,7 @@ fn choose_texts(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<
 fn template_part(text: &str) -> Option<Part> {
     let mut words = text.split(' ');
     let first = words.next()?;
-    let Some(verb) = Verb::from_name(first) else {
+    let Some(verb) = Verb::find(first) else {
         let (input, example) = template_input(first)?;
         return words.next().is_none().then_some(Part::Input(input, example));
     };

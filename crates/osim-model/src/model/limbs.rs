@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::messages::Phrase;
-use crate::model::components::{Base, ComponentId};
+use crate::model::components::{Carrier, ComponentId};
 use crate::model::{Force, ForceId, Model, Side, Skeleton, Sphere, SphereId};
 
 /// A limb with contact spheres, from [`Model::limbs`].
@@ -114,7 +114,7 @@ impl Model {
             let spheres = self.force(id).map(Force::spheres).unwrap_or_default();
             let moving = spheres.into_iter().filter_map(|id| self.sphere(id)).filter(|sphere| !sphere.fixed);
             let top = |sphere: &Sphere| match sphere.base {
-                FrameBase::Body(body) => Some(self.skeleton().top(body)),
+                Carrier::Body(body) => Some(self.skeleton().top(body)),
                 _ => None,
             };
             moving.filter_map(top).collect()
@@ -129,7 +129,7 @@ impl Model {
         let spheres = force.sets.iter().flat_map(|set| &set.spheres);
         spheres.filter_map(|&id| self.sphere(id)).any(|sphere| {
             !sphere.fixed
-                && force.half_space_bases().any(|plane| plane != sphere.base || plane == FrameBase::Unknown)
+                && force.half_space_bases().any(|plane| plane != sphere.base || plane == Carrier::Unknown)
         })
     }
 
@@ -141,7 +141,7 @@ impl Model {
         let mut bodies: BTreeMap<ComponentId, Vec<SphereId>> = BTreeMap::new();
         for index in loaded {
             let Some(sphere) = self.sphere(index) else { continue };
-            let FrameBase::Body(body) = sphere.base else {
+            let Carrier::Body(body) = sphere.base else {
                 return Err(format!("the body of sphere {} is not in the files given", sphere.name));
             };
             bodies.entry(body).or_default().push(index);

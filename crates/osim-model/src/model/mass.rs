@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
-use crate::model::fault::{Fault, FaultKind, MassMistake, MassesOfOtherRows, Needed, NeedsAnswer, POUND_KG};
+use crate::model::fault::{Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion};
 use crate::model::names::{Pattern, any_matches};
 use crate::model::rules::{self, MassFromSource};
 use crate::model::{Body, Finding, Model};
@@ -163,7 +163,8 @@ impl MassRequest {
         let mass = if let Some(kg) = self.contacts_mass_kg {
             Mass { kg: positive_mass(Input::ContactsMass, kg)?, source: MassSource::ContactsMass }
         } else if let Some(doubt) = model.doubt_about_note() {
-            return Err(Fault::new(MissingFact::ContactsMass { noted_kg, doubt, input: Input::ContactsMass }));
+            let input = Input::ContactsMass;
+            return Err(Fault::new(MissingFact::ContactsMass { noted_kg, doubt, input }));
         } else if let Some(kg) = noted_kg {
             Mass { kg, source: MassSource::Note }
         } else {
@@ -275,13 +276,13 @@ const HEAVIEST_KG: f64 = 200e3;
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// A question about the mass `kg`, which the caller gave as `input`, if it looks wrong for bodies of `bodies_kg` together.
-pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<NeedsConfirmation> {
+pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<Suspicion> {
     suspicious_mass(input, kg, bodies_kg, NEAR_POUNDS)
 }
 
 /// A question about a mass that looks wrong. The mass counts as pounds if it is as near as `near_pounds` (relative) to the bodies' mass in
 /// pounds.
-fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<NeedsConfirmation> {
+fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f64) -> Option<Suspicion> {
     // What the bodies weigh is the right unit.
     if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
@@ -291,7 +292,7 @@ fn suspicious_mass(input: Input, kg: f64, bodies_kg: Option<f64>, near_pounds: f
     let mistake = gross_mistake(input, kg, bodies_kg)
         .or_else(|| near(1.0 / POUND_KG).then_some(MassMistake::Pounds))
         .or_else(|| near(POUND_KG).then_some(MassMistake::BodiesInPounds))?;
-    Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: None, mistake })
+    Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: None, mistake })
 }
 
 /// A question about the mass in a row of a table whose other rows have the masses `other_rows`. A mass is compared with the other rows, not
@@ -301,15 +302,15 @@ fn suspicious_mass_in_table(
     kg: f64,
     bodies_kg: Option<f64>,
     other_rows: MassesOfOtherRows,
-) -> Option<NeedsConfirmation> {
+) -> Option<Suspicion> {
     if is_mass_of_bodies(input, kg, bodies_kg) {
         return None;
     }
     if let Some(mistake) = gross_mistake(input, kg, bodies_kg) {
-        return Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: None, mistake });
+        return Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: None, mistake });
     }
     let mistake = other_rows.mistake(kg)?;
-    Some(NeedsConfirmation::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
+    Some(Suspicion::Mass { input, kg, bodies_kg, other_rows: Some(other_rows), mistake })
 }
 
 fn is_mass_of_bodies(input: Input, kg: f64, bodies_kg: Option<f64>) -> bool {
@@ -339,21 +340,21 @@ impl MassRequest {
 
     /// Questions about given masses that look wrong for this model. A mass that the note in the model confirms is right. If the target mass
     /// equals the bodies' mass, the other given masses are in the same unit, too.
-    pub fn implausible_masses(&self, model: &Model) -> Vec<NeedsConfirmation> {
+    pub fn implausible_masses(&self, model: &Model) -> Vec<Suspicion> {
         self.suspicious_masses(model, NEAR_POUNDS)
     }
 
     /// The given masses that may be in pounds, but not so probably that the program asks. Rows of a table are compared with each other
     /// instead.
-    pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<NeedsConfirmation> {
+    pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<Suspicion> {
         let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);
         let asked = self.suspicious_masses(model, NEAR_POUNDS);
         let is_in_pounds =
-            |one: &NeedsConfirmation| matches!(one, NeedsConfirmation::Mass { mistake: MassMistake::Pounds, .. });
+            |one: &Suspicion| matches!(one, Suspicion::Mass { mistake: MassMistake::Pounds, .. });
         loosely.into_iter().filter(|one| is_in_pounds(one) && !asked.contains(one)).collect()
     }
 
-    fn suspicious_masses(&self, model: &Model, near_pounds: f64) -> Vec<NeedsConfirmation> {
+    fn suspicious_masses(&self, model: &Model, near_pounds: f64) -> Vec<Suspicion> {
         let given_masses = [
             (Input::TargetMass, self.target_mass_kg),
             (Input::ContactsMass, self.contacts_mass_kg),

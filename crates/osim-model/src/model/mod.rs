@@ -64,7 +64,7 @@ pub use contacts::{
 pub use document::Document;
 pub use fault::{
     CountedSpheres, Excerpt, FactorQuestion, Fault, FaultKind, FileId, ForcesOfAnimal, GravityFor,
-    MassMistake, MassesOfOtherRows, MissingFact, NeedsConfirmation, NoteDoubt, Question, RadiusChangeReason,
+    MassMistake, MassesOfOtherRows, MissingFact, NoteDoubt, Question, RadiusChangeReason, Suspicion,
     probable_units,
 };
 pub use finding::{Example, Finding, FindingCode, Measure, Repair, Rule, Severity, VerdictOn};

@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::contacts::ContactReader;
 use crate::model::{
-    Companion, Components, Document, Fault, FaultKind, FileId, Model, Needed, Note, NoteDoubt, Origin,
+    Companion, Components, Document, Fault, FaultKind, FileId, MissingFact, Model, Note, NoteDoubt, Origin,
     Skeleton, Value, ValueKey,
 };
 

@@ -5,9 +5,9 @@ use std::borrow::Cow;
 use foldhash::{HashMap, HashMapExt};
 
 use crate::messages::{Input, listed};
-use crate::model::components::{Base, ComponentId};
+use crate::model::components::{Carrier, ComponentId};
 use crate::model::names::{Pattern, any_matches};
-use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, Model, Needed};
+use crate::model::{Fault, FaultKind, Force, ForceId, ForcesOfAnimal, MissingFact, Model};
 
 /// The user's choice of forces, by name.
 ///
@@ -175,7 +175,7 @@ fn refuse_several_trees(model: &Model, forces: &[ForceId]) -> Result<(), Fault> 
     let mut by_name: HashMap<Cow<'_, str>, usize> = HashMap::new();
     for force in forces.iter().filter_map(|&id| model.force(id)) {
         for sphere in force.spheres().into_iter().filter_map(|sphere| model.sphere(sphere)) {
-            let FrameBase::Body(body) = sphere.base else { continue };
+            let Carrier::Body(body) = sphere.base else { continue };
             if sphere.fixed {
                 continue;
             }

@@ -2,8 +2,10 @@
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
-use crate::model::components::{Base, ComponentId, Components};
-use crate::model::{Class, Fault, FaultKind, FileId, Force, Needed, Origin, Property, Side, Sphere, Value};
+use crate::model::components::{Carrier, ComponentId, Components};
+use crate::model::{
+    Class, Fault, FaultKind, FileId, Force, MissingFact, Origin, Property, Side, Sphere, Value,
+};
 
 /// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]
@@ -26,7 +28,7 @@ impl Body {
     pub fn mass_kg(&self) -> Result<f64, Fault> {
         let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {
-            Fault::at(FaultKind::MissingFact(MissingFact::BodyMass { body: self.name.clone() }), self.mass.offset)
+            Fault::at(MissingFact::BodyMass { body: self.name.clone() }, self.mass.offset)
         } else {
             match self.mass.checked() {
                 Ok(mass) => return Ok(mass),
@@ -47,7 +49,7 @@ pub struct Skeleton {
 /// The parents of bodies, and other facts that follow from the joints.
 #[derive(Debug, Default)]
 struct JointRelations {
-    parents: HashMap<ComponentId, FrameBase>,
+    parents: HashMap<ComponentId, Carrier>,
     loops: Loops,
     /// Joints that OpenSim ignores: in documents with joints inside bodies, all but the first joint of a body.
     ignored_joints: Vec<ComponentId>,
@@ -85,9 +87,9 @@ impl Skeleton {
     /// moving spheres, and no such sphere.
     pub(crate) fn exclude_plates(&mut self, components: &Components, forces: &[Force], spheres: &[Sphere]) {
         let of_force = |force: &Force| force.spheres().into_iter().filter_map(|id| spheres.get(id.index()));
-        let top = |base: &FrameBase| match base {
-            FrameBase::Body(body) => Some(self.top(*body)),
-            FrameBase::Ground | FrameBase::Unknown => None,
+        let top = |base: &Carrier| match base {
+            Carrier::Body(body) => Some(self.top(*body)),
+            Carrier::Ground | Carrier::Unknown => None,
         };
         let on_floors = forces.iter().filter(|force| of_force(force).any(|sphere| !sphere.fixed));
         let floors = on_floors.flat_map(Force::half_space_bases);
@@ -136,11 +138,11 @@ impl Skeleton {
     }
 
     /// Whether `base` is ground or a body that is welded to ground.
-    pub(crate) fn is_fixed(&self, base: FrameBase) -> bool {
+    pub(crate) fn is_fixed(&self, base: Carrier) -> bool {
         match base {
-            FrameBase::Ground => true,
-            FrameBase::Unknown => false,
-            FrameBase::Body(body) => self.joined.welded.contains(&body),
+            Carrier::Ground => true,
+            Carrier::Unknown => false,
+            Carrier::Body(body) => self.joined.welded.contains(&body),
         }
     }
 }
@@ -164,14 +166,14 @@ impl JointRelations {
             }
         }
         if are_read && !links.is_empty() {
-            let ends: HashSet<FrameBase> = links.iter().flat_map(|link| link.ends).collect();
+            let ends: HashSet<Carrier> = links.iter().flat_map(|link| link.ends).collect();
             let bodies = components.tree.iter().map(|(id, _)| id).filter(|&id| components.tag(id) == "Body");
-            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&FrameBase::Body(id)));
+            let bodies = bodies.filter(|&id| !components.is_ground(id) && !ends.contains(&Carrier::Body(id)));
             joined.without_joint = bodies.collect();
         }
         joined.loops = Loops::of(&links);
         joined.find_tops();
-        joined.welded = welded_to(vec![FrameBase::Ground], &links);
+        joined.welded = welded_to(vec![Carrier::Ground], &links);
         joined.excluded_from_mass = excluded_from_mass(&joined.welded, &links);
         joined
     }
@@ -212,23 +214,23 @@ impl JointRelations {
     }
 
     fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
-        let end = |socket: &str, legacy: &[&str]| -> Option<FrameBase> {
+        let end = |socket: &str, legacy: &[&str]| -> Option<Carrier> {
             let connectee = components.connectee(joint, socket, legacy)?;
             components.base(components.frame(joint, &connectee)?.component).ok()
         };
         let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
         let owner = components.tree.get(joint).and_then(|component| component.parent);
-        let inside = owner.filter(|&id| components.tag(id) == "Body").map(FrameBase::Body);
+        let inside = owner.filter(|&id| components.tag(id) == "Body").map(Carrier::Body);
         let child = end("child_frame", &["child_body"]).or_else(|| end("child_body", &[])).or(inside);
-        let if_known = |end: Option<FrameBase>| end.filter(|end| *end != FrameBase::Unknown);
+        let if_known = |end: Option<Carrier>| end.filter(|end| *end != Carrier::Unknown);
         let ends = [if_known(parent)?, if_known(child)?];
         match (parent, child) {
-            (Some(parent), Some(FrameBase::Body(child))) => {
+            (Some(parent), Some(Carrier::Body(child))) => {
                 self.parents.entry(child).or_insert(parent);
             }
             // A joint written the other way round, from the body to ground.
-            (Some(FrameBase::Body(body)), Some(FrameBase::Ground)) => {
-                self.parents.entry(body).or_insert(FrameBase::Ground);
+            (Some(Carrier::Body(body)), Some(Carrier::Ground)) => {
+                self.parents.entry(body).or_insert(Carrier::Ground);
             }
             _ => {}
         }
@@ -239,15 +241,15 @@ impl JointRelations {
 
     fn parent(&self, body: ComponentId) -> Option<ComponentId> {
         match self.parents.get(&body)? {
-            FrameBase::Body(parent) => Some(*parent),
-            FrameBase::Ground | FrameBase::Unknown => None,
+            Carrier::Body(parent) => Some(*parent),
+            Carrier::Ground | Carrier::Unknown => None,
         }
     }
 }
 
 /// The bodies that WeldJoints connect with a member of `from`, directly or through other bodies, whatever the direction of each joint.
-fn welded_to(from: Vec<FrameBase>, links: &[JointLink]) -> HashSet<ComponentId> {
-    let mut at: HashMap<FrameBase, Vec<FrameBase>> = HashMap::new();
+fn welded_to(from: Vec<Carrier>, links: &[JointLink]) -> HashSet<ComponentId> {
+    let mut at: HashMap<Carrier, Vec<Carrier>> = HashMap::new();
     for [one, other] in links.iter().filter(|link| link.weld).map(|link| link.ends) {
         at.entry(one).or_default().push(other);
         at.entry(other).or_default().push(one);
@@ -255,7 +257,7 @@ fn welded_to(from: Vec<FrameBase>, links: &[JointLink]) -> HashSet<ComponentId> 
     let (mut welded, mut next) = (HashSet::new(), from);
     while let Some(from) = next.pop() {
         for &to in at.get(&from).into_iter().flatten() {
-            if let FrameBase::Body(body) = to
+            if let Carrier::Body(body) = to
                 && welded.insert(body)
             {
                 next.push(to);
@@ -268,14 +270,14 @@ fn welded_to(from: Vec<FrameBase>, links: &[JointLink]) -> HashSet<ComponentId> 
 /// The bodies welded to ground without a child body, direct or indirect. A fixed body that carries others is part of the animal, such as a
 /// pelvis that is welded to ground.
 fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> HashSet<ComponentId> {
-    let is_fixed = |end: &FrameBase| matches!(end, FrameBase::Body(body) if welded.contains(body));
-    let is_free = |end: &FrameBase| matches!(end, FrameBase::Body(body) if !welded.contains(body));
+    let is_fixed = |end: &Carrier| matches!(end, Carrier::Body(body) if welded.contains(body));
+    let is_free = |end: &Carrier| matches!(end, Carrier::Body(body) if !welded.contains(body));
     let holds = |link: &&JointLink| !link.moves_away && link.ends.iter().any(is_free);
-    let holding: Vec<FrameBase> =
+    let holding: Vec<Carrier> =
         links.iter().filter(holds).flat_map(|link| link.ends).filter(|end| is_fixed(end)).collect();
     let mut hangs = welded_to(holding.clone(), links);
     hangs.extend(
-        holding.into_iter().filter_map(|end| if let FrameBase::Body(body) = end { Some(body) } else { None }),
+        holding.into_iter().filter_map(|end| if let Carrier::Body(body) = end { Some(body) } else { None }),
     );
     welded.difference(&hangs).copied().collect()
 }
@@ -286,7 +288,7 @@ fn excluded_from_mass(welded: &HashSet<ComponentId>, links: &[JointLink]) -> Has
 #[derive(Debug, Clone, Copy)]
 struct JointLink {
     pub joint: ComponentId,
-    pub ends: [FrameBase; 2],
+    pub ends: [Carrier; 2],
     pub weld: bool,
     /// Whether the joint is a WeldJoint or a FreeJoint. If a loop contains such a joint, OpenSim counts a body twice.
     pub counts_twice: bool,
@@ -296,7 +298,7 @@ struct JointLink {
 
 impl JointLink {
     fn is_between_bodies(&self) -> bool {
-        self.ends.iter().all(|end| matches!(end, FrameBase::Body(_)))
+        self.ends.iter().all(|end| matches!(end, Carrier::Body(_)))
     }
 }
 
@@ -313,15 +315,15 @@ impl Loops {
     /// Finds the joints in loops: bodies with only one remaining joint are removed again and again; the remaining bodies are joined in
     /// loops.
     fn of(links: &[JointLink]) -> Self {
-        let mut at: HashMap<FrameBase, Vec<usize>> = HashMap::new();
+        let mut at: HashMap<Carrier, Vec<usize>> = HashMap::new();
         for (index, link) in links.iter().enumerate() {
             for end in link.ends {
                 at.entry(end).or_default().push(index);
             }
         }
         let mut left: Vec<bool> = vec![true; links.len()];
-        let mut count: HashMap<FrameBase, usize> = at.iter().map(|(&end, links)| (end, links.len())).collect();
-        let mut ends: Vec<FrameBase> =
+        let mut count: HashMap<Carrier, usize> = at.iter().map(|(&end, links)| (end, links.len())).collect();
+        let mut ends: Vec<Carrier> =
             count.iter().filter(|(_, count)| **count == 1).map(|(end, _)| *end).collect();
         while let Some(end) = ends.pop() {
             for &index in at.get(&end).into_iter().flatten() {

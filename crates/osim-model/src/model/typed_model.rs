@@ -10,7 +10,6 @@ use crate::model::{
     Body, Companion, ComponentId, Components, Document, Fault, FileId, Finding, Force, ForceId, HalfSpace,
     Irregularity, Note, NoteDoubt, Property, SetId, Skeleton, Sphere, SphereId,
 };
-use crate::xml::ElementId;
 
 /// A model with its bodies, contact spheres and contact forces.
 ///

@@ -3,7 +3,7 @@
 use contact_scaling::{DimensionlessContact, RatioValues, Ratios, Scale, ScaleValues};
 use foldhash::{HashMap, HashMapExt};
 use osim_model::{
-    Fault, FaultKind, Force, Model, MissingFact, Property, Selected, SphereId, Surfaces, moving_spheres,
+    Fault, FaultKind, Force, MissingFact, Model, Property, Selected, SphereId, Surfaces, moving_spheres,
     sphere_sets,
 };
 

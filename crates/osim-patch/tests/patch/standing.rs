@@ -18,7 +18,8 @@ fn a_standalone_pair_changes_together() {
     let expected = geometry.replace("<radius>0.0325</radius>", "<radius>0.065</radius>");
     assert_eq!(String::from_utf8(outcome.file(1).to_vec()).unwrap(), expected);
     // The masses of the model they belong to.
-    let outcome = pair().with_companion(fixture("format/standalone_model_without_contacts.osim")).rescaled_to(492.0);
+    let outcome =
+        pair().with_companion(fixture("format/standalone_model_without_contacts.osim")).rescaled_to(492.0);
     outcome.sets(Property::Stiffness, 1, 2_469_135.6);
     assert_eq!(outcome.file(2), fixture("format/standalone_model_without_contacts.osim"));
     pair().rescaled_to(492.0).is_refused("no-mass", &["`mass`", "`contacts_mass`"]);

@@ -7,7 +7,7 @@ use osim_inspect::StandingBody;
 use osim_model::feet::{Movements, Sole, angle};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, DVec3, Force, ForceId, JointDistances, Model, NeedsConfirmation, Question, Side, probable_units,
+    Anatomy, DVec3, Force, ForceId, JointDistances, Model, Question, Side, Suspicion, probable_units,
     without_side,
 };
 use osim_patch::{ObjectAction, Plan, RebuiltModel};
@@ -239,7 +239,7 @@ impl DistanceFromJoints {
     }
 
     /// The question about a place that is too far from the joints of the body; `at` names the table and the line.
-    pub(crate) fn question_about_place(&self, at: &str, name: &str, body: &str) -> Option<NeedsConfirmation> {
+    pub(crate) fn question_about_place(&self, at: &str, name: &str, body: &str) -> Option<Suspicion> {
         if self.relative() <= FAR_FROM_JOINTS {
             return None;
         }
@@ -258,12 +258,12 @@ impl DistanceFromJoints {
             if units.is_empty() { "" } else { ", " },
             units.join(", or ")
         );
-        Some(NeedsConfirmation::Other { question: Question::ImplausiblePlace, text: text.into() })
+        Some(Suspicion::Other { question: Question::ImplausiblePlace, text: text.into() })
     }
 }
 
 /// The question about a pad that is thicker than the foot is long.
-pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsConfirmation> {
+pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<Suspicion> {
     let length_m = sole.footprint.length_m;
     if pad_m <= length_m {
         return None;
@@ -280,11 +280,11 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<NeedsConfirm
         Input::Pad.with_value(readable(pad_m)), bodies.join(", "), four_significant(length_m),
         units.join(", or ")
     ];
-    Some(NeedsConfirmation::Other { question: Question::ImplausiblePlace, text })
+    Some(Suspicion::Other { question: Question::ImplausiblePlace, text })
 }
 
 /// The question about a scale factor of bones that is larger than between any two animals.
-pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsConfirmation> {
+pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<Suspicion> {
     let usual = 1.0 / LARGEST_SCALE..=LARGEST_SCALE;
     let factors = scales.iter().flat_map(|scale| scale.factors.map(|factor| (scale, factor)));
     let (scale, factor) = factors.into_iter().find(|(_, factor)| !usual.contains(factor))?;
@@ -296,7 +296,7 @@ pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<NeedsConfirma
         "{} makes a bone {} times as long as the reference's: between a mouse and a giraffe it is 38 times{percent}";
         Input::BodyScale.with_value(scale.to_string()), readable(factor)
     ];
-    Some(NeedsConfirmation::Other { question: Question::ImplausibleScale, text })
+    Some(Suspicion::Other { question: Question::ImplausibleScale, text })
 }
 
 /// A remark with the number of limbs that share the weight, if the number is from the note in `model` and not from the caller.

@@ -4,7 +4,7 @@ mod feet;
 mod forces;
 
 use osim_model::messages::{Input, phrase, shortest};
-use osim_model::{Fault, Model, MissingFact, RadiusRule};
+use osim_model::{Fault, MissingFact, Model, RadiusRule};
 use osim_requests::RequestFault;
 use osim_requests::options::OutputOptions;
 

@@ -21,36 +21,25 @@ impl SweepLadder {
     ///
     /// # Errors
     /// The last step cannot be designed, or is softer than the first.
-    pub(super) fn of_model(
-        request: &SweepRequest,
-        model: &ModelFiles,
-        count: u32,
-    ) -> Result<Self, RequestFault> {
+    pub(super) fn new(request: &SweepRequest, model: &ModelFiles, count: u32) -> Result<Self, RequestFault> {
         let Some(indentation) = request.wanted.indentation else {
-            let message = phrase![
-                "{} needs {} for its last step";
-                Input::Ladder, Input::Indentation.with_placeholder("X")
-            ];
+            let needed = Input::Indentation.with_placeholder("X");
+            let message = phrase!["{} needs {} for its last step"; Input::Ladder, needed];
             return Err(RequestFault::refused(Input::Ladder, message));
         };
         let last = stiffness::dimensionless_hertz(indentation.get())
             .map_err(|error| RequestFault::general(error.to_string()))?;
         let end = vec![prepare_design(request, None, None)?];
-        let original_dissipation = largest_dissipation(Variant::unchanged(request, model))?;
-        let wanted_dissipation =
-            largest_dissipation(Variant::of_stages(request, model, &end, "ladder", None))?;
-        let falls = original_dissipation > wanted_dissipation && wanted_dissipation > 0.0;
-        let ratio = if falls { original_dissipation / wanted_dissipation } else { 1.0 };
+        let first_s_m = largest_dissipation(Variant::unchanged(request, model))?;
+        let last_s_m = largest_dissipation(Variant::of_stages(request, model, &end, "ladder", None))?;
+        let ratio = if first_s_m > last_s_m && last_s_m > 0.0 { first_s_m / last_s_m } else { 1.0 };
         let soft = request.soft.get();
         let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
             let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
             RequestFault::refused(Input::Soft, message)
         })?;
-        Ok(Self {
-            steps,
-            dissipation_if_none: (wanted_dissipation == 0.0 && original_dissipation > 0.0)
-                .then_some(original_dissipation),
-        })
+        let dissipation_if_none = (last_s_m == 0.0 && first_s_m > 0.0).then_some(first_s_m);
+        Ok(Self { steps, dissipation_if_none })
     }
 
     pub(super) fn len(&self) -> usize {
@@ -79,7 +68,6 @@ impl SweepLadder {
             let mut assignments = vec![(Property::Stiffness, Assignment::Factor(step.modulus_factor))];
             if let Some(dissipation) = self.dissipation_if_none {
                 // No ratio leads to 0: α falls by equal amounts.
-                #[expect(clippy::cast_precision_loss, reason = "ladders have few steps")]
                 let remaining = 1.0 - index as f64 / (self.steps.len() - 1) as f64;
                 assignments.push((Property::Dissipation, Assignment::Value(dissipation * remaining)));
             } else if step.dissipation_factor != 1.0 {
@@ -96,8 +84,7 @@ impl SweepLadder {
 /// # Errors
 /// The variant cannot be made.
 fn largest_dissipation(variant: Result<Variant, Failure>) -> Result<f64, RequestFault> {
-    let fault = |failure: Failure| {
-        RequestFault::general(phrase![failure.model.to_string(), ": ", &failure.message])
-    };
+    let fault =
+        |failure: Failure| RequestFault::general(phrase![failure.model.to_string(), ": ", &failure.message]);
     Ok(variant.map_err(fault)?.values_of(Property::Dissipation).fold(0.0, f64::max))
 }

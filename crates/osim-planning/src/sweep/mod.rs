@@ -76,7 +76,7 @@ impl<'s> SweepPlan<'s> {
         // A model that is wrong itself is refused here, once for all variants.
         let original = Variant::unchanged(request, &model)?;
         let ladder =
-            request.ladder.map(|steps| SweepLadder::of_model(request, &model, steps.get())).transpose()?;
+            request.ladder.map(|steps| SweepLadder::new(request, &model, steps.get())).transpose()?;
         grid::check_point_exists(request, count)?;
         Ok(Self { request, model, original, ladder, count })
     }

@@ -197,8 +197,10 @@ pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result
     let (indentation, restitution) =
         (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
     let wanted = &request.wanted;
-    let designs =
-        indentation.is_some() || restitution.is_some() || wanted.has_contact_options() || wanted.contact_stiffness.is_some();
+    let designs = indentation.is_some()
+        || restitution.is_some()
+        || wanted.has_design()
+        || wanted.contact_stiffness.is_some();
     let mut stages = StepChanges::new();
     if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
         if designs {
@@ -286,100 +288,4 @@ fn prepare_rescale(request: &SweepRequest, target_mass_kg: f64) -> Result<Prepar
         ..RescaleRequest::default()
     };
     rescale::prepare_with_factors(request, None)
-}
-
-/// A ladder: steps from a soft contact to the wanted contact (section 4.3 of the paper).
-pub(super) struct SweepLadder {
-    steps: Vec<continuation::Step>,
-    /// The dissipation α of the softest step, s/m, if the last step has no dissipation.
-    dissipation_if_none: Option<f64>,
-}
-
-impl SweepLadder {
-    /// Computes the steps from the contacts of the model and the wanted design.
-    ///
-    /// # Errors
-    /// The last step cannot be designed, or is softer than the first.
-    pub(super) fn of_model(
-        request: &SweepRequest,
-        model: &ModelFiles,
-        count: u32,
-    ) -> Result<Self, RequestFault> {
-        let Some(indentation) = request.wanted.indentation else {
-            let message = phrase![
-                "{} needs {} for its last step";
-                Input::Ladder, Input::Indentation.with_placeholder("X")
-            ];
-            return Err(RequestFault::refused(Input::Ladder, message));
-        };
-        let last = stiffness::dimensionless_hertz(indentation.get())
-            .map_err(|error| RequestFault::general(error.to_string()))?;
-        let end = vec![prepare_design(request, None, None)?];
-        let original_dissipation = largest_dissipation(
-            &Variant::unchanged(request, model).map_err(|failure| fault_of_original(&failure))?,
-        );
-        let wanted_dissipation = largest_dissipation(
-            &Variant::of_stages(request, model, &end, "ladder", None)
-                .map_err(|failure| fault_of_original(&failure))?,
-        );
-        let falls = original_dissipation > wanted_dissipation && wanted_dissipation > 0.0;
-        let ratio = if falls { original_dissipation / wanted_dissipation } else { 1.0 };
-        let soft = request.soft.get();
-        let steps = continuation::steps(soft, last, ratio, count).map_err(|error| {
-            let message = phrase![Input::Soft, format!(" {}: {error}", shortest(soft))];
-            RequestFault::refused(Input::Soft, message)
-        })?;
-        Ok(Self {
-            steps,
-            dissipation_if_none: (wanted_dissipation == 0.0 && original_dissipation > 0.0)
-                .then_some(original_dissipation),
-        })
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.steps.len()
-    }
-
-    /// The number of the step with this index in the name of a file, counted from 1.
-    pub(super) fn file_part(&self, index: usize) -> String {
-        let count = self.steps.len();
-        format!("ladder-{}-of-{count}", padded(index + 1, count))
-    }
-
-    /// The dimensionless stiffness k̂ of the step with this index, at the load of the design.
-    pub(super) fn dimensionless_stiffness(&self, index: usize) -> Option<f64> {
-        self.steps.get(index).map(|step| step.dimensionless_stiffness)
-    }
-
-    /// The changes that make the step with this index, counted from 0: the wanted design with a softer contact.
-    ///
-    /// # Errors
-    /// The last step cannot be designed.
-    pub(super) fn stages(&self, request: &SweepRequest, index: usize) -> Result<StepChanges, RequestFault> {
-        let mut stages = vec![prepare_design(request, None, None)?];
-        let Some(step) = self.steps.get(index) else { return Err(RequestFault::general("no such step")) };
-        if index + 1 < self.steps.len() {
-            let mut assignments = vec![(Property::Stiffness, Assignment::Factor(step.modulus_factor))];
-            if let Some(dissipation) = self.dissipation_if_none {
-                // No ratio leads to 0: α falls by equal amounts.
-                let remaining = 1.0 - index as f64 / (self.steps.len() - 1) as f64;
-                assignments.push((Property::Dissipation, Assignment::Value(dissipation * remaining)));
-            } else if step.dissipation_factor != 1.0 {
-                assignments.push((Property::Dissipation, Assignment::Factor(step.dissipation_factor)));
-            }
-            stages.push(prepare_set(request, assignments)?);
-        }
-        Ok(stages)
-    }
-}
-
-/// The largest dissipation α of the selected forces, s/m.
-fn largest_dissipation(variant: &Variant) -> f64 {
-    variant.values_of(Property::Dissipation).fold(0.0, f64::max)
-}
-
-fn fault_of_original(failure: &Failure) -> RequestFault {
-    let mut message = Phrase::from(format!("{}: ", failure.model));
-    message.push(&failure.message);
-    RequestFault::general(message)
 }

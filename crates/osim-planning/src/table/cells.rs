@@ -120,7 +120,7 @@ fn items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
     cell.split(marks).map(trimmed).filter(|item| !item.is_empty())
 }
 
-fn filled<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
+fn filled_cells<'r>(row: &'r Row, columns: &'r Columns) -> impl Iterator<Item = (&'r Column, &'r str)> {
     let cells = row.cells.iter().map(String::as_str);
     columns.columns.iter().zip(cells).filter(|(_, cell)| !cell.is_empty())
 }

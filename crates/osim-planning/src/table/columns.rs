@@ -94,7 +94,7 @@ impl Columns {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
-            return Err(format!("no column 'model' in the first row, which has {}", quoted_cells(header)).into());
+            return Err(format!("no column 'model' in the first row, which has {}", quote(header)).into());
         };
         let model = model.header.clone();
         Ok(Self { columns, model })
@@ -122,7 +122,7 @@ impl Columns {
     }
 }
 
-fn quoted_cells(header: &[String]) -> String {
+fn quote(header: &[String]) -> String {
     let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
@@ -144,7 +144,7 @@ fn other_header<'k>(cell: &str, known: &'k BTreeMap<String, Option<CellKind>>) -
         return Some("model");
     }
     let is_meant = |name: &str| {
-        letters(name) == header || Input::from_name(name).is_some_and(|input| letters(input.label()) == header)
+        letters(name) == header || Input::find(name).is_some_and(|input| letters(input.label()) == header)
     };
     known.iter().find(|(name, kind)| kind.is_some() && is_meant(name)).map(|(name, _)| name.as_str())
 }
@@ -183,7 +183,7 @@ fn column(
 
 fn message_about_run_option(cell: &str, field: &str) -> Phrase {
     let about = format!("the column '{cell}' is about the whole run: write ");
-    match Input::from_name(field) {
+    match Input::find(field) {
         Some(input) => phrase![about, input, " after the manifest's name"],
         None => format!("{about}{field} after the manifest's name").into(),
     }

@@ -108,7 +108,8 @@ impl Table {
             fields.insert(Input::Yes.name().to_owned(), yes.collect());
         }
         let other_rows = self.masses.other_rows(&fields);
-        let mut request = Request::read(row.verb, fields).map_err(|fault| self.row_fault(&fault, row.verb))?;
+        let mut request =
+            Request::read(row.verb, fields).map_err(|fault| self.row_fault(&fault, row.verb))?;
         if let Some(masses) = request.masses_mut() {
             masses.other_rows = other_rows;
         }

@@ -4,7 +4,7 @@ use contact_scaling::SharedLoad;
 use osim_inspect::{ContactsOrigin, LoadSharing, Stance, weight_share_on_floor};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    CountedSpheres, Fault, GravityFor, Mass, MassRequest, Model, MissingFact, RadiusRule, Selected, Selection,
+    CountedSpheres, Fault, GravityFor, Mass, MassRequest, MissingFact, Model, RadiusRule, Selected, Selection,
 };
 use osim_patch::{Design, DesignModulus, Plan, design};
 use osim_requests::options::{CountOptions, InspectionOptions, LoadOptions, WantedOptions};
@@ -93,7 +93,7 @@ fn check(request: &DesignRequest) -> Result<(), RequestFault> {
         ];
         return refused(Input::ContactStiffness, why);
     }
-    if !wanted.has_contact_options() {
+    if !wanted.has_design() {
         return Err(RequestFault::general(phrase![
             "nothing is asked for: give for example {}, {} or {}";
             Input::Indentation.with_placeholder("X"), Input::Restitution.with_placeholder("CR"),

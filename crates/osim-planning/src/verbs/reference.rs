@@ -11,8 +11,8 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, Model, MissingFact, NeedsConfirmation,
-    Question, Selection, implausible_mass,
+    Anatomy, CountedSpheres, Fault, FaultKind, Mass, MassRequest, MassSource, MissingFact, Model, Question,
+    Selection, Suspicion, implausible_mass,
 };
 use osim_patch::{Reference, reference_of_model};
 use osim_requests::{Acceleration, Count, Kilograms, TransferRequest};
@@ -152,13 +152,13 @@ fn reference_from_model(
     let selection = Selection { select: options.reference_select.clone(), ..Selection::default() };
     let selected = selection.apply(model).map_err(ask_for_reference_option)?;
     if request.follow.follow_bodies {
-        request.answers.refuse_unconfirmed(misplaced_reference_spheres(model)).map_err(Fault::new)?;
+        request.answers.require_yes(misplaced_reference_spheres(model)).map_err(Fault::new)?;
     }
     let mass = match options.reference_mass {
         Some(kg) => {
             let doubt =
                 implausible_mass(Input::ReferenceMass, kg.get(), MassRequest::default().bodies_kg(model));
-            request.answers.refuse_unconfirmed(doubt).map_err(Fault::new)?;
+            request.answers.require_yes(doubt).map_err(Fault::new)?;
             given_reference_mass(kg)
         }
         None => {
@@ -195,14 +195,14 @@ fn reference_from_model(
 
 /// The question whether the caller accepts places of spheres that do not fit the bones of the reference. The places in the model follow
 /// from them.
-fn misplaced_reference_spheres(model: &Model) -> Option<NeedsConfirmation> {
+fn misplaced_reference_spheres(model: &Model) -> Option<Suspicion> {
     let finding = find_misplaced_spheres(model)?;
     let text = phrase![
         "the spheres of the reference do not fit its own bones, so those of the model would not fit, either: {}; \
         take the model that was scaled as {}";
         &finding.message, Input::From
     ];
-    Some(NeedsConfirmation::Other { question: Question::WrongAfterwards, text })
+    Some(Suspicion::Other { question: Question::WrongAfterwards, text })
 }
 
 /// Adds the name of the reference to a question about its spheres, because the question may be asked while another model is read.

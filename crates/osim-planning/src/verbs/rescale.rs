@@ -5,7 +5,7 @@ use osim_model::compare::ScaleFile;
 use osim_model::files::Files;
 use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
-    Fault, MassRequest, Model, MissingFact, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
+    Fault, MassRequest, MissingFact, Model, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
 };
 use osim_patch::{Plan, RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions};

@@ -8,8 +8,8 @@ use osim_model::compare::{Factors, Follow, FollowRequest, OwnRadii};
 use osim_model::files::{Failure, Files};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_model::{
-    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, Model, MissingFact, Property, RadiusAxis, RadiusRule,
-    Selected, Selection, implausible_mass, moving_spheres,
+    Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model, Property, RadiusAxis,
+    RadiusRule, Selected, Selection, implausible_mass, moving_spheres,
 };
 use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING_BODIES, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
@@ -45,7 +45,7 @@ pub(super) fn prepare(request: TransferRequest, files: &dyn Files) -> Result<Pre
             // A preset has no bodies to compare its mass with.
             let given_mass = request.reference.reference_mass.map(Kilograms::get);
             let doubt = given_mass.and_then(|kg| implausible_mass(Input::ReferenceMass, kg, None));
-            let asked = request.answers.refuse_unconfirmed(doubt);
+            let asked = request.answers.require_yes(doubt);
             asked.map_err(|kind| Failure::outside(from.as_path(), kind.code(), kind.phrase()))?;
             let (reference, state) = reference_of_preset(&request, &preset);
             (reference, state, None)
@@ -263,7 +263,8 @@ impl TransferPlanner {
         generic: &GenericModel,
     ) -> Result<(Follow, Factors), Fault> {
         let scaled = Anatomy::of(model)?;
-        let factors = Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.given_factors())?;
+        let factors =
+            Factors::find(&scaled, &generic.anatomy, generic.file.as_ref(), &self.follow.factors())?;
         let mut wanted = FollowRequest {
             radius_axis: self.follow.radius_axis(),
             level: self.scaling.level_axis(model.gravity_m_s2),

@@ -1,12 +1,12 @@
 //! Findings of `check`: values on both sides of each limit, the sphere and the force that a finding names, and models without the finding.
 
 use crate::checks::{check_foot, check_text, check_with, codes, find, has, message, rule};
-use crate::feet::{SOLE, Smooth, foot};
+use crate::feet::{SOLE, SmoothContact, foot};
 use osim_inspect::{Changeable, CheckResult, InspectOptions, Stance, check_model};
 use osim_model::files::FileName;
 use osim_model::{Finding, FindingCode, Model, Severity};
-use osim_planning::try_what_can_change;
 use osim_planning::check_with_trials;
+use osim_planning::try_what_can_change;
 use osim_requests::Request;
 
 /// A human of 62 kg on 6 spheres on each foot.
@@ -36,7 +36,7 @@ fn touching(force: f64) -> f64 {
 
 /// Asserts that the finding `code` occurs a millionth beyond a limit, but not at the limit, and not a millionth before it.
 #[track_caller]
-fn assert_limit(code: FindingCode, sphere: impl Fn(f64) -> Smooth) {
+fn assert_limit(code: FindingCode, sphere: impl Fn(f64) -> SmoothContact) {
     for (of_limit, expected) in [(1.0 - 1e-6, false), (1.0, false), (1.0 + 1e-6, true)] {
         assert_eq!(
             has(&check_foot(&[sphere(of_limit)]), code),
@@ -55,7 +55,7 @@ fn nothing_is_found_in_a_foot_within_every_limit() {
 
 #[test]
 fn hertz_holds_up_to_0_16_at_body_weight() {
-    assert_limit(FindingCode::BeyondHertz, |of_limit| Smooth {
+    assert_limit(FindingCode::BeyondHertz, |of_limit| SmoothContact {
         stiffness: stiffness_for(0.16 * of_limit, WEIGHT),
         ..SOLE
     });
@@ -63,7 +63,7 @@ fn hertz_holds_up_to_0_16_at_body_weight() {
 
 #[test]
 fn hertz_holds_up_to_0_16_at_two_body_weights() {
-    assert_limit(FindingCode::BeyondHertzAtTwo, |of_limit| Smooth {
+    assert_limit(FindingCode::BeyondHertzAtTwo, |of_limit| SmoothContact {
         stiffness: stiffness_for(0.16 * of_limit, 2.0 * WEIGHT),
         ..SOLE
     });
@@ -71,14 +71,14 @@ fn hertz_holds_up_to_0_16_at_two_body_weights() {
 
 #[test]
 fn a_sphere_beyond_hertz_at_one_body_weight_is_not_reported_again_at_two() {
-    let result = check_foot(&[Smooth { stiffness: stiffness_for(0.2, WEIGHT), ..SOLE }]);
+    let result = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, WEIGHT), ..SOLE }]);
     assert!(has(&result, FindingCode::BeyondHertz) && !has(&result, FindingCode::BeyondHertzAtTwo));
 }
 
 #[test]
 fn a_sphere_sinks_in_from_its_centre_on() {
     for (x_hat, sunk) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
-        let result = check_foot(&[Smooth { stiffness: stiffness_for(x_hat, WEIGHT), ..SOLE }]);
+        let result = check_foot(&[SmoothContact { stiffness: stiffness_for(x_hat, WEIGHT), ..SOLE }]);
         let found = (has(&result, FindingCode::SunkIn), has(&result, FindingCode::BeyondHertz));
         assert_eq!(found, (sunk, !sunk), "{x_hat}");
     }
@@ -87,7 +87,7 @@ fn a_sphere_sinks_in_from_its_centre_on() {
 #[test]
 fn a_sphere_in_the_floor_up_to_its_very_centre_has_sunk_in() {
     // R = 1 m, E* = 1 N/m² and a load of 4/3 N: x̂ is 1 by (3), to the last bit.
-    let unit = Smooth { radius: 1.0, stiffness: 8_f64.sqrt(), constant_contact_force: 0.0, ..SOLE };
+    let unit = SmoothContact { radius: 1.0, stiffness: 8_f64.sqrt(), constant_contact_force: 0.0, ..SOLE };
     let text =
         foot(&[unit]).replace("<mass>60<", &format!("<mass>{}<", 4.0 / 3.0)).replace("0 -10 0", "0 -1 0");
     let result = check_text(&text);
@@ -97,12 +97,15 @@ fn a_sphere_in_the_floor_up_to_its_very_centre_has_sunk_in() {
 #[test]
 fn hunt_and_crossley_hold_down_to_a_restitution_of_0_8() {
     // √(g R / 2) is 0.5 m/s, so that α = 0.4 s/m loses a fifth.
-    assert_limit(FindingCode::BeyondHuntCrossley, |of_limit| Smooth { dissipation: 0.4 * of_limit, ..SOLE });
+    assert_limit(FindingCode::BeyondHuntCrossley, |of_limit| SmoothContact {
+        dissipation: 0.4 * of_limit,
+        ..SOLE
+    });
 }
 
 #[test]
 fn the_constant_indentation_is_a_tenth_of_the_radius_at_most() {
-    assert_limit(FindingCode::LargeConstantIndentation, |of_limit| Smooth {
+    assert_limit(FindingCode::LargeConstantIndentation, |of_limit| SmoothContact {
         constant_contact_force: (0.1 * 0.05 * of_limit).powi(2),
         ..SOLE
     });
@@ -111,7 +114,7 @@ fn the_constant_indentation_is_a_tenth_of_the_radius_at_most() {
 #[test]
 fn contact_sets_in_over_0_31_of_the_radius_at_most() {
     // (C.7) at t = 0.05: 2 atanh(0.9) is ln 19.
-    assert_limit(FindingCode::WideTransition, |of_limit| Smooth {
+    assert_limit(FindingCode::WideTransition, |of_limit| SmoothContact {
         hertz_smoothing: 19_f64.ln() / (0.31 * 0.05 * of_limit),
         ..SOLE
     });
@@ -119,7 +122,7 @@ fn contact_sets_in_over_0_31_of_the_radius_at_most() {
 
 #[test]
 fn just_touching_a_sphere_carries_a_tenth_of_its_load_at_most() {
-    assert_limit(FindingCode::ForceBeforeContact, |of_limit| Smooth {
+    assert_limit(FindingCode::ForceBeforeContact, |of_limit| SmoothContact {
         constant_contact_force: touching(0.1 * WEIGHT * of_limit),
         ..SOLE
     });
@@ -128,7 +131,7 @@ fn just_touching_a_sphere_carries_a_tenth_of_its_load_at_most() {
 #[test]
 fn a_sphere_floats_that_carries_its_load_before_it_touches() {
     for (of_weight, floats) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
-        let sphere = Smooth { constant_contact_force: touching(of_weight * WEIGHT), ..SOLE };
+        let sphere = SmoothContact { constant_contact_force: touching(of_weight * WEIGHT), ..SOLE };
         assert_eq!(has(&check_foot(&[sphere]), FindingCode::Floats), floats, "{of_weight}");
     }
 }
@@ -139,47 +142,47 @@ fn each_finding_has_the_value_of_its_figure_and_the_limit() {
     for (code, sphere, expected) in [
         (
             FindingCode::BeyondHertz,
-            Smooth { stiffness: stiffness_for(0.25, WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(0.25, WEIGHT), ..SOLE },
             "under body weight on one limb spheres sink in 0.25 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::BeyondHertzAtTwo,
-            Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE },
             "under two body weights on one limb spheres sink in 0.2 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::SunkIn,
-            Smooth { stiffness: stiffness_for(1.25, WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(1.25, WEIGHT), ..SOLE },
             "too soft: at body weight on one limb spheres sink 1.25 R into the floor (x/R by Hertz) (heel_r)",
         ),
         (
             FindingCode::BeyondHuntCrossley,
-            Smooth { dissipation: 1.5, ..SOLE },
+            SmoothContact { dissipation: 1.5, ..SOLE },
             "the restitution at 0.5 m/s is 0.5636, by (13) 0.25, limit 0.8 or more (heel_r)",
         ),
         (
             FindingCode::BeyondHuntCrossley,
-            Smooth { dissipation: 2.5, ..SOLE },
+            SmoothContact { dissipation: 2.5, ..SOLE },
             "the restitution at 0.5 m/s is 0.4279, by (13) below 0, limit 0.8 or more (heel_r)",
         ),
         (
             FindingCode::LargeConstantIndentation,
-            Smooth { constant_contact_force: 1e-4, ..SOLE },
+            SmoothContact { constant_contact_force: 1e-4, ..SOLE },
             "sqrt(constant_contact_force)/R is 0.2, limit 0.1 (heel_r)",
         ),
         (
             FindingCode::WideTransition,
-            Smooth { hertz_smoothing: 100.0, ..SOLE },
+            SmoothContact { hertz_smoothing: 100.0, ..SOLE },
             "smoothing switches contact on over 0.5889 R, limit 0.31 R (heel_r)",
         ),
         (
             FindingCode::ForceBeforeContact,
-            Smooth { constant_contact_force: touching(120.0), ..SOLE },
+            SmoothContact { constant_contact_force: touching(120.0), ..SOLE },
             "just touching, a sphere carries 120 N, 0.2 of its share of body weight (heel_r)",
         ),
         (
             FindingCode::Floats,
-            Smooth { constant_contact_force: 1e-4, ..SOLE },
+            SmoothContact { constant_contact_force: 1e-4, ..SOLE },
             "body weight is carried 0.03838 R above the floor (heel_r)",
         ),
     ] {
@@ -195,7 +198,7 @@ fn line_of(model: &str, text: &str) -> Option<usize> {
 #[test]
 fn a_finding_about_several_spheres_is_placed_at_the_worst_and_names_all() {
     // Each of three spheres carries 200 N.
-    let of = |name, x_hat| Smooth { name, stiffness: stiffness_for(x_hat, 200.0), ..SOLE };
+    let of = |name, x_hat| SmoothContact { name, stiffness: stiffness_for(x_hat, 200.0), ..SOLE };
     let spheres = [of("heel_r", 0.2), of("mid_r", 0.09), of("toe_r", 0.25)];
     let result = check_foot(&spheres);
     let deep = find(&result, FindingCode::BeyondHertz);
@@ -211,7 +214,7 @@ fn a_finding_about_several_spheres_is_placed_at_the_worst_and_names_all() {
 
 #[test]
 fn of_spheres_that_are_equally_bad_the_first_is_the_place() {
-    let of = |name| Smooth { name, stiffness: stiffness_for(0.25, 300.0), ..SOLE };
+    let of = |name| SmoothContact { name, stiffness: stiffness_for(0.25, 300.0), ..SOLE };
     let result = check_foot(&[of("heel_r"), of("toe_r")]);
     let deep = find(&result, FindingCode::BeyondHertz);
     assert!(deep.message.to_string().ends_with(" (all 2 spheres)"));
@@ -221,7 +224,7 @@ fn of_spheres_that_are_equally_bad_the_first_is_the_place() {
 
 #[test]
 fn a_finding_about_parameters_is_placed_at_the_force() {
-    let spheres = [SOLE, Smooth { name: "toe_r", dissipation: 1.0, ..SOLE }];
+    let spheres = [SOLE, SmoothContact { name: "toe_r", dissipation: 1.0, ..SOLE }];
     let result = check_foot(&spheres);
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
     assert_eq!(damped.place.as_deref(), Some("/forceset/contact_toe_r"));
@@ -253,7 +256,7 @@ fn a_model_without_gravity_gets_a_finding() {
 
 #[test]
 fn gravity_is_not_reported_missing_if_figures_fail_for_another_reason() {
-    let text = foot(&[Smooth { dissipation: -1.0, ..SOLE }]);
+    let text = foot(&[SmoothContact { dissipation: -1.0, ..SOLE }]);
     assert!(!has(&with_stance(&text, Stance::default()), FindingCode::NoGravity));
 }
 
@@ -282,9 +285,13 @@ fn special_forms_of_contact_forces_are_reported() {
 #[test]
 fn the_worst_comes_first_and_each_severity_is_counted() {
     // The heel, which carries half, is damped too much, sets in slowly and is sunk in; the toe is too soft at twice the load.
-    let heel =
-        Smooth { stiffness: stiffness_for(1.25, 300.0), dissipation: 2.0, hertz_smoothing: 100.0, ..SOLE };
-    let toe = Smooth { name: "toe_r", stiffness: stiffness_for(0.2, 2.0 * 300.0), ..SOLE };
+    let heel = SmoothContact {
+        stiffness: stiffness_for(1.25, 300.0),
+        dissipation: 2.0,
+        hertz_smoothing: 100.0,
+        ..SOLE
+    };
+    let toe = SmoothContact { name: "toe_r", stiffness: stiffness_for(0.2, 2.0 * 300.0), ..SOLE };
     let result = check_foot(&[heel, toe]);
     let expected = [
         FindingCode::SunkIn,
@@ -321,9 +328,9 @@ fn a_file_name_that_is_not_text_keeps_its_bytes() {
 
 #[test]
 fn a_result_reaches_the_severity_of_its_worst_finding() {
-    let remark = check_foot(&[Smooth { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
-    let warning = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
-    let error = check_foot(&[Smooth { constant_contact_force: touching(1.5 * WEIGHT), ..SOLE }]);
+    let remark = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
+    let warning = check_foot(&[SmoothContact { hertz_smoothing: 100.0, ..SOLE }]);
+    let error = check_foot(&[SmoothContact { constant_contact_force: touching(1.5 * WEIGHT), ..SOLE }]);
     for (result, expected) in [
         (&check_foot(&[SOLE]), [false; 3]),
         (&remark, [true, false, false]),

@@ -13,7 +13,7 @@ use osim_planning::{check_with_trials, open_with, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use crate::random::{Random, number};
+use crate::random::{Random, number_from_environment};
 
 const MODELS: [&str; 4] = [
     "check/within_limits.osim",
@@ -43,7 +43,8 @@ impl FixedObjects {
             made.bodies.push_str(&format!("<Body name=\"{name}\"><mass>0</mass></Body>\n"));
             let body = format!("/bodyset/{name}");
             // A joint may be written from either end.
-            let (parent, child) = if random.integer_below(2) == 0 { (&under, &body) } else { (&body, &under) };
+            let (parent, child) =
+                if random.integer_below(2) == 0 { (&under, &body) } else { (&body, &under) };
             made.joints.push_str(&format!(
                 "<WeldJoint name=\"weld_{index}\"><socket_parent_frame>{parent}</socket_parent_frame>\
                  <socket_child_frame>{child}</socket_child_frame></WeldJoint>\n"

@@ -70,7 +70,9 @@ fn numbers_are_judged_as_in_the_file() {
     for (number, document) in models(&files).into_iter().enumerate() {
         let files_with_changes = ChangedFiles { files: &files, own: BTreeMap::new() };
         // The same on what was written: it has a note.
-        let Some(bytes) = try_some(&files_with_changes, &document.name, number, &mut compared) else { continue };
+        let Some(bytes) = try_some(&files_with_changes, &document.name, number, &mut compared) else {
+            continue;
+        };
         let files_with_changes = ChangedFiles { files: &files, own: BTreeMap::from([(MODEL.into(), bytes)]) };
         try_some(&files_with_changes, MODEL, number + 1, &mut compared);
     }

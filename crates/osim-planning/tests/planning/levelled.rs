@@ -10,7 +10,7 @@ use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use crate::checks::{check_with, find, has, said};
+use crate::checks::{check_with, fields_of_remedy, find, has};
 
 /// A model in which two spheres of each foot, s5 and s6, are 21.8 mm lower than the other four; all have R = 0.032 m.
 const UNEVEN: &str = include_str!("../../../../fixtures/check/uneven_bottoms.osim");

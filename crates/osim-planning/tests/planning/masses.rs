@@ -1,7 +1,7 @@
 //! Contacts that are made for another mass than the mass of their body.
 
 use crate::checks::{check_text, check_with, codes, has, message};
-use crate::feet::{SOLE, Smooth, foot};
+use crate::feet::{SOLE, SmoothContact, foot};
 use osim_inspect::{InspectOptions, MassMismatch};
 use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
 
@@ -128,7 +128,7 @@ fn masses_that_agree_or_that_the_caller_gives_are_not_a_mismatch() {
 
 #[test]
 fn a_mismatch_is_only_reported_after_the_finding_about_masses() {
-    let text = with_note(&foot(&[Smooth { dissipation: 2.0, ..SOLE }]), 75.5);
+    let text = with_note(&foot(&[SmoothContact { dissipation: 2.0, ..SOLE }]), 75.5);
     let result = check_text(&text);
     let aside =
         "; the values are those under 60 kg: for those under the mass of the contacts give `mass` 75.5";

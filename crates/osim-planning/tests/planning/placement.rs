@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::checks::said;
+use crate::checks::fields_of_remedy;
 use osim_inspect::{CheckResult, InspectOptions};
 use osim_model::compare::SpherePlacements;
 use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};

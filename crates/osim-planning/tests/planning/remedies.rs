@@ -3,7 +3,7 @@
 //! Expected numbers are the limits of the paper and its equations, computed by hand.
 
 use crate::checks::{check_foot, check_text, check_with, find, has, remedy};
-use crate::feet::{SOLE, Smooth, foot};
+use crate::feet::{SOLE, SmoothContact, foot};
 use contact_scaling::SharedLoad;
 use osim_inspect::{CheckResult, InspectOptions, Stance};
 use osim_model::messages::{Call, Dialect, Example, Input};
@@ -153,14 +153,14 @@ fn a_model_that_cannot_be_read_again_has_findings_and_no_remedy() {
 
 #[test]
 fn a_sphere_that_has_sunk_in_gets_the_indentation_of_the_limit() {
-    let design = design_of(&check_foot(&[Smooth { stiffness: 3e5, ..SOLE }]), FindingCode::SunkIn);
+    let design = design_of(&check_foot(&[SmoothContact { stiffness: 3e5, ..SOLE }]), FindingCode::SunkIn);
     assert_eq!((&design["indentation"], &design["body_weights"]), (&json!(0.16), &Value::Null));
 }
 
 #[test]
 fn a_remark_has_no_remedy() {
     // x̂ is 0.105 at body weight and 0.166 at twice: a remark.
-    let result = check_foot(&[Smooth { stiffness: 1.5e7, ..SOLE }]);
+    let result = check_foot(&[SmoothContact { stiffness: 1.5e7, ..SOLE }]);
     assert_eq!(find(&result, FindingCode::BeyondHertzAtTwo).remedy, None);
     // What was published so is one, too.
     let published = check("human.osim", HUMAN);
@@ -206,21 +206,21 @@ fn spheres_that_are_not_counted_are_made_stiffer_until_they_are() {
 
 #[test]
 fn a_large_constant_indentation_comes_down_to_its_limit() {
-    let result = check_foot(&[Smooth { constant_contact_force: 1e-4, ..SOLE }]);
+    let result = check_foot(&[SmoothContact { constant_contact_force: 1e-4, ..SOLE }]);
     let expected = json!({"constant_indentation": 0.1});
     assert_eq!(design_of(&result, FindingCode::LargeConstantIndentation), expected);
 }
 
 #[test]
 fn a_wide_transition_becomes_three_tenths_of_the_radius() {
-    let result = check_foot(&[Smooth { hertz_smoothing: 100.0, ..SOLE }]);
+    let result = check_foot(&[SmoothContact { hertz_smoothing: 100.0, ..SOLE }]);
     let expected = json!({"state_width": 0.3});
     assert_eq!(design_of(&result, FindingCode::WideTransition), expected);
 }
 
 #[test]
 fn what_a_sphere_carries_while_it_touches_comes_down_to_a_tenth() {
-    let result = check_foot(&[Smooth { constant_contact_force: 4e-6, ..SOLE }]);
+    let result = check_foot(&[SmoothContact { constant_contact_force: 4e-6, ..SOLE }]);
     // It rests at x̂ = 0.086535; of that 0.2^(2/3), 0.029594.
     let expected = json!({"constant_indentation": 0.029});
     assert_eq!(design_of(&result, FindingCode::ForceBeforeContact), expected);
@@ -229,8 +229,8 @@ fn what_a_sphere_carries_while_it_touches_comes_down_to_a_tenth() {
 #[test]
 fn the_sphere_that_is_in_least_deep_decides_how_much_touching_may_carry() {
     let result = check_foot(&[
-        Smooth { stiffness: 1.2e7, name: "toe_r", ..SOLE },
-        Smooth { constant_contact_force: 4e-6, ..SOLE },
+        SmoothContact { stiffness: 1.2e7, name: "toe_r", ..SOLE },
+        SmoothContact { constant_contact_force: 4e-6, ..SOLE },
     ]);
     // Of 300 N the stiffer one is in 0.054514 R deep; of that 0.2^(2/3), 0.018643.
     assert_eq!(design_of(&result, FindingCode::ForceBeforeContact), json!({"constant_indentation": 0.018}));
@@ -238,12 +238,12 @@ fn the_sphere_that_is_in_least_deep_decides_how_much_touching_may_carry() {
 
 #[test]
 fn a_sphere_that_floats_comes_down_to_the_floor() {
-    let floating = Smooth { constant_contact_force: 1e-4, ..SOLE };
+    let floating = SmoothContact { constant_contact_force: 1e-4, ..SOLE };
     let expected = json!({"constant_indentation": 0.029});
     assert_eq!(design_of(&check_foot(&[floating]), FindingCode::Floats), expected);
     // Where contact sets in over a long way, that has to be shorter as well: 2 artanh(0.9) (0.1/0.12118)^(2/3) is 2.5905, times
     // x̂ = 0.086535 is 0.22417.
-    let wide = check_foot(&[Smooth { hertz_smoothing: 100.0, ..floating }]);
+    let wide = check_foot(&[SmoothContact { hertz_smoothing: 100.0, ..floating }]);
     assert_eq!(
         design_of(&wide, FindingCode::Floats),
         json!({"constant_indentation": 0.029, "state_width": 0.22})
@@ -252,7 +252,7 @@ fn a_sphere_that_floats_comes_down_to_the_floor() {
 
 #[test]
 fn a_constant_contact_force_of_0_becomes_a_twentieth_of_the_radius() {
-    let result = check_foot(&[Smooth { constant_contact_force: 0.0, ..SOLE }]);
+    let result = check_foot(&[SmoothContact { constant_contact_force: 0.0, ..SOLE }]);
     let expected = json!({"constant_indentation": 0.05});
     assert_eq!(design_of(&result, FindingCode::ZeroConstantContactForce), expected);
 }
@@ -285,7 +285,7 @@ fn a_remedy_does_not_repeat_the_gravity_of_the_model() {
 
 #[test]
 fn a_remedy_repeats_a_mass_that_the_bodies_do_not_have() {
-    let text = foot(&[Smooth { stiffness: 3e5, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
+    let text = foot(&[SmoothContact { stiffness: 3e5, ..SOLE }]).replace("<mass>60</mass>", "<mass>0</mass>");
     let masses = MassRequest { contacts_mass_kg: Some(60.0), ..MassRequest::default() };
     let result = check_with("foot.osim", &text, &InspectOptions { masses, ..InspectOptions::default() });
     assert_eq!(design_of(&result, FindingCode::SunkIn)["mass"], json!(60.0));

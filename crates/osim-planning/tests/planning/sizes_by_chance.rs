@@ -83,13 +83,18 @@ fn spheres_follow_their_bodies() {
             let is_alike = random.integer_below(2) == 0;
             *body = std::array::from_fn(|_| if is_alike { alike } else { random_factor(&mut random) });
         }
-        let hips = [0.1, -0.1].map(|side| [0.02 * random.fraction() + 0.01, -0.9 + 0.1 * random.fraction(), side]);
+        let hips =
+            [0.1, -0.1].map(|side| [0.02 * random.fraction() + 0.01, -0.9 + 0.1 * random.fraction(), side]);
         let radius = 0.01 + 0.05 * random.fraction();
         let count = 1 + random.index(3);
         let mut spheres = Vec::new();
         for (body, side) in ["r", "l"].into_iter().enumerate() {
             for number in 0..count {
-                let place = [0.2 * random.fraction() - 0.05, -0.03 * random.fraction(), 0.08 * random.fraction() - 0.04];
+                let place = [
+                    0.2 * random.fraction() - 0.05,
+                    -0.03 * random.fraction(),
+                    0.08 * random.fraction() - 0.04,
+                ];
                 spheres.push(Sphere { name: format!("s{number}_{side}"), body, place, radius });
             }
         }

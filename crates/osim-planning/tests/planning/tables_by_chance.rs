@@ -18,7 +18,13 @@ impl TableStyle {
         let delimiter = [',', ';', '\t'][random.index(3)];
         let decimal = if delimiter != ',' && random.integer_below(2) == 0 { ',' } else { '.' };
         let end = ["\n", "\r\n"][random.index(2)];
-        Self { delimiter, decimal, end, bom: random.integer_below(4) == 0, last_end: random.integer_below(4) > 0 }
+        Self {
+            delimiter,
+            decimal,
+            end,
+            bom: random.integer_below(4) == 0,
+            last_end: random.integer_below(4) > 0,
+        }
     }
 
     fn line(&self, cells: &[String], random: &mut Random) -> String {

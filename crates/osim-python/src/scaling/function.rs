@@ -3,8 +3,8 @@
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
+use crate::scaling::docstring::{ARRAY_TYPE, Argument, Parameter, RULES, Returns, docstring};
 use crate::scaling::equation_error::EquationError;
-use crate::scaling::text::{ARRAY_TYPE, Argument, Parameter, RULES, Returns, docstring};
 
 pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
     RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)

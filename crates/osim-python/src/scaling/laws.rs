@@ -10,9 +10,9 @@ use contact_scaling::{
     patch, restitution, stiffness,
 };
 
+use crate::scaling::docstring::Returns::{Factor, Value};
 use crate::scaling::equation_error::EquationError;
 use crate::scaling::function::{Function, function};
-use crate::scaling::docstring::Returns::{Factor, Value};
 
 pub(super) const HERTZ: &[Function] = &[
     function!(hertz_force(composite_modulus: E, radius: R, indentation: X, shape_factor: ETA = 1.0)

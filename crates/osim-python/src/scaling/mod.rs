@@ -6,17 +6,18 @@
 //!
 //! The description of an equation, its number, its units and the meanings of its symbols come from the register of `contact-scaling`.
 
+mod docstring;
 mod equation_error;
 mod function;
 mod laws;
 mod smooth;
 mod spheres;
 
+pub(crate) use docstring::{Parameter, RULES};
 pub(crate) use equation_error::EquationError;
 pub(crate) use function::{Function, RustFunction, rule_by_name};
 pub(crate) use laws::continuation_steps;
 pub(crate) use spheres::{MEAN_SQUARE_RADIUS, SPHERE_LIST_FUNCTIONS};
-pub(crate) use docstring::{Parameter, RULES};
 
 /// All functions that take numbers, in the order of the paper.
 pub(crate) fn all() -> impl Iterator<Item = &'static Function> {

@@ -5,9 +5,9 @@ use contact_scaling::equations::symbols::{
 };
 use contact_scaling::{DomainError, Hertz, SmoothSphere, SmoothingValues, smoothing};
 
+use crate::scaling::docstring::Returns::Value;
 use crate::scaling::function::{Function, function};
 use crate::scaling::laws::hertz;
-use crate::scaling::docstring::Returns::Value;
 
 pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
@@ -86,7 +86,8 @@ impl BeyondHertz {
 }
 
 fn law(hertz: Hertz, beyond: BeyondHertz) -> Result<SmoothSphere, DomainError> {
-    let BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } = beyond;
+    let BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } =
+        beyond;
     let smoothing = SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing };
     SmoothSphere::new(hertz, dissipation, smoothing)
 }

@@ -6,10 +6,10 @@ use contact_scaling::{
     DomainError, Hertz, HuntCrossley, Law, SmoothSphere, SmoothingValues, Spheres, mixed_radii,
 };
 
+use crate::scaling::docstring::{Argument, Parameter, Returns, docstring};
 use crate::scaling::equation_error::EquationError;
 use crate::scaling::function::parameter;
 use crate::scaling::function::{Columns, forms};
-use crate::scaling::docstring::{Argument, Parameter, Returns, docstring};
 
 /// An equation for a body on several spheres, whose bottoms are at one height or each at its own height.
 #[derive(Debug, Clone, Copy)]

@@ -75,7 +75,7 @@ impl WantedOptions {
     }
 
     /// Whether an option is given from which a contact can be computed.
-    pub fn has_contact_options(&self) -> bool {
+    pub fn has_design(&self) -> bool {
         self.indentation.is_some()
             || self.young.is_some()
             || self.restitution.is_some()

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use osim_model::{FaultKind, NeedsAnswer, Question, Severity};
+use osim_model::{FaultKind, Question, Severity, Suspicion};
 
 use crate::values::serial::{self, choices, fields};
 use crate::values::{Jobs, Shard, path};
@@ -139,14 +139,14 @@ impl AnswerOptions {
     }
 
     /// Whether the caller has answered `question` with yes.
-    pub fn confirms(&self, question: Question) -> bool {
+    pub fn has(&self, question: Question) -> bool {
         self.yes.contains(&question)
     }
 
     /// Refuses what looks wrong, if there is such a `doubt` and the caller has not confirmed it with `yes`.
-    pub fn refuse_unconfirmed(&self, doubt: Option<NeedsConfirmation>) -> Result<(), FaultKind> {
+    pub fn require_yes(&self, doubt: Option<Suspicion>) -> Result<(), FaultKind> {
         match doubt {
-            Some(doubt) if !self.confirms(doubt.question()) => Err(doubt.into()),
+            Some(doubt) if !self.has(doubt.question()) => Err(doubt.into()),
             _ => Ok(()),
         }
     }

@@ -171,7 +171,7 @@ impl ScalingOptions {
 
 impl FollowOptions {
     /// The scale factors given by the caller, by names of bodies.
-    pub fn given_factors(&self) -> BTreeMap<String, [f64; 3]> {
+    pub fn factors(&self) -> BTreeMap<String, [f64; 3]> {
         self.body_scale.iter().map(|scale| (scale.body.clone(), scale.factors)).collect()
     }
 

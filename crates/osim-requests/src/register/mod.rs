@@ -17,7 +17,7 @@ use options::entry_of;
 
 /// The option of `verb` for the field `name`; `None` if there is no such option.
 pub fn option_named(verb: Verb, name: &str) -> Option<Entry> {
-    match Input::from_name(name) {
+    match Input::find(name) {
         Some(input) => entry_of(Field::Input(input), verb),
         None => entry_of(Field::Operand(name), verb),
     }

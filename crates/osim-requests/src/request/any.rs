@@ -77,7 +77,7 @@ impl Request {
     /// The dictionary has no verb, or has a fault of [`Request::read`].
     pub fn from_map(mut fields: Map<String, Value>) -> Result<Self, RequestFault> {
         let verb = fields.shift_remove(VERB_FIELD).ok_or(RequestFault::Missing { field: VERB_FIELD })?;
-        let known = verb.as_str().and_then(Verb::named);
+        let known = verb.as_str().and_then(Verb::find);
         let Some(known) = known else {
             let names: Vec<&str> = Verb::ALL.iter().map(|verb| verb.name()).collect();
             return Err(RequestFault::BadValue {

@@ -59,7 +59,7 @@ impl Speller for Matlab {
                 value => literal(value),
             })
             .collect();
-        for (name, value) in fields.options_outside(&[FieldGroup::Shown]) {
+        for (name, value) in fields.outside_groups(&[FieldGroup::Shown]) {
             arguments.extend([quoted(&option_name(name)), literal(value)]);
         }
         function_call(fields.verb, &arguments)

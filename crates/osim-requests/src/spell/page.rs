@@ -56,7 +56,7 @@ impl Speller for Page {
 
 /// A field of a request in words: its label and its value; for `set`, one text for each property.
 fn field_words((name, value): &Field) -> Vec<String> {
-    let label = Input::from_name(name).map_or(name.as_str(), |input| input.label());
+    let label = Input::find(name).map_or(name.as_str(), |input| input.label());
     match value {
         FieldValue::Map(properties) if name == "set" => properties.iter().map(spelled_assignment).collect(),
         FieldValue::Map(entries) => {

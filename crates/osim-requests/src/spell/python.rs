@@ -65,7 +65,7 @@ impl Speller for Python {
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
         let written: Vec<String> =
-            keywords(fields.options_in(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
+            keywords(fields.in_group(FieldGroup::Output).filter(|(name, _)| name == "output")).collect();
         let writes = plans_one_model(&fields) && !written.is_empty();
         let write =
             if writes { format!(".write({})", joined_arguments(written.into_iter())) } else { String::new() };
@@ -89,7 +89,7 @@ impl Speller for Python {
 
 /// Whether the call plans the change of one model; the plan is then written by a second call.
 fn plans_one_model(fields: &Fields) -> bool {
-    fields.changes && fields.models().len() == 1 && fields.options_in(FieldGroup::Many).next().is_none()
+    fields.changes && fields.models().len() == 1 && fields.in_group(FieldGroup::Many).next().is_none()
 }
 
 fn call_of(fields: &Fields) -> String {
@@ -108,7 +108,7 @@ fn call_of(fields: &Fields) -> String {
     if fields.changes && !plans_one_model(fields) && !fields.models().is_empty() {
         return call_of_many(fields);
     }
-    let named = fields.options_outside(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
+    let named = fields.outside_groups(groups).filter(|(name, _)| !left_out.contains(&name.as_str()));
     arguments.extend(keywords(named));
     function_call(fields.verb, &arguments)
 }
@@ -117,7 +117,7 @@ fn call_of(fields: &Fields) -> String {
 fn call_of_many(fields: &Fields) -> String {
     let models = fields.models().iter().map(|model| literal("models", model));
     let mut arguments = vec![python_quoted(fields.verb.name()), format!("[{}]", joined_arguments(models))];
-    arguments.extend(keywords(fields.options_outside(&[FieldGroup::Shown])));
+    arguments.extend(keywords(fields.outside_groups(&[FieldGroup::Shown])));
     format!("ocs.many({})", joined_arguments(arguments.into_iter()))
 }
 
@@ -136,7 +136,9 @@ fn positional_arguments(verb: Verb, (name, value): &Field) -> Vec<String> {
 fn lines_for_plan(fields: &Fields) -> Vec<String> {
     let mut lines = vec![match fields.option("dry_run") {
         Some(_) => PRINT_RESULT.to_owned(),
-        None => format!("result.write({})", joined_arguments(keywords(fields.options_in(FieldGroup::Output)))),
+        None => {
+            format!("result.write({})", joined_arguments(keywords(fields.in_group(FieldGroup::Output))))
+        }
     }];
     if fields.option("diff").is_some() {
         lines.push("print(result.diff())".to_owned());

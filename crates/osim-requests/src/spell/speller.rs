@@ -106,14 +106,14 @@ impl Fields {
     }
 
     /// The options that are in none of `groups`.
-    pub(super) fn options_outside(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
+    pub(super) fn outside_groups(&self, groups: &[FieldGroup]) -> impl Iterator<Item = &Field> {
         self.options
             .iter()
             .filter(|(name, _)| self.group_of(name).is_none_or(|group| !groups.contains(&group)))
     }
 
     /// The options that belong to `group`.
-    pub(super) fn options_in(&self, group: FieldGroup) -> impl Iterator<Item = &Field> {
+    pub(super) fn in_group(&self, group: FieldGroup) -> impl Iterator<Item = &Field> {
         self.options.iter().filter(move |(name, _)| self.group_of(name) == Some(group))
     }
 

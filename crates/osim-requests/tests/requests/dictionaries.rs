@@ -279,7 +279,7 @@ fn every_option_is_an_input() {
     for verb in Verb::ALL {
         let schema = Value::from(schema_of(*verb));
         for field in schema["properties"].as_object().unwrap().keys() {
-            assert_eq!(Input::from_name(field).is_some(), !OPERANDS.contains(&field.as_str()), "{field}");
+            assert_eq!(Input::find(field).is_some(), !OPERANDS.contains(&field.as_str()), "{field}");
         }
     }
 }

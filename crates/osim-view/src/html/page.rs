@@ -94,7 +94,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         }
         let number = self.counts.models;
         if let (Some(facts), Some(drawn)) = (&entry.facts, entry.drawn.take()) {
-            self.chosen.consider_model(number, &entry.model, facts, drawn);
+            self.chosen.consider(number, &entry.model, facts, drawn);
         }
         self.rows_only |= fragment.is_some() && self.shown_in_full >= MOST_MODELS_IN_FULL;
         let fragment = fragment.filter(|_| self.shown_in_full < MOST_MODELS_IN_FULL);
@@ -174,7 +174,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn write_call(&self, page: &mut dyn Write) -> io::Result<()> {
-        page.write_all(terminal_safe(&shell::purpose_and_command(self.about.verb, &self.about.call)).as_bytes())
+        page.write_all(terminal_safe(&shell::purpose(self.about.verb, &self.about.call)).as_bytes())
     }
 
     /// The class of the page in the style sheet.

@@ -45,7 +45,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
 }
 
 /// The purpose of the verb, and the `command` that makes the page again.
-pub(super) fn purpose_and_command(verb: Verb, command: &str) -> String {
+pub(super) fn purpose(verb: Verb, command: &str) -> String {
     let (id, title) = ASKED;
     html! {
         section id=(id) aria-labelledby="asked-title" {

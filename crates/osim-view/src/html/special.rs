@@ -123,7 +123,7 @@ pub(crate) struct ChosenModels {
 
 impl ChosenModels {
     /// Compares the next model, in the order of the page, with the models chosen so far.
-    pub(crate) fn consider_model(&mut self, number: usize, model: &str, facts: &ModelFacts, drawn: DrawnStates) {
+    pub(crate) fn consider(&mut self, number: usize, model: &str, facts: &ModelFacts, drawn: DrawnStates) {
         if drawn.bodies.is_empty() && drawn.feet.is_empty() {
             return;
         }
@@ -250,7 +250,7 @@ mod tests {
             ..ModelFacts::default()
         };
         let drawn = DrawnStates { bodies: vec![body], ..DrawnStates::default() };
-        chosen.consider_model(number, &format!("model {number}"), &facts, drawn);
+        chosen.consider(number, &format!("model {number}"), &facts, drawn);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 ///
 /// assert_eq!(ExitStatus::Failed.code(), 1);
 /// // What came first counts, but for what ended the run.
-/// assert_eq!(ExitStatus::Done.combined_with(ExitStatus::Failed).combined_with(ExitStatus::Done), ExitStatus::Failed);
+/// assert_eq!(ExitStatus::Done.plus(ExitStatus::Failed).plus(ExitStatus::Done), ExitStatus::Failed);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ExitStatus {
@@ -50,7 +50,7 @@ impl ExitStatus {
     }
 
     /// The status of a run that has two parts, if the other part ended with `other`.
-    pub fn combined_with(self, other: Self) -> Self {
+    pub fn plus(self, other: Self) -> Self {
         if self == Self::Done || other == Self::Interrupted { other } else { self }
     }
 }

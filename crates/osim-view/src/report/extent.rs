@@ -2,7 +2,7 @@
 
 use osim_model::messages::{listed, shortest, shown_whole};
 
-use crate::report::layout::{Colour, WIDTH, shorten_name, wrapped};
+use crate::report::layout::{Colour, WIDTH, shorten, wrapped};
 
 /// The amount of detail in a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -36,7 +36,7 @@ impl Extent {
 
     /// The name, cut to at most `width` columns; in full, the whole name.
     pub(crate) fn name(self, name: &str, width: usize) -> String {
-        if self.is_full() { shown_whole(name).to_string() } else { shorten_name(name, width) }
+        if self.is_full() { shown_whole(name).to_string() } else { shorten(name, width) }
     }
 }
 

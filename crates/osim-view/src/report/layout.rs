@@ -305,7 +305,7 @@ fn cut_name(name: &str, width: usize, end: usize) -> String {
 }
 
 /// A name in at most `width` columns. Its middle is left out, because names differ at their ends. Invisible letters are escaped.
-pub(crate) fn shorten_name(name: &str, width: usize) -> String {
+pub(crate) fn shorten(name: &str, width: usize) -> String {
     cut_name(&shown(name).to_string(), width, width / 2)
 }
 
@@ -344,7 +344,7 @@ pub enum Colour {
 }
 
 /// A table with every figure that has an [`OUTSIDE`] mark in colour.
-pub(crate) fn colour_marked_figures(text: &str, colour: Colour) -> String {
+pub(crate) fn colour_marks(text: &str, colour: Colour) -> String {
     if colour == Colour::Plain {
         return text.to_owned();
     }
@@ -418,20 +418,20 @@ mod tests {
             " radius                   12 spheres    0.032     0.064171583      x2.005362  (8)\n",
             "/a/folder/with/a/long/name/and/another/one/model.osim\n",
         ] {
-            assert_eq!(broken(line, 40), line);
+            assert_eq!(break_long_lines(line, 40), line);
         }
     }
 
     #[test]
     fn sentences_keep_their_place() {
         assert_eq!(
-            broken("  Why: one two three four five six\n", 20),
+            break_long_lines("  Why: one two three four five six\n", 20),
             "  Why: one two three\n  four five six\n"
         );
-        assert_eq!(broken("remark: one two three four", 16), "remark: one two\n  three four");
+        assert_eq!(break_long_lines("remark: one two three four", 16), "remark: one two\n  three four");
         // Two letters that fill no column, and a colour that fills none.
         assert_eq!(
-            broken("\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of the sphere", 17),
+            break_long_lines("\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of the sphere", 17),
             "\u{1b}[1mwarn\u{1b}[0m x̂ = x/R of\nthe sphere"
         );
     }
@@ -441,7 +441,7 @@ mod tests {
         let text = "error: a b cc ddd eeee fffff gggggg\n  good  floor  the floor leans by 0 degrees\n\n";
         // The sentence in the table has to have room for half a line.
         for width in 30..60 {
-            let broken = broken(text, width);
+            let broken = break_long_lines(text, width);
             assert!(broken.lines().all(|line| line.len() <= width), "{width}: {broken}");
             let words = |text: &str| text.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
             assert_eq!(words(&broken), words(text));
@@ -451,9 +451,9 @@ mod tests {
 
     #[test]
     fn names_keep_both_ends() {
-        assert_eq!(shorten_name("heel_r", 10), "heel_r");
-        assert_eq!(shorten_name("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
-        assert_eq!(shorten_name("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
+        assert_eq!(shorten("heel_r", 10), "heel_r");
+        assert_eq!(shorten("SmoothSphere_forefoot_med_r", 11), "Smoot~med_r");
+        assert_eq!(shorten("SmoothSphere_forefoot_med_r", 11).chars().count(), 11);
     }
 
     #[test]
@@ -478,7 +478,7 @@ mod tests {
         let style = AnsiColor::Yellow.on_default().bold();
         let text = "x/R   <= 0.16  0.12    0.35 !\nnext  1\n";
         let expected = format!("x/R   <= 0.16  0.12    {style}0.35 !{style:#}\nnext  1\n");
-        assert_eq!(colour_marked_figures(text, Colour::Ansi), expected);
-        assert_eq!(colour_marked_figures(text, Colour::Plain), text);
+        assert_eq!(colour_marks(text, Colour::Ansi), expected);
+        assert_eq!(colour_marks(text, Colour::Plain), text);
     }
 }

@@ -1,7 +1,7 @@
 //! Tests of the explanations of all topics.
 
 use osim_requests::spell::{CommandLine, FrontEnd, Page, Python};
-use osim_view::report::explain::{self, CharacterSet, Topic, TopicRecord};
+use osim_view::report::explain::{self, Alphabet, Topic, TopicRecord};
 use osim_view::report::json::line;
 use osim_view::report::layout::WIDTH;
 
@@ -14,13 +14,13 @@ fn columns(line: &str) -> usize {
 fn every_topic_is_explained_in_the_words_of_each_front_end() {
     for topic in Topic::all() {
         for front_end in [&CommandLine as &dyn FrontEnd, &Python, &Page] {
-            let text = explain::text(topic, front_end, CharacterSet::Unicode, WIDTH);
+            let text = explain::text(topic, front_end, Alphabet::Unicode, WIDTH);
             assert!(!text.contains('`'), "{text}");
             assert!(text.lines().all(|line| columns(line) <= 80), "{text}");
         }
         for text in [
-            explain::text(topic, &Python, CharacterSet::Unicode, WIDTH),
-            explain::text(topic, &Page, CharacterSet::Unicode, WIDTH),
+            explain::text(topic, &Python, Alphabet::Unicode, WIDTH),
+            explain::text(topic, &Page, Alphabet::Unicode, WIDTH),
         ] {
             assert!(!text.contains(" --") && !text.contains("(--"), "{text}");
         }
@@ -33,11 +33,11 @@ fn topics_are_told_with_what_to_do() {
         let topics = Topic::find(name).unwrap();
         topics.into_iter().map(|topic| explain::text(topic, &CommandLine, letters, WIDTH)).collect()
     };
-    insta::assert_snapshot!("explain_equation", text("C.8", CharacterSet::Unicode));
-    insta::assert_snapshot!("explain_equation_ascii", text("C.8", CharacterSet::Ascii));
-    insta::assert_snapshot!("explain_rule", text("follow", CharacterSet::Unicode));
-    insta::assert_snapshot!("explain_warning", text("already-at-target", CharacterSet::Unicode));
-    insta::assert_snapshot!("explain_error", text("output", CharacterSet::Unicode));
+    insta::assert_snapshot!("explain_equation", text("C.8", Alphabet::Unicode));
+    insta::assert_snapshot!("explain_equation_ascii", text("C.8", Alphabet::Ascii));
+    insta::assert_snapshot!("explain_rule", text("follow", Alphabet::Unicode));
+    insta::assert_snapshot!("explain_warning", text("already-at-target", Alphabet::Unicode));
+    insta::assert_snapshot!("explain_error", text("output", Alphabet::Unicode));
 }
 
 #[test]
@@ -64,7 +64,7 @@ fn records_say_their_kind_first() {
 #[test]
 fn the_list_of_topics_names_every_topic() {
     let all = Topic::all();
-    let list = explain::list(&all, &CommandLine, CharacterSet::Ascii, WIDTH);
+    let list = explain::list(&all, &CommandLine, Alphabet::Ascii, WIDTH);
     assert!(list.is_ascii() && list.lines().all(|line| line.chars().count() <= 80), "{list}");
     for topic in all {
         assert!(list.contains(topic.name()), "{}", topic.name());

@@ -2,7 +2,8 @@
 
 use osim_model::messages::Input;
 use osim_model::{
-    CountedSpheres, FactorQuestion, Fault, ForcesOfAnimal, GravityFor, MissingFact, NoteDoubt, RadiusChangeReason,
+    CountedSpheres, FactorQuestion, Fault, ForcesOfAnimal, GravityFor, MissingFact, NoteDoubt,
+    RadiusChangeReason,
 };
 use osim_requests::spell::{CommandLine, JsonRequest, Page, Python};
 
@@ -72,7 +73,7 @@ fn questions_by_purpose() -> Vec<MissingFact> {
     use GravityFor::{Compared, Contacts, Figures, ImpactSpeed, Load, Reference, Target};
     [Load, ImpactSpeed, Contacts, Reference, Target, Compared, Figures]
         .into_iter()
-        .map(|purpose| Needed::Gravity { purpose })
+        .map(|purpose| MissingFact::Gravity { purpose })
         .chain([
             shared(RadiusChangeReason::Rule, false),
             MissingFact::Factors(FactorQuestion::Meshes {

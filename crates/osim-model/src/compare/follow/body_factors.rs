@@ -120,9 +120,9 @@ impl<'a> ComparedJoints<'a> {
             let scaled_m = self.scaled.joint_place_seen_from(body, joint)?;
             Some(ComparedJoint { joint: &joint.name, reference_m, scaled_m })
         });
-        let [least_reference_m, least_scaled_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
+        let [least_m, least_scaled_m] = self.bones.each_ref().map(|bones| shortest_m(bones, body));
         places
-            .filter(|place| place.reference_m.length() >= least_reference_m && place.scaled_m.length() >= least_scaled_m)
+            .filter(|one| one.reference_m.length() >= least_m && one.scaled_m.length() >= least_scaled_m)
             .max_by(|a, b| a.reference_m.length().total_cmp(&b.reference_m.length()))
     }
 }

@@ -13,8 +13,8 @@ use foldhash::HashSet;
 
 use crate::messages::Phrase;
 use crate::model::{
-    Anatomy, AnatomySphere, Fault, FaultKind, Finding, LevelAxis, Model, MovedSpheres, MissingFact, RadiusAxis,
-    SphereId, rules,
+    Anatomy, AnatomySphere, Fault, FaultKind, Finding, LevelAxis, MissingFact, Model, MovedSpheres,
+    RadiusAxis, SphereId, rules,
 };
 
 use body_factors::{AXIS_NAMES, BodyIndex, ComparedJoints};

@@ -113,7 +113,7 @@ fn read_array(tree: &Tree, array: ElementId, coding: &Coding<'_>) -> Result<Vec<
     }
     match array_content(tree, array, coding)? {
         ArrayContent::Text(text) => triples(words(&text), "the points"),
-        ArrayContent::Bytes(bytes) => decode_points(&bytes, &attribute("type"), coding),
+        ArrayContent::Bytes(bytes) => read_points(&bytes, &attribute("type"), coding),
     }
 }
 
@@ -147,7 +147,7 @@ fn array_content<'t>(
     match &*attribute("format") {
         "ascii" | "" => Ok(ArrayContent::Text(tree.text_of(array))),
         "binary" => {
-            coding.unpacked(&decoded(trimmed(&tree.text_of(array)).bytes())?).map(ArrayContent::Bytes)
+            coding.unpacked(&decode_base64(trimmed(&tree.text_of(array)).bytes())?).map(ArrayContent::Bytes)
         }
         "appended" => {
             let offset = attribute("offset").parse();
@@ -277,7 +277,7 @@ fn decode_base64(bytes: impl Iterator<Item = u8>) -> Result<Vec<u8>, MeshFault> 
 }
 
 /// Decodes an array of points. `kind` is the number type that the array declares.
-pub(super) fn decode_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
+pub(super) fn read_points(bytes: &[u8], kind: &str, coding: &Coding<'_>) -> Result<Vec<[f64; 3]>, MeshFault> {
     let values: Vec<f64> = match kind {
         "Float32" => {
             let read = if coding.big_endian { f32::from_be_bytes } else { f32::from_le_bytes };

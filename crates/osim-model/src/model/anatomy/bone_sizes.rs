@@ -6,7 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::model::{AnatomyJoint, ComponentId, Components, Document, NeedsAnswer, Side, Sphere};
+use crate::model::{AnatomyJoint, ComponentId, Components, Document, Side, Sphere, Suspicion};
 use crate::xml::{ElementId, opensim_text};
 
 /// Three numbers along x, y and z for each mesh or frame of each body, as in [`Anatomy`](crate::model::anatomy::Anatomy).
@@ -211,7 +211,7 @@ impl JointDistances {
         sphere: &Sphere,
         radius_m: f64,
         is_given_length: bool,
-    ) -> Option<NeedsAnswer> {
+    ) -> Option<Suspicion> {
         let longest_m = self.longest_around_body(sphere.body.as_ref()?)?;
         // A sphere that is new has the radius that the caller gave.
         let usual_m = if sphere.radius.number == radius_m {
@@ -221,7 +221,7 @@ impl JointDistances {
         };
         let usual_m = is_given_length.then_some(usual_m);
         let sphere = sphere.name.clone();
-        (radius_m > longest_m).then_some(NeedsConfirmation::Radius { sphere, radius_m, longest_m, usual_m })
+        (radius_m > longest_m).then_some(Suspicion::Radius { sphere, radius_m, longest_m, usual_m })
     }
 }
 

@@ -87,7 +87,7 @@ impl ModelJoint {
     ) -> Option<MovingPlacement> {
         let motion = self.motion(components)?.placement_and_velocity(values, speeds);
         let motion = if self.reversed { motion.inverse() } else { motion };
-        let still = MovingPlacement::still;
+        let still = MovingPlacement::at_rest;
         Some(still(self.in_parent).then(&motion).then(&still(self.in_child.inverse())))
     }
 

@@ -10,7 +10,7 @@ use std::collections::{self, BTreeMap};
 use foldhash::{HashMap, HashSet};
 use glam::DVec3;
 
-use crate::model::components::{Base, ComponentId, MOST_FRAMES_IN_CHAIN};
+use crate::model::components::{Carrier, ComponentId, MOST_FRAMES_IN_CHAIN};
 use crate::model::{Fault, Model, MovingPlacement, Placement, Rotation};
 pub use coordinate_function::CoordinateFunction;
 pub use joint_motion::Speeds;
@@ -262,7 +262,7 @@ impl Model {
             Some((first, base(id, "frame2", &["socket_body_2", "body_2"])?))
         };
         let body = |id| match ends(id)? {
-            (Base::Ground, Base::Body(body)) | (Base::Body(body), Base::Ground) => {
+            (Carrier::Ground, Carrier::Body(body)) | (Carrier::Body(body), Carrier::Ground) => {
                 Some((id, components.name(body).into_owned()))
             }
             _ => None,

@@ -41,7 +41,7 @@ pub(crate) struct Connectee {
 
 /// What carries a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub(crate) enum FrameBase {
+pub(crate) enum Carrier {
     Ground,
     Body(ComponentId),
     /// The body is in a file that was not given. Possible only for sets in separate files.
@@ -246,14 +246,14 @@ impl Components {
     ///
     /// # Errors
     /// An offset frame has no parent, or its chain of parents returns to itself.
-    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<FrameBase, Fault> {
+    pub(crate) fn base(&self, frame: Option<ComponentId>) -> Result<Carrier, Fault> {
         let mut at = frame;
         for _ in 0..MOST_FRAMES_IN_CHAIN {
-            let Some(id) = at else { return Ok(FrameBase::Ground) };
+            let Some(id) = at else { return Ok(Carrier::Ground) };
             match self.tag(id) {
-                "Ground" => return Ok(FrameBase::Ground),
-                "Body" if self.is_ground(id) => return Ok(FrameBase::Ground),
-                "Body" => return Ok(FrameBase::Body(id)),
+                "Ground" => return Ok(Carrier::Ground),
+                "Body" if self.is_ground(id) => return Ok(Carrier::Ground),
+                "Body" => return Ok(Carrier::Body(id)),
                 _ => {}
             }
             let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {

@@ -5,7 +5,7 @@ use std::ops::Range;
 use foldhash::{HashSet, HashSetExt};
 
 use crate::messages::named;
-use crate::model::components::{FrameBase, ComponentId};
+use crate::model::components::{Carrier, ComponentId};
 use crate::model::fault::{Fault, FileId};
 use crate::model::property::{Class, Property, Value};
 use crate::xml::ElementId;
@@ -84,7 +84,7 @@ pub struct Sphere {
     pub(crate) element: ElementId,
     /// First byte of the sphere's element.
     pub(super) start: usize,
-    pub(crate) base: FrameBase,
+    pub(crate) base: Carrier,
     pub(super) spelling: SphereSpelling,
     /// The component of the sphere's frame; `None` is ground or a frame in a file that was not given.
     pub(crate) frame_component: Option<ComponentId>,
@@ -220,7 +220,7 @@ pub struct ParameterSet {
     pub line: usize,
     pub(crate) element: ElementId,
     pub(crate) class: Class,
-    pub(crate) half_space_bases: Vec<FrameBase>,
+    pub(crate) half_space_bases: Vec<Carrier>,
     pub(crate) half_space_components: Vec<ComponentId>,
     /// The force, if it contains its half-space (Moco 0.1 to 0.3).
     pub(crate) half_space_inside: Option<ComponentId>,
@@ -289,7 +289,7 @@ impl Force {
         Some(Slot { file: self.file, object, class, tag: property.name(), span, offset })
     }
 
-    pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = FrameBase> + '_ {
+    pub(crate) fn half_space_bases(&self) -> impl Iterator<Item = Carrier> + '_ {
         self.sets.iter().flat_map(|set| set.half_space_bases.iter().copied())
     }
 }

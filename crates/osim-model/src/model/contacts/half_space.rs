@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::model::components::{FrameBase, ComponentId, Components};
+use crate::model::components::{Carrier, ComponentId, Components};
 use crate::model::contacts::force::Slot;
 use crate::model::fault::FileId;
 use crate::model::placement::Rotation;
@@ -89,10 +89,10 @@ impl HalfSpace {
             path: components.tree.path(id),
             frame_path: frame.map_or_else(|| "/ground".to_owned(), |frame| components.tree.path(frame)),
             location_m: place,
-            on_ground: base == FrameBase::Ground,
+            on_ground: base == Carrier::Ground,
             body: match base {
-                FrameBase::Body(body) => Some(components.name(body).into_owned()),
-                FrameBase::Ground | FrameBase::Unknown => None,
+                Carrier::Body(body) => Some(components.name(body).into_owned()),
+                Carrier::Ground | Carrier::Unknown => None,
             },
             normal: normal.filter(|normal| normal.is_finite()),
             point_m: place.and_then(|point| components.point_in_body(frame, point)),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use crate::model::components::{FrameBase, ComponentId, Components, MOST_FRAMES_IN_CHAIN};
+use crate::model::components::{Carrier, ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::contacts::force::{Force, ParameterSet};
 use crate::model::contacts::half_space::HalfSpace;
 use crate::model::contacts::read::OLD_CONSTANT_TAG;
@@ -133,7 +133,7 @@ impl Model {
     /// Rotation of a sphere's frame in the body that carries it, through all offset frames between them.
     pub fn rotation_of(&self, sphere: &Sphere) -> Result<Rotation, Fault> {
         let components = self.components();
-        if !matches!(components.base(sphere.frame_component)?, FrameBase::Body(_)) {
+        if !matches!(components.base(sphere.frame_component)?, Carrier::Body(_)) {
             return Ok(Rotation::IDENTITY);
         }
         Ok(components.rotation_to_base(sphere.frame_component).unwrap_or(Rotation::IDENTITY))
@@ -156,7 +156,7 @@ impl Model {
     ///
     /// `None` if the frame is in a file that was not given, or a number is not finite.
     pub fn centre_m(&self, sphere: SphereId) -> Option<DVec3> {
-        let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, FrameBase::Unknown))?;
+        let sphere = self.sphere(sphere).filter(|sphere| !matches!(sphere.base, Carrier::Unknown))?;
         let point = self.components().point_in_body(sphere.frame_component, sphere.location_m)?;
         point.is_finite().then_some(point)
     }

@@ -2,7 +2,7 @@
 
 use foldhash::{HashSet, HashSetExt};
 
-use crate::model::components::{FrameBase, ComponentId, Components, Connectee};
+use crate::model::components::{Carrier, ComponentId, Components, Connectee};
 use crate::model::contacts::force::{
     Force, ForceId, ForceKind, ParameterSet, SetId, Sphere, SphereId, SphereSpelling,
 };
@@ -16,14 +16,14 @@ use crate::xml::opensim_text::{self, is_disabled};
 /// The frame to which a contact geometry is attached.
 struct GeometryFrame {
     path: String,
-    base: FrameBase,
+    base: Carrier,
     component: Option<ComponentId>,
 }
 
 #[derive(Clone, Copy)]
 enum Surface {
     Sphere(SphereId),
-    HalfSpace(ComponentId, Base),
+    HalfSpace(ComponentId, Carrier),
     Other(ComponentId),
 }
 
@@ -108,8 +108,8 @@ impl<'r> ContactReader<'r> {
             if raw.span.is_empty() { document.tree().span(element) } else { raw.span }
         });
         let body = match base {
-            FrameBase::Body(body) => Some(self.components.name(body).into_owned()),
-            FrameBase::Ground | FrameBase::Unknown => None,
+            Carrier::Body(body) => Some(self.components.name(body).into_owned()),
+            Carrier::Ground | Carrier::Unknown => None,
         };
         let element = self.components.element(id);
         self.spheres.push(Sphere {
@@ -142,7 +142,7 @@ impl<'r> ContactReader<'r> {
             // A geometry set that stands alone points into a model that may not have been read.
             let is_standalone_set = self.components.tag(self.components.tree.root_of(id)) != "Model";
             return if is_standalone_set {
-                Ok(GeometryFrame { path: connectee.text, base: FrameBase::Unknown, component: None })
+                Ok(GeometryFrame { path: connectee.text, base: Carrier::Unknown, component: None })
             } else {
                 Err(self.components.unresolved(id, &connectee.text, "frame it is attached to"))
             };
@@ -239,7 +239,8 @@ impl<'r> ContactReader<'r> {
         if self.components.connectee(id, "sphere_frame", &[]).is_some() {
             let sphere = self.add_sphere_inside(id)?;
             set.spheres.push(sphere);
-            let base = self.attachment(id, "half_space_frame", &[]).map_or(FrameBase::Unknown, |plane| plane.base);
+            let base =
+                self.attachment(id, "half_space_frame", &[]).map_or(Carrier::Unknown, |plane| plane.base);
             set.half_space_bases.push(base);
             set.half_space_inside = Some(id);
             self.read_old_constant(&mut set, document, element);

@@ -6,7 +6,7 @@ use crate::xml::opensim_text::NumberFault;
 use contact_scaling::{DomainError, limits};
 
 use super::missing_fact::MissingFact;
-use super::needs_confirmation::NeedsConfirmation;
+use super::suspicion::Suspicion;
 
 /// The kinds of errors, each with the data that a program needs.
 ///
@@ -55,7 +55,7 @@ pub enum FaultKind {
     /// The caller has to give a missing fact.
     MissingFact(MissingFact),
     /// A number that looks wrong. It is used only if the caller confirms it.
-    NeedsConfirmation(NeedsConfirmation),
+    Suspicion(Suspicion),
     /// Contacts are to be added to a model that already has some.
     ContactsExist { forces: String, can_scale: bool },
     /// Bodies that carry spheres in the reference do not exist in the model. `others` is a pattern that matches only the reference's forces
@@ -103,8 +103,8 @@ impl FaultKind {
             Self::Domain { .. } | Self::NewValue { .. } | Self::ZeroConstantContactForce => "out-of-domain",
             Self::NoContacts { .. } => "no-contacts",
             Self::Unresolved { .. } | Self::OtherSurface { .. } => "unresolved",
-            Self::Needed(needed) => needed.code(),
-            Self::NeedsAnswer(asks) => asks.question().as_str(),
+            Self::MissingFact(fact) => fact.code(),
+            Self::Suspicion(doubt) => doubt.question().as_str(),
             Self::ContactsExist { .. } => "contacts-exist",
             Self::MissingCarriers { .. } => "missing-body",
             Self::IncludedFile { .. } => "included-file",
@@ -125,7 +125,7 @@ impl FaultKind {
     pub fn phrase(&self) -> Phrase {
         match self {
             Self::MissingFact(fact) => fact.phrase(),
-            Self::NeedsConfirmation(doubt) => doubt.phrase(),
+            Self::Suspicion(doubt) => doubt.phrase(),
             Self::Syntax(fault @ SyntaxFault::Motion) => phrase![
                 fault.to_string(),
                 Verb::Check.call_with_model().with_placeholder(Input::Motion, "FILE"),
@@ -270,9 +270,9 @@ impl From<MissingFact> for FaultKind {
     }
 }
 
-impl From<NeedsConfirmation> for FaultKind {
-    fn from(doubt: NeedsConfirmation) -> Self {
-        Self::NeedsConfirmation(doubt)
+impl From<Suspicion> for FaultKind {
+    fn from(doubt: Suspicion) -> Self {
+        Self::Suspicion(doubt)
     }
 }
 

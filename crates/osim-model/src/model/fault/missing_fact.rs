@@ -28,7 +28,7 @@ const WHOLE_MODELS: &str = "name the model (.osim) that has both: this works on 
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub enum Needed {
+pub enum MissingFact {
     /// The mass of a body, which OpenSim reads as NaN.
     BodyMass { body: String },
     /// The mass of the model: the masses of its bodies have no usable sum.

@@ -6,8 +6,8 @@
 
 mod kind;
 mod missing_fact;
-mod needs_confirmation;
 mod reasons;
+mod suspicion;
 
 use std::ops::Range;
 
@@ -15,9 +15,9 @@ use crate::messages::Phrase;
 use crate::xml::{LineIndex, Position};
 pub use kind::FaultKind;
 pub use missing_fact::{CountedSpheres, ForcesOfAnimal, MissingFact};
-pub(crate) use needs_confirmation::POUND_KG;
-pub use needs_confirmation::{MassMistake, MassesOfOtherRows, NeedsConfirmation, Question, probable_units};
 pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
+pub(crate) use suspicion::POUND_KG;
+pub use suspicion::{MassMistake, MassesOfOtherRows, Question, Suspicion, probable_units};
 
 /// An error in a model or a request, with its place in a file.
 ///

@@ -36,7 +36,7 @@ impl Failure {
             message: fault.phrase(),
             line: fault.position.map(|position| position.line),
             column: fault.position.map(|position| position.column),
-            needs_answer: matches!(fault.kind, FaultKind::MissingFact(_) | FaultKind::NeedsConfirmation(_)),
+            needs_answer: matches!(fault.kind, FaultKind::MissingFact(_) | FaultKind::Suspicion(_)),
             excerpt: fault.excerpt,
         }
     }

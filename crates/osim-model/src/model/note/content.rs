@@ -123,7 +123,7 @@ impl Step {
 
     /// The verb that made the change.
     pub fn verb(&self) -> Option<Verb> {
-        Verb::from_name(self.operation.split(' ').next()?)
+        Verb::find(self.operation.split(' ').next()?)
     }
 
     /// The text of the step in a note, without `by`.

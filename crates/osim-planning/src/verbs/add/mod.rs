@@ -62,7 +62,7 @@ impl Planner for AddPlanner {
 
 impl AddPlanner {
     fn plan_for_file(&self, model: &Model, path: &Path, files: &dyn Files) -> Result<Plan, AddFault> {
-        self.answers.refuse_unconfirmed(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
+        self.answers.require_yes(question_about_scale(&self.body_scale)).map_err(Fault::new)?;
         let (bare, removed) = self.without_contacts(model)?.unzip();
         let base = bare.as_ref().map_or(model, RebuiltModel::model);
         let (mut plan, rebuilt, remarks) = match &self.source {
@@ -145,7 +145,7 @@ impl AddPlanner {
 
     /// Asks about radii that look like another unit. The question for other changes does not include the radii of new spheres.
     fn ask_about_radii(&self, built: &Model, layout: &ContactLayout) -> Result<(), Fault> {
-        if self.answers.confirms(Question::ImplausibleRadius) {
+        if self.answers.has(Question::ImplausibleRadius) {
             return Ok(());
         }
         let new_spheres: HashSet<&str> =

@@ -9,7 +9,7 @@ use osim_model::feet::{
 };
 use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, four_significant, phrase, shown};
-use osim_model::{Fault, Model, NeedsConfirmation, Question, Side};
+use osim_model::{Fault, Model, Question, Side, Suspicion};
 use osim_patch::{ContactLayout, NewContact};
 use osim_requests::options::AnswerOptions;
 
@@ -70,7 +70,7 @@ impl Places {
         match self {
             Self::Table(table) => {
                 layout.contacts = table.contacts(model, numbers, &mut remarks)?;
-                answers.refuse_unconfirmed(table.question_about_place(model, &layout)).map_err(Fault::new)?;
+                answers.require_yes(table.question_about_place(model, &layout)).map_err(Fault::new)?;
             }
             Self::Feet(feet) => {
                 let radius_m = match feet.radius_m {
@@ -79,11 +79,11 @@ impl Places {
                 };
                 let soles = feet.soles((model, path), radius_m, (answers, files), &mut remarks)?;
                 for sole in &soles {
-                    answers.refuse_unconfirmed(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
-                    answers.refuse_unconfirmed(question_about_tilt(sole, model)).map_err(Fault::new)?;
+                    answers.require_yes(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
+                    answers.require_yes(question_about_tilt(sole, model)).map_err(Fault::new)?;
                     layout.contacts.extend(contacts_of_sole(sole, numbers)?);
                 }
-                answers.refuse_unconfirmed(question_about_unequal_feet(&soles, model)).map_err(Fault::new)?;
+                answers.require_yes(question_about_unequal_feet(&soles, model)).map_err(Fault::new)?;
                 remarks.extend(remarks_on_parts_of_feet(model, &soles));
             }
         }
@@ -150,7 +150,7 @@ impl TablePlaces {
     }
 
     /// The question about the place that is farthest from the bones of its body, if it is too far.
-    fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<NeedsConfirmation> {
+    fn question_about_place(&self, model: &Model, layout: &ContactLayout) -> Option<Suspicion> {
         let bones = JointPositions::of(model);
         let distance = |contact: &NewContact| bones.distance(&contact.body, contact.location_m);
         let contacts = self.table.rows.iter().zip(&layout.contacts);
@@ -214,7 +214,7 @@ impl FeetPlaces {
         let bodies: Vec<&str> = self.bodies.iter().map(String::as_str).collect();
         let bones = bones(model, &bodies, &folders, files)?;
         answers
-            .refuse_unconfirmed(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
+            .require_yes(bones.iter().find_map(|bone| question_about_mesh_size(model, bone)))
             .map_err(Fault::new)?;
         let nothing = |folder: &&PathBuf| !bones.iter().any(|bone| bone.file.starts_with(folder));
         if let Some(folder) =
@@ -232,13 +232,13 @@ impl FeetPlaces {
 }
 
 /// The question about a mesh that is probably in another unit, or from another animal.
-fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<NeedsConfirmation> {
+fn question_about_mesh_size(model: &Model, bone: &Bone) -> Option<Suspicion> {
     let text = odd_size(model, bone)?.text;
-    Some(NeedsConfirmation::Other { question: Question::ImplausibleScale, text: text.into() })
+    Some(Suspicion::Other { question: Question::ImplausibleScale, text: text.into() })
 }
 
 /// The question about a foot that does not lie flat.
-fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsConfirmation> {
+fn question_about_tilt(sole: &Sole, model: &Model) -> Option<Suspicion> {
     let mut text: Phrase = sole.not_flat()?.into();
     let tilting = sole.tilted_by(model);
     text.push(&match tilting.is_empty() {
@@ -251,11 +251,11 @@ fn question_about_tilt(sole: &Sole, model: &Model) -> Option<NeedsConfirmation> 
             Input::Feet.with_placeholder("BODY,BODY"), Input::Contacts.with_placeholder("TABLE")
         ],
     });
-    Some(NeedsConfirmation::Other { question: Question::TiltedFoot, text })
+    Some(Suspicion::Other { question: Question::TiltedFoot, text })
 }
 
 /// The question about two feet that are not posed as mirror images.
-fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsConfirmation> {
+fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<Suspicion> {
     let pairs = soles
         .iter()
         .enumerate()
@@ -278,7 +278,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<NeedsCon
         angles(sole),
         angles(other),
     );
-    Some(NeedsConfirmation::Other { question: Question::UnequalFeet, text: text.into() })
+    Some(Suspicion::Other { question: Question::UnequalFeet, text: text.into() })
 }
 
 /// The new contacts of one sole. Each has the name of the body that carries it, and a number.

@@ -6,7 +6,7 @@ use osim_planning::{check_with_trials, rules};
 use osim_requests::Request;
 use serde_json::Value;
 
-use crate::feet::{Smooth, foot};
+use crate::feet::{SmoothContact, foot};
 
 /// The result of `check` for the model `text`, which is called `name`.
 pub fn check_with(name: &str, text: &str, options: &InspectOptions) -> CheckResult {
@@ -18,7 +18,7 @@ pub fn check_text(text: &str) -> CheckResult {
     check_with("model.osim", text, &InspectOptions::default())
 }
 
-pub fn check_foot(spheres: &[Smooth]) -> CheckResult {
+pub fn check_foot(spheres: &[SmoothContact]) -> CheckResult {
     check_text(&foot(spheres))
 }
 

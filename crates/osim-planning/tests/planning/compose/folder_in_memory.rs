@@ -103,11 +103,20 @@ impl FolderInMemory {
         let said = plan.findings.iter().map(|one| (one.code(), one.severity, one.place.clone()));
         let said = plan.note().map(|_| said.collect());
         let masses = plan.masses.as_ref().filter(|_| change.verb == Verb::Rescale);
-        Ok(CommandResult { output: name, warned, said, target_kg: masses.map(|masses| masses.target_mass_kg) })
+        Ok(CommandResult {
+            output: name,
+            warned,
+            said,
+            target_kg: masses.map(|masses| masses.target_mass_kg),
+        })
     }
 
     /// The result of each verb for a file: the codes of its warnings, or the reason why it is refused.
-    pub fn run_each_verb(&self, model: &str, kg: f64) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
+    pub fn run_each_verb(
+        &self,
+        model: &str,
+        kg: f64,
+    ) -> Vec<(Value, Result<BTreeSet<&'static str>, String>)> {
         let calls = [
             json!({"verb": "rescale", "target_mass": kg * 1.3}),
             json!({"verb": "transfer", "from": "falisse2022"}),

@@ -18,7 +18,7 @@ use serde_json::{Value, json};
 
 use cases::{NAME, models, options};
 use damage::damages;
-use folder_in_memory::{FolderInMemory, CommandResult, FindingAndPlace, warnings_and_errors};
+use folder_in_memory::{CommandResult, FindingAndPlace, FolderInMemory, warnings_and_errors};
 
 /// Numbers of commands that were run, and of commands that had the right effect.
 #[derive(Default)]
@@ -117,8 +117,9 @@ fn run_command(
         counts.fails(name, "new warning", &format!("{said}: {new}"));
         held = false;
     }
-    let pairs =
-        verbs.into_iter().flat_map(|kg| folder.run_each_verb(&model, kg).into_iter().zip(folder.run_each_verb(&made, kg)));
+    let pairs = verbs
+        .into_iter()
+        .flat_map(|kg| folder.run_each_verb(&model, kg).into_iter().zip(folder.run_each_verb(&made, kg)));
     for ((call, then), (_, now)) in pairs {
         let worse = match (&then, &now) {
             (_, Err(why)) if why == "nothing to change" => None,
@@ -227,7 +228,13 @@ impl Dialect for Calls {
 }
 
 /// Runs the commands in the texts of the findings of a model. Placeholders get suitable numbers, `kg` for a mass.
-fn try_commands_in_texts(name: &str, found: &CheckResult, folder: &FolderInMemory, kg: f64, counts: &mut Counts) {
+fn try_commands_in_texts(
+    name: &str,
+    found: &CheckResult,
+    folder: &FolderInMemory,
+    kg: f64,
+    counts: &mut Counts,
+) {
     for finding in &found.findings {
         let calls = Calls::default();
         for text in [&finding.message, &finding.advice] {

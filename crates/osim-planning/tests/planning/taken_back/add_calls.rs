@@ -55,7 +55,11 @@ pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
     }
     calls.extend([
         AddCall { name: "table", request: by_table("smooth"), table: table_of(&[first, last]) },
-        AddCall { name: "table, Hunt-Crossley", request: by_table("hunt-crossley"), table: table_of(&[last]) },
+        AddCall {
+            name: "table, Hunt-Crossley",
+            request: by_table("hunt-crossley"),
+            table: table_of(&[last]),
+        },
         AddCall {
             name: "table, every body",
             request: by_table("smooth"),

@@ -32,7 +32,12 @@ struct Counts {
 type Steps = (&'static str, Vec<Value>);
 
 /// The bytes of the model after a request; or the code and the message of the refusal.
-fn step(files_with_changes: &mut ChangedFiles<'_>, name: &str, bytes: &[u8], request: &Value) -> Result<Vec<u8>, (String, String)> {
+fn step(
+    files_with_changes: &mut ChangedFiles<'_>,
+    name: &str,
+    bytes: &[u8],
+    request: &Value,
+) -> Result<Vec<u8>, (String, String)> {
     files_with_changes.own.insert(name.into(), bytes.to_vec());
     let other = |error: String| ("other".to_owned(), error);
     let request =
@@ -152,7 +157,7 @@ fn call_of_turn<'c>(calls: &'c [AddCall], name: &str, turn: usize) -> Option<(&'
     let number = (turn * 5).checked_rem(calls.len())?;
     let call = calls.get(number)?;
     let mut steps = between(name, call);
-    Some((way, steps.swap_remove((turn + 3 * number) % steps.len())))
+    Some((call, steps.swap_remove((turn + 3 * number) % steps.len())))
 }
 
 /// Tries a share of the forms on all models.

@@ -10,5 +10,5 @@ mod traps;
 pub use equations::{equation, equations};
 pub use errors::{ErrorCode, ErrorGroup, error, errors};
 pub use record::{FormulaRecord, SymbolRecord, TopicRecord, answer};
-pub use text::{CharacterSet, list, text};
+pub use text::{Alphabet, list, text};
 pub use topic::{QuantityTopic, Topic, UnknownTopic};

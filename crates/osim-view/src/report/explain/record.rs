@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
-use crate::report::explain::text::{CharacterSet, ascii, list, text};
+use crate::report::explain::text::{Alphabet, ascii, list, text};
 use crate::report::explain::topic::{QuantityTopic, Topic, UnknownTopic};
 use crate::report::json::line;
 
@@ -208,13 +208,13 @@ impl SymbolRecord {
 /// Something that is neither an equation, a quantity nor a code.
 pub fn answer(
     request: &ExplainRequest,
-    letters: CharacterSet,
+    letters: Alphabet,
     front_end: &dyn FrontEnd,
     width: usize,
 ) -> Result<String, UnknownTopic> {
     let named = request.topics.join(" ");
     let topics = if named.is_empty() { Topic::all() } else { Topic::find(&named)? };
-    let letters = if request.ascii { CharacterSet::Ascii } else { letters };
+    let letters = if request.ascii { Alphabet::Ascii } else { letters };
     Ok(match request.format {
         Format::Json => topics.into_iter().map(|topic| line(&TopicRecord::new(topic, front_end))).collect(),
         _ if named.is_empty() => list(&topics, front_end, letters, width),

@@ -11,7 +11,7 @@ use crate::report::explain::topic::{QuantityTopic, Topic};
 use crate::report::layout::{options, table};
 
 /// The whole explanation of one topic as text, in lines of at most `width` columns.
-pub fn text(topic: Topic, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
+pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Alphabet, width: usize) -> String {
     match topic {
         Topic::Equation(equation) => equation_text(equation, dialect, letters, width),
         Topic::Quantity(quantity) => quantity_text(quantity, dialect, letters, width),
@@ -20,7 +20,7 @@ pub fn text(topic: Topic, dialect: &dyn Dialect, letters: CharacterSet, width: u
     }
 }
 
-fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
+fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: Alphabet, width: usize) -> String {
     let spelled = |template: &'static str| letters.convert(&Phrase::template(template).spelled(dialect));
     let mut text = format!("{}  {}\n\n", reference(equation.label), equation.title);
     for form in equation.forms {
@@ -41,7 +41,7 @@ fn equation_text(equation: &Equation, dialect: &dyn Dialect, letters: CharacterS
     text
 }
 
-fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
+fn quantity_text(quantity: &QuantityTopic, dialect: &dyn Dialect, letters: Alphabet, width: usize) -> String {
     let mut parts =
         vec![("What:  ", quantity.what().spelled(dialect)), ("Unit:  ", quantity.unit_in_words().to_owned())];
     if !quantity.symbols.is_empty() {
@@ -74,7 +74,7 @@ fn error_text(error: &ErrorCode, dialect: &dyn Dialect, width: usize) -> String 
 }
 
 /// A list of topics by kind, in lines of at most `width` columns.
-pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: CharacterSet, width: usize) -> String {
+pub fn list(topics: &[Topic], dialect: &dyn Dialect, letters: Alphabet, width: usize) -> String {
     let (mut equations, mut quantities, mut findings, mut errors) = (
         table(&["equation", "what it says"]),
         table(&["quantity", "what it is"]),
@@ -118,14 +118,14 @@ fn paragraph(label: &str, body: &str, width: usize) -> String {
 
 /// Whether a text may have letters outside ASCII.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CharacterSet {
+pub enum Alphabet {
     #[default]
     Unicode,
     /// Only ASCII, for old consoles: `alpha`, `sqrt(R)`.
     Ascii,
 }
 
-impl CharacterSet {
+impl Alphabet {
     /// The `text` in these letters. This has to be done before lines are broken, because the spellings differ in length.
     pub(super) fn convert(self, text: &str) -> String {
         match self {

@@ -4,7 +4,9 @@ use osim_inspect::{Counts, Figure, InspectedForce, Inspection, SphereFigures};
 use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, counted, four_significant, named, shown, three_significant};
 
-use crate::report::layout::{Colour, OUTSIDE, WIDTH, shorten_name, colour_marked_figures, table, wrapped, wrapped_with_path};
+use crate::report::layout::{
+    Colour, OUTSIDE, WIDTH, colour_marks, shorten, table, wrapped, wrapped_with_path,
+};
 use crate::report::messages::{NO_CONTACTS, in_a_cell};
 
 named! {
@@ -120,13 +122,13 @@ impl ModelsTable {
         let mut table = table(&headings);
         for (name, cells) in &self.rows {
             let name = name.strip_prefix(folder).unwrap_or(name);
-            let name = name_width.map_or_else(|| name.to_owned(), |width| shorten_name(name, width));
+            let name = name_width.map_or_else(|| name.to_owned(), |width| shorten(name, width));
             let shown = Column::ALL.iter().zip(cells).filter(|(column, _)| columns.contains(column));
             table.add_row(std::iter::once(&name).chain(shown.map(|(_, cell)| cell)));
         }
         let numbers = columns.iter().enumerate().filter(|(_, column)| column.is_number());
         table.right_aligned(&numbers.map(|(index, _)| index + 1).collect::<Vec<_>>());
-        let table = colour_marked_figures(&format!("{}\n", table.trim_fmt()), colour);
+        let table = colour_marks(&format!("{}\n", table.trim_fmt()), colour);
         let folder = if folder.is_empty() {
             String::new()
         } else {

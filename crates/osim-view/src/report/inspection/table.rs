@@ -8,7 +8,7 @@ use osim_model::messages::{Dialect, Phrase, four_significant, one_line, readable
 
 use crate::report::extent::{Extent, Layout};
 use crate::report::inspection::spheres;
-use crate::report::layout::{colour_marked_figures, table};
+use crate::report::layout::{colour_marks, table};
 use crate::report::messages::finding_lines;
 use crate::report::similarity;
 
@@ -27,7 +27,7 @@ pub fn text(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> St
     if !inspected.forces.is_empty() {
         let figures = spheres::sphere_sheet(inspected, dialect, layout);
         text.push_str(if figures.is_empty() { "" } else { "\n" });
-        text.push_str(&colour_marked_figures(&figures, layout.colour));
+        text.push_str(&colour_marks(&figures, layout.colour));
         text.push_str(&sentences_on_standing(inspected, layout));
     }
     if inspected.body_factors.is_some() {

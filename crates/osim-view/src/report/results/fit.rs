@@ -69,8 +69,8 @@ pub(super) fn doubt_in_words(doubt: &Doubt) -> String {
     }
 }
 
-/// An end of a confidence interval, in words; it may be unknown.
-fn interval_end(value: f64) -> String {
+/// A bound of a confidence interval, in words; the bound may be unknown.
+fn bound(value: f64) -> String {
     if value.is_nan() { "not known".to_owned() } else { four_significant(value) }
 }
 
@@ -82,7 +82,7 @@ fn parameters(fit: &Fit, columns: Option<usize>) -> String {
     let mut table = table(&["parameter", "value", "95 % from", "to", "unit", "equation"]);
     let mut row = |name: &str, value: &Estimate, unit: &str, equation: &str| {
         let cells =
-            [name, &four_significant(value.value), &interval_end(value.low), &interval_end(value.high), unit, equation];
+            [name, &four_significant(value.value), &bound(value.low), &bound(value.high), unit, equation];
         table.add_row(cells.map(str::to_owned).to_vec());
     };
     row("E* (composite)", &fit.composite_modulus, "N/m2", "(1)");

@@ -140,15 +140,15 @@ impl FromStr for Question {
 /// A question about a number that looks wrong. The caller has to confirm the number.
 ///
 /// ```
-/// use osim_model::{Fault, FaultKind, MassMistake, NeedsConfirmation};
+/// use osim_model::{Fault, FaultKind, MassMistake, Suspicion};
 /// use osim_model::messages::Input;
 ///
-/// let grams = NeedsConfirmation::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), other_rows: None, mistake: MassMistake::Grams };
-/// let fault = Fault::new(FaultKind::NeedsConfirmation(grams));
+/// let grams = Suspicion::Mass { input: Input::TargetMass, kg: 20_000.0, bodies_kg: Some(20.0), other_rows: None, mistake: MassMistake::Grams };
+/// let fault = Fault::new(FaultKind::Suspicion(grams));
 /// assert_eq!(fault.code(), "implausible-mass");
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub enum NeedsAnswer {
+pub enum Suspicion {
     /// A mass that looks wrong. `bodies_kg` is that of all bodies of the model, `other_rows` the range of the other masses in a table, if
     /// the mass is outside it.
     Mass {
@@ -166,7 +166,7 @@ pub enum NeedsAnswer {
     Other { question: Question, text: Phrase },
 }
 
-impl NeedsConfirmation {
+impl Suspicion {
     pub const fn question(&self) -> Question {
         match self {
             Self::Mass { .. } if self.is_about_pounds() => Question::MassInPounds,
