@@ -152,7 +152,7 @@ fn a_note_without_changes_prints_no_empty_table() {
 #[test]
 fn explain_knows_kinds_of_errors_and_short_names() {
     let dir = TestDir::new();
-    for name in ["Suspicion", "needs-answer"] {
+    for name in ["NeedsAnswer", "needs-answer"] {
         dir.run(&format!("explain {name}")).succeeded().says(&[
             "implausible-mass",
             "implausible-radius",

@@ -120,7 +120,7 @@ fn keywords(message: &Phrase) -> Vec<String> {
 
 impl From<Failure> for Problem {
     fn from(failure: Failure) -> Self {
-        let class = if failure.needs_answer { "Suspicion" } else { "ModelError" };
+        let class = if failure.needs_answer { "NeedsAnswer" } else { "ModelError" };
         let mut problem = Self::general(class, failure.code, &failure.message);
         // A question is answered by `yes`; the other keywords in the message are those that the caller gave.
         problem.keywords.sort_by_key(|keyword| keyword != Input::Yes.name());

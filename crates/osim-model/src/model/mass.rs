@@ -3,7 +3,9 @@
 use std::collections::BTreeMap;
 
 use crate::messages::{Input, Phrase, phrase, readable};
-use crate::model::fault::{Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion};
+use crate::model::fault::{
+    Fault, FaultKind, MassMistake, MassesOfOtherRows, MissingFact, POUND_KG, Suspicion,
+};
 use crate::model::names::{Pattern, any_matches};
 use crate::model::rules::{self, MassFromSource};
 use crate::model::{Body, Finding, Model};

@@ -3,9 +3,7 @@
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 
 use crate::model::components::{Carrier, ComponentId, Components};
-use crate::model::{
-    Class, Fault, FaultKind, FileId, Force, MissingFact, Origin, Property, Side, Sphere, Value,
-};
+use crate::model::{Class, Fault, FileId, Force, MissingFact, Origin, Property, Side, Sphere, Value};
 
 /// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]

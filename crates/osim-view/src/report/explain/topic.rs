@@ -83,7 +83,7 @@ fn topics_called(name: &str) -> Vec<Topic> {
     if topics.is_empty() && is_kind_of_questions(name) { questions() } else { topics }
 }
 
-/// Whether `name` is the name of the error kind of all questions in the library, `Suspicion`.
+/// Whether `name` is Python's name of all errors that ask the user something, `NeedsAnswer`.
 fn is_kind_of_questions(name: &str) -> bool {
     name.trim_ascii().to_lowercase().replace(['-', '_', ' '], "") == "needsanswer"
 }
