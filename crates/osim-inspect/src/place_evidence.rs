@@ -228,8 +228,10 @@ fn find_mirrored_layout(model: &Model, bones: &BodyBones) -> Option<&'static str
 
 fn match_mirrored_layout(list: Vec<SphereCentre<'_>>, bones: &BodyBones) -> Option<&'static str> {
     let mirrored = list.iter().map(SphereCentre::mirrored).collect();
-    let title = layout_with(mirrored, bones)?.title.as_str();
-    layout_with(list, bones).is_none().then_some(title)
+    if layout_with(list, bones).is_some() {
+        return None;
+    }
+    Some(layout_with(mirrored, bones)?.title.as_str())
 }
 
 /// The layout with these centres, in a published size or in the size of the bones.
@@ -256,15 +258,13 @@ impl PublishedLayout {
     /// Whether the centres `list` are the places of the layout. A layout without places has a digest, with which `list` is compared.
     fn matches(&self, list: &[SphereCentre<'_>], has_digest: impl FnOnce(&str) -> bool) -> bool {
         match (&self.places, &self.digest) {
-            (Some(places), _) => {
+            (Some(places), _) if places.len() == list.len() => {
                 let rounding_m =
                     rounding_of_places_m(list.iter().map(|centre| centre.at_m)).max(SAME_PLACE_M);
-                let is_there =
-                    |place: &PublishedPlace| list.iter().any(|centre| place.is_at(centre, rounding_m));
-                places.len() == list.len() && places.iter().all(is_there)
+                places.iter().all(|place| list.iter().any(|centre| place.is_at(centre, rounding_m)))
             }
             (None, Some(digest)) => has_digest(digest),
-            (None, None) => false,
+            _ => false,
         }
     }
 

@@ -122,19 +122,21 @@ impl Model {
     /// A note of [`Scope::All`] without a mass can be trusted: nobody gave a mass, and the contacts count as made for the mass of the
     /// bodies, as without a note. After OpenSim has scaled the bodies, their mass is another one, and the note is in doubt.
     pub fn doubt_about_note(&self) -> Option<NoteDoubt> {
-        if self.note_fault.is_some() {
-            return self.note_fault;
-        }
-        let note = self.note.as_ref()?;
-        if !self.has_values_of(note) {
-            return Some(NoteDoubt::ValuesChanged);
-        }
-        match (note.contacts_mass_kg, note.scope) {
-            (Some(_), Scope::Partial) => Some(NoteDoubt::Partial),
-            (None, Scope::Partial) => Some(NoteDoubt::MassUnknown),
-            (Some(_), Scope::All) => None,
-            (None, Scope::All) => self.bodies_have_other_sizes(note).then_some(NoteDoubt::BodiesScaled),
-        }
+        *self.doubt_about_note.get_or_init(|| {
+            if self.note_fault.is_some() {
+                return self.note_fault;
+            }
+            let note = self.note.as_ref()?;
+            if !self.has_values_of(note) {
+                return Some(NoteDoubt::ValuesChanged);
+            }
+            match (note.contacts_mass_kg, note.scope) {
+                (Some(_), Scope::Partial) => Some(NoteDoubt::Partial),
+                (None, Scope::Partial) => Some(NoteDoubt::MassUnknown),
+                (Some(_), Scope::All) => None,
+                (None, Scope::All) => self.bodies_have_other_sizes(note).then_some(NoteDoubt::BodiesScaled),
+            }
+        })
     }
 }
 

@@ -66,6 +66,7 @@ impl Model {
             gravity_m_s2,
             note,
             irregularities,
+            doubt_about_note: OnceLock::new(),
             findings: OnceLock::new(),
         };
         model.compare_notes();
@@ -148,6 +149,7 @@ impl Model {
             gravity_m_s2: self.gravity_m_s2,
             note,
             irregularities: self.irregularities.clone(),
+            doubt_about_note: OnceLock::new(),
             findings: OnceLock::new(),
         };
         model.set_contact_numbers(changed);
