@@ -32,7 +32,11 @@ SHELLS = {"bash": f"{COMMAND}.bash", "zsh": f"_{COMMAND}", "fish": f"{COMMAND}.f
 #: `[text](path)` and `[text](path#anchor)`, not addresses and not anchors of the page itself.
 LINK = re.compile(rb"\[(?P<text>[^\[\]]*)\]\((?P<path>[^\s():#]+)(?:#[^\s()]*)?\)")
 #: What of a page is only for those who have the sources.
-FOR_SOURCES = {"README.md": rb"(?ms)^## From the sources$.*?(?=^## )", "docs/README.md": rb"(?m)^- Develop: .*\n"}
+FOR_SOURCES = {
+    r"README\.md": rb"(?ms)^## From the sources$.*?(?=^## )",
+    r"docs/README\.md": rb"(?m)^- Develop: .*\n",
+    r"docs/studies/.*\.md": rb"(?ms)^## Doing it again$.*?(?=^## )",
+}
 
 
 def output_of(*command, **options):
@@ -58,8 +62,9 @@ def contents(program, target, metadata):
         # Developers have the sources.
         if not name.startswith("docs/developers/"):
             add(name, (ROOT / name).read_bytes())
-    for page, sources in FOR_SOURCES.items():
-        add(page, re.sub(sources, b"", files[page][0]))
+    for pages, sources in FOR_SOURCES.items():
+        for page in [path for path in files if re.fullmatch(pages, path)]:
+            add(page, re.sub(sources, b"", files[page][0]))
     # What the examples of the pages name, so that each can be tried: whole folders, because files there name one another.
     folders = {name for page in console_examples.pages(ROOT) for name in console_examples.folders(page.read_text("utf-8"))}
     for name in tracked("fixtures"):

@@ -127,6 +127,9 @@ def test(archive):
         assert not missing, f"not in the archive: {missing}"
         dead = [f"{page.relative_to(top)}: {link}" for page in sorted(top.rglob("*.md")) for link in dead_links(page)]
         assert not dead, f"links to files that are not in the archive: {dead}"
+        named = {page: re.findall(r"\b(?:crates|demonstrations|dev|tests)/\S+", page.read_text(encoding="utf-8")) for page in top.rglob("*.md")}
+        named = {page.relative_to(top): paths for page, paths in named.items() if paths and page.name != "install.md"}
+        assert not named, f"files of the sources, which are not in the archive: {named}"
         assert "cargo" not in (top / "README.md").read_text(encoding="utf-8"), "README.md has what needs the sources"
         print(f"{archive.name}: {run([program, '--version']).strip()}, {program.stat().st_size} bytes")
         model = top / "fixtures/table1" / MODEL
