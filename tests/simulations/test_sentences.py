@@ -57,7 +57,10 @@ def walker(text):
     pairs = list(zip(table[::2], table[1::2]))
     lone = [all(once["same"]) for once, rungs in pairs if all(once["same"]) != all(rungs["same"])]
     tail = sum(comb(len(lone), n) for n in range(lone.count(False) + 1)) / 2 ** (len(lone) - 1)
-    yield "{} guesses succeed in only one of the two ways; {} of them succeed directly (p = {}).", [len(lone), sum(lone), tail]
+    yield (
+        "{} guesses succeed in only one of the two ways; {} of them succeed directly (p = {})",
+        [len(lone), sum(lone), tail],
+    )
     less = [(100 - 100 * float(rungs["effort"]) / float(once["effort"]), rungs) for once, rungs in pairs]
     cheaper = [(share, *rungs["same"]) for share, rungs in less if share > 3.6]
     yield "{} guesses gave {} to {} % less effort", [len(cheaper), *ends(share for share, *_ in cheaper)]
