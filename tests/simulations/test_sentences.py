@@ -82,7 +82,7 @@ def falls(text):
     yield "slides {} to {} % further** when it lands", ends(high for _, high in landed)
     yield "and {} to {} times as far when pushed", ends(1 + high / 100 for _, high in pushed)
     less = [end for kind in (landed, pushed) for end in ends(-low for low, _ in kind)]
-    yield "A giraffe slides {} to {} % less, and {} to {} % less", less
+    yield "A giraffe slides {} to {} % less when it lands, and {} to {} % less when pushed", less
     yield "change by {} to {} %, upward ones", ends(numbers(*(row[7] for row in slides)))
 
 
