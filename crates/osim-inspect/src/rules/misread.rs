@@ -201,6 +201,9 @@ fn misread_text(
         return None;
     }
     let (tag, raw) = (document.tree().name(element), document.tree().raw_text(element));
+    if raw.in_one_piece && form.has_decimals_alone(&raw.text) {
+        return None;
+    }
     if let Some(read) = raw.in_one_piece.then(|| form.plain_numbers(&raw.text)).flatten() {
         if let Some(text) = unequal_counts(document, object, tag, &raw.text) {
             return Some((&ODD_NUMBER, text));
@@ -250,7 +253,25 @@ fn shown_text(text: &str) -> String {
     }
 }
 
+/// A number with no more letters than these is finite if it has no exponent.
+const MOST_LETTERS_OF_FINITE: usize = 300;
+
 impl TextForm {
+    /// Whether a text is the right count of numbers without exponents. Most texts are, and nobody reads them otherwise.
+    fn has_decimals_alone(self, text: &str) -> bool {
+        let is_decimal = |word: &str| {
+            let digits = word.strip_prefix('-').unwrap_or(word).as_bytes();
+            let points = digits.iter().filter(|&&letter| letter == b'.').count();
+            let others = digits.iter().any(|letter| !letter.is_ascii_digit() && *letter != b'.');
+            !others && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
+        };
+        let mut found = 0;
+        let mut words = opensim_text::list_words(text).inspect(|_| found += 1);
+        let are_decimals = words.all(is_decimal);
+        drop(words);
+        matches!(self, Numbers(count) if are_decimals && found == count)
+    }
+
     /// The numbers of a text, none if it is a flag; `None` if a person and OpenSim do not read the text alike.
     fn plain_numbers(self, text: &str) -> Option<Vec<f64>> {
         let is_flag = || ["true", "false", "0", "1"].iter().any(|flag| flag.eq_ignore_ascii_case(text));
