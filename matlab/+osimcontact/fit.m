@@ -16,7 +16,7 @@ function results = fit(varargin)
 %         or 'height' or a cell array of these.
 %     unbounded: Let spheres go deeper than their radius. Takes true or false.
 %     height_in: What a fitted height moves [default: 'floor']. Takes 'floor' or 'spheres'.
-%     belt: Speed of a treadmill's belt against x, m/s: slip is taken against it. Takes a number.
+%     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of each motion. Takes a text.
 %     angles: The unit of the motions' angles, where their headers do not say it. Takes 'degrees' or
 %         'radians'.

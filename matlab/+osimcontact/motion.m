@@ -15,7 +15,7 @@ function results = motion(varargin)
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6
 %         is usual for walking). Takes a number.
-%     belt: Speed of a treadmill's belt against x, m/s: slip is taken against it. Takes a number.
+%     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of the motion. Takes a text.
 %     output: Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it
 %         (.xml). Takes a text.

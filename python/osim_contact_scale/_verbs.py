@@ -787,7 +787,7 @@ def fit(
     height_in : {"floor", "spheres"}, optional
         What a fitted height moves.
     belt : float, optional
-        Speed of a treadmill's belt against x, m/s: slip is taken against it.
+        Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
         Speed of a treadmill's belt from this column of each motion.
     angles : {"degrees", "radians"}, optional
@@ -991,7 +991,7 @@ def motion(
         Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for
         walking)
     belt : float, optional
-        Speed of a treadmill's belt against x, m/s: slip is taken against it.
+        Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
         Speed of a treadmill's belt from this column of the motion.
     output : path, optional

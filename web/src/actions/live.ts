@@ -146,7 +146,7 @@ function plan(session: Session): Plan {
   const wrong = problems(form, values);
   if (wrong.size > 0) return hintPlan(correctFirst(form, wrong));
   const missing = missingFields(form, values);
-  if (missing.length > 0) return hintPlan(`Say this to see what would change: ${quotedLabels(missing)}.`);
+  if (missing.length > 0) return hintPlan(`To see what would change, fill in ${quotedLabels(missing)}.`);
   const isFilled = !isEmpty(form, values) || hasOwnMass(session, form, model);
   if (NEEDS_INPUT.has(form.verb) && !isFilled) return hintPlan(EMPTY_HINTS[form.verb] ?? "");
   return { ask: requestFor(session, form, model) };

@@ -92,7 +92,7 @@ function question(failure: Failure, form: Form, context: Context): Question {
   const yes = failure.fields.includes("yes") ? [confirmButton(failure, context)] : [];
   const all = [...suggested(failure, fields[0], context), ...yes, ...controls.map(({ fieldControl }) => fieldControl.element)];
   if (all.length === 0) return { content: [], refresh, end };
-  const legend = all.length === 1 ? "Your answer" : "Any of these would answer";
+  const legend = all.length === 1 ? "Your answer" : "Any one of these answers is enough";
   const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
   return { content: [el("div", { class: "question", role: "group", "aria-labelledby": title.id }, title, ...all)], refresh, end };
 }

@@ -49,7 +49,7 @@ function forces({ forces: all }: Inspection): string {
 
 /** A sentence about the masses of a model. */
 export function describeModel({ mass_kg: bodyMass, contacts_mass_kg: contactsMass, forces, known_contacts: knownContacts }: Inspection): string {
-  const weighs = bodyMass === null ? "It is not known what it weighs" : `Weighs ${kilograms(bodyMass)}`;
+  const weighs = bodyMass === null ? "Its mass is not known" : `Weighs ${kilograms(bodyMass)}`;
   if (forces.length === 0) return `${weighs}; it has no contacts.`;
   if (knownContacts && contactsMass?.source !== "note") return `${weighs}; its contacts are those of ${knownContacts.title}, made for ${kilograms(knownContacts.made_for_kg)}.`;
   const words = contactsMass ? `its contacts were made for ${kilograms(contactsMass.value)}` : "nobody wrote down which mass its contacts were made for";

@@ -174,7 +174,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         LowPass = value("HZ").under_if(is(&[Fit]), RECORDING),
             "Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6 is usual for walking)";
         Belt = value("M/S").signed().under_if(is(&[Fit]), RECORDING),
-            "Speed of a treadmill's belt against x, m/s: slip is taken against it";
+            "Speed of a treadmill's belt towards -x, m/s; slip is relative to it";
         BeltColumn = value("NAME").under_if(is(&[Fit]), RECORDING).rare(), "Speed of a treadmill's belt from this column of the motion",
             Fit => "Speed of a treadmill's belt from this column of each motion";
         Kind = choice(PlotKind::WORDS), "What to draw";
