@@ -69,6 +69,7 @@ fn bash_completes_verbs_options_and_values() {
         assert_eq!(complete(&["osim-contact-scale", verb, "''"]).unwrap(), "", "{verb}");
     }
     assert_eq!(complete(&["osim-contact-scale", "presets", "fal"]).unwrap(), "falisse2022");
+    assert_eq!(complete(&["osim-contact-scale", "add", "m.osim", "--from", "moco"]).unwrap(), "moco-2d-gait");
     assert_eq!(complete(&["osim-contact-scale", "explain", "sunk"]).unwrap(), "sunk-in");
     assert_eq!(complete(&["osim-contact-scale", "set", "m.osim", "stif"]).unwrap(), "stiffness=");
 }

@@ -55,7 +55,7 @@ pub use crate::fit::{FitResult, run_fit};
 pub use crate::inspector::Inspector;
 pub use crate::motion::{MotionResult, PlatesRead, run_motion};
 pub use crate::motion_remarks::MotionRemark;
-pub use crate::opening::{find_presets, may_be_file, open_with, presets, presets_of_unlike_spheres};
+pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};
 pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
 pub use crate::prepared_change::{PreparedChange, check_with_trials, try_what_can_change};
 pub use crate::remedies::check_with_remedies;

@@ -85,7 +85,7 @@ impl NamedSource {
         let neither = format!(
             "'{}': there is no such file and no such preset, expected a model or one of: {}",
             word.display(),
-            all_preset_names(presets, files)
+            all_preset_names(presets, files).join(", ")
         );
         let fault = match input {
             Some(input) => RequestFault::refused(input, phrase![input, " ", neither]),
@@ -101,12 +101,12 @@ pub(crate) fn placed_preset(name: &Path) -> Result<Option<OpenModel>, Failure> {
     ModelFiles::read(name, text.into(), CompanionPaths::default(), &InMemory::default())?.open().map(Some)
 }
 
-/// The names of all presets in words: without places of spheres, and with them.
-fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> String {
+/// The names of all presets: without places of spheres, and with them.
+pub fn all_preset_names(presets: Option<&Path>, files: &dyn Files) -> Vec<String> {
     let presets = self::presets(presets, files).unwrap_or_default();
     let names = presets.iter().map(|preset| preset.name.to_string());
     let others = presets_of_unlike_spheres(&presets).map(str::to_owned);
-    names.chain(others).collect::<Vec<_>>().join(", ")
+    names.chain(others).collect()
 }
 
 /// The names of presets whose spheres have radii of their own, so that no [`Preset`] describes them.
@@ -178,7 +178,7 @@ struct PresetEntry {
 /// # Errors
 /// A file that cannot be read, an unknown or missing key (with line and column), a value outside its domain, or a name
 /// that is taken.
-pub fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
+pub(crate) fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
     let mut presets: Vec<Preset> =
         contact_scaling::preset_names().filter_map(contact_scaling::preset).collect();
     let Some(path) = file else { return Ok(presets) };

@@ -37,8 +37,7 @@ pub(crate) fn run(shell: Shell, session: &mut Session) -> Result<Exit> {
 
 /// The command with the words that arguments without a name may have: presets, topics of `explain`, and properties for `set`.
 fn with_known_words(command: Command, shell: Shell) -> Command {
-    let presets = osim_planning::presets(None, &Disk).unwrap_or_default();
-    let names: Vec<String> = presets.iter().map(|preset| preset.name.to_string()).collect();
+    let names = osim_planning::all_preset_names(None, &Disk);
     let topics: Vec<&str> = Topic::all().into_iter().map(Topic::name).collect();
     let properties: Vec<String> =
         Property::ALL.iter().map(|property| format!("{}=", property.name())).collect();
@@ -56,9 +55,10 @@ fn with_known_words(command: Command, shell: Shell) -> Command {
     command.mut_subcommand("set", |verb| verb.mut_arg("items", |items| values(items, properties)))
 }
 
-/// The script for bash with files after a verb: clap_complete 4.6 lists the options there. Only words that begin with - can be options.
+/// The script for bash with files after a verb, where clap_complete 4.6 lists options (which begin with -), and with presets after `--from`.
 fn with_files(script: &str) -> String {
     let (mut completed, mut words, mut before) = (String::new(), String::new(), "");
+    let presets = osim_planning::all_preset_names(None, &Disk).join(" ");
     for line in script.split_inclusive('\n') {
         if let Some(all) = line.trim_ascii().strip_prefix("opts=\"") {
             let is_value = |word: &&str| !word.starts_with('-') && !all.contains("--version");
@@ -71,6 +71,7 @@ fn with_files(script: &str) -> String {
         }
         completed.push_str(&match before {
             "esac" => line.replace("${opts}", &words),
+            "--from)" => line.replace("\"))", &format!("\") $(compgen -W \"{presets}\" -- \"${{cur}}\"))")),
             _ => line.replace(" || ${COMP_CWORD} -eq 2 ]]", " ]]"),
         });
         before = line.trim_ascii();

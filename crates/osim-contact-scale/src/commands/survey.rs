@@ -147,23 +147,21 @@ fn next_steps(session: &Session, models: &[PathBuf], has_contacts: bool) -> Stri
         [only] => words.word(&only.display().to_string()),
         _ => MODEL.to_owned(),
     };
-    let row =
-        |call: &Call, what: &str| format!("  {:<50}{what}\n", words.command(call).replacen(MODEL, &name, 1));
-    let steps = if has_contacts {
+    let command = |call: &Call| words.command(call).replacen(MODEL, &name, 1);
+    let mut rows = if has_contacts {
         let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         let transfer = Verb::Transfer.call_with_model().with_placeholder(Input::From, "OTHER");
-        [
-            row(&Verb::Check.call_with_model(), "what to fix, and how"),
-            row(&rescale, "scale its contacts to another mass"),
-            row(&transfer, "take the contacts of a known model"),
+        vec![
+            (command(&Verb::Check.call_with_model()), "what to fix, and how"),
+            (command(&rescale), "scale its contacts to another mass"),
+            (command(&transfer), "take the contacts of a known model"),
         ]
-        .concat()
     } else {
         let add = Verb::Add.call_with_model().with_placeholder(Input::From, "OTHER");
-        row(&add, "give it the contacts of another model")
+        vec![(command(&add), "give it the contacts of another model")]
     };
-    format!(
-        "\nNothing was changed. Next:\n{steps}{}",
-        "  osim-contact-scale --help                         everything else\n"
-    )
+    rows.push(("osim-contact-scale --help".to_owned(), "everything else"));
+    let width = rows.iter().map(|(call, _)| call.chars().count()).max().unwrap_or_default();
+    let steps: String = rows.iter().map(|(call, what)| format!("  {call:<width$}  {what}\n")).collect();
+    format!("\nNothing was changed. Next:\n{steps}")
 }
