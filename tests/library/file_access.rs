@@ -7,7 +7,7 @@ use std::os::unix::net::UnixListener;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 
-use crate::leftovers::{dead_process, temporary_name, this_host};
+use crate::leftover_files::{dead_process, temporary_name, this_host};
 use crate::model_folder::{
     feed_pipe, folder_with_models, make_pipe, model_bytes, shell_command, start, status_and_output,
     wait_for_output,

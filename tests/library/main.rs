@@ -17,7 +17,7 @@ mod file_access;
 mod full_disk;
 mod interrupted;
 mod killed;
-mod leftovers;
+mod leftover_files;
 mod memory;
 mod model_folder;
 mod odd_files;

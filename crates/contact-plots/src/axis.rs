@@ -30,7 +30,7 @@ impl Axis {
     }
 
     /// A linear axis that covers all its points and at least the range from `from` to `to`.
-    pub fn over(label: impl Into<String>, from: f64, to: f64) -> Self {
+    pub fn covering(label: impl Into<String>, from: f64, to: f64) -> Self {
         Self { range: Some((from, to)), ..Self::new(label) }
     }
 
@@ -267,7 +267,7 @@ mod tests {
     #[test]
     fn an_axis_holds_all_its_values() {
         assert_eq!(Axis::new("x").span([1.0, 3.0].into_iter(), false), (1.0, 3.0));
-        assert_eq!(Axis::over("x", 0.0, 2.0).span([1.0, 3.0].into_iter(), false), (0.0, 3.0));
+        assert_eq!(Axis::covering("x", 0.0, 2.0).span([1.0, 3.0].into_iter(), false), (0.0, 3.0));
         let (low, high) = Axis::new("F").span([2.0, 10.0].into_iter(), true);
         assert!(low == 0.0 && high > 10.0);
     }

@@ -136,7 +136,8 @@ mod tests {
     use crate::{Axis, Curve, Look};
 
     fn panel(points: Vec<Point>) -> Panel {
-        let mut panel = Panel::new("", Axis::over("time (s)", 0.0, 2.0), Axis::over("force", 0.0, 4.0));
+        let mut panel =
+            Panel::new("", Axis::covering("time (s)", 0.0, 2.0), Axis::covering("force", 0.0, 4.0));
         panel.curves.push(Curve::new("", points, Look::series(0)));
         panel
     }

@@ -4,7 +4,7 @@
 //! with compliant contacts. Then E* is raised and α lowered step by step; each solution is the initial guess for the next
 //! optimisation.
 
-use crate::error::{DomainError, positive, within};
+use crate::error::{DomainError, positive, require};
 
 /// The contact for one optimisation of a series, as factors of the final contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -65,15 +65,15 @@ pub fn modulus_ratio(stiffness_a: f64, stiffness_b: f64) -> Result<f64, DomainEr
 pub fn steps(first: f64, last: f64, dissipation_ratio: f64, count: u32) -> Result<Vec<Step>, DomainError> {
     let last = positive("dimensionless stiffness of the last step", last)?;
     let first = positive("dimensionless stiffness of the first step", first)?;
-    within(
+    require(
         first < last,
         "dimensionless stiffness of the first step",
         first,
         "less than that of the last step",
     )?;
     let ratio = positive("ratio of the dissipations", dissipation_ratio)?;
-    within(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
-    within((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
+    require(ratio >= 1.0, "ratio of the dissipations", ratio, "1 or more")?;
+    require((2..=MOST_STEPS).contains(&count), "number of steps", f64::from(count), "2 to 100000")?;
     (0..count).map(|index| step_at(first / last, last, ratio, index, count)).collect()
 }
 

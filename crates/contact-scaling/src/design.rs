@@ -4,13 +4,13 @@
 //! [`crate::modulus::of_equal_surfaces`].
 
 use crate::SharedLoad;
-use crate::error::{DomainError, positive, within};
+use crate::error::{DomainError, positive, require};
 use crate::hertz::depth;
 
 /// `relative_indentation`, if 0 < x̂ ≤ 1.
 fn checked_indentation(relative_indentation: f64) -> Result<f64, DomainError> {
     let ok = relative_indentation > 0.0 && relative_indentation <= 1.0;
-    within(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
+    require(ok, "relative indentation", relative_indentation, "a number above 0, at most 1")
 }
 
 /// Composite modulus with which spheres have the relative indentation x̂ under a load, E* = 3 F / (4 R² x̂^(3/2) n), in N/m².

@@ -3,7 +3,7 @@
 //! The spheres touch one plane. Either their bottoms are at one height, so that all have the same indentation x, whatever their
 //! radii; or the bottoms are at different heights ([`RaisedSpheres`]).
 
-use crate::error::{DomainError, positive, within};
+use crate::error::{DomainError, positive, require};
 use crate::hertz::depth;
 use crate::{Law, Spheres};
 
@@ -83,7 +83,7 @@ pub fn hertz_indentation_of_lowest(spheres: &[RaisedSpheres], load_n: f64) -> Re
     // As deep as if all were as high as the highest.
     let sum: f64 = spheres.iter().map(|s| s.spheres.count() * s.spheres.law().hertz().coefficient()).sum();
     let deepest = highest_bottom_m(spheres) + depth(load, positive("sum of force coefficients", sum)?);
-    within(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
+    require(deepest.is_finite(), "load", load_n, "a load that the spheres can carry")?;
     // For a guess, which needs no last bit, a root is quicker than a power. From the deep side Newton's steps stay there: the force
     // rises ever more.
     let summed = |x: f64, force_shape: fn(f64) -> f64| -> f64 {
@@ -142,7 +142,7 @@ impl RaisedSpheres {
     /// # Errors
     /// [`DomainError`] unless the height is finite and not below 0.
     pub fn new(spheres: Spheres, height_m: f64) -> Result<Self, DomainError> {
-        within(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
+        require(height_m.is_finite() && height_m >= 0.0, "height", height_m, "finite and not below 0")?;
         Ok(Self { spheres, height_m })
     }
 }
@@ -215,7 +215,7 @@ fn first_equilibrium(spheres: &[RaisedSpheres], load_n: f64, hertz: f64) -> Resu
         below += stride;
         stride *= 2.0;
     }
-    within(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
+    require(below.is_finite() && !carried(above), "load", load_n, "a load that the spheres can carry")?;
     let guess = newton_root(
         hertz.max(above).min(below),
         |x| sum(&|law, x| law.rest_force(x), x) - load_n,

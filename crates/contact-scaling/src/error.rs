@@ -37,7 +37,7 @@ impl DomainError {
 }
 
 /// `value`, if the condition `ok` of the caller is true; else an error with the `expected` range.
-pub(crate) fn within(
+pub(crate) fn require(
     ok: bool,
     quantity: &'static str,
     value: f64,
@@ -48,22 +48,22 @@ pub(crate) fn within(
 
 /// `value`, if it is finite.
 pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    within(value.is_finite(), quantity, value, "a finite number")
+    require(value.is_finite(), quantity, value, "a finite number")
 }
 
 /// `value`, if it is finite and above 0.
 pub(crate) fn positive(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    within(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
+    require(value.is_finite() && value > 0.0, quantity, value, "a finite number above 0")
 }
 
 /// `value`, if it is finite and not below 0.
 pub(crate) fn non_negative(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    within(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
+    require(value.is_finite() && value >= 0.0, quantity, value, "a finite number, 0 or above")
 }
 
 /// `value`, if it is finite and not below 1.
 pub(crate) fn at_least_one(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
-    within(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
+    require(value.is_finite() && value >= 1.0, quantity, value, "a finite number, 1 or above")
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 //! OpenSim's `stiffness` is E₁* of one surface. The Hertz law uses the composite modulus E* of both surfaces.
 
 use crate::EQUAL_SURFACES;
-use crate::error::{DomainError, non_negative, positive, within};
+use crate::error::{DomainError, non_negative, positive, require};
 
 /// The rule for the composite modulus of two surfaces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,7 +31,7 @@ pub enum MixingRule {
 /// ```
 pub fn plane_strain(young_n_m2: f64, poisson: f64) -> Result<f64, DomainError> {
     let young = positive("young's modulus", young_n_m2)?;
-    within(poisson > -1.0 && poisson <= 0.5, "poisson's ratio", poisson, "a number above -1, at most 0.5")?;
+    require(poisson > -1.0 && poisson <= 0.5, "poisson's ratio", poisson, "a number above -1, at most 0.5")?;
     Ok(young / (1.0 - poisson * poisson))
 }
 

@@ -3,7 +3,7 @@
 //! For an impact without gravity the law can be integrated: with d = 3/2 α ẋ⁻ the restitution c solves h(d) = h(−c d), where h(z)
 //! = z − ln(1 + z). (13) is the start of its series: c = 1 − 2/3 d + …
 
-use crate::error::{DomainError, non_negative, positive, within};
+use crate::error::{DomainError, non_negative, positive, require};
 
 const CLOSED_UNIT: &str = "a number from 0 to 1";
 const RESTITUTION: &str = "a number above 0, at most 1";
@@ -26,7 +26,7 @@ const RESTITUTION: &str = "a number above 0, at most 1";
 /// ```
 pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let c = 1.0 - loss(dissipation_s_m, impact_speed_m_s)?;
-    within(c >= 0.0, "restitution by (13)", c, CLOSED_UNIT)
+    require(c >= 0.0, "restitution by (13)", c, CLOSED_UNIT)
 }
 
 /// Dissipation by the approximation, α = (1 − c_r) / ẋ⁻, in s/m: the largest with which the restitution is at least c_r.
@@ -45,7 +45,7 @@ pub fn approximate(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, D
 /// ```
 pub fn dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let ok = (0.0..=1.0).contains(&restitution);
-    let c = within(ok, "restitution", restitution, CLOSED_UNIT)?;
+    let c = require(ok, "restitution", restitution, CLOSED_UNIT)?;
     Ok((1.0 - c) / positive("impact speed", impact_speed_m_s)?)
 }
 
@@ -103,7 +103,7 @@ pub fn exact(dissipation_s_m: f64, impact_speed_m_s: f64) -> Result<f64, DomainE
 /// ```
 pub fn exact_dissipation(restitution: f64, impact_speed_m_s: f64) -> Result<f64, DomainError> {
     let ok = restitution > 0.0 && restitution <= 1.0;
-    let c = within(ok, "restitution", restitution, RESTITUTION)?;
+    let c = require(ok, "restitution", restitution, RESTITUTION)?;
     Ok(loss_from_restitution(c) / 1.5 / positive("impact speed", impact_speed_m_s)?)
 }
 

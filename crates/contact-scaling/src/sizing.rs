@@ -1,7 +1,7 @@
 //! Computes two of load, radius, indentation, modulus and stiffness from the other three: (3) and (B.2) together.
 
 use crate::design;
-use crate::error::{DomainError, positive, within};
+use crate::error::{DomainError, positive, require};
 
 /// The known quantities of one sphere under its load, not yet checked; a quantity that is `None` is computed.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -103,7 +103,7 @@ impl KnownQuantities {
             }
         }
         if let Some(x) = self.relative_indentation {
-            within(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
+            require(x <= 1.0, "relative indentation", x, "a number above 0, at most 1")?;
         }
         let sizing = self.solve_checked().ok_or_else(|| {
             let names = |known: bool| {

@@ -3,7 +3,7 @@
 //!
 //! A threshold t is a value of the contact state s_c, without unit: a width is the distance from s_c = t to s_c = 1 − t.
 
-use crate::error::{DomainError, non_negative, positive, within};
+use crate::error::{DomainError, non_negative, positive, require};
 
 /// The smoothing parameters of `SmoothSphereHalfSpaceForce`, by name and not yet checked.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ const BELOW_HALF: &str = "a number between 0 and 0.5";
 
 /// atanh(1 − 2 t); an error with the `expected` range unless `ok`.
 fn half_width(threshold: f64, ok: bool, expected: &'static str) -> Result<f64, DomainError> {
-    Ok(libm::atanh(1.0 - 2.0 * within(ok, "threshold", threshold, expected)?))
+    Ok(libm::atanh(1.0 - 2.0 * require(ok, "threshold", threshold, expected)?))
 }
 
 /// 2 atanh(1 − 2 t) for 0 < t < ½.

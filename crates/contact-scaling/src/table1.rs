@@ -128,16 +128,17 @@ impl Compared {
 
     /// Whether the computed number is within half a unit of the last printed digit.
     pub fn is_within_last_digit(&self) -> bool {
-        self.is_near(self.computed)
+        self.prints_as(self.computed)
     }
 
     /// Whether the printed number does not follow from the exact number of the human, but from the rounded one: the paper
     /// then was computed from the rounded number.
     pub fn is_from_rounded(&self) -> bool {
-        !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.is_near(value))
+        !self.is_within_last_digit() && self.from_rounded.is_some_and(|value| self.prints_as(value))
     }
 
-    fn is_near(&self, value: f64) -> bool {
+    /// Whether `value`, rounded as in the paper, is the printed number.
+    fn prints_as(&self, value: f64) -> bool {
         // 2.065 - 2.07 is not 0.005 in binary; nothing that matters is hidden by one part in 1e9 of a digit.
         (value - self.printed_value()).abs() <= self.half_last_digit() * (1.0 + 1e-9)
     }

@@ -101,7 +101,7 @@ pub(crate) fn stop_is_requested() -> bool {
 // What went wrong with one model, as one line and a snippet of the file.
 
 /// Reports a failure on standard error: one sentence, then the faulty line of the file if there is one.
-pub(crate) fn report(failure: &Failure, words: Words, terminal: &mut Terminal) {
+pub(crate) fn report_failure(failure: &Failure, words: Words, terminal: &mut Terminal) {
     let place = match (failure.line, failure.column) {
         (Some(line), Some(column)) => format!("{}:{line}:{column}", failure.model),
         _ => failure.model.to_string(),

@@ -34,11 +34,11 @@ impl Session {
     }
 
     /// Reports a failure on standard error; with `json`, also as a record on standard output.
-    pub(crate) fn report(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
+    pub(crate) fn report_failure(&mut self, failure: &Failure, json: bool) -> Result<Exit> {
         if json {
             self.terminal.print_records(&line(&FailureRecord::new(failure, self.words)))?;
         }
-        exit::report(failure, self.words, &mut self.terminal);
+        exit::report_failure(failure, self.words, &mut self.terminal);
         Ok(Exit::Failed)
     }
 
@@ -47,7 +47,7 @@ impl Session {
     pub(crate) fn refuse(&mut self, error: impl Into<RequestError>, json: bool) -> anyhow::Error {
         match error.into() {
             RequestError::Fault(fault) => self.usage_error(&fault),
-            RequestError::Failure(failure) => match self.report(&failure, json) {
+            RequestError::Failure(failure) => match self.report_failure(&failure, json) {
                 Ok(exit) => ExitError { text: String::new(), exit }.into(),
                 Err(error) => error,
             },

@@ -116,15 +116,15 @@ impl Terminal {
     }
 
     /// Prints text that is not a result on standard error.
-    pub(crate) fn print_beside(&mut self, text: &str) -> io::Result<()> {
+    pub(crate) fn print_to_stderr(&mut self, text: &str) -> io::Result<()> {
         if self.is_quiet {
             return Ok(());
         }
-        self.print_beside_unbroken(&fitted(text, self.err))
+        self.print_to_stderr_unbroken(&fitted(text, self.err))
     }
 
     /// Prints text that is not a result on standard error, with unbroken lines.
-    pub(crate) fn print_beside_unbroken(&mut self, text: &str) -> io::Result<()> {
+    pub(crate) fn print_to_stderr_unbroken(&mut self, text: &str) -> io::Result<()> {
         match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
             Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
             result => result,
@@ -148,7 +148,7 @@ impl Terminal {
 
     /// Prints a remark in one line on standard error.
     pub(crate) fn remark(&mut self, text: &str) -> io::Result<()> {
-        self.print_beside(&format!("remark: {}\n", one_line(text.to_owned())))
+        self.print_to_stderr(&format!("remark: {}\n", one_line(text.to_owned())))
     }
 }
 
@@ -214,7 +214,7 @@ impl Progress {
         Self { bar, failures: AtomicUsize::new(0) }
     }
 
-    pub(crate) fn done(&self, failed: bool) {
+    pub(crate) fn count_model(&self, failed: bool) {
         if self.bar.is_hidden() {
             return;
         }

@@ -27,7 +27,7 @@ pub struct KnownContacts {
     pub name: &'static str,
     /// How people cite the publication: `Falisse et al. (2022)`.
     pub title: &'static str,
-    /// Where they were published.
+    /// Where the contacts were published.
     pub source: &'static str,
     /// The mass that these contacts are made for, kg.
     pub made_for_kg: f64,

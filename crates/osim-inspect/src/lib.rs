@@ -51,7 +51,7 @@ pub use inspection::{
 pub use known_contacts::{KnownContacts, ReferenceContacts};
 pub use load::{
     ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Stance, masses_perhaps_in_pounds,
-    unexplained_mass_slip,
+    unexplained_mass,
 };
 pub use quantity::Quantity;
 pub use rules::{describe_unmatched_patterns, find_misplaced_spheres, model_findings, rules};

@@ -252,12 +252,8 @@ impl MassMismatch {
 
 /// The first of the given masses that looks like a typing mistake or another unit for `model`, unless its note or the known contacts of
 /// the selected forces have that mass.
-pub fn unexplained_mass_slip(
-    masses: &MassRequest,
-    model: &Model,
-    selection: &Selection,
-) -> Option<Suspicion> {
-    find_unexplained_slip(masses.implausible_masses(model), masses, model, selection)
+pub fn unexplained_mass(masses: &MassRequest, model: &Model, selection: &Selection) -> Option<Suspicion> {
+    find_unexplained(masses.implausible_masses(model), masses, model, selection)
 }
 
 /// The first of the given masses that may be in pounds, but may also be right in kilograms. This is a reason for a remark, not for a
@@ -267,16 +263,16 @@ pub fn masses_perhaps_in_pounds(
     model: &Model,
     selection: &Selection,
 ) -> Option<Suspicion> {
-    find_unexplained_slip(masses.masses_perhaps_in_pounds(model), masses, model, selection)
+    find_unexplained(masses.masses_perhaps_in_pounds(model), masses, model, selection)
 }
 
-fn find_unexplained_slip(
-    slips: Vec<Suspicion>,
+fn find_unexplained(
+    suspicions: Vec<Suspicion>,
     masses: &MassRequest,
     model: &Model,
     selection: &Selection,
 ) -> Option<Suspicion> {
-    if slips.is_empty() {
+    if suspicions.is_empty() {
         return None;
     }
     let known_contacts = selection
@@ -287,7 +283,7 @@ fn find_unexplained_slip(
         Suspicion::Mass { kg, .. } => known_contacts.is_some_and(|known| same_mass(*kg, known.made_for_kg)),
         _ => false,
     };
-    slips.into_iter().find(|doubt| !is_known(doubt))
+    suspicions.into_iter().find(|doubt| !is_known(doubt))
 }
 
 #[cfg(test)]
@@ -309,13 +305,13 @@ mod tests {
         Model::parse(format!("{}{lighter}{}", &text[..start], &text[end..])).unwrap()
     }
 
-    fn reported_slip(
+    fn reported_suspicion(
         model: &Model,
         contacts_mass_kg: Option<f64>,
         target_mass_kg: Option<f64>,
     ) -> Option<MassMistake> {
         let masses = MassRequest { contacts_mass_kg, target_mass_kg, ..MassRequest::default() };
-        match unexplained_mass_slip(&masses, model, &Selection::default())? {
+        match unexplained_mass(&masses, model, &Selection::default())? {
             Suspicion::Mass { mistake, .. } => Some(mistake),
             _ => None,
         }
@@ -337,7 +333,7 @@ mod tests {
             (&other, Some(28_000.0), Some(28.0), Some(MassMistake::Grams)),
         ] {
             assert_eq!(
-                reported_slip(model, contacts_mass_kg, target_mass_kg),
+                reported_suspicion(model, contacts_mass_kg, target_mass_kg),
                 expected,
                 "{contacts_mass_kg:?} {target_mass_kg:?}"
             );
@@ -355,11 +351,10 @@ mod tests {
             (28.0 * 5001.0, None),
             (28.0, None),
         ] {
-            assert_eq!(reported_slip(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
+            assert_eq!(reported_suspicion(&model, None, Some(target_mass_kg)), expected, "{target_mass_kg}");
         }
         let masses = MassRequest { target_mass_kg: Some(20_000.0), ..MassRequest::default() };
-        let doubt =
-            unexplained_mass_slip(&masses, &model, &Selection::default()).unwrap().phrase().to_string();
+        let doubt = unexplained_mass(&masses, &model, &Selection::default()).unwrap().phrase().to_string();
         // 20 000 / 28 is 714.3.
         assert!(doubt.contains("about 714 times the 28 kg") && doubt.contains("in g, write 20;"), "{doubt}");
     }

@@ -21,19 +21,19 @@ pub struct FindingRecord {
     pub severity: &'static str,
     /// Message of the finding, in words.
     pub message: String,
-    /// Why it matters, the same for every case.
+    /// Why the finding matters, the same for every case.
     pub why: String,
     /// Advice about the finding, the same for every case.
     pub advice: String,
-    /// Component path of the force or sphere that it is about; of several the worst.
+    /// Component path of the force or sphere that the finding is about; of several the worst.
     pub place: Option<String>,
-    /// Names of all spheres that it is about.
+    /// Names of all spheres that the finding is about.
     pub spheres: Vec<String>,
     /// Line in the model's file.
     pub line: Option<usize>,
-    /// A sentence for each element that it is about, if there is more to say than its name.
+    /// A sentence for each element that the finding is about, if there is more to say than its name.
     pub details: Vec<String>,
-    /// The call that corrects it, if `check` can propose one.
+    /// The call that corrects the fault, if `check` can propose one.
     pub command: Option<String>,
     /// Of the result of a change: the model before it, or the reference, has this finding, too.
     pub had_before: bool,

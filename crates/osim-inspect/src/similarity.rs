@@ -43,13 +43,13 @@ pub struct SizeRow {
     pub description: &'static str,
     /// The unit of the numbers.
     pub unit: &'static str,
-    /// How many the model has; each direction of a bushing is one.
+    /// How many numbers of this kind the model has; each direction of a bushing is one.
     pub count: usize,
     /// The numbers of the model.
     pub value: SizeSpread,
-    /// How many have a counterpart in the original; null without an original.
+    /// How many numbers have a counterpart in the original; null without an original.
     pub pairs: Option<usize>,
-    /// How many of these are the same in both.
+    /// How many numbers are the same in the model and the original.
     pub same: Option<usize>,
     /// New number over old one, where the old one is not 0.
     pub factor: Option<SizeSpread>,

@@ -66,7 +66,7 @@ impl LibraryFault {
         ])
     }
 
-    pub fn within(self, what: impl Display) -> Self {
+    pub fn with_context(self, what: impl Display) -> Self {
         let mut message = Phrase::from(format!("{what}: "));
         message.push(&self.message);
         Self { message, cause: self.cause }

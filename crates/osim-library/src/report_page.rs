@@ -13,8 +13,8 @@ use osim_planning::BeforeAfter;
 use osim_requests::options::RunOptions;
 use osim_requests::spell::FrontEnd;
 use osim_view::html::{
-    About, ChangedModelOnPage, Columns, DeferredParts, DeferredText, DetailLevel, EarlierRun, Entry,
-    GENERATOR, NamedDigest, Page, RowError, RunRow,
+    ChangedModelOnPage, Columns, DeferredParts, DeferredText, DetailLevel, EarlierRun, Entry, GENERATOR,
+    NamedDigest, Page, PageHead, RowError, RunRow,
 };
 
 use crate::file_access::read_head;
@@ -44,7 +44,12 @@ impl ReportPage {
     ///
     /// # Errors
     /// The name has another ending than `.html`, the file exists already, or the folder cannot be written.
-    pub fn begin(path: &Path, replace: MayReplace, about: About, words: Words) -> Result<Self, LibraryFault> {
+    pub fn begin(
+        path: &Path,
+        replace: MayReplace,
+        head: PageHead,
+        words: Words,
+    ) -> Result<Self, LibraryFault> {
         check_name(path)?;
         let replaces = match replace {
             MayReplace::Never => false,
@@ -65,7 +70,7 @@ impl ReportPage {
             rows: NamelessFile::in_folder_of(path)?,
             details: NamelessFile::in_folder_of(path)?,
         };
-        Ok(Self { prepared, page: Page::new(about, kept, words) })
+        Ok(Self { prepared, page: Page::new(head, kept, words) })
     }
 
     /// Begins the report page about a run with the models that could not be listed. The page shows `call`. `None` if the options
@@ -83,14 +88,14 @@ impl ReportPage {
             (None, failure) => failure.map(|failure| failure.model.to_string()).unwrap_or_default(),
         };
         let is_for_one_model = request.tasks.len() + request.failures.len() == 1;
-        let about = About::new(request.verb, is_for_one_model.then(shown), Columns::Changes, call);
+        let head = PageHead::new(request.verb, is_for_one_model.then(shown), Columns::Changes, call);
         let replace = match (request.force, run.is_resumed()) {
             (true, _) => MayReplace::Files,
             // A resumed run writes its page again, as it does its summary.
             (false, true) => MayReplace::ReportPages,
             (false, false) => MayReplace::Never,
         };
-        let mut page = Self::begin(path, replace, about, words)?;
+        let mut page = Self::begin(path, replace, head, words)?;
         request.failures.iter().for_each(|failure| page.add(Entry::failed(failure, words)));
         Ok(Some(page))
     }
@@ -106,7 +111,7 @@ impl ReportPage {
     pub fn finish(self) -> Result<(), LibraryFault> {
         let Self { mut prepared, page } = self;
         page.finish(&mut prepared)
-            .map_err(|error| LibraryFault::new(reason(&error)).within("cannot write the report"))?;
+            .map_err(|error| LibraryFault::new(reason(&error)).with_context("cannot write the report"))?;
         prepared.commit()
     }
 }
@@ -139,7 +144,7 @@ impl NamelessFile {
         let target = resolved(path);
         let folder = folder_of(&target);
         let file = tempfile::tempfile_in(folder).map_err(|error| {
-            LibraryFault::new(reason(&error)).within(format!("cannot write into {}", folder.display()))
+            LibraryFault::new(reason(&error)).with_context(format!("cannot write into {}", folder.display()))
         })?;
         Ok(Self(BufWriter::new(file)))
     }

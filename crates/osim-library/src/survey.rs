@@ -9,7 +9,7 @@ use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::{Inspector, ModelFeet};
 use osim_requests::options::ReportOptions;
 use osim_requests::{CheckRequest, Jobs};
-use osim_view::html::{About, Columns, DetailLevel, Entry, NamedDigest, Section};
+use osim_view::html::{Columns, DetailLevel, Entry, NamedDigest, PageHead, Section};
 use osim_view::report::check::{self, LibraryTable};
 use osim_view::report::extent::Layout;
 use osim_view::report::inspection::{self, ModelsTable};
@@ -66,10 +66,10 @@ impl Survey<'_> {
             ([], [failure]) => Some(failure.model.to_string()),
             _ => None,
         };
-        let about = About::new(self.verb, shown, Columns::Inspections, call);
+        let head = PageHead::new(self.verb, shown, Columns::Inspections, call);
         let replace = if self.report.force { MayReplace::Files } else { MayReplace::Never };
         OutputFolders::list(std::iter::once(path.as_path()), true);
-        let mut page = ReportPage::begin(path, replace, about, self.words)?;
+        let mut page = ReportPage::begin(path, replace, head, self.words)?;
         self.sources.failures.iter().for_each(|failure| page.add(Entry::failed(failure, self.words)));
         Ok(Some(page))
     }

@@ -6,8 +6,7 @@ use std::ops::Range;
 use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::readable;
 use osim_model::{
-    BodySize, Credits, Document, ElementId, Force, Model, Note, NoteDoubt, PieceKind, Source, SphereId, Step,
-    Tree,
+    BodySize, Credits, Document, Force, Model, Note, NoteDoubt, PieceKind, Source, SphereId, Step, Tree,
 };
 
 use crate::edit::{Edit, splice};
@@ -138,7 +137,8 @@ pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     let made = Note::find(document).map(|note| note.added_to_file).unwrap_or_default();
     let mut edits: Vec<Edit> = Note::comment_spans(document).map(|span| removal_edit(tree, span)).collect();
     if let Ok(Some(credits)) = Credits::of(document) {
-        let is_bare = credits.is_note_only() && contains_only_text(tree, credits.element);
+        let is_bare = credits.is_note_only()
+            && tree.content(credits.element).all(|piece| piece.kind == PieceKind::Text);
         let form =
             OPENED_CREDITS.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
         if is_bare && made.contains(MADE_CREDITS) {
@@ -200,10 +200,6 @@ fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>
 
 fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
     Edit { span: with_white_space_before(tree, span), text: String::new() }
-}
-
-fn contains_only_text(tree: &Tree, element: ElementId) -> bool {
-    tree.content(element).all(|piece| piece.kind == PieceKind::Text)
 }
 
 /// The largest number of steps in a note: the first step and the latest ones are kept.

@@ -55,18 +55,13 @@ impl Radii {
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
-            Some(_) => self.rms_new_radius(force) / self.rms_old_radius(force),
+            Some(_) => self.rms_new_radius(force) / root_mean_square(pairs.iter().map(|pair| pair.old)),
         }
     }
 
     /// All moving spheres of the chosen forces.
     pub(crate) fn spheres(&self) -> BTreeSet<SphereId> {
         self.0.keys().copied().collect()
-    }
-
-    /// Root of the mean R² of the force's spheres before the change.
-    fn rms_old_radius(&self, force: &Force) -> f64 {
-        root_mean_square(self.pairs(force).iter().map(|pair| pair.old))
     }
 
     /// Root of the mean R² of the force's spheres after the change.

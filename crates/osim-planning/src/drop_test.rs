@@ -8,7 +8,7 @@ use contact_scaling::drop_test::{
 use contact_scaling::{Contact, ContactValues, Law, Preset, Spheres};
 use osim_inspect::series::standing_spheres;
 use osim_inspect::{
-    ContactsOrigin, LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass_slip, weight_share_on_floor,
+    ContactsOrigin, LoadSharing, MassMismatch, Quantity, Stance, unexplained_mass, weight_share_on_floor,
 };
 use osim_model::files::{Failure, FileName, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase};
@@ -147,8 +147,8 @@ fn drop_of_model(
 ) -> Result<PreparedDrop, Fault> {
     let model = &open.model;
     let masses = MassRequest { model_kg: own.mass_kg, ..request.masses.request() };
-    let slip = unexplained_mass_slip(&masses, model, &request.choice.selection());
-    request.answers.require_yes(slip).map_err(Fault::new)?;
+    let suspicion = unexplained_mass(&masses, model, &request.choice.selection());
+    request.answers.require_yes(suspicion).map_err(Fault::new)?;
     let selected = request.choice.selection().apply(model)?;
     let mass = masses.model_mass(model)?;
     let sharing = LoadSharing::of(model, &selected.forces);

@@ -18,7 +18,7 @@ pub struct FitResult {
     pub radius_m: f64,
     /// The fitted parameters, with the residuals of the fit.
     pub fit: Fit,
-    /// For each row that was fitted, its line in the file.
+    /// The lines in the file of the rows that were fitted.
     pub lines: Vec<u64>,
 }
 
@@ -71,7 +71,7 @@ struct MeasuredCurve {
     force_n: Vec<f64>,
     speed_m_s: Option<Vec<f64>>,
     time_s: Option<Vec<f64>>,
-    /// For each row, its line in the file.
+    /// The line in the file of each row.
     lines: Vec<u64>,
 }
 

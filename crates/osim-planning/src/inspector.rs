@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{
     CheckResult, FindingWithRemedy, InspectOptions, Inspection, ReferenceContacts, SizeList,
-    check_without_remedies, unexplained_mass_slip,
+    check_without_remedies, unexplained_mass,
 };
 use osim_model::compare::{Factors, ModelSize, ScaleFile, Similarity, SpherePlacements, moco_bounds};
 use osim_model::files::{Failure, FileName, Files, OpenModel};
@@ -174,12 +174,12 @@ impl Inspector {
     /// Inspects a model with the options of the request.
     ///
     /// # Errors
-    /// The generic model cannot be read, factors cannot be determined, or a mass that the caller gave looks like a slip.
+    /// The generic model cannot be read, factors cannot be determined, or a mass that the caller gave looks like a mistake.
     pub fn inspect(&self, opened: &OpenModel) -> Result<Inspection, Failure> {
         if let Some(answers) = &self.answers {
             let options = &self.options;
-            let slip = unexplained_mass_slip(&options.masses, &opened.model, &options.selection);
-            let asked = answers.require_yes(slip);
+            let suspicion = unexplained_mass(&options.masses, &opened.model, &options.selection);
+            let asked = answers.require_yes(suspicion);
             asked.map_err(|kind| opened.failure(Fault::new(kind)))?;
         }
         let generic = self.generic.as_ref().map(Result::as_ref).transpose().map_err(Failure::clone)?;

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use contact_scaling::Ratios;
 use osim_inspect::series::ContactBody;
-use osim_inspect::{ContactsOrigin, Stance, find_misplaced_spheres, unexplained_mass_slip};
+use osim_inspect::{ContactsOrigin, Stance, find_misplaced_spheres, unexplained_mass};
 use osim_model::feet::{AttachedBones, DefaultPose, FeetFault, Foot, FootBodies, MeshFolders};
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, phrase, readable};
@@ -139,8 +139,7 @@ fn plotted_body(
         Subject::Model(open) => {
             let given_masses = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
             let selection = request.choice.selection();
-            let asked =
-                request.answers.require_yes(unexplained_mass_slip(&given_masses, &open.model, &selection));
+            let asked = request.answers.require_yes(unexplained_mass(&given_masses, &open.model, &selection));
             asked.map_err(|kind| open.failure(Fault::new(kind)))?;
             let selected = selection.apply(&open.model).map_err(|fault| open.failure(fault))?;
             let failed = |fault| open.failure(fault);

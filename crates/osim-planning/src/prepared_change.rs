@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::{
     Changeable, CheckResult, InspectOptions, Inspection, ReferenceState, check_model,
-    masses_perhaps_in_pounds, unexplained_mass_slip,
+    masses_perhaps_in_pounds, unexplained_mass,
 };
 use osim_model::files::{Failure, Files, OpenModel};
 use osim_model::messages::{Input, Phrase, Verb, phrase, readable};
@@ -15,7 +15,7 @@ use osim_model::{
 use osim_patch::{Plan, Set, set};
 use osim_requests::options::{AnswerOptions, InspectionOptions, OutputOptions, SetFiles};
 use osim_requests::values::path;
-use osim_requests::{NoteDetails, takes};
+use osim_requests::{NoteDetails, verb_takes};
 use serde_json::{Map, Value, json};
 
 use crate::{MotionRemark, MotionResult, open_with};
@@ -164,26 +164,26 @@ impl PreparedChange {
     fn ask_about_masses(&self, model: &Model) -> Result<(), Fault> {
         let doubt = self.is_for_several.then(|| question_against_note(&self.options.masses, model)).flatten();
         self.answers.require_yes(doubt).map_err(Fault::new)?;
-        let slip = unexplained_mass_slip(&self.masses(), model, &self.options.selection);
-        if slip.is_some() && self.verb != Verb::Add {
+        let suspicion = unexplained_mass(&self.masses(), model, &self.options.selection);
+        if suspicion.is_some() && self.verb != Verb::Add {
             // No mass helps where there are no contacts.
             self.options.selection.apply(model)?;
         }
-        self.answers.require_yes(slip).map_err(Fault::new)
+        self.answers.require_yes(suspicion).map_err(Fault::new)
     }
 
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
         let perhaps_in_pounds_question =
             masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
-        let is_meant = self.answers.has(Question::MassInPounds);
+        let is_meant = self.answers.confirms(Question::MassInPounds);
         plan.remarks.extend(
             perhaps_in_pounds_question
                 .filter(|_| !is_meant)
                 .map(|perhaps_in_pounds_question| perhaps_in_pounds_question.doubt()),
         );
         match plan.implausible_radius(model) {
-            Some(fault) if !self.answers.has(Question::ImplausibleRadius) => Err(fault),
+            Some(fault) if !self.answers.confirms(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
         }
     }
@@ -195,7 +195,7 @@ impl PreparedChange {
 
     /// Removes advice from `message` that names options which this verb does not have.
     pub fn keep_ways_out(&self, message: &mut Phrase) {
-        message.choose_alternatives(&|input| takes(self.verb, input));
+        message.choose_alternatives(&|input| verb_takes(self.verb, input));
     }
 
     /// All files that are read in addition to the models.

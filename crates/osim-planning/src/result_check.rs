@@ -114,7 +114,7 @@ impl PreparedChange {
         // A change that is taken back gives a model that was there before: nobody has to be asked about it.
         let is_confirmed = matches!(self.verb, Verb::Set | Verb::Design | Verb::Fit)
             || plan.restores_original()
-            || self.answers.has(Question::WrongAfterwards);
+            || self.answers.confirms(Question::WrongAfterwards);
         // Where lower spheres carry the body alone, the change is wrong only if it moved bottoms apart: else they hung lower before.
         let has_parted = !moved.uneven.is_empty();
         let is_too_soft = inspected.as_ref().is_some_and(sinks_in_to_centres);

@@ -20,8 +20,8 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
+use crate::calls_into_rust::{dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
 /// A record as a dictionary in the form of its JSON, and its text for people.
@@ -45,7 +45,7 @@ fn unexpected(request: &Request) -> Problem {
 #[pyfunction]
 pub(crate) fn calculate<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Answer<'py>> {
     let fields = request_fields(fields)?;
-    let sheet = guarded(py, || Ok(design_sheet(&request!(Design, fields))?))?;
+    let sheet = without_gil(py, || Ok(design_sheet(&request!(Design, fields))?))?;
     Ok((dictionary(py, &sheet)?, design_sheet_text(&sheet, None)))
 }
 
@@ -57,7 +57,7 @@ pub(crate) fn drop_test<'py>(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyAny>, String, Vec<String>)> {
     let fields = request_fields(fields)?;
-    let drop = guarded(py, || {
+    let drop = without_gil(py, || {
         Ok(run_drop_test(&request!(DropTest, fields), &RequestFiles::from_python(&memory, true))?)
     })?;
     let mismatches = drop.mismatches.iter();
@@ -73,7 +73,7 @@ pub(crate) fn motion<'py>(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<(Bound<'py, PyAny>, String, Bound<'py, PyDict>)> {
     let fields = request_fields(fields)?;
-    let (result, remarks) = guarded(py, || {
+    let (result, remarks) = without_gil(py, || {
         let request = request!(Motion, fields);
         let result = run_motion(&request, &RequestFiles::from_python(&memory, true))?;
         let remarks = result.remarks(&request);
@@ -100,7 +100,7 @@ pub(crate) fn fit<'py>(
 ) -> PyResult<Answer<'py>> {
     let fields = request_fields(fields)?;
     let fit =
-        guarded(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::from_python(&memory, true))?))?;
+        without_gil(py, || Ok(run_fit(&request!(Fit, fields), &RequestFiles::from_python(&memory, true))?))?;
     Ok((dictionary(py, &FitRecord::from(&fit))?, fit_text(&fit, &PythonWords, None)))
 }
 
@@ -108,7 +108,7 @@ pub(crate) fn fit<'py>(
 #[pyfunction]
 pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyResult<Vec<Answer<'py>>> {
     let fields = request_fields(fields)?;
-    let presets = guarded(py, || {
+    let presets = without_gil(py, || {
         Ok(find_presets(&request!(Presets, fields), &RequestFiles::from_python(&BTreeMap::new(), true))?)
     })?;
     presets
@@ -121,7 +121,7 @@ pub(crate) fn presets<'py>(py: Python<'py>, fields: &Bound<'py, PyDict>) -> PyRe
 #[pyfunction]
 pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(String, String)> {
     let fields = request_fields(fields)?;
-    guarded(py, || {
+    without_gil(py, || {
         let explanation = |format: Option<&str>| {
             let mut fields: Map<String, Value> = fields.clone();
             fields.extend(format.map(|format| ("format".to_owned(), format.into())));
@@ -136,7 +136,7 @@ pub(crate) fn explain(py: Python<'_>, fields: &Bound<'_, PyDict>) -> PyResult<(S
 /// `reproduce`: what the paper prints and what its equations give, and its text.
 #[pyfunction]
 pub(crate) fn reproduce<'py>(py: Python<'py>) -> PyResult<Answer<'py>> {
-    let record = guarded(py, || Ok(ReproductionRecord::new(&PythonWords)?))?;
+    let record = without_gil(py, || Ok(ReproductionRecord::new(&PythonWords)?))?;
     let text = format!("{}\n{}", reproduction_text(&record, None), fig1_text(&record, None));
     Ok((dictionary(py, &record)?, text))
 }

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyByteArray;
 
-use crate::guard::guarded;
+use crate::calls_into_rust::without_gil;
 use crate::problem::Problem;
 use crate::scaling::{
     EquationError, MEAN_SQUARE_RADIUS, Parameter, RULES, SPHERE_LIST_FUNCTIONS, all, continuation_steps,
@@ -54,7 +54,7 @@ pub(crate) fn equation<'py>(
     rule_name: Option<&str>,
     columns: Vec<PyBackedBytes>,
 ) -> PyResult<ValueOrRefusal<Bound<'py, PyByteArray>>> {
-    let values = guarded(py, || {
+    let values = without_gil(py, || {
         let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
         let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else {
             return Err(unknown_mixing_rule(rule_name));
@@ -79,7 +79,7 @@ pub(crate) fn equation_of_list(
     heights: Option<PyBackedBytes>,
     load: f64,
 ) -> PyResult<ValueOrRefusal<f64>> {
-    let value = guarded(py, || {
+    let value = without_gil(py, || {
         let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         if name == MEAN_SQUARE_RADIUS.name {
@@ -119,7 +119,7 @@ pub(crate) fn steps(
             return Ok((None, Some((Some("count"), None, message))));
         }
     };
-    Ok(match guarded(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))? {
+    Ok(match without_gil(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))? {
         Ok(ladder) => {
             let columns = (ladder.dimensionless_stiffness, ladder.modulus_factor, ladder.dissipation_factor);
             (Some(columns), None)

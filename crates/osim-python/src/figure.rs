@@ -15,8 +15,8 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
+use crate::calls_into_rust::{request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::guard::{guarded, request_fields};
 use crate::problem::Problem;
 
 /// A figure for Python.
@@ -53,7 +53,7 @@ pub(crate) fn plot(
     memory: BTreeMap<PathBuf, PyBackedBytes>,
 ) -> PyResult<Figure> {
     let fields = request_fields(fields)?;
-    guarded(py, move || {
+    without_gil(py, move || {
         let files = RequestFiles::from_python(&memory, true);
         let Request::Plot(request) = Request::from_map(fields)? else {
             return Err(Problem::defect("a request for another verb".to_owned()));
@@ -115,14 +115,14 @@ fn panel_looks(drawing: &Drawing) -> Vec<PanelLook> {
 impl Figure {
     /// The figure as a PDF document.
     fn pdf(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
-        guarded(py, || {
+        without_gil(py, || {
             contact_plots::pdf(&self.svg, &self.title).map_err(|error| Problem::defect(error.to_string()))
         })
     }
 
     /// The figure as a PNG picture, with so many pixels to the inch as the request says.
     fn png(&self, py: Python<'_>) -> PyResult<Vec<u8>> {
-        guarded(py, || {
+        without_gil(py, || {
             contact_plots::png(&self.svg, self.dpi).map_err(|error| match error {
                 PlotError::TooManyPixels { .. } => {
                     RequestFault::refused(Input::Dpi, error.to_string()).into()
@@ -138,7 +138,7 @@ impl Figure {
 /// Writes a file: whole, or not at all. What is there is replaced only with `force`.
 #[pyfunction]
 pub(crate) fn write_file(py: Python<'_>, path: PathBuf, bytes: PyBackedBytes, force: bool) -> PyResult<()> {
-    guarded(py, || {
+    without_gil(py, || {
         make_folder_of(&path)?;
         let mode = if force { WriteMode::Replace } else { WriteMode::New };
         Ok(PendingFile::new(&path, &bytes, None, mode)?.commit()?)

@@ -10,15 +10,15 @@
 #![allow(clippy::needless_pass_by_value, reason = "arguments from Python come by value")]
 
 mod calls;
+mod calls_into_rust;
 mod equations;
 mod figure;
 mod files;
-mod guard;
-mod planned;
+mod planned_change;
 mod problem;
 mod runs;
 mod scaling;
-mod surveyed;
+mod survey;
 
 use pyo3::prelude::*;
 
@@ -30,21 +30,21 @@ mod _native {
     #[pymodule_export]
     use crate::calls::{calculate, drop_test, explain, fit, motion, presets, reproduce, units};
     #[pymodule_export]
+    use crate::calls_into_rust::defect;
+    #[pymodule_export]
     use crate::equations::{equation, equation_of_list, equations, mixing_rules, steps};
     #[pymodule_export]
     use crate::figure::write_file;
     #[pymodule_export]
     use crate::figure::{Figure, plot};
     #[pymodule_export]
-    use crate::guard::defect;
-    #[pymodule_export]
-    use crate::planned::{Planned, plan};
+    use crate::planned_change::{Planned, plan};
     #[pymodule_export]
     use crate::runs::sweep;
     #[pymodule_export]
     use crate::runs::{change_many, rescale_many};
     #[pymodule_export]
-    use crate::surveyed::survey;
+    use crate::survey::survey;
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

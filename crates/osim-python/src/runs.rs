@@ -21,9 +21,9 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 use serde_json::{Map, Value};
 
+use crate::calls_into_rust::{ProgressCallback, dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
-use crate::planned::WORDS;
+use crate::planned_change::WORDS;
 use crate::problem::Problem;
 
 /// Makes the entry of each model on the report page, if the request names a page.
@@ -70,7 +70,7 @@ pub(crate) fn change_many<'py>(
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Lines<'py>> {
     let fields = request_fields(fields)?;
-    let (records, remarks) = guarded(py, || {
+    let (records, remarks) = without_gil(py, || {
         let request = Request::from_map(fields)?;
         let options = request.run_options().cloned().unwrap_or_default();
         let change = prepare(request, &RequestFiles::new([].into(), true))?;
@@ -91,7 +91,7 @@ pub(crate) fn rescale_many<'py>(
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Lines<'py>> {
     let fields = request_fields(fields)?;
-    let (records, remarks) = guarded(py, || {
+    let (records, remarks) = without_gil(py, || {
         let request = match table {
             // The request needs a name there; none of a file that is read.
             Some(_) => Request::from_map(with_table_name(fields))?,
@@ -197,7 +197,7 @@ pub(crate) fn sweep<'py>(
     callback: Option<Py<PyAny>>,
 ) -> PyResult<SweepResult<'py>> {
     let fields = request_fields(fields)?;
-    let ((record, manifest), failures) = guarded(py, || {
+    let ((record, manifest), failures) = without_gil(py, || {
         let Request::Sweep(request) = Request::from_map(fields)? else {
             return Err(Problem::defect("a request for another verb".to_owned()));
         };

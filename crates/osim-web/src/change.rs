@@ -12,15 +12,15 @@ use osim_planning::{BeforeAfter, BeforeAndAfterPlan, PreparedChange};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
-    About, Columns, DeferredParts, DetailLevel, Entry, Explained, InMemory, ListedFiles, NamedDigest, Page,
-    RunRow, Section, Sections,
+    Columns, DeferredParts, DetailLevel, Entry, Explained, InMemory, ListedFiles, NamedDigest, Page,
+    PageHead, RunRow, Section, Sections,
 };
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
 use crate::given_files::GivenFiles;
-use crate::look::{FindingShown, OpenedModel, VerdictShown, sha256};
+use crate::opened_model::{FindingShown, OpenedModel, VerdictShown, sha256};
 use crate::problem::Problem;
 
 /// Sections of the page that are made again while the user moves a slider: they need only the plan and the drawings of the model.
@@ -267,8 +267,8 @@ impl Report {
     /// The report about one model; `command` is the call of the command that writes the same report.
     pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
-        let about = About::new(verb, Some(model.display().to_string()), columns, command);
-        let mut page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
+        let head = PageHead::new(verb, Some(model.display().to_string()), columns, command);
+        let mut page = Page::new(head, DeferredParts::<InMemory>::default(), &CommandLine);
         page.add(entry);
         let mut bytes = Vec::new();
         page.finish(&mut bytes).map_err(Problem::defect)?;

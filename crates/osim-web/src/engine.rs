@@ -16,7 +16,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use crate::change::{PlannedChange, Report, report_name};
 use crate::given_files::GivenFiles;
 use crate::knowledge::{self, EngineQuestion, Fields, SpelledCalls};
-use crate::look::{self, OpenedModel};
+use crate::opened_model::{self, OpenedModel};
 use crate::problem::Problem;
 
 /// Most models that stay open, because the page looks at one model and compares it with others.
@@ -105,17 +105,17 @@ impl Engine {
     fn answer(&mut self, question: EngineQuestion) -> Result<String, Problem> {
         match question {
             EngineQuestion::Look { model, fields, parts } => {
-                let inspector = look::inspector(&model, fields, &self.files)?;
+                let inspector = opened_model::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), &inspector.set_files)?;
-                ok_answer(look::inspect_for_page(&inspector, &opened, parts.as_deref(), &self.files)?)
+                ok_answer(opened_model::inspect_for_page(&inspector, &opened, parts.as_deref(), &self.files)?)
             }
             EngineQuestion::Bones { model, fields } => {
-                let inspector = look::inspector(&model, fields, &self.files)?;
+                let inspector = opened_model::inspector(&model, fields, &self.files)?;
                 let opened = self.open(Path::new(&model), &inspector.set_files)?;
                 ok_answer(BoneSurfaces::of(&opened.model.model, Path::new(&model), &self.files))
             }
             EngineQuestion::Play { request } => {
-                ok_answer(look::play_recording(Request::from_map(request)?, &self.files)?)
+                ok_answer(opened_model::play_recording(Request::from_map(request)?, &self.files)?)
             }
             EngineQuestion::Change { request, parts } => {
                 self.last = None;
@@ -188,7 +188,7 @@ impl Engine {
             };
             let inspector = Inspector::for_inspect(request, &self.files);
             let opened = self.open(path, &inspector.set_files)?;
-            let entry = look::entry(&inspector, &opened, &self.files, &CommandLine)?;
+            let entry = opened_model::entry(&inspector, &opened, &self.files, &CommandLine)?;
             return Report::of(verb, path, report_command(&mut fields, path)?, entry);
         }
         let planned = self.plan(request, &CommandLine)?;

@@ -12,7 +12,7 @@ mod change;
 mod engine;
 mod given_files;
 mod knowledge;
-mod look;
+mod opened_model;
 mod problem;
 
 pub use crate::engine::Engine;

@@ -16,15 +16,15 @@ pub(crate) struct Problem {
     code: &'static str,
     /// What is wrong, what was expected, and a way out.
     message: String,
-    /// Name of the file that it is about.
+    /// Name of the file that the error is about.
     model: Option<String>,
     line: Option<usize>,
     column: Option<usize>,
     /// The line of the file.
     excerpt: Option<MarkedLine>,
-    /// Whether it could be done if the user answered what must not be guessed.
+    /// Whether the request could be done if the user said what must not be guessed.
     needs_answer: bool,
-    /// Fields that the message names. The one that answers it is the first.
+    /// Fields that the message names. The first is the field that answers the question.
     fields: Vec<String>,
     /// The field whose value is wrong.
     field: Option<String>,

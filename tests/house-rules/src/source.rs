@@ -20,7 +20,7 @@ pub struct Import {
     pub path: Vec<String>,
     /// Name of the import in this module; `*` if all names are imported.
     pub name: String,
-    /// Whether it is a `pub use`.
+    /// Whether the import is a `pub use`.
     pub is_passed_on: bool,
     /// The line of the import; 0 for an exported macro, which is in the root of the crate without a `use`.
     pub line: usize,
@@ -43,7 +43,7 @@ pub struct Module {
     /// The path of the module, such as `crate::a::b`, as a list of names without `crate`.
     pub path: Vec<String>,
     pub file: String,
-    /// Names of its child modules that are files.
+    /// Names of the child modules that have files of their own.
     pub children: Vec<String>,
     /// Names that the module defines.
     pub items: BTreeSet<String>,

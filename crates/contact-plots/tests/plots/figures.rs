@@ -151,7 +151,7 @@ fn figures_that_cannot_be_drawn_are_refused() {
 
 #[test]
 fn names_of_limits_that_would_touch_are_written_in_rows() {
-    let mut panel = Panel::new("", Axis::over("x", 0.0, 1.0), Axis::new("y"));
+    let mut panel = Panel::new("", Axis::covering("x", 0.0, 1.0), Axis::new("y"));
     panel.curves.push(Curve::new("curve", vec![(0.0, 0.0), (1.0, 1.0)], Look::HERTZ));
     panel.limits.extend([0.5, 0.52].map(|at| Limit::vertical(format!("limit {at}"), at)));
     let figure = Figure {

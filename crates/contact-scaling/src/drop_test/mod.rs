@@ -17,7 +17,7 @@
 
 mod integration;
 
-use crate::error::{non_negative, positive, within};
+use crate::error::{non_negative, positive, require};
 use crate::{Contact, DomainError, Law, Scale, Spheres, equilibrium, restitution};
 pub use integration::{DropError, DropValues};
 use integration::{FallingBody, RecordedDrop};
@@ -45,9 +45,9 @@ impl DropTest {
         positive("gravity", values.gravity_m_s2)?;
         non_negative("height", values.height_m)?;
         positive("duration", values.duration_s)?;
-        within(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
+        require(values.samples >= 2, "number of samples", values.samples as f64, "at least 2")?;
         let spheres = group_by_law(spheres)?;
-        within(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
+        require(!spheres.is_empty(), "number of spheres", 0.0, "at least 1")?;
         Ok(Self { values, spheres })
     }
 

@@ -65,7 +65,7 @@ pub(crate) fn drop_test(request: &DropTestRequest, session: &mut Session) -> Res
     let is_for_programs = matches!(request.format, SeriesFormat::Json | SeriesFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;
     for (name, mismatch) in &drop.mismatches {
-        session.terminal.print_beside(&mass_mismatch(name, mismatch, session.words))?;
+        session.terminal.print_to_stderr(&mass_mismatch(name, mismatch, session.words))?;
     }
     Ok(Exit::Done)
 }
@@ -129,7 +129,7 @@ pub(crate) fn reproduce(request: &ReproduceRequest, session: &mut Session) -> Re
     }
     if json {
         session.terminal.print_records(&line(&record))?;
-        session.terminal.print_beside(&written)?;
+        session.terminal.print_to_stderr(&written)?;
     } else {
         let gap = if written.is_empty() { "" } else { "\n" };
         let columns = session.terminal.columns();

@@ -37,7 +37,7 @@ pub(crate) fn change(change: PreparedChange, options: &RunOptions, session: &mut
     if let Some(path) = unusual {
         let folder = session.words.input(Input::OutputDir, None);
         let text = format!("the name of a model ends in .osim; to write into a folder, say {folder}");
-        session.terminal.print_beside(&format!("warning: {}: {text}\n", path.display()))?;
+        session.terminal.print_to_stderr(&format!("warning: {}: {text}\n", path.display()))?;
     }
     run(request, options, session)
 }
@@ -121,7 +121,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
     let format = options.format.unwrap_or(few);
     let mut exit = Exit::Done;
     for failure in &run.request.failures {
-        let reported = session.report(failure, format == RunFormat::Json);
+        let reported = session.report_failure(failure, format == RunFormat::Json);
         exit = exit.plus(reported.unwrap_or(Exit::Failed));
     }
     for remark in &run.request.remarks {
@@ -141,28 +141,28 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         exit = exit.plus(Exit::Failed);
     }
     exit = exit.plus(end_page(page, session));
-    let RunEnd { counts, untold, worst, failed, skipped } = end;
+    let RunEnd { counts, not_printed, worst, failed, skipped } = end;
     if options.deny.is_some_and(|deny| worst >= Some(deny.severity())) {
         exit = exit.plus(Exit::Failed);
     }
     if several {
-        session.terminal.print_beside(&last_line_of_run(&counts, options, session.words))?;
+        session.terminal.print_to_stderr(&last_line_of_run(&counts, options, session.words))?;
         for (what, names) in
             [("failed", failed), ("skipped", skipped)].iter().filter(|(_, names)| !names.is_empty())
         {
             session.terminal.remark(&format!("{what}: {}", first_names(names)))?;
         }
     } else if counts.interrupted() {
-        session.terminal.print_beside("stopped\n")?;
+        session.terminal.print_to_stderr("stopped\n")?;
     }
-    Ok(exit.plus(exit_of(&counts, untold)))
+    Ok(exit.plus(exit_of(&counts, not_printed)))
 }
 
 /// The end of a run.
 struct RunEnd {
     counts: Counts,
     /// Whether a result could not be printed.
-    untold: bool,
+    not_printed: bool,
     /// The severity of the worst finding in the results.
     worst: Option<Severity>,
     /// The names of the models that failed.
@@ -191,7 +191,7 @@ fn do_tasks(
         detail: DetailLevel::for_models(tasks + run.request.failures.len()),
         progress: Progress::begin(tasks, options.quiet),
     };
-    let (mut untold, mut worst) = (false, None);
+    let (mut not_printed, mut worst) = (false, None);
     let mut failed: Vec<String> =
         run.request.failures.iter().map(|failure| failure.model.to_string()).collect();
     let mut skipped = Vec::new();
@@ -210,18 +210,18 @@ fn do_tasks(
         }
         // Results that cannot be shown are no reason to leave the other models undone.
         let reported = printer.progress.suspended(|| match &failure {
-            Some(failure) => session.report(failure, format == RunFormat::Json).map(drop),
+            Some(failure) => session.report_failure(failure, format == RunFormat::Json).map(drop),
             None => print_outputs(&outputs, session),
         });
         if let Err(error) = reported {
             session.terminal.error_line(&format!("cannot write to standard output: {error:#}"));
-            untold = true;
+            not_printed = true;
         }
     };
     let counts = run.do_tasks(&printer, report);
     printer.progress.end();
     match counts {
-        Ok(counts) => Ok(RunEnd { counts, untold, worst, failed, skipped }),
+        Ok(counts) => Ok(RunEnd { counts, not_printed, worst, failed, skipped }),
         Err(fault) => Err(session.file_error(&fault)),
     }
 }
@@ -233,17 +233,17 @@ fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {
             Output::Record(text) => session.terminal.print_records(text)?,
             Output::Diff(text) => session.terminal.print_diff(text)?,
             Output::Model(bytes) => session.terminal.write_bytes(bytes)?,
-            Output::Beside(text) => session.terminal.print_beside(text)?,
-            Output::Aside(text) => session.terminal.print_beside_unbroken(text)?,
+            Output::Remark(text) => session.terminal.print_to_stderr(text)?,
+            Output::UnbrokenRemark(text) => session.terminal.print_to_stderr_unbroken(text)?,
         }
     }
     Ok(())
 }
 
-fn exit_of(counts: &Counts, untold: bool) -> Exit {
+fn exit_of(counts: &Counts, not_printed: bool) -> Exit {
     match (counts.interrupted(), counts.failed) {
         (true, _) => Exit::Interrupted,
-        (false, 0) if !untold => Exit::Done,
+        (false, 0) if !not_printed => Exit::Done,
         (false, _) => Exit::Failed,
     }
 }
@@ -306,9 +306,9 @@ pub(crate) enum Output {
     /// A model, byte for byte on standard output.
     Model(Vec<u8>),
     /// A remark for people, on standard error.
-    Beside(String),
+    Remark(String),
     /// A remark with unbroken lines for programs, on standard error.
-    Aside(String),
+    UnbrokenRemark(String),
 }
 
 /// Makes the output about each model of a run.
@@ -351,7 +351,7 @@ impl RunFrontEnd for ResultPrinter<'_> {
     }
 
     fn task_done(&self, failed: bool) {
-        self.progress.done(failed);
+        self.progress.count_model(failed);
     }
 }
 
@@ -361,8 +361,8 @@ impl ResultPrinter<'_> {
         let to_stdout = matches!(changed.written, Written::Stdout);
         if let Some(text) = self.text(changed) {
             outputs.push(match (to_stdout, self.format) {
-                (true, RunFormat::Json) => Output::Aside(text),
-                (true, _) => Output::Beside(text),
+                (true, RunFormat::Json) => Output::UnbrokenRemark(text),
+                (true, _) => Output::Remark(text),
                 (false, RunFormat::Json) => Output::Record(text),
                 (false, _) => Output::Result(text),
             });
@@ -371,7 +371,7 @@ impl ResultPrinter<'_> {
             let text = diff(changed);
             // With JSON on standard output, the diff would not be JSON.
             let aside = self.format == RunFormat::Json;
-            outputs.push(if aside { Output::Aside(text) } else { Output::Diff(text) });
+            outputs.push(if aside { Output::UnbrokenRemark(text) } else { Output::Diff(text) });
         }
         if to_stdout {
             outputs.push(Output::Model(changed.results.model.to_vec()));

@@ -39,7 +39,7 @@ pub(crate) fn run(request: &MotionRequest, session: &mut Session) -> Result<Exit
     };
     let is_for_programs = matches!(request.format, MotionFormat::Json | MotionFormat::Csv);
     session.terminal.print_as(&text, is_for_programs)?;
-    session.terminal.print_beside(&written)?;
+    session.terminal.print_to_stderr(&written)?;
     Ok(Exit::Done)
 }
 

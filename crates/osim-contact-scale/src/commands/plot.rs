@@ -48,7 +48,7 @@ pub(crate) fn run(request: &PlotRequest, session: &mut Session) -> Result<Exit> 
         figures::draw(request, &bodies, table.as_ref()).map_err(|failure| session.refuse(failure, false))?;
     for body in &bodies {
         if let Some(mismatch) = &body.mismatch {
-            session.terminal.print_beside(&mass_mismatch(&body.name, mismatch, session.words))?;
+            session.terminal.print_to_stderr(&mass_mismatch(&body.name, mismatch, session.words))?;
         }
     }
     let remarks = figures::weights_in_words(&bodies, session.words);
@@ -168,7 +168,7 @@ impl<'o> PlotOutput<'o> {
             session.terminal.print(&format!("{remarks}{written}"))?;
         } else {
             session.terminal.print_records(&svg)?;
-            session.terminal.print_beside(&format!("{remarks}{written}"))?;
+            session.terminal.print_to_stderr(&format!("{remarks}{written}"))?;
         }
         Ok(Exit::Done)
     }

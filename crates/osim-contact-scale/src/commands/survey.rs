@@ -25,7 +25,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
     let format = request.format;
     if let Some(failure) = inspector.generic_failure() {
         // Once, not for every model.
-        return session.report(failure, format == SheetFormat::Json);
+        return session.report_failure(failure, format == SheetFormat::Json);
     }
     let survey = Survey {
         verb: Verb::Inspect,
@@ -39,7 +39,7 @@ pub(crate) fn inspect(request: &InspectRequest, hint: bool, session: &mut Sessio
         layout: session.layout(request.full),
         words: session.words,
     };
-    let shown = show(&survey, format, session)?;
+    let shown = show_models(&survey, format, session)?;
     if hint && shown.is_any && format == SheetFormat::Table {
         session.terminal.print(&next_steps(session, &request.models, shown.has_contacts))?;
     }
@@ -63,18 +63,18 @@ pub(crate) fn check(request: &CheckRequest, session: &mut Session) -> Result<Exi
         layout: session.layout(request.full),
         words: session.words,
     };
-    let shown = show(&survey, request.format, session)?;
+    let shown = show_models(&survey, request.format, session)?;
     // The table of findings says it itself.
     if shown.without_contacts > 0 && (request.full || request.format != SheetFormat::Table) {
         let text = format!("remark: models without contacts skipped: {}\n", shown.without_contacts);
-        session.terminal.print_beside(&text)?;
+        session.terminal.print_to_stderr(&text)?;
     }
     let is_denied = shown.worst >= Some(request.deny.severity());
     Ok(if is_denied { shown.exit.plus(Exit::Failed) } else { shown.exit })
 }
 
 /// Counts and findings over all models that were shown.
-struct Shown {
+struct Totals {
     exit: Exit,
     /// Whether at least one model could be read.
     is_any: bool,
@@ -89,14 +89,14 @@ struct Shown {
 ///
 /// # Errors
 /// Wrong usage, or standard output cannot be written.
-fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Result<Shown> {
+fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Result<Totals> {
     exit::outlive_size_limit();
     let mut page = survey.begin_page(typed_command_line()).map_err(|fault| session.file_error(&fault))?;
     let json = format == SheetFormat::Json;
     let mut shown =
-        Shown { exit: Exit::Done, is_any: false, has_contacts: false, without_contacts: 0, worst: None };
+        Totals { exit: Exit::Done, is_any: false, has_contacts: false, without_contacts: 0, worst: None };
     for failure in &survey.sources.failures {
-        shown.exit = shown.exit.plus(session.report(failure, json)?);
+        shown.exit = shown.exit.plus(session.report_failure(failure, json)?);
     }
     for remark in &survey.sources.remarks {
         session.terminal.remark(remark)?;
@@ -111,7 +111,9 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
                 shown.worst = shown.worst.max(worst);
             }
             SurveyedModel::WithoutContacts => shown.without_contacts += 1,
-            SurveyedModel::Failed(failure) => shown.exit = shown.exit.plus(session.report(failure, json)?),
+            SurveyedModel::Failed(failure) => {
+                shown.exit = shown.exit.plus(session.report_failure(failure, json)?)
+            }
         }
         shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(..));
         let terminal = &mut session.terminal;
@@ -130,9 +132,9 @@ fn show(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) -> Resu
         }
         Ok(())
     };
-    let untold = survey.run(&mut page, None, || false, each)?;
+    let not_printed = survey.run(&mut page, None, || false, each)?;
     shown.exit = shown.exit.plus(end_page(page, session));
-    untold.map_or(Ok(()), Err)?;
+    not_printed.map_or(Ok(()), Err)?;
     session.terminal.print_painted(&text.end())?;
     Ok(shown)
 }

@@ -24,7 +24,7 @@ impl SweepFrontEnd for Progress {
     }
 
     fn variant_done(&self, failed: bool) {
-        self.done(failed);
+        self.count_model(failed);
     }
 }
 
@@ -51,15 +51,15 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     let end = make_variants(&sweep, request, session)?;
     if end.worse > 0 {
         let (worse, made) = (end.worse, end.made + end.earlier);
-        session.terminal.print_beside(&format!(
+        session.terminal.print_to_stderr(&format!(
             "remark: {worse} of {made} models have errors or warnings that the original model does not have: see the column worse of the manifest\n"
         ))?;
     }
-    session.terminal.print_beside(&remarks_of_sweep(&end, &sweep))?;
+    session.terminal.print_to_stderr(&remarks_of_sweep(&end, &sweep))?;
     if end.not_begun > 0 {
         let (made, count) = (end.made + end.earlier, sweep.count());
         let resume = session.words.input(Input::Resume, None);
-        session.terminal.print_beside(&format!(
+        session.terminal.print_to_stderr(&format!(
             "remark: stopped: {made} of {count} models are made; to continue, repeat the command with {resume}\n"
         ))?;
     }
@@ -108,17 +108,17 @@ fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Ses
     let watch = Progress::begin(sweep.count(), request.quiet);
     let json = request.format == Format::Json;
     // What cannot be shown is no reason to leave the other variants undone.
-    let mut untold = None;
+    let mut not_printed = None;
     let report = |failure: Option<Failure>| {
-        let reported = failure.map(|failure| watch.suspended(|| session.report(&failure, json)));
+        let reported = failure.map(|failure| watch.suspended(|| session.report_failure(&failure, json)));
         if let Some(Err(error)) = reported {
-            untold.get_or_insert(error);
+            not_printed.get_or_insert(error);
         }
     };
     let end = sweep.run(&watch, report);
     watch.end();
     let end = end.map_err(|fault| session.file_error(&fault))?;
-    untold.map_or(Ok(end), Err)
+    not_printed.map_or(Ok(end), Err)
 }
 
 /// Shows the number of variants and their size before the first variant is made.
@@ -140,9 +140,9 @@ fn print_number_of_variants(
         megabytes(size.saturating_mul(count)),
         sweep.folder().display()
     );
-    session.terminal.print_beside(&text)?;
+    session.terminal.print_to_stderr(&text)?;
     if request.ladder.is_some() {
-        session.terminal.print_beside(
+        session.terminal.print_to_stderr(
             "remark: steps are equal in k R n/F by the Hertz law (B.3); relative_indentation_model_law in the manifest is where the \
              contacts rest by the law of their class\n",
         )?;

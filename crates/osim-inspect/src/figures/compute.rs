@@ -13,7 +13,7 @@ use osim_model::{
 };
 
 use super::register::Figure;
-use crate::figures::on_floor::{
+use crate::figures::sphere_on_floor::{
     SphereContacts, SphereOnFloor, SphereRest, WeightOnFloor, contacts_by_sphere,
 };
 use crate::floors::weight_share_at_pose;

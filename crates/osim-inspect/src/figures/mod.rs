@@ -2,7 +2,7 @@
 //! register.
 
 mod compute;
-mod on_floor;
 mod register;
+mod sphere_on_floor;
 
 pub use register::{Figure, FigureVisibility, Figures, LimbFigures, LimitCheck, SphereFigures};

@@ -9,7 +9,7 @@ use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
 use self::FigureVisibility::{Always, IfMixed, IfMixedAndSmooth, IfSmooth, Never};
-use crate::figures::on_floor::{ComputedFigure, SphereOnFloor};
+use crate::figures::sphere_on_floor::{ComputedFigure, SphereOnFloor};
 use crate::quantity::Quantity;
 #[cfg(feature = "schemas")]
 use crate::serialized::ObjectSchema;

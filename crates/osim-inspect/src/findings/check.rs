@@ -20,8 +20,7 @@ use crate::rules::{
     FigureCheck, contacts, find_in_figures, find_in_floors, find_remedy, floors, model_findings,
 };
 use crate::{
-    BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch,
-    unexplained_mass_slip,
+    BothSides, FindingWithRemedy, InspectOptions, Inspection, KnownContacts, MassMismatch, unexplained_mass,
 };
 
 /// Which values of a model can be changed, as trial plans show. A remedy that would be refused is not proposed.
@@ -232,7 +231,7 @@ fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
 
 fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
     let selection: Selection = choice.selection();
-    unexplained_mass_slip(masses, model, &selection).into_iter().collect()
+    unexplained_mass(masses, model, &selection).into_iter().collect()
 }
 
 fn rescale_questions(request: &RescaleRequest, model: &Model, masses: &MassRequest) -> Vec<Suspicion> {

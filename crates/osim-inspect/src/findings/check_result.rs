@@ -18,7 +18,7 @@ use crate::{FindingWithRemedy, Inspection, SizeList};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct CheckResult {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// Name of the model's file, as the caller gave it.
     pub model: String,
@@ -83,7 +83,7 @@ impl Counts {
     }
 
     /// Counts only the findings of the worst severity that occurs; the other counts are 0.
-    pub const fn worst(self) -> Self {
+    pub const fn only_worst(self) -> Self {
         let Self { error, warning, remark } = self;
         match (error, warning) {
             (0, 0) => Self { error, warning, remark },
@@ -161,7 +161,7 @@ impl CheckResult {
     }
 
     /// Whether there is a finding of this severity, or of a worse one.
-    pub fn reaches(&self, severity: Severity) -> bool {
+    pub fn has_severity(&self, severity: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= severity)
     }
 

@@ -6,8 +6,8 @@ use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountedSpheres, DVec3, Fault, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected,
-    SetId, SphereId, Value, loaded_spheres_alone,
+    CountedSpheres, DVec3, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
+    SphereId, Value, loaded_spheres_alone,
 };
 
 use crate::inspection::inspected::{FactorsBySource, Origins, Parameters};
@@ -61,7 +61,7 @@ impl InspectOptions {
         findings.extend(factors.iter().flat_map(|factors| factors.findings.iter().cloned()));
         for fault in [mass.as_ref().err(), contacts_mass.as_ref().err()].into_iter().flatten() {
             let mut finding = contacts::stale_note(fault).unwrap_or_else(|| contacts::mass_unknown(fault));
-            finding.line = line_of(model, fault);
+            finding.line = fault.offset.map(|offset| model.file(fault.file).line(offset));
             if !findings.contains(&finding) {
                 findings.push(finding);
             }
@@ -122,10 +122,6 @@ fn contacts_of_sets(
         contacts.entry((sphere.force, sphere.set)).or_insert(contact);
     }
     contacts
-}
-
-fn line_of(model: &Model, fault: &Fault) -> Option<usize> {
-    fault.offset.map(|offset| model.file(fault.file).line(offset))
 }
 
 /// The computed parts from which an [`Inspection`] is made.

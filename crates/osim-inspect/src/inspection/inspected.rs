@@ -19,7 +19,7 @@ use crate::{Figures, KnownContacts, NoteSummary, ReferenceContacts, SizeList, St
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct Inspection {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// Name of the model's file, as the caller gave it.
     pub model: String,
@@ -65,7 +65,7 @@ pub struct Inspection {
     /// Factors against the generic model, if one is given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body_factors: Option<Vec<InspectedFactors>>,
-    /// The published contacts that these are, if they are recognised.
+    /// The published contacts that the model has, if its contacts are recognised.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub known_contacts: Option<KnownContacts>,
     /// The places of its spheres compared with those of the model that was scaled, if `check` was given one.
@@ -130,7 +130,7 @@ pub struct InspectedLimb {
     pub name: String,
     /// Side of the limb, `right` or `left`.
     pub side: &'static str,
-    /// Names of its spheres.
+    /// Names of the spheres of the limb.
     pub spheres: Vec<String>,
 }
 
@@ -148,10 +148,10 @@ pub struct InspectedSphere {
     /// The three radii of an ellipsoid in m.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub radii_m: Option<[f64; 3]>,
-    /// Centre in its frame, m; NaN if the file has that, null in JSON.
+    /// Centre of the sphere in the frame that carries it, m; NaN if the file has that, null in JSON.
     #[cfg_attr(feature = "schemas", schemars(with = "[Option<f64>; 3]"))]
     pub location_m: [f64; 3],
-    /// The frame it is attached to, as a component path.
+    /// Component path of the frame that carries the sphere.
     pub frame: String,
     /// The body that the frame belongs to, if there is one.
     pub body: Option<String>,
@@ -176,7 +176,7 @@ pub struct InspectedForce {
     pub kind: &'static str,
     /// Number of the `ContactParameters`, if the force has several.
     pub set: Option<usize>,
-    /// Names of its spheres.
+    /// Names of the spheres of the force.
     pub spheres: Vec<String>,
     /// Whether OpenSim computes this force.
     pub applies: bool,
@@ -252,7 +252,7 @@ impl Serialize for Origins {
 pub struct Dimensionless {
     /// E* R² n / (M g).
     pub modulus: f64,
-    /// x̂ under its share of the body weight, by the Hertz law (11).
+    /// x̂ of the sphere under its share of the body weight, by the Hertz law (11).
     pub relative_indentation: f64,
     /// Dimensionless dissipation α √(g R).
     pub dissipation: f64,

@@ -8,7 +8,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct NoteSummary {
-    /// Version of the tool that wrote it.
+    /// Version of the tool that wrote the note.
     pub version: String,
     /// Steps of change of the contacts, the oldest first.
     pub steps: Vec<NoteStep>,

@@ -22,7 +22,7 @@ const STANDS_RADII: f64 = 0.1;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum RestsToCompute {
     All,
-    /// Only bodies that may be inside their floor or above it, and only with the weight on all feet.
+    /// Bodies that may be inside their floor or above it, and no others; with the weight on all feet.
     OfOddBodies,
 }
 
@@ -34,13 +34,13 @@ pub struct StandingBody {
     pub body: String,
     /// Mass of the bodies that the coordinate moves, kg; without platforms, balls or chairs.
     pub mass_kg: Option<f64>,
-    /// The part of their weight along the floor's normal, N.
+    /// The weight of the moved bodies along the normal of the floor, N.
     pub weight_n: Option<f64>,
     /// The free coordinate that moves all its spheres alike along the normal; null if there is none.
     pub coordinate: Option<String>,
     /// The joint of that coordinate.
     pub joint: Option<String>,
-    /// Why no coordinate moves its spheres so, in words.
+    /// Why no coordinate moves all spheres of the tree alike, in words.
     pub why_no_coordinate: Option<String>,
     /// The coordinate's value at the default pose, m.
     pub default_m: Option<f64>,
@@ -76,7 +76,7 @@ pub struct Bottom {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct BodyAtRest {
-    /// The limb whose spheres alone carry it; null for all of its limbs.
+    /// The limb whose spheres alone carry the body; null if all limbs do.
     pub limb: Option<String>,
     /// The value of the coordinate at rest, m.
     pub value_m: Option<f64>,
@@ -86,7 +86,7 @@ pub struct BodyAtRest {
     pub load_n: f64,
     /// Whether each sphere is less deep than its radius; beyond that no contact law holds.
     pub carried: bool,
-    /// Each of these spheres, in file order.
+    /// The spheres that carry the body, in file order.
     pub spheres: Vec<StandingSphere>,
 }
 

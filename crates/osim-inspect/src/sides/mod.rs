@@ -22,7 +22,7 @@ pub struct BothSides<'m> {
     sets_by_sphere: SetsBySphere<'m>,
     bones: BoneSizes<'m>,
     bodies: &'m BodyPairs,
-    majorities: Majorities<'m>,
+    usual: UsualNumbers<'m>,
     pub(crate) pairs: Vec<SpherePair<'m>>,
     /// Spheres without a counterpart, if both sides have spheres; else empty.
     pub(crate) unpaired: Vec<UnpairedSphere<'m>>,
@@ -51,14 +51,14 @@ impl<'m> BothSides<'m> {
         for force in model.forces() {
             forces_by_path.entry(force.path.as_str()).or_insert(force);
         }
-        let (majorities, SpherePairs { pairs, unpaired }) = (Majorities::of(model), paired);
+        let (usual, SpherePairs { pairs, unpaired }) = (UsualNumbers::of(model), paired);
         Self {
             model,
             forces_by_path,
             sets_by_sphere,
             bones,
             bodies,
-            majorities,
+            usual,
             pairs,
             unpaired,
             one_side,
@@ -123,9 +123,9 @@ impl<'m> BothSides<'m> {
 
     fn differences_of(&self, pair: &SetPair<'_>) -> Vec<SideDifference> {
         let spheres = pair.spheres.iter().filter_map(|&index| self.pairs.get(index));
-        let radii = spheres.filter_map(|spheres| radius_difference(spheres, &self.bones, &self.majorities));
+        let radii = spheres.filter_map(|spheres| radius_difference(spheres, &self.bones, &self.usual));
         // Radii come first, because other numbers may differ for that reason.
-        radii.chain(pair.differing_values(self.model, &self.majorities)).collect()
+        radii.chain(pair.differing_values(self.model, &self.usual)).collect()
     }
 
     /// Whether a force that presses `sphere` on a floor is switched on.
@@ -185,7 +185,7 @@ pub(crate) struct SideDifference {
 }
 
 /// The numbers that most contacts of a model have. They show which of two sides is wrong.
-pub(crate) struct Majorities<'m> {
+pub(crate) struct UsualNumbers<'m> {
     model: &'m Model,
     /// The counts of all numbers; they are made when the first difference is found.
     counts: OnceCell<NumberCounts>,
@@ -220,7 +220,7 @@ impl NumberCounts {
     }
 }
 
-impl<'m> Majorities<'m> {
+impl<'m> UsualNumbers<'m> {
     pub(crate) fn of(model: &'m Model) -> Self {
         Self { model, counts: OnceCell::new() }
     }
@@ -263,7 +263,7 @@ pub(crate) struct SetPair<'m> {
 
 impl SetPair<'_> {
     /// The numbers of the left set that are not equal to those of the right set, and do not follow from different radii.
-    pub(crate) fn differing_values(&self, model: &Model, majorities: &Majorities<'_>) -> Vec<SideDifference> {
+    pub(crate) fn differing_values(&self, model: &Model, usual: &UsualNumbers<'_>) -> Vec<SideDifference> {
         let ratios = self.radius_ratios(model);
         let right =
             |property: Property| values_of_set(self.right.0, self.right.1).find(|r| r.property == property);
@@ -276,7 +276,7 @@ impl SetPair<'_> {
         let difference = |(l, r): (&Value, &Value)| {
             let what = format!("{} is {} and {}", l.property, l.number, r.number);
             let times = (l.number / r.number).max(r.number / l.number);
-            majorities.difference(
+            usual.difference(
                 (l, r),
                 &what,
                 l.property == Property::TransitionVelocity && times <= SMALL_VELOCITY_RATIO,
@@ -318,7 +318,7 @@ fn radius_factor(property: Property, ratios: &Ratios) -> Option<f64> {
 fn radius_difference(
     pair: &SpherePair<'_>,
     bones: &BoneSizes<'_>,
-    majorities: &Majorities<'_>,
+    usual: &UsualNumbers<'_>,
 ) -> Option<SideDifference> {
     let (left, right) = (pair.left.sphere, pair.right.sphere);
     let ratio = left.radius.number / right.radius.number;
@@ -337,7 +337,7 @@ fn radius_difference(
     let describe =
         |sphere: &Sphere| format!("{} m for {}", readable(sphere.radius.number), shown(&sphere.name));
     let what = format!("radius is {} and {}", describe(left), describe(right));
-    Some(majorities.difference((&left.radius, &right.radius), &what, is_small))
+    Some(usual.difference((&left.radius, &right.radius), &what, is_small))
 }
 
 /// The relative distance of `ratio` from the nearest number in `expected`.

@@ -80,7 +80,7 @@ impl ModelToFix<'_> {
         let files = PreparedFiles::new(task, self.opened, self.origin, &results, output.force);
         let written = files.and_then(|files| files.commit(&results)).map_err(refused)?;
         let steps = counted(self.checked.steps.len(), "command");
-        let before = self.checked.counts.worst().describe("no finding");
+        let before = self.checked.counts.only_worst().describe("no finding");
         Ok((judged, format!("{}; before: {before}; {steps} done", written.describe())))
     }
 }

@@ -53,12 +53,12 @@ impl Status {
 pub struct Record {
     /// Row of the manifest, from 1.
     pub row: Option<usize>,
-    /// The model, as it was named.
+    /// The model, as the caller named it.
     pub model: String,
     /// The model's name in bytes, if it is not UTF-8; in NDJSON only.
     #[serde(skip)]
     pub model_bytes: Option<Vec<u8>>,
-    /// The user's own columns of the table, as they are there; in a summary table they come last.
+    /// The user's own columns, as the table of the batch has them; in a summary table they come last.
     #[serde(skip)]
     pub user_columns: Vec<(String, String)>,
     /// The file that is written.
@@ -68,11 +68,11 @@ pub struct Record {
     pub output_bytes: Option<Vec<u8>>,
     /// Outcome for the model.
     pub status: Status,
-    /// The mass that the contacts were made for before.
+    /// The mass that the contacts were made for before the change.
     pub contacts_mass_kg: Option<f64>,
     /// Source of the mass that the contacts were made for.
     pub contacts_mass_source: Option<String>,
-    /// The mass they are made for afterwards.
+    /// The mass that the contacts are made for after the change.
     pub target_mass_kg: Option<f64>,
     /// How many whole objects are added or removed.
     pub objects: usize,

@@ -58,7 +58,7 @@ impl<'r> RowReader<'r> {
         // A caller with a table in memory has its own way to keep columns.
         let keeps_others = request.manifest.is_some();
         let table = Table::read(table, folder, keeps_others)
-            .map_err(|fault| LibraryFault::new(fault).within(name))?;
+            .map_err(|fault| LibraryFault::new(fault).with_context(name))?;
         let others = table.unmarked_user_columns();
         let columns = summary_columns()?;
         if let Some(taken) = others.iter().find(|other| columns.iter().any(|column| column == *other)) {
@@ -111,7 +111,7 @@ impl TableRows<'_> {
     fn tasks_and_failures(&self, name: &str) -> (Vec<Task>, Vec<Failure>) {
         let (mut tasks, mut wrong, mut shared) = (Vec::new(), Vec::new(), SharedSettings::new());
         for (row, read) in self.table.requests(self.call_output, &OrdinaryFiles) {
-            match read.and_then(|read| self.task(&read, &mut shared)) {
+            match read.and_then(|read| self.make_task(&read, &mut shared)) {
                 Ok(task) => tasks.push(task),
                 Err(fault) => wrong.push(self.table.failure(name, row, &fault)),
             }
@@ -119,7 +119,7 @@ impl TableRows<'_> {
         (tasks, wrong)
     }
 
-    fn task(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Task, RowFault> {
+    fn make_task(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Task, RowFault> {
         let column = self.table.model_column();
         if row.model.is_dir() {
             return Err(RowFault::of(column, "a folder, expected one model per row"));
@@ -197,14 +197,12 @@ impl WritableFolder {
         let is_named = row.geometry_output.is_some();
         let geometry =
             task.geometry_output.as_deref().map(|path| (column(Input::GeometryOutput, is_named), path));
-        output.into_iter().chain(geometry).try_for_each(|(column, path)| match self.contains(path) {
-            true => Ok(()),
-            false => Err((column, self.message_outside(path, column == Input::Force))),
+        output.into_iter().chain(geometry).try_for_each(|(column, path)| {
+            match resolved(path).starts_with(&self.real) {
+                true => Ok(()),
+                false => Err((column, self.message_outside(path, column == Input::Force))),
+            }
         })
-    }
-
-    fn contains(&self, path: &Path) -> bool {
-        resolved(path).starts_with(&self.real)
     }
 
     fn message_outside(&self, path: &Path, replaces: bool) -> Phrase {

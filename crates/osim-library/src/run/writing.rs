@@ -8,7 +8,7 @@ use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
 use crate::run::task::{Destination, Task};
-use crate::write::{ExchangedModel, PendingFile, Successor, WriteMode, backup};
+use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, backup};
 use crate::{FileStamp, LibraryFault, ModelOrigin, make_folder_of};
 
 /// The new bytes of the files that a planned change affects.
@@ -85,8 +85,8 @@ pub(super) struct PreparedFiles<'w> {
     opened: &'w OpenModel,
     origin: &'w ModelOrigin,
     backups: Vec<PendingFile>,
-    successors: Vec<(FileId, PendingFile)>,
-    /// The backup of the old file of each of the `successors`, in the same order.
+    replacements: Vec<(FileId, PendingFile)>,
+    /// The backup of the old file of each of the `replacements`, in the same order.
     backup_paths: Vec<Option<PathBuf>>,
     paths: Vec<PathBuf>,
     backups_of_user: Vec<PathBuf>,
@@ -109,7 +109,7 @@ impl<'w> PreparedFiles<'w> {
             opened,
             origin,
             backups: vec![],
-            successors: vec![],
+            replacements: vec![],
             backup_paths: vec![],
             paths: vec![],
             backups_of_user: vec![],
@@ -138,8 +138,9 @@ impl<'w> PreparedFiles<'w> {
             self.refuse_write_protected(path)?;
             if !settings.no_backup {
                 let bytes = self.opened.model.file(file).bytes();
-                let (prepared, backups_of_user) = backup(path, bytes)
-                    .map_err(|fault| fault.within("the backup could not be kept, so nothing was changed"))?;
+                let (prepared, backups_of_user) = backup(path, bytes).map_err(|fault| {
+                    fault.with_context("the backup could not be kept, so nothing was changed")
+                })?;
                 self.backups.extend(prepared);
                 backup_paths = Some(backups_of_user.clone());
                 // The backup is shown beside the name that the user gave, unless that is a link.
@@ -155,7 +156,7 @@ impl<'w> PreparedFiles<'w> {
             (false, false) => WriteMode::New,
         };
         let like = self.origin.stamp_of(file).map(FileStamp::metadata);
-        self.successors.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
+        self.replacements.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
         self.backup_paths.push(backup_paths);
         self.paths.push(path.to_owned());
         Ok(())
@@ -179,9 +180,9 @@ impl<'w> PreparedFiles<'w> {
     /// Another program changed the model in the meantime, or a folder cannot be changed.
     pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<Written, LibraryFault> {
         // Bytes reach the disk before names change, if two files belong together or a file is replaced.
-        let successors = || self.successors.iter().map(|(_, prepared)| prepared);
-        if self.successors.len() > 1 || successors().any(PendingFile::replaces) {
-            self.backups.iter().chain(successors()).try_for_each(PendingFile::sync)?;
+        let replacements = || self.replacements.iter().map(|(_, prepared)| prepared);
+        if self.replacements.len() > 1 || replacements().any(PendingFile::replaces) {
+            self.backups.iter().chain(replacements()).try_for_each(PendingFile::sync)?;
         }
         if self.task.settings.in_place {
             let geometry = results.geometry.as_ref().map(|geometry| (geometry.file, geometry.path.as_path()));
@@ -194,16 +195,16 @@ impl<'w> PreparedFiles<'w> {
             backup.commit()?;
         }
         if self.task.settings.in_place {
-            let successor =
-                |((file, prepared), backup): ((FileId, PendingFile), Option<PathBuf>)| Successor {
+            let replacement =
+                |((file, prepared), backup): ((FileId, PendingFile), Option<PathBuf>)| ReplacementFile {
                     prepared,
                     read_bytes: self.opened.model.file(file).bytes(),
                     written_bytes: results.parts_of(file),
                     backup,
                 };
-            exchange_all(self.successors.into_iter().zip(self.backup_paths).map(successor))?;
+            exchange_all(self.replacements.into_iter().zip(self.backup_paths).map(replacement))?;
         } else {
-            for (_, prepared) in self.successors {
+            for (_, prepared) in self.replacements {
                 prepared.commit()?;
             }
         }
@@ -214,14 +215,14 @@ impl<'w> PreparedFiles<'w> {
 }
 
 /// Exchanges all new files with the old files of the same names. If one exchange fails, the earlier exchanges are undone.
-fn exchange_all<'b>(successors: impl Iterator<Item = Successor<'b>>) -> Result<(), LibraryFault> {
+fn exchange_all<'b>(replacements: impl Iterator<Item = ReplacementFile<'b>>) -> Result<(), LibraryFault> {
     let mut done: Vec<ExchangedModel<'b>> = Vec::new();
-    for successor in successors {
-        match successor.take_place() {
+    for replacement in replacements {
+        match replacement.replace_model() {
             Ok(in_place) => done.push(in_place),
             Err(fault) => {
                 let remarks = done.into_iter().filter_map(|in_place| in_place.put_back().remark());
-                return Err(remarks.fold(fault, LibraryFault::within));
+                return Err(remarks.fold(fault, LibraryFault::with_context));
             }
         }
     }

@@ -11,7 +11,7 @@ use osim_model::files::{Failure, FileName};
 use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
-use osim_requests::{RequestError, RequestFault, SweepRequest, takes};
+use osim_requests::{RequestError, RequestFault, SweepRequest, verb_takes};
 
 use crate::fault::{Context, LibraryFault};
 use crate::file_access;
@@ -81,7 +81,7 @@ impl<'s> SweepRun<'s> {
         request.check()?;
         let (plan, origin) = Self::plan(request, model).map_err(|mut error| {
             if let RequestError::Failure(failure) = &mut error {
-                failure.message.choose_alternatives(&|input| takes(Verb::Sweep, input));
+                failure.message.choose_alternatives(&|input| verb_takes(Verb::Sweep, input));
             }
             error
         })?;
@@ -295,7 +295,7 @@ impl<'s> SweepRun<'s> {
         if prepared.replaces() {
             prepared.sync()?;
         }
-        prepared.commit().map_err(|fault| fault.within("not written"))
+        prepared.commit().map_err(|fault| fault.with_context("not written"))
     }
 
     /// How a variant may be written; `None` if its file exists with the same bytes. `is_ours` says whether an earlier sweep wrote a file

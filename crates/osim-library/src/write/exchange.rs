@@ -58,12 +58,12 @@ const LONGEST_NAME: usize = 255;
 
 /// Renames the complete new version of `target` for the exchange. Afterwards this file is not removed automatically.
 pub(super) fn rename_for_exchange(
-    successor: NamedTempFile,
+    replacement: NamedTempFile,
     target: &Path,
     after: &[&[u8]],
 ) -> std::io::Result<NamedTempFile> {
     let owner =
-        temporary::host_and_process(successor.path().file_name().unwrap_or_default()).unwrap_or_default();
+        temporary::host_and_process(replacement.path().file_name().unwrap_or_default()).unwrap_or_default();
     let end = format!("{INFIX_OF_REPLACED}{owner}-{}", short_digest(after));
     let mut name = shortened(target.file_name().unwrap_or_default(), LONGEST_NAME.saturating_sub(end.len()));
     name.push(end);
@@ -71,7 +71,7 @@ pub(super) fn rename_for_exchange(
     if name.symlink_metadata().is_ok() {
         return Err(ErrorKind::AlreadyExists.into());
     }
-    let (file, path) = successor.into_parts();
+    let (file, path) = replacement.into_parts();
     path.persist(&name).map_err(|error| error.error)?;
     let mut path = TempPath::try_from_path(name)?;
     path.disable_cleanup(true);
@@ -112,10 +112,10 @@ pub(crate) fn is_left_over(folder: &Path, name: &OsStr) -> bool {
 
 /// Removes a file that a killed process left after an exchange, or keeps it as a further backup and returns the path of this backup.
 pub(crate) fn settle_leftover(leftover: &Path) -> Option<PathBuf> {
-    let (model, _, successor_digest) = parts_of_name(leftover.file_name()?)?;
+    let (model, _, replacement_digest) = parts_of_name(leftover.file_name()?)?;
     let bytes = file_access::read_ordinary(leftover).ok()?;
     let model = leftover.with_file_name(model);
-    if short_digest(&[&bytes]) == successor_digest {
+    if short_digest(&[&bytes]) == replacement_digest {
         // If the file may not be removed, the folder may not be written, and the user gets that error later.
         drop(std::fs::remove_file(leftover));
         return None;

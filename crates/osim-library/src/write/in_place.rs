@@ -1,10 +1,10 @@
 //! Changes a model in place so that a file which another program saves at the same time is never lost.
 //!
 //! Another program may save the model after this program read it and before this program replaces it. So the new version (the
-//! successor) and the model exchange their names in one step, and then the bytes of the displaced file are compared with the bytes
+//! replacement) and the model exchange their names in one step, and then the bytes of the displaced file are compared with the bytes
 //! that were read. If they differ, the displaced file is put back: the save of the other program stays, and the run reports the model
-//! as changed. This second exchange should displace the successor. If the other program saved once more, its newer save is put back
-//! in the same way. A displaced file that is neither the old model nor the successor becomes a further backup in the end. Whenever
+//! as changed. This second exchange should displace the replacement. If the other program saved once more, its newer save is put back
+//! in the same way. A displaced file that is neither the old model nor the replacement becomes a further backup in the end. Whenever
 //! the process is killed, the save of the other program has the name of the model, of a backup, or of [`replaced`].
 //!
 //! Where files cannot be exchanged (Windows, some network and FAT disks) the model is read once more right before it is replaced. To
@@ -27,7 +27,7 @@ use crate::{LibraryFault, file_access, resolved};
 const MOST_PUT_BACKS: usize = 8;
 
 /// The new file of a model, with the bytes that show whether the model changed since it was read.
-pub(crate) struct Successor<'b> {
+pub(crate) struct ReplacementFile<'b> {
     pub(crate) prepared: PendingFile,
     /// The model's bytes when it was read.
     pub(crate) read_bytes: &'b [u8],
@@ -67,24 +67,25 @@ impl UndoOutcome {
     }
 }
 
-impl<'b> Successor<'b> {
+impl<'b> ReplacementFile<'b> {
     /// Replaces the model by the new file, if the model still has the bytes that were read.
     ///
     /// # Errors
     /// The model was changed or removed by another program, so that nothing was written; or the folder cannot be changed.
-    pub(crate) fn take_place(self) -> Result<ExchangedModel<'b>, LibraryFault> {
+    pub(crate) fn replace_model(self) -> Result<ExchangedModel<'b>, LibraryFault> {
         let Self { prepared, read_bytes, written_bytes, backup } = self;
-        let (mut successor, target, shown) = prepared.into_parts();
+        let (mut replacement, target, shown) = prepared.into_parts();
         let cannot = |error: std::io::Error| {
             LibraryFault::system(format!("cannot write {}", shown.display()), file_access::reason(&error))
         };
         if EXCHANGE_IS_KNOWN {
-            successor = exchange::rename_for_exchange(successor, &target, &written_bytes).map_err(cannot)?;
+            replacement =
+                exchange::rename_for_exchange(replacement, &target, &written_bytes).map_err(cannot)?;
         }
-        let exchanged = exchange(successor.path(), &target);
+        let exchanged = exchange(replacement.path(), &target);
         if let Exchange::Done = exchanged {
             let in_place = ExchangedModel {
-                displaced: Some(successor),
+                displaced: Some(replacement),
                 target,
                 shown,
                 read_bytes,
@@ -93,8 +94,8 @@ impl<'b> Successor<'b> {
             };
             return in_place.keep_if_unchanged();
         }
-        // The successor is removed unless another program has written into it.
-        successor.disable_cleanup(!has_bytes(successor.path(), &written_bytes));
+        // The replacement is removed unless another program has written into it.
+        replacement.disable_cleanup(!has_bytes(replacement.path(), &written_bytes));
         if let Exchange::Failed(error) = exchanged {
             return Err(if error.kind() == ErrorKind::NotFound {
                 fault_of_missing_model(&shown)
@@ -105,7 +106,7 @@ impl<'b> Successor<'b> {
         if !has_bytes(&target, &[read_bytes]) {
             return Err(fault_of_changed_model(&shown, &UndoOutcome::Restored, &backup));
         }
-        successor.persist(&target).map_err(|error| cannot(error.error))?;
+        replacement.persist(&target).map_err(|error| cannot(error.error))?;
         sync_folder_of(&target);
         Ok(ExchangedModel { displaced: None, target, shown, read_bytes, written_bytes, backup })
     }
@@ -224,22 +225,22 @@ mod tests {
     use crate::write::backup;
 
     const BYTES_READ: &[u8] = b"as it was read";
-    const SUCCESSOR: &[u8] = b"the successor of it";
+    const REPLACEMENT: &[u8] = b"the replacement of it";
 
-    /// A model that was read, its backup and its successor.
-    fn prepared_successor(folder: &Path) -> (PathBuf, Successor<'static>) {
+    /// A model that was read, its backup and its replacement.
+    fn prepare_file(folder: &Path) -> (PathBuf, ReplacementFile<'static>) {
         let target = folder.join("model.osim");
         std::fs::write(&target, BYTES_READ).unwrap();
         let (copy, kept) = backup(&target, BYTES_READ).unwrap();
         copy.unwrap().commit().unwrap();
-        let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
-        let successor = Successor {
+        let prepared = PendingFile::new(&target, REPLACEMENT, None, WriteMode::InPlace).unwrap();
+        let replacement = ReplacementFile {
             prepared,
             read_bytes: BYTES_READ,
-            written_bytes: vec![b"the successor", b" of it"],
+            written_bytes: vec![b"the replacement", b" of it"],
             backup: Some(kept),
         };
-        (target, successor)
+        (target, replacement)
     }
 
     fn names(folder: &Path) -> Vec<String> {
@@ -257,22 +258,22 @@ mod tests {
     #[test]
     fn the_model_itself_becomes_the_backup() {
         let folder = tempfile::tempdir().unwrap();
-        let (target, successor) = prepared_successor(folder.path());
+        let (target, replacement) = prepare_file(folder.path());
         // A program that has the model open, and saves late.
         let mut open = std::fs::File::options().append(true).open(&target).unwrap();
-        successor.take_place().unwrap().finish();
+        replacement.replace_model().unwrap().finish();
         std::io::Write::write_all(&mut open, b" and saved late").unwrap();
         assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
-        assert_eq!(read(folder.path(), "model.osim"), SUCCESSOR);
+        assert_eq!(read(folder.path(), "model.osim"), REPLACEMENT);
         assert_eq!(read(folder.path(), "model.osim.bak"), b"as it was read and saved late");
     }
 
     #[test]
     fn a_file_saved_before_the_exchange_stays() {
         let folder = tempfile::tempdir().unwrap();
-        let (target, successor) = prepared_successor(folder.path());
+        let (target, replacement) = prepare_file(folder.path());
         std::fs::write(&target, "saved").unwrap();
-        let fault = successor.take_place().err().unwrap().to_string();
+        let fault = replacement.replace_model().err().unwrap().to_string();
         assert!(fault.contains("another program changed") && fault.contains("model.osim.bak"), "{fault}");
         assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
         assert_eq!(read(folder.path(), "model.osim"), b"saved");
@@ -283,8 +284,8 @@ mod tests {
     #[test]
     fn a_file_saved_after_the_exchange_stays() {
         let folder = tempfile::tempdir().unwrap();
-        let (target, successor) = prepared_successor(folder.path());
-        let in_place = successor.take_place().unwrap();
+        let (target, replacement) = prepare_file(folder.path());
+        let in_place = replacement.replace_model().unwrap();
         let displaced = in_place.displaced.as_ref().unwrap().path().to_owned();
         std::fs::write(&displaced, "saved first").unwrap();
         std::fs::write(folder.path().join("new"), "saved second").unwrap();
@@ -309,11 +310,11 @@ mod tests {
     #[test]
     fn a_file_displaced_by_a_killed_run_becomes_a_backup() {
         for (saved, kept) in
-            [(BYTES_READ, None), (b"saved".as_slice(), Some("model.osim.bak2")), (SUCCESSOR, None)]
+            [(BYTES_READ, None), (b"saved".as_slice(), Some("model.osim.bak2")), (REPLACEMENT, None)]
         {
             let folder = tempfile::tempdir().unwrap();
-            let (_, successor) = prepared_successor(folder.path());
-            let left = kept_path(successor.take_place().unwrap());
+            let (_, replacement) = prepare_file(folder.path());
+            let left = kept_path(replacement.replace_model().unwrap());
             std::fs::write(&left, saved).unwrap();
             let expected = kept.map(|name| folder.path().join(name));
             assert_eq!(exchange::settle_leftover(&left), expected);
@@ -329,12 +330,16 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let target = folder.path().join(format!("{}.osim", "\u{fc}".repeat(122)));
         std::fs::write(&target, BYTES_READ).unwrap();
-        let prepared = PendingFile::new(&target, SUCCESSOR, None, WriteMode::InPlace).unwrap();
-        let successor =
-            Successor { prepared, read_bytes: BYTES_READ, written_bytes: vec![SUCCESSOR], backup: None };
-        successor.take_place().unwrap().finish();
+        let prepared = PendingFile::new(&target, REPLACEMENT, None, WriteMode::InPlace).unwrap();
+        let replacement = ReplacementFile {
+            prepared,
+            read_bytes: BYTES_READ,
+            written_bytes: vec![REPLACEMENT],
+            backup: None,
+        };
+        replacement.replace_model().unwrap().finish();
         assert_eq!(names(folder.path()).len(), 1);
-        assert_eq!(std::fs::read(&target).unwrap(), SUCCESSOR);
+        assert_eq!(std::fs::read(&target).unwrap(), REPLACEMENT);
     }
 
     /// The files are treated as on systems that cannot exchange them.
@@ -342,8 +347,8 @@ mod tests {
     fn old_bytes_are_written_again_where_files_cannot_be_exchanged() {
         for (saved, whole) in [(None, true), (Some("saved"), false)] {
             let folder = tempfile::tempdir().unwrap();
-            let (target, successor) = prepared_successor(folder.path());
-            let mut in_place = successor.take_place().unwrap();
+            let (target, replacement) = prepare_file(folder.path());
+            let mut in_place = replacement.replace_model().unwrap();
             std::fs::remove_file(in_place.displaced.take().unwrap().path()).unwrap();
             if let Some(saved) = saved {
                 std::fs::write(&target, saved).unwrap();
@@ -359,15 +364,15 @@ mod tests {
     #[test]
     fn a_model_that_is_gone_or_became_a_folder_is_not_replaced() {
         let folder = tempfile::tempdir().unwrap();
-        let (target, successor) = prepared_successor(folder.path());
+        let (target, replacement) = prepare_file(folder.path());
         std::fs::remove_file(&target).unwrap();
-        assert!(successor.take_place().err().unwrap().to_string().contains("no longer there"));
+        assert!(replacement.replace_model().err().unwrap().to_string().contains("no longer there"));
         assert_eq!(names(folder.path()), ["model.osim.bak"]);
         let folder = tempfile::tempdir().unwrap();
-        let (target, successor) = prepared_successor(folder.path());
+        let (target, replacement) = prepare_file(folder.path());
         std::fs::remove_file(&target).unwrap();
         std::fs::create_dir(&target).unwrap();
-        assert!(successor.take_place().err().unwrap().to_string().contains("another program changed"));
+        assert!(replacement.replace_model().err().unwrap().to_string().contains("another program changed"));
         assert!(target.is_dir());
         assert_eq!(names(folder.path()), ["model.osim", "model.osim.bak"]);
     }

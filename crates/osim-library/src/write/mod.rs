@@ -16,7 +16,7 @@ use osim_planning::rules::compiled_model_beside;
 use crate::LibraryFault;
 use crate::paths::{folder_of, resolved};
 
-pub(crate) use in_place::{ExchangedModel, Successor, hard_link_finding};
+pub(crate) use in_place::{ExchangedModel, ReplacementFile, hard_link_finding};
 pub(crate) use replace::backup;
 pub use replace::{PendingFile, WriteMode};
 

@@ -343,7 +343,7 @@ pub struct Value {
 }
 
 impl Value {
-    /// The number, if it can be scaled: one plain number in its domain.
+    /// The number, if scaling can use it: one plain number in the domain of the property.
     pub fn checked(&self) -> Result<f64, Fault> {
         let at_value = |kind: FaultKind| match &self.span {
             Some(span) => Fault::at_span(kind, span.clone()),

@@ -294,12 +294,6 @@ struct JointLink {
     pub moves_away: bool,
 }
 
-impl JointLink {
-    fn is_between_bodies(&self) -> bool {
-        self.ends.iter().all(|end| matches!(end, Carrier::Body(_)))
-    }
-}
-
 /// Loops of joints. OpenSim has to break them, because it needs a tree.
 #[derive(Debug, Default)]
 pub struct Loops {
@@ -341,7 +335,8 @@ impl Loops {
         let in_loop = || links.iter().zip(&left).filter(|(_, left)| **left).map(|(link, _)| link);
         Self {
             joints: in_loop().map(|link| link.joint).collect(),
-            mass_is_in_doubt: in_loop().any(|link| link.counts_twice && link.is_between_bodies()),
+            mass_is_in_doubt: in_loop()
+                .any(|link| link.counts_twice && link.ends.iter().all(|end| matches!(end, Carrier::Body(_)))),
         }
     }
 }

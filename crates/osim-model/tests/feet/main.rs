@@ -5,7 +5,7 @@
 mod bones;
 mod fixture_folder;
 mod foot_view;
-mod levelled;
+mod level_feet;
 mod meshes;
 mod planes;
 mod pose;

@@ -179,7 +179,7 @@ fn bytes_outside_the_note_stay_in_any_encoding() {
     assert!(!shown.contains("62 kg at"), "{shown}");
 }
 
-// The story that a note says.
+// The steps that a note records.
 
 /// `text` after its contacts are rescaled to `kg`.
 fn rescaled_again(text: &str, kg: f64) -> String {

@@ -24,7 +24,7 @@ use inputs::{AtRest, DesignInputs, ModulusSource, domain_fault, solve_at_rest};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DesignSheet {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// The figures, in the order in which they follow.
     pub figures: Vec<DesignFigure>,

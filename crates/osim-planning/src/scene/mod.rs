@@ -46,7 +46,7 @@ pub struct SceneSphere {
     pub name: String,
     /// Component path of the sphere.
     pub path: String,
-    /// The body that carries it.
+    /// The body that carries the sphere.
     pub body: String,
     /// Side of the sphere, `right` or `left`.
     pub side: Option<&'static str>,

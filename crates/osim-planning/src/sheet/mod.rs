@@ -4,7 +4,7 @@ mod cell;
 
 use std::borrow::Cow;
 
-use osim_requests::values::typed::trimmed;
+use osim_requests::values::typed_numbers::trimmed;
 
 pub use cell::{cell, from_cell, with_text_mark, without_text_mark};
 

@@ -90,7 +90,7 @@ pub(super) fn points_at_ends(axes: &[Axis]) -> Vec<usize> {
 }
 
 /// A number from 1 to `count`, with zeros before it, so that names of files sort in the order of the numbers.
-pub(super) fn padded(number: usize, count: usize) -> String {
+pub(super) fn zero_padded(number: usize, count: usize) -> String {
     format!("{number:0width$}", width = count.to_string().len())
 }
 

@@ -6,7 +6,7 @@ use osim_model::messages::{Input, phrase, shortest};
 use osim_model::{Assignment, Property};
 use osim_requests::{RequestFault, SweepRequest};
 
-use super::grid::padded;
+use super::grid::zero_padded;
 use super::variant::{StepChanges, Variant, prepare_design, prepare_set};
 
 /// The steps from a soft contact to the wanted contact.
@@ -49,7 +49,7 @@ impl SweepLadder {
     /// The number of the step with this index in the name of a file, counted from 1.
     pub(super) fn file_part(&self, index: usize) -> String {
         let count = self.steps.len();
-        format!("ladder-{}-of-{count}", padded(index + 1, count))
+        format!("ladder-{}-of-{count}", zero_padded(index + 1, count))
     }
 
     /// The dimensionless stiffness k̂ of the step with this index, at the load of the design.

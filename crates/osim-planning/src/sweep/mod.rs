@@ -9,13 +9,13 @@ use std::iter::StepBy;
 use std::ops::Range;
 use std::path::Path;
 
-use osim_inspect::{Figure, unexplained_mass_slip};
+use osim_inspect::{Figure, unexplained_mass};
 use osim_model::files::{Failure, ModelFiles};
 use osim_model::messages::{Phrase, shortest};
 use osim_model::{MassRequest, Property, Question};
 use osim_requests::{AxisName, RequestError, RequestFault, SweepRequest};
 
-use grid::{GridPoint, padded, point_at, points_along, points_at_ends};
+use grid::{GridPoint, point_at, points_along, points_at_ends, zero_padded};
 use ladder::SweepLadder;
 use variant::{StepChanges, Variant};
 
@@ -101,7 +101,7 @@ impl<'s> SweepPlan<'s> {
             Some(ladder) => ladder.file_part(index),
             None => {
                 let point = point_at(&self.request.grid, index);
-                format!("{}_{}", padded(index + 1, self.count), point.file_part())
+                format!("{}_{}", zero_padded(index + 1, self.count), point.file_part())
             }
         };
         self.file_name_with(&part, "osim")
@@ -199,7 +199,7 @@ impl<'s> SweepPlan<'s> {
         let is_asked = |target_mass_kg: f64| {
             let target_mass_kg = Some(target_mass_kg);
             let said = MassRequest { target_mass_kg, ..self.request.masses.request() };
-            unexplained_mass_slip(&said, &open.model, &selection).is_some()
+            unexplained_mass(&said, &open.model, &selection).is_some()
         };
         Ok(masses
             .into_iter()

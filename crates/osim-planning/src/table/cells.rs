@@ -8,7 +8,7 @@ use osim_model::files::Files;
 use osim_model::messages::{Input, Phrase, Verb};
 use osim_requests::CHANGING;
 use osim_requests::values::path;
-use osim_requests::values::typed::trimmed;
+use osim_requests::values::typed_numbers::trimmed;
 use serde_json::{Map, Value};
 
 use crate::opening::{find_preset, looks_like_file};
@@ -207,7 +207,7 @@ fn is_yes(cell: &str, column: &Column) -> Result<bool, RowFault> {
     }
 }
 
-// Columns of masses: each row is judged by the others, because a slip is what is out of line.
+// Columns of masses: each row is judged by the others, because a mistake differs from the other rows.
 
 /// Columns with masses, which may have typing mistakes or other units.
 const MASS_COLUMNS: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input::Mass];

@@ -337,8 +337,8 @@ fn a_result_reaches_the_severity_of_its_worst_finding() {
         (&warning, [true, true, false]),
         (&error, [true; 3]),
     ] {
-        let reached =
-            [Severity::Remark, Severity::Warning, Severity::Error].map(|severity| result.reaches(severity));
+        let reached = [Severity::Remark, Severity::Warning, Severity::Error]
+            .map(|severity| result.has_severity(severity));
         assert_eq!(reached, expected, "{:?}", codes(result));
     }
 }

@@ -72,7 +72,7 @@ impl FixedObjects {
     }
 
     /// The text of `model` with the fixed objects at the ends of its sets.
-    fn within(&self, model: &str) -> String {
+    fn inserted_into(&self, model: &str) -> String {
         let mut text = model.to_owned();
         for (set, members) in [
             ("BodySet", &self.bodies),
@@ -134,7 +134,7 @@ fn known_numbers(text: &str) -> Vec<Value> {
 }
 
 /// The changes that the request `call` makes in a model, without line numbers, and the new bytes; or why it is refused.
-fn changed(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, String), String> {
+fn changes_and_bytes(call: &Value, text: &str, presets: &InMemory) -> Result<(Value, String), String> {
     let mut files = presets.clone();
     files.add("model.osim", text.as_bytes().to_vec());
     let mut call = call.clone();
@@ -179,7 +179,7 @@ fn fixed_objects_count_nowhere_and_stay_as_they_are() {
         let mut random = Random::of(seed);
         let bare = text_of(random.one_of(&MODELS), &files);
         let fixed = FixedObjects::of(&mut random);
-        let whole = fixed.within(&bare);
+        let whole = fixed.inserted_into(&bare);
         let said = Model::parse(whole.as_str()).unwrap();
         let terrain =
             model_findings(&said).iter().filter(|finding| finding.code() == FindingCode::Terrain).count();
@@ -188,7 +188,7 @@ fn fixed_objects_count_nowhere_and_stay_as_they_are() {
             assert_eq!(plain, with, "seed {seed}\n{whole}");
         }
         for call in calls() {
-            match (changed(&call, &bare, &files), changed(&call, &whole, &files)) {
+            match (changes_and_bytes(&call, &bare, &files), changes_and_bytes(&call, &whole, &files)) {
                 (Ok((plain, _)), Ok((with, bytes))) => {
                     assert_eq!(plain, with, "seed {seed}, {call}");
                     for object in [&fixed.bodies, &fixed.joints, &fixed.forces, &fixed.geometry] {

@@ -8,7 +8,7 @@
     reason = "a test fails by panicking"
 )]
 
-mod afterwards;
+mod add_and_remove;
 mod checks;
 mod compose;
 #[allow(dead_code, reason = "the tests of osim-inspect have these feet, too")]
@@ -16,22 +16,22 @@ mod compose;
 mod feet;
 mod findings;
 mod fixed_to_ground;
-mod judged;
+mod judged_in_memory;
 mod kinds;
 mod known_contacts;
-mod left_behind;
 mod left_like_right;
-mod levelled;
+mod level_feet;
 mod many_limbs;
 mod masses;
 mod odd_side;
 mod placement;
 mod random;
 mod remedies;
+mod result_in_memory;
 mod rules;
 mod similar_copies;
 mod sizes;
 mod sizes_by_chance;
-mod space;
+mod spheres_left_behind;
 mod tables_by_chance;
-mod taken_back;
+mod view_in_space;

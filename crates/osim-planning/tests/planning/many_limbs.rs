@@ -55,7 +55,7 @@ fn what_is_proposed_for_a_horse_puts_it_right_on_one_limb_and_on_two() {
         assert!(!has(&found, FindingCode::SunkIn));
         assert_eq!((found.counts.error, found.counts.warning), (0, 0));
     }
-    // The verdict has the note's story.
+    // The verdict says what the note records.
     let found = check_with(NAME, &text, &options_of_trot());
     let on_mass = found.verdicts.iter().find(|verdict| verdict.on == VerdictOn::Mass).unwrap();
     let said = on_mass.text.to_string();

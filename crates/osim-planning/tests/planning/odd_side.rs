@@ -18,7 +18,7 @@ fn human_with_one_stiffer_side(end: &str) -> String {
 }
 
 #[test]
-fn the_table_of_known_contacts_shows_which_side_is_the_slip() {
+fn the_table_of_known_contacts_shows_which_side_is_wrong() {
     for (end, odd, known) in [("_l", "left", "right"), ("_r", "right", "left")] {
         let found = message(&check_text(&human_with_one_stiffer_side(end)), FindingCode::LeftRightDiffer);
         let expected = format!(

@@ -139,14 +139,14 @@ impl AnswerOptions {
     }
 
     /// Whether the caller has answered `question` with yes.
-    pub fn has(&self, question: Question) -> bool {
+    pub fn confirms(&self, question: Question) -> bool {
         self.yes.contains(&question)
     }
 
     /// Refuses what looks wrong, if there is such a `doubt` and the caller has not confirmed it with `yes`.
     pub fn require_yes(&self, doubt: Option<Suspicion>) -> Result<(), FaultKind> {
         match doubt {
-            Some(doubt) if !self.has(doubt.question()) => Err(doubt.into()),
+            Some(doubt) if !self.confirms(doubt.question()) => Err(doubt.into()),
             _ => Ok(()),
         }
     }

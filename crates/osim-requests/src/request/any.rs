@@ -12,7 +12,7 @@ use crate::fault::Relation;
 use crate::fault::RequestFault;
 use crate::options::{AnswerOptions, MassOptions, OutputOptions, RunOptions, SetFiles};
 use crate::request::verbs::{Request, VERB_FIELD};
-use crate::values::typed::trimmed;
+use crate::values::typed_numbers::trimmed;
 
 impl Request {
     /// Reads the fields of a request for `verb`.

@@ -76,7 +76,10 @@ impl SweepRequest {
             return Err(RequestFault::general(message));
         }
         // One point is one model. A share asks, too: all shares together, and the call that ends them, make as many.
-        if self.is_large() && self.point.is_none() && !self.answers.has(Question::ManyModels) && !self.dry_run
+        if self.is_large()
+            && self.point.is_none()
+            && !self.answers.confirms(Question::ManyModels)
+            && !self.dry_run
         {
             let message = phrase![
                 "{count} models would be made, more than 10,000: confirm it with {}, or give fewer values";

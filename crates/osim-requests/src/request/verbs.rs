@@ -222,7 +222,7 @@ macro_rules! verbs {
 }
 
 /// Whether requests for `verb` have a field for `input`.
-pub fn takes(verb: Verb, input: Input) -> bool {
+pub fn verb_takes(verb: Verb, input: Input) -> bool {
     silent_fields(verb).contains_key(input.name())
 }
 

@@ -7,7 +7,7 @@ use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
-use crate::values::typed::{LENGTHS, factor, number, number_in, trimmed};
+use crate::values::typed_numbers::{LENGTHS, factor, number, number_in, trimmed};
 
 /// Assignments to properties, in the given order.
 #[derive(Debug, Clone, PartialEq, Default)]

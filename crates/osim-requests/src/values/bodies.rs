@@ -11,7 +11,7 @@ use serde_json::Value;
 use serde_json::json;
 
 use crate::values::serial::from_texts;
-use crate::values::typed::{positive_number, trimmed};
+use crate::values::typed_numbers::{positive_number, trimmed};
 
 /// `BODY=BODY`: a body of the reference, and the body of the model that gets its spheres.
 #[derive(Debug, Clone, PartialEq, Eq)]

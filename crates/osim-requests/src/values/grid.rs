@@ -12,8 +12,8 @@ use serde_json::Value;
 
 use crate::values::assignment::assignment;
 use crate::values::serial::{from_texts, values_as_text};
-use crate::values::typed::{
-    Range, factor, plain_number, positive_number, respelled, spaced, trimmed, with_colons,
+use crate::values::typed_numbers::{
+    Range, advice_about_colons, factor, log_spaced, plain_number, positive_number, respell_colons, trimmed,
 };
 
 /// The largest number of values of a grid.
@@ -38,7 +38,7 @@ impl AxisName {
     pub fn suggested_axis(name: &str, values: &str) -> Option<String> {
         let name: Self = name.replace('-', "_").parse().ok()?;
         let is_axis = Range::is_meant(values) || values.contains(',');
-        let values = respelled(values).or_else(|| is_axis.then(|| values.to_owned()))?;
+        let values = respell_colons(values).or_else(|| is_axis.then(|| values.to_owned()))?;
         let axis = format!("{}={values}", name.as_str());
         axis.parse::<Axis>().is_ok().then_some(axis)
     }
@@ -107,7 +107,7 @@ impl FromStr for Axis {
         let name: AxisName = trimmed(name).parse()?;
         let mut values = Vec::new();
         for item in list.split(',') {
-            if let Some(answer) = with_colons(item) {
+            if let Some(answer) = advice_about_colons(item) {
                 return Err(answer);
             }
             if Range::is_meant(item) {
@@ -159,7 +159,7 @@ fn axis_range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
         return Err(expected());
     }
     let x = if first.is_factor { "x" } else { "" };
-    let mut values: Vec<GridValue> = spaced(first.number, last.number, range.count)
+    let mut values: Vec<GridValue> = log_spaced(first.number, last.number, range.count)
         .map(|number| GridValue {
             label: format!("{x}{}", six_digits(number)),
             number,
@@ -241,7 +241,7 @@ impl Grid {
     /// The values of the axis; if they are factors, multiplied by the present value `now`.
     pub fn values(self, now: f64) -> Vec<f64> {
         let unit = if self.factors { now } else { 1.0 };
-        spaced(self.from, self.to, self.count).map(|value| unit * value).collect()
+        log_spaced(self.from, self.to, self.count).map(|value| unit * value).collect()
     }
 }
 
@@ -254,7 +254,8 @@ impl FromStr for Grid {
                 "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST_POINTS}"
             )
         };
-        let range = Range::read(text, u32::MAX).ok_or_else(|| with_colons(text).unwrap_or_else(expected))?;
+        let range =
+            Range::read(text, u32::MAX).ok_or_else(|| advice_about_colons(text).unwrap_or_else(expected))?;
         let Some(factors) = range.are_factors() else {
             return Err("both ends are numbers, or both are factors like x0.1..x10/25".to_owned());
         };

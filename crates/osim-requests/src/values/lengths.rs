@@ -8,7 +8,7 @@ use osim_model::RadiusRule;
 use osim_model::messages::{readable, shortest};
 
 use crate::values::serial::values_as_text;
-use crate::values::typed::{LENGTHS, factor, not_negative, positive, trimmed};
+use crate::values::typed_numbers::{LENGTHS, factor, not_negative, positive, trimmed};
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
 #[derive(Debug, Clone, Copy, PartialEq)]

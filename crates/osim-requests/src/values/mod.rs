@@ -12,7 +12,7 @@ pub mod path;
 mod quantity;
 pub mod serial;
 pub(crate) mod shard;
-pub mod typed;
+pub mod typed_numbers;
 
 pub use assignment::{Assignments, assignment};
 pub use bodies::{BodyMap, BodyScale};

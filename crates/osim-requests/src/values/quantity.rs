@@ -7,7 +7,7 @@ use osim_model::messages::shortest;
 use serde::Serialize;
 
 use crate::values::serial::{values_as_text, values_from_text};
-use crate::values::typed::{
+use crate::values::typed_numbers::{
     LENGTHS, MASSES, converted, not_negative, plain_number, positive, positive_number, trimmed,
 };
 

@@ -10,7 +10,7 @@ use serde::Deserializer;
 use sha2::{Digest, Sha256};
 
 use crate::values::serial::{self, values_as_text};
-use crate::values::typed::trimmed;
+use crate::values::typed_numbers::trimmed;
 
 /// The largest number of shares; no cluster runs more jobs.
 const MOST_JOBS: u64 = 1_000_000_000;

@@ -263,7 +263,7 @@ pub fn state(
 
 /// A panel with the smoothed state of one body and the step without smoothing, or with the states of several bodies.
 pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Panel {
-    let mut panel = Panel::new("", indentation_axis(units), Axis::over("contact state (–)", 0.0, 1.05));
+    let mut panel = Panel::new("", indentation_axis(units), Axis::covering("contact state (–)", 0.0, 1.05));
     if let [(_, points)] = states.as_slice() {
         let ends = points.first().zip(points.last()).map(|(first, last)| (first.0, last.0));
         if let Some((from, to)) = ends.filter(|(from, to)| *from < 0.0 && *to > 0.0) {
@@ -361,7 +361,7 @@ pub fn indentations(states: &[Indentations<'_>]) -> Option<String> {
     let limit = limits::INDENTATION.value;
     let mut panel = Panel::new(
         "",
-        Axis::over("models, in order of x̂", 0.0, as_number(models + 1)),
+        Axis::covering("models, in order of x̂", 0.0, as_number(models + 1)),
         Axis::new("x̂ = x/R at rest (–)"),
     );
     panel.limits.push(Limit::horizontal(format!("limit, x̂ = {limit}"), limit));

@@ -109,7 +109,7 @@ fn remarks_on_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
 fn remark_on_floor(foot: &Foot) -> Option<String> {
     let metres = |value: f64| format!("{} m", four_significant(value)).replace('-', "−");
     match &foot.floor {
-        FloorPlace::At(height) if foot.is_near(*height) => None,
+        FloorPlace::At(height) if foot.is_near_height(*height) => None,
         FloorPlace::At(height) => {
             let lowest = foot.lowest_m()?;
             let off = (height - lowest).abs();
@@ -249,7 +249,7 @@ fn level_lines(foot: &Foot, up: &str) -> Vec<Level> {
         levels.push(Level { name, at: MM_PER_M * lowest, kind: LevelKind::Lowest });
     }
     if let FloorPlace::At(height) = foot.floor
-        && foot.is_near(height)
+        && foot.is_near_height(height)
     {
         let name = format!("floor, {}", mm(height));
         levels.push(Level { name, at: MM_PER_M * height, kind: LevelKind::Ground });

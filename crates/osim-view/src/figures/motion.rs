@@ -214,7 +214,7 @@ fn stride_panels(result: &MotionResult, index: usize, foot: &FootSummary) -> Opt
     if strides.is_empty() {
         return None;
     }
-    let axis = || Axis::over("stride (%)", 0.0, 100.0);
+    let axis = || Axis::covering("stride (%)", 0.0, 100.0);
     let mut forces = Panel::new("over strides", axis(), Axis::new("normal force / body weight (–)"));
     let mut depths = Panel::new("", axis(), Axis::new("deepest x/R (–)"));
     depths.limits.push(hertz_limit());

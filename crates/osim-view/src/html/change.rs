@@ -10,11 +10,11 @@ use osim_planning::{BeforeAfter, ModelFeet};
 use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::inspected::{self, ListedFiles};
-use crate::html::special::{DrawnStates, ModelFacts, deepest};
+use crate::html::special_models::{DrawnStates, ModelFacts, deepest};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, RunRow, findings, plots, reference};
 use crate::report::plan::{
-    centre, groups, is_new, moves_of_others, name_or_count, names, object_groups,
+    centre, equal_changes, is_new, moves_of_others, name_or_count, names, object_groups,
     properties_in_several_groups,
 };
 
@@ -236,7 +236,7 @@ fn table_of_numbers(topics: &mut Topics, plan: &Plan) -> Markup {
     if plan.changes.is_empty() {
         return html! {};
     }
-    let groups = groups(&plan.changes);
+    let groups = equal_changes(&plan.changes);
     // Names are shown only if a property has several groups of objects with different numbers.
     let several = properties_in_several_groups(&groups);
     let is_named =

@@ -8,7 +8,7 @@ use osim_patch::{NumberChange, Plan};
 
 use crate::html::explained::marked_outside;
 use crate::html::fragment::Fragment;
-use crate::html::special::{DrawnStates, Indentation, ModelFacts, is_too_deep};
+use crate::html::special_models::{DrawnStates, Indentation, ModelFacts, is_too_deep};
 use crate::report::explain::{ErrorCode, error};
 
 /// The mark of models that an earlier run has already changed.

@@ -6,7 +6,7 @@ use osim_model::messages::readable;
 
 use crate::html::explained::severity_tag;
 use crate::html::fragment::{Fragment, table};
-use crate::html::shell::command_line;
+use crate::html::page_frame::command_line;
 
 pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 

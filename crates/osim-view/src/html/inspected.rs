@@ -9,11 +9,11 @@ use osim_planning::ModelFeet;
 
 use crate::html::explained::file_name;
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
-use crate::html::special::{DrawnStates, ModelFacts};
+use crate::html::special_models::{DrawnStates, ModelFacts};
 use crate::html::sphere_figures::{self, ModelState};
 use crate::html::{Entry, findings, plots, reference};
 use crate::report::extent::Extent;
-use crate::report::inspection::table::{decimals, described, groups, metres, radius_text, sentences};
+use crate::report::inspection::table::{alike_forces, decimals, described, metres, radius_text, sentences};
 
 /// A model that was inspected, and the data about it for a page.
 pub struct InspectedModelOnPage<'m> {
@@ -86,7 +86,7 @@ pub(super) fn add_inspection_sections(
 }
 
 fn table_of_forces(inspected: &Inspection) -> Markup {
-    let groups = groups(inspected, Extent::Brief);
+    let groups = alike_forces(inspected, Extent::Brief);
     if groups.is_empty() {
         return html! { p { "No contact force." } };
     }

@@ -5,11 +5,11 @@
 //! stay flat however many models there are.
 //!
 //! ```
-//! use osim_view::html::{About, Columns, InMemory, DeferredParts, Page};
+//! use osim_view::html::{PageHead, Columns, InMemory, DeferredParts, Page};
 //! use osim_model::messages::Verb;
 //! use osim_requests::spell::CommandLine;
 //!
-//! let about = About::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
+//! let head = PageHead::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
 //! let page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
 //! let mut bytes = Vec::new();
 //! page.finish(&mut bytes)?;
@@ -23,15 +23,15 @@ mod entry;
 mod explained;
 mod findings;
 mod fragment;
-mod glance;
 mod inspected;
 mod models_table;
+mod overview;
 mod page;
+mod page_frame;
 mod plots;
 mod reference;
 mod sections;
-mod shell;
-mod special;
+mod special_models;
 mod sphere_figures;
 
 pub use change::{ChangedModelOnPage, entry_of_changed_model};
@@ -39,7 +39,7 @@ pub use entry::{EarlierRun, Entry, RowError, RunRow};
 pub use fragment::{DetailLevel, Section};
 pub use inspected::{InspectedModelOnPage, ListedFiles, NamedDigest, entry_of_inspected_model};
 pub use models_table::Columns;
-pub use page::{About, DeferredParts, DeferredText, InMemory, Page};
+pub use page::{DeferredParts, DeferredText, InMemory, Page, PageHead};
+pub use page_frame::GENERATOR;
 pub use plots::recording;
 pub use sections::{Explained, Sections};
-pub use shell::GENERATOR;

@@ -6,8 +6,8 @@ use osim_model::messages::Dialect;
 use crate::html::entry::{Cell, EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, breakable_path};
 use crate::html::fragment::header_cell;
-use crate::html::special::ChosenModels;
-use crate::html::{glance, plots};
+use crate::html::special_models::ChosenModels;
+use crate::html::{overview, plots};
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
 pub(super) const IN_FULL: (&str, &str) = ("in-full", "Each model in full");
@@ -120,8 +120,8 @@ fn table_cell(cell: &Cell) -> Markup {
 }
 
 /// The beginning of the first section, before the table of failed models.
-pub(super) fn glance_opening(counts: &Markup) -> String {
-    let (id, title) = glance::SECTION;
+pub(super) fn overview_opening(counts: &Markup) -> String {
+    let (id, title) = overview::SECTION;
     format!(
         "<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{}\n",
         counts.0
@@ -182,7 +182,7 @@ pub(super) const SECTION: (&str, &str) = ("chosen", "Plots of special models");
 
 pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {
     let (id, title) = SECTION;
-    let models = chosen.choice();
+    let models = chosen.models_to_draw();
     let feet = models.iter().any(|(one, _)| !one.drawn.feet.is_empty());
     html! {
         section id=(id) aria-labelledby="chosen-title" {

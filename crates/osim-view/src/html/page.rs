@@ -7,10 +7,10 @@ use osim_requests::spell::FrontEnd;
 
 use crate::html::explained::{self, Topics, file_name};
 use crate::html::fragment::Fragment;
-use crate::html::glance::{self, PageCounts};
 use crate::html::models_table::{self, Columns};
-use crate::html::special::{ChosenModels, MAX_DRAWN};
-use crate::html::{Entry, shell};
+use crate::html::overview::{self, PageCounts};
+use crate::html::special_models::{ChosenModels, MAX_DRAWN};
+use crate::html::{Entry, page_frame};
 
 /// The largest number of models with details. Other models only have a row in the table.
 const MOST_MODELS_IN_FULL: usize = 1000;
@@ -22,9 +22,9 @@ const MOST_OPEN_ON_PAPER: usize = 20;
 /// ```
 /// use osim_model::messages::Verb;
 /// use osim_requests::spell::CommandLine;
-/// use osim_view::html::{About, Columns, Entry, InMemory, DeferredParts, Page};
+/// use osim_view::html::{PageHead, Columns, Entry, InMemory, DeferredParts, Page};
 ///
-/// let about = About::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
+/// let head = PageHead::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
 /// let mut page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
 /// page.add(Entry::without_contacts("models/arm.osim"));
 /// let mut bytes = Vec::new();
@@ -33,7 +33,7 @@ const MOST_OPEN_ON_PAPER: usize = 20;
 /// # Ok::<(), std::io::Error>(())
 /// ```
 pub struct Page<'d, S> {
-    about: About,
+    head: PageHead,
     parts: DeferredParts<S>,
     dialect: &'d dyn FrontEnd,
     topics: Topics,
@@ -61,9 +61,9 @@ pub struct DeferredParts<S> {
 
 impl<'d, S: DeferredText> Page<'d, S> {
     /// A page without models. `parts` stores the texts of the page until it is written.
-    pub fn new(about: About, parts: DeferredParts<S>, dialect: &'d dyn FrontEnd) -> Self {
+    pub fn new(head: PageHead, parts: DeferredParts<S>, dialect: &'d dyn FrontEnd) -> Self {
         Self {
-            about,
+            head,
             parts,
             dialect,
             topics: Topics::default(),
@@ -86,7 +86,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
     fn add_entry(&mut self, mut entry: Entry) -> io::Result<()> {
         self.counts.add(&entry);
         let fragment = entry.fragment.take();
-        if self.about.model.is_some() {
+        if self.head.model.is_some() {
             return self.add_alone(&entry, fragment.map(|fragment| *fragment));
         }
         if entry.failed {
@@ -101,7 +101,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         let details = fragment.is_some().then_some(number);
         self.parts.rows.add(&terminal_safe(&models_table::row(
             &entry,
-            self.about.columns,
+            self.head.columns,
             details,
             &mut self.topics,
         )))?;
@@ -112,8 +112,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn add_alone(&mut self, entry: &Entry, fragment: Option<Fragment>) -> io::Result<()> {
-        let glance = glance::glance_of_one_model(entry, &models_table::code(entry, &mut self.topics));
-        self.parts.rows.add(&terminal_safe(&glance.0))?;
+        let overview = overview::overview_of_one_model(entry, &models_table::code(entry, &mut self.topics));
+        self.parts.rows.add(&terminal_safe(&overview.0))?;
         let Some(fragment) = fragment else { return Ok(()) };
         self.topics.add(&fragment.topics);
         self.sections = fragment.sections.iter().map(|section| (section.id, section.title)).collect();
@@ -128,12 +128,12 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if let Some(error) = self.first_error {
             return Err(error);
         }
-        let several = self.about.model.is_none();
-        let title = self.about.title(self.counts.models);
+        let several = self.head.model.is_none();
+        let title = self.head.title(self.counts.models);
         // This table adds codes, which are explained later.
         let findings = if several { self.counts.findings(&mut self.topics).0 } else { String::new() };
         let sections = self.all_sections();
-        page.write_all(terminal_safe(&shell::opening(&title, self.page_class(), &sections)).as_bytes())?;
+        page.write_all(terminal_safe(&page_frame::opening(&title, self.page_class(), &sections)).as_bytes())?;
         if several {
             self.write_library(&findings, page)?;
         } else {
@@ -144,14 +144,14 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if !self.topics.is_empty() {
             page.write_all(explained::explained_section(&self.topics, self.dialect).as_bytes())?;
         }
-        page.write_all(shell::origin_and_closing().as_bytes())
+        page.write_all(page_frame::origin_and_closing().as_bytes())
     }
 
     fn write_library(&mut self, findings: &str, page: &mut dyn Write) -> io::Result<()> {
         let remarks_on_omissions = self.remarks_on_omissions();
-        page.write_all(models_table::glance_opening(&self.counts.counts()).as_bytes())?;
+        page.write_all(models_table::overview_opening(&self.counts.counts()).as_bytes())?;
         if self.counts.failed > 0 {
-            page.write_all(models_table::failures_opening(self.about.columns).as_bytes())?;
+            page.write_all(models_table::failures_opening(self.head.columns).as_bytes())?;
             self.parts.failures.write_to(page)?;
             page.write_all(models_table::FAILURES_END.as_bytes())?;
         }
@@ -159,7 +159,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
         page.write_all(models_table::SECTION_END.as_bytes())?;
         self.write_call(page)?;
         page.write_all(terminal_safe(&self.counts.chart().0).as_bytes())?;
-        page.write_all(models_table::table_opening(self.about.columns, &remarks_on_omissions).as_bytes())?;
+        page.write_all(models_table::table_opening(self.head.columns, &remarks_on_omissions).as_bytes())?;
         self.parts.rows.write_to(page)?;
         page.write_all(models_table::TABLE_END.as_bytes())?;
         if !self.chosen.is_empty() {
@@ -174,12 +174,12 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn write_call(&self, page: &mut dyn Write) -> io::Result<()> {
-        page.write_all(terminal_safe(&shell::purpose(self.about.verb, &self.about.call)).as_bytes())
+        page.write_all(terminal_safe(&page_frame::purpose(self.head.verb, &self.head.call)).as_bytes())
     }
 
     /// The class of the page in the style sheet.
     fn page_class(&self) -> &'static str {
-        match (self.about.model.is_none(), self.counts.models > MOST_OPEN_ON_PAPER) {
+        match (self.head.model.is_none(), self.counts.models > MOST_OPEN_ON_PAPER) {
             (false, _) => "one open-on-paper",
             (true, false) => "library open-on-paper",
             (true, true) => "library closed-on-paper",
@@ -187,18 +187,18 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn all_sections(&self) -> Vec<(&'static str, &'static str)> {
-        let mut sections = vec![glance::SECTION, shell::ASKED];
-        match &self.about.model {
+        let mut sections = vec![overview::SECTION, page_frame::ASKED];
+        match &self.head.model {
             Some(_) => sections.extend(&self.sections),
             None => {
-                sections.extend(Some(glance::CHART).filter(|_| self.counts.now.len() > 1));
+                sections.extend(Some(overview::CHART).filter(|_| self.counts.now.len() > 1));
                 sections.push(models_table::MODELS);
                 sections.extend(Some(models_table::SECTION).filter(|_| !self.chosen.is_empty()));
                 sections.extend(Some(models_table::IN_FULL).filter(|_| self.shown_in_full > 0));
             }
         }
         sections.extend(Some(explained::SECTION).filter(|_| !self.topics.is_empty()));
-        sections.push(shell::ORIGIN);
+        sections.push(page_frame::ORIGIN);
         sections
     }
 
@@ -230,7 +230,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
 }
 
 #[derive(Debug, Clone)]
-pub struct About {
+pub struct PageHead {
     pub verb: Verb,
     pub model: Option<String>,
     /// The columns of the table, if the page is about several models.
@@ -239,7 +239,7 @@ pub struct About {
     pub call: String,
 }
 
-impl About {
+impl PageHead {
     /// A page of `verb`, about the one `model`, or about several models (`None`).
     pub fn new(verb: Verb, model: Option<String>, columns: Columns, call: impl Into<String>) -> Self {
         Self { verb, model, columns, call: call.into() }

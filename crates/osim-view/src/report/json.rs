@@ -52,9 +52,9 @@ impl Formatter for VisibleLetters {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FailureRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The file, as it was named.
+    /// The file, as the caller named it.
     pub model: String,
     /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -101,9 +101,9 @@ impl FailureRecord {
 #[derive(Debug, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct PlanRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The model as it was named.
+    /// The model, as the caller named it.
     pub model: String,
     /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -154,7 +154,7 @@ pub struct ObjectRecord {
     pub name: String,
     /// Component path of the object.
     pub path: String,
-    /// The body that carries it, or its sphere; null for a floor.
+    /// The body that carries the object, or the sphere of the object; null for a floor.
     pub body: Option<String>,
     /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
     #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]

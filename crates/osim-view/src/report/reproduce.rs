@@ -15,7 +15,7 @@ use crate::report::layout::{WIDTH, csv_text, filled, table, wrapped};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct ReproductionRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// The rows of Table 1, in its order.
     pub table1: Vec<AnimalRecord>,
@@ -35,11 +35,11 @@ pub struct AnimalRecord {
     pub taxon: &'static str,
     /// Mass of the body, kg.
     pub mass_kg: f64,
-    /// Spheres n that share its weight.
+    /// Number n of spheres that share the animal's weight.
     pub sphere_count: f64,
     /// Radius of the animal's spheres, m.
     pub radius_m: f64,
-    /// The numbers of its row.
+    /// The numbers in the animal's row of the table.
     pub values: Vec<NumberRecord>,
 }
 
@@ -56,7 +56,7 @@ pub struct NumberRecord {
     pub unit: &'static str,
     /// Number of the equation; empty where it is given, or the result of the drop test.
     pub equation: &'static str,
-    /// As the paper prints it, with all its digits.
+    /// The number as the paper prints it, with all digits.
     pub printed: &'static str,
     /// The number as this program computes it.
     pub computed: f64,

@@ -6,27 +6,32 @@ use osim_model::messages::Verb;
 use osim_planning::ModelFeet;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
-    About, ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InMemory,
-    InspectedModelOnPage, ListedFiles, NamedDigest, Page, RowError, RunRow, entry_of_changed_model,
+    ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InMemory,
+    InspectedModelOnPage, ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, entry_of_changed_model,
     entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
 
-fn page(about: About, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
-    let mut page = Page::new(about, DeferredParts::<InMemory>::default(), front_end);
+fn page(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
+    let mut page = Page::new(head, DeferredParts::<InMemory>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
     String::from_utf8(bytes).unwrap()
 }
 
-fn check(model: Option<&str>) -> About {
-    About::new(Verb::Check, model.map(str::to_owned), Columns::Inspections, "osim-contact-scale check a.osim")
+fn check(model: Option<&str>) -> PageHead {
+    PageHead::new(
+        Verb::Check,
+        model.map(str::to_owned),
+        Columns::Inspections,
+        "osim-contact-scale check a.osim",
+    )
 }
 
-fn changes(model: Option<&str>) -> About {
-    About::new(Verb::Rescale, model.map(str::to_owned), Columns::Changes, "osim-contact-scale a.osim")
+fn changes(model: Option<&str>) -> PageHead {
+    PageHead::new(Verb::Rescale, model.map(str::to_owned), Columns::Changes, "osim-contact-scale a.osim")
 }
 
 fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
@@ -99,8 +104,8 @@ fn one_model_has_sections_plots_and_explanations() {
 #[test]
 fn names_from_files_are_escaped_on_a_page() {
     let failure = Failure::outside("<b>.osim", "unreadable", "it is \"not\" <there>".to_owned());
-    let about = About::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
-    let text = page(about, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
+    let head = PageHead::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
+    let text = page(head, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
     assert!(!text.contains("<b>.osim") && !text.contains("<there>"));
     assert!(text.contains("&lt;b&gt;.osim") && text.contains("failed: it is &quot;not&quot; &lt;there&gt;"));
     assert_anchors(&text);

@@ -169,7 +169,7 @@ impl Foot {
     }
 
     /// Whether `height_m` is at most one foot length away from the foot's lowest point.
-    pub fn is_near(&self, height_m: f64) -> bool {
+    pub fn is_near_height(&self, height_m: f64) -> bool {
         self.lowest_m().is_some_and(|lowest| (height_m - lowest).abs() <= self.length_m())
     }
 

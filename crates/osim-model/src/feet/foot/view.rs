@@ -85,7 +85,7 @@ pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
     let size = span.max_element();
     let outline = Outline::new(points, hull, CELL_SHARE * size);
     let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_OVER_SPACING * outline.spacing());
-    outline.tightened(longest)
+    outline.with_short_edges(longest)
 }
 
 /// An outline while its long edges are being replaced.
@@ -110,7 +110,7 @@ impl Outline {
         (area.abs() / count).sqrt()
     }
 
-    fn tightened(mut self, longest: f64) -> Vec<DVec2> {
+    fn with_short_edges(mut self, longest: f64) -> Vec<DVec2> {
         let mut final_edges: HashSet<[u64; 4]> = HashSet::new();
         while let Some((index, from, to)) = self.longest_edge(longest, &final_edges) {
             match self.nearest_inside(from, to) {

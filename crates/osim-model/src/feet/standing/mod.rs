@@ -2,7 +2,7 @@
 //! the depths at which they carry the weight.
 
 mod gaps;
-mod held;
+mod held_trees;
 mod level;
 mod lift;
 
@@ -18,7 +18,7 @@ use super::fault::PoseFault;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
 use gaps::{FloorContact, SphereFloors};
 pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
-pub use held::held_roots;
+pub use held_trees::held_roots;
 pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftSearch};
 pub use lift::{Lift, NotLifted};

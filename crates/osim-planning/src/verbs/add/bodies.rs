@@ -7,7 +7,7 @@ use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Phrase, phrase, readable, shown};
 use osim_model::{Fault, FaultKind, MissingFact};
 use osim_requests::RequestFault;
-use osim_requests::values::typed::trimmed;
+use osim_requests::values::typed_numbers::trimmed;
 
 /// The beginning of the paths that OpenSim gives to bodies.
 const BODY_SET: &str = "/bodyset/";

@@ -145,16 +145,16 @@ impl AddPlanner {
 
     /// Asks about radii that look like another unit. The question for other changes does not include the radii of new spheres.
     fn ask_about_radii(&self, built: &Model, layout: &ContactLayout) -> Result<(), Fault> {
-        if self.answers.has(Question::ImplausibleRadius) {
+        if self.answers.confirms(Question::ImplausibleRadius) {
             return Ok(());
         }
         let new_spheres: HashSet<&str> =
             layout.contacts.iter().map(|contact| contact.sphere.as_str()).collect();
         let distances = built.joint_distances();
         let spheres = built.spheres().iter().filter(|sphere| new_spheres.contains(sphere.name.as_str()));
-        let mut slips =
+        let mut suspicions =
             spheres.filter_map(|sphere| distances.implausible_radius(sphere, sphere.radius.number, true));
-        slips.next().map_or(Ok(()), |doubt| Err(Fault::new(doubt)))
+        suspicions.next().map_or(Ok(()), |doubt| Err(Fault::new(doubt)))
     }
 }
 

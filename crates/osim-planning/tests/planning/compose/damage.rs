@@ -20,7 +20,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
     let right = names(model, Side::Right);
     let first: Vec<&str> = left.first().copied().into_iter().collect();
     let set = |assignments: Value, select: &[&str]| {
-        changed(text, &json!({"verb": "set", "set": assignments, "select": select}))
+        edited(text, &json!({"verb": "set", "set": assignments, "select": select}))
     };
     let made: Vec<(&'static str, Option<String>)> = vec![
         (
@@ -45,7 +45,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ("smoothed too much", set(json!({"hertz_smoothing": "x0.05"}), &[])),
         (
             "one missing",
-            (!first.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": first}))).flatten(),
+            (!first.is_empty()).then(|| edited(text, &json!({"verb": "remove", "select": first}))).flatten(),
         ),
         ("one doubled", with_doubled_force(text, model)),
         ("bones x 1.2", numbers_multiplied(text, "scale_factors", 1.2)),
@@ -77,7 +77,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ("radii in feet", set(json!({"radius": "x3.28084"}), &[])),
         (
             "left forces deleted",
-            (!left.is_empty()).then(|| changed(text, &json!({"verb": "remove", "select": left}))).flatten(),
+            (!left.is_empty()).then(|| edited(text, &json!({"verb": "remove", "select": left}))).flatten(),
         ),
         ("places rounded", damage_each(text, model, "ContactSphere", PLACE_TAGS, rounded_numbers)),
     ];
@@ -91,7 +91,7 @@ fn names(model: &Model, side: Side) -> Vec<&str> {
 }
 
 /// The model after a request, without a note of the change; `None` if the request is refused.
-fn changed(text: &str, fields: &Value) -> Option<String> {
+fn edited(text: &str, fields: &Value) -> Option<String> {
     let mut fields = fields.as_object()?.clone();
     fields.retain(|_, value| *value != json!([]));
     fields.extend([("models".to_owned(), json!([NAME])), ("no_note".to_owned(), true.into())]);

@@ -3,8 +3,8 @@
 
 mod cases;
 mod damage;
+mod damage_findings;
 mod folder_in_memory;
-mod named;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -56,7 +56,7 @@ impl Counts {
         self.without.extend(other.without);
     }
 
-    fn fails(&mut self, name: &str, cause: &str, what: &str) {
+    fn add_failure(&mut self, name: &str, cause: &str, what: &str) {
         *self.causes.entry(cause.to_owned()).or_default() += 1;
         self.failures.push(format!("{name}: {cause}: {what}"));
     }
@@ -81,7 +81,7 @@ fn run_command(
     let before = folder.check(Path::new(&model));
     let ran = match folder.run(request) {
         Err(why) => {
-            counts.fails(name, "refused", &format!("{said}: {why}"));
+            counts.add_failure(name, "refused", &format!("{said}: {why}"));
             return None;
         }
         Ok(ran) => ran,
@@ -89,7 +89,7 @@ fn run_command(
     let different = differs_from_check(folder, request, &ran);
     let made = ran.output;
     let (Some(before), Some(after)) = (before, folder.check(Path::new(&made))) else {
-        counts.fails(name, "cannot be checked", &said);
+        counts.add_failure(name, "cannot be checked", &said);
         return Some(made);
     };
     let its = before.findings.iter().filter(|one| one.remedy.as_ref() == Some(request));
@@ -101,7 +101,7 @@ fn run_command(
     };
     let mut held = different.is_none();
     if let Some(different) = different {
-        counts.fails(name, "not what check says of the result", &format!("{said}: {different}"));
+        counts.add_failure(name, "not what check says of the result", &format!("{said}: {different}"));
     }
     let all_after: BTreeSet<_> = after
         .findings
@@ -109,12 +109,12 @@ fn run_command(
         .map(|one| (one.code(), one.place.clone().filter(|_| one.spheres.is_empty())))
         .collect();
     if let Some(left) = its.iter().find(|one| all_after.contains(one)) {
-        counts.fails(name, "finding stays", &format!("{said}: {left:?}"));
+        counts.add_failure(name, "finding stays", &format!("{said}: {left:?}"));
         held = false;
     }
     let (old, new) = (codes(&was), codes(&is));
     if let Some(new) = new.difference(&old).next() {
-        counts.fails(name, "new warning", &format!("{said}: {new}"));
+        counts.add_failure(name, "new warning", &format!("{said}: {new}"));
         held = false;
     }
     let pairs = verbs
@@ -136,7 +136,7 @@ fn run_command(
             _ => None,
         };
         if let Some(worse) = worse {
-            counts.fails(name, "a verb afterwards", &format!("{said}, then {call}: {worse}"));
+            counts.add_failure(name, "a verb afterwards", &format!("{said}, then {call}: {worse}"));
             held = false;
         }
     }
@@ -200,7 +200,7 @@ fn try_model(name: &str, text: &str, given: &Value, with_verbs: bool, counts: &m
     let left = last.and_then(|last| folder.check(Path::new(&last)));
     let settled = left.as_ref().is_some_and(|left| commands(left).is_empty());
     if !settled {
-        counts.fails(
+        counts.add_failure(
             name,
             "chain: advice again",
             &format!(
@@ -248,7 +248,7 @@ fn try_commands_in_texts(
             let gone = ran.is_some_and(|left| left.findings.iter().all(|one| one.code() != finding.code()));
             counts.prose.1 += usize::from(gone);
             if !gone {
-                counts.fails(name, "prose", &format!("{}: {}", finding.code(), request.to_json()));
+                counts.add_failure(name, "prose", &format!("{}: {}", finding.code(), request.to_json()));
             }
         }
     }

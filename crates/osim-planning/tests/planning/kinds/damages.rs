@@ -5,9 +5,9 @@ use super::published::{
 };
 
 /// A kind of damage: its name in the list, the codes of the findings about it, and the function that makes it.
-pub type Kind = (&'static str, &'static str, fn(&Published) -> Edited);
+pub type DamageKind = (&'static str, &'static str, fn(&Published) -> Edited);
 
-pub const DAMAGES: &[Kind] = &[
+pub const DAMAGES: &[DamageKind] = &[
     (
         "all contacts on one limb named l by typo: right forces name left spheres",
         "sphere-in-two-forces one-side-only left-right-missing left-right-swapped",

@@ -2,12 +2,12 @@
 
 use osim_model::{ElementId, ModelJoint, Side};
 
-use super::damages::Kind;
+use super::damages::DamageKind;
 use super::published::{Edited, FRAME, Published, SPHERE, all, is_left};
 use super::unread::{is_calcn_r, moved};
 
-/// Damages beside those in the list; each has to be accused, the last one to be remarked.
-pub const SKELETON: &[Kind] = &[
+/// Kinds of damage that `kinds.md` does not list: `check` reports each as an error or a warning, the last one as a remark.
+pub const SKELETON: &[DamageKind] = &[
     ("left shank on the right thigh", "odd-parent", |m| {
         let thigh = m.body(&["femur", "thigh"], "x_r")?;
         with_parent(m, leg_joint(m, &["tibia", "shank"], Side::Left)?, &thigh)

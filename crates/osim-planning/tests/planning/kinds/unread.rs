@@ -2,14 +2,14 @@
 
 use osim_model::ElementId;
 
-use super::damages::Kind;
+use super::damages::DamageKind;
 use super::published::{BODY, Edited, FLOOR, FORCES, Published, SPHERE, is_left, triple};
 
 const CONNECTED: &str = "connectee-by-name socket-nowhere body-without-joint";
 const MISREAD: &str = "odd-number not-finite";
 const SETS: &[&str] = &["HuntCrossleyForce::ContactParameters"];
 
-pub const UNREAD: &[Kind] = &[
+pub const UNREAD: &[DamageKind] = &[
     ("all forces name one sphere", "sphere-in-two-forces", |m| {
         let spheres = m.model.spheres();
         let first = &spheres.first()?.name;

@@ -24,7 +24,7 @@ use crate::report::json::line;
 pub enum TopicRecord {
     /// An equation, or a rule of this project.
     Equation {
-        /// Raised when a field changes its meaning or goes away.
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
         schema_version: u32,
         /// The paper's number without brackets, or a name.
         label: &'static str,
@@ -36,12 +36,12 @@ pub enum TopicRecord {
         symbols: Vec<SymbolRecord>,
         /// Source of the equation.
         source: String,
-        /// Which part of the project uses it.
+        /// Which part of the project uses the equation.
         used: String,
     },
     /// A property of a contact, or a figure.
     Quantity {
-        /// Raised when a field changes its meaning or goes away.
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
         schema_version: u32,
         /// OpenSim's name of a property, or the name of the field in JSON and CSV.
         name: &'static str,
@@ -60,13 +60,13 @@ pub enum TopicRecord {
     },
     /// A finding, of a model or of a change.
     Finding {
-        /// Raised when a field changes its meaning or goes away.
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
         schema_version: u32,
         /// Stable short name of the finding.
         code: &'static str,
         /// Severity of the finding.
         severity: &'static str,
-        /// Whether a check looks for it; else changes alone report it.
+        /// Whether a check looks for this fault; else only changes report it.
         checked: bool,
         /// What the finding is, in a sentence.
         what: String,
@@ -76,12 +76,12 @@ pub enum TopicRecord {
         advice: String,
         /// What the command does that `check` proposes; null where it cannot propose one.
         fix: Option<String>,
-        /// Why no request repairs it.
+        /// Why no request repairs the fault.
         why_no_fix: Option<String>,
     },
     /// An error that the command can end with.
     Error {
-        /// Raised when a field changes its meaning or goes away.
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
         schema_version: u32,
         /// Stable short name of the error.
         code: &'static str,

@@ -116,7 +116,7 @@ impl ModelsTable {
     ) -> String {
         // A line with an end has no room for the folder that they are all in.
         let folder = width.map(|_| self.common_folder()).unwrap_or_default();
-        let (columns, name_width) = self.fitting(width, folder);
+        let (columns, name_width) = self.columns_that_fit(width, folder);
         let headings: Vec<&str> =
             std::iter::once("model").chain(columns.iter().map(|column| column.as_str())).collect();
         let mut table = table(&headings);
@@ -153,7 +153,7 @@ impl ModelsTable {
     }
 
     /// The columns that fit into lines of at most `width` columns, and the largest width of names; `None` if lines have no limit.
-    fn fitting(&self, width: Option<usize>, folder: &str) -> (Vec<Column>, Option<usize>) {
+    fn columns_that_fit(&self, width: Option<usize>, folder: &str) -> (Vec<Column>, Option<usize>) {
         let mut columns = Column::ALL.to_vec();
         let Some(width) = width else { return (columns, None) };
         let longest = self
@@ -255,24 +255,24 @@ fn class(inspected: &Inspection) -> &'static str {
 }
 
 /// The value of a figure, and whether it is within its limit.
-struct Judged {
+struct JudgedFigure {
     value: f64,
     within: bool,
 }
 
 /// x̂ of a sphere under one body weight, by the law of its force's class.
-fn indentation_at_rest(sphere: &SphereFigures) -> Option<Judged> {
+fn indentation_at_rest(sphere: &SphereFigures) -> Option<JudgedFigure> {
     let known = [Figure::IndentationModelLaw, Figure::Indentation];
     let figure = known.into_iter().find(|&figure| sphere.value(figure).is_some())?;
-    Some(Judged { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
+    Some(JudgedFigure { value: sphere.value(figure)?, within: sphere.is_within(figure) != Some(false) })
 }
 
 /// The restitution by the contact law itself, judged by the limit that the paper gives with (13), so that the mark is about the number
 /// beside it.
-fn restitution(sphere: &SphereFigures) -> Option<Judged> {
+fn restitution(sphere: &SphereFigures) -> Option<JudgedFigure> {
     let value = sphere.value(Figure::RestitutionExact)?;
     let limit = Figure::RestitutionApproximate.info().limit;
-    Some(Judged { value, within: limit.is_none_or(|limit| limit.admits(value)) })
+    Some(JudgedFigure { value, within: limit.is_none_or(|limit| limit.admits(value)) })
 }
 
 /// The value with three digits and a power of ten, because moduli have many zeros.
@@ -295,11 +295,12 @@ fn range(values: impl Iterator<Item = f64>, written: fn(f64) -> String) -> Strin
 }
 
 /// The worst of all values, as `worse` decides, with a mark if any value is outside its limit.
-fn worst_in_words(values: impl Iterator<Item = Judged>, worse: fn(f64, f64) -> f64) -> String {
-    let one = values.reduce(|a, b| Judged { value: worse(a.value, b.value), within: a.within && b.within });
+fn worst_in_words(values: impl Iterator<Item = JudgedFigure>, worse: fn(f64, f64) -> f64) -> String {
+    let one =
+        values.reduce(|a, b| JudgedFigure { value: worse(a.value, b.value), within: a.within && b.within });
     match one {
-        Some(Judged { value, within: true }) => three_significant(value),
-        Some(Judged { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
+        Some(JudgedFigure { value, within: true }) => three_significant(value),
+        Some(JudgedFigure { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
         None => MISSING_VALUE.to_owned(),
     }
 }
@@ -310,5 +311,5 @@ fn findings_in_words(inspected: &Inspection, counts: Counts) -> String {
     if inspected.forces.is_empty() && counts.error + counts.warning == 0 {
         return NO_CONTACTS.to_owned();
     }
-    counts.worst().describe(MISSING_VALUE)
+    counts.only_worst().describe(MISSING_VALUE)
 }

@@ -162,7 +162,7 @@ struct AlikeSpheres<'a> {
 /// The tables of figures; empty if there are no figures and no reason has to be given.
 pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout: Layout) -> String {
     let extent = layout.extent;
-    let groups = groups(inspected, extent);
+    let groups = alike_spheres(inspected, extent);
     let mut text = String::new();
     if let Some(why) = &inspected.figures.why_no_body_weight {
         text.push_str(&layout.wrapped(&format!("no values under body weight: {why}"), ""));
@@ -202,10 +202,10 @@ fn own_heights_table(inspected: &Inspection, layout: Layout) -> String {
         table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, MOST_NAMES_LISTED)]);
     }
     table.right_aligned(&[1, 2]);
-    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.within(layout.columns))
+    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.to_lines(layout.columns))
 }
 
-fn groups(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
+fn alike_spheres(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
     let mut groups: Vec<AlikeSpheres<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for limb in &inspected.figures.limbs {
@@ -240,7 +240,7 @@ fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, lay
         table.add_row([vec![name, limit(figure)], values].concat());
     }
     table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
-    format!("{}\n", table.within(layout.columns))
+    format!("{}\n", table.to_lines(layout.columns))
 }
 
 fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {

@@ -111,14 +111,14 @@ fn table_of_spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
     table.right_aligned(&[3, 4, 5, 6]);
     format!(
         "{}\n  (in m; the lowest point in the body's frame, with the body's axes upright)\n",
-        table.within(layout.columns)
+        table.to_lines(layout.columns)
     )
 }
 
 /// A row for each group of forces with the same parameters, and a legend with the names of these forces.
 fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
     let extent = layout.extent;
-    let groups = groups(inspected, extent);
+    let groups = alike_forces(inspected, extent);
     let mut table = table(&["", "E1*", "E*", "alpha", "friction", "slip", "cf", "bd", "bv"]);
     let mut legend = String::new();
     for (index, group) in groups.into_iter().enumerate() {
@@ -127,7 +127,7 @@ fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
         table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
-    let mut text = format!("{legend}\n{}\n", table.within(layout.columns));
+    let mut text = format!("{legend}\n{}\n", table.to_lines(layout.columns));
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
     if inspected.forces.iter().any(has_default) {
@@ -166,7 +166,7 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3]);
-    format!("{}\n", table.within(layout.columns))
+    format!("{}\n", table.to_lines(layout.columns))
 }
 
 // A body over its floor and on its feet, in sentences: the text and the page share them.
@@ -253,7 +253,7 @@ pub struct ForceGroup<'m> {
 }
 
 /// The forces of a model in groups; the forces of a group have the same parameters.
-pub fn groups(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
+pub fn alike_forces(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
     let mut groups: Vec<ForceGroup<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {

@@ -66,7 +66,7 @@ fn rows(drop: &DropResult, columns: Option<usize>) -> String {
         }
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.within(columns))
+    format!("{}\n", table.to_lines(columns))
 }
 
 /// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.
@@ -142,7 +142,7 @@ pub struct DropRecord<'d>(&'d DropResult);
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct DropDifferenceRecord {
-    /// Name of the other body.
+    /// Name of the body with which this one is compared.
     pub other: String,
     /// The other body's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -205,7 +205,10 @@ impl schemars::JsonSchema for DropRecord<'_> {
 
     fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
         let mut object = ObjectSchema::new(generator);
-        object.field::<u32>("schema_version", "Raised when a field changes its meaning or goes away.");
+        object.field::<u32>(
+            "schema_version",
+            "Version of this JSON, which rises when a field changes its meaning or goes away.",
+        );
         object.field::<String>("model", "The model or preset.");
         object.field_or_none::<Option<Vec<u8>>>("model_bytes", "Its name in bytes, if it is not UTF-8.");
         for figure in DropFigure::ALL {

@@ -119,7 +119,7 @@ fn restitution(fit: &Fit) -> String {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct FitRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// Name of the file of the measurement.
     pub file: String,

@@ -11,7 +11,7 @@ use serde::Serialize;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct MotionRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// Name of the model's file.
     pub model: String,

@@ -15,13 +15,13 @@ use crate::report::layout::{WIDTH, filled, table};
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct PresetRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
     /// Name of the preset.
     pub name: String,
-    /// Where its numbers are published.
+    /// Where the numbers of the preset are published.
     pub source: String,
-    /// The mass it was made for, kg.
+    /// The mass that the contact was made for, kg.
     pub mass_kg: f64,
     /// Spheres that share the weight.
     pub spheres: f64,
@@ -49,7 +49,7 @@ pub struct PresetRecord {
 pub struct DimensionlessRecord {
     /// E* R² n / (M g).
     pub modulus: f64,
-    /// x̂ under its share of the body weight, by the Hertz law (11).
+    /// x̂ of a sphere under its share of the body weight, by the Hertz law (11).
     pub relative_indentation: f64,
     /// Dimensionless dissipation α √(g R).
     pub dissipation: f64,
@@ -117,7 +117,7 @@ pub fn preset_text(preset: &Preset, columns: Option<usize>) -> String {
         "{}\n{}\n\n{}\n\nrelative indentation at body weight: {}\n",
         preset.name,
         filled(&format!("source: {}", preset.source), columns.unwrap_or(WIDTH)),
-        table.within(columns),
+        table.to_lines(columns),
         four_significant(dimensionless.relative_indentation())
     )
 }
@@ -166,9 +166,9 @@ pub fn design_sheet_text(sheet: &DesignSheet, columns: Option<usize>) -> String 
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
 pub struct SweepRecord {
-    /// Raised when a field changes its meaning or goes away.
+    /// Version of this JSON, which rises when a field changes its meaning or goes away.
     pub schema_version: u32,
-    /// The model, as it was named.
+    /// The model, as the caller named it.
     pub model: String,
     /// The model's name in bytes, if it is not UTF-8.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -187,9 +187,9 @@ pub struct SweepRecord {
     pub points: usize,
     /// With `point`, the file of that point, by its name in `folder`.
     pub file: Option<String>,
-    /// How many models are there as they should be, or would be: of all points, of the one that `point` names, or of a share.
+    /// How many models are complete, or would be: of all points, of the point that `point` names, or of a share.
     pub models: usize,
-    /// How many of these an earlier sweep had made.
+    /// How many of the models an earlier sweep had made.
     pub done_before: usize,
     /// How many variants could not be made.
     pub failed: usize,

@@ -80,10 +80,10 @@ fn every_damage_of_a_model_has_a_finding() {
             }
         }
         let named = NAMES.iter().flat_map(|(_, names)| *names).copied();
-        let accused = named.filter(|code| before.iter().any(|found| found.as_str() == *code));
+        let found_before = named.filter(|code| before.iter().any(|found| found.as_str() == *code));
         // A slope is one: a remark.
-        let accused: Vec<_> = accused.filter(|code| *code != "floor-slopes").collect();
-        assert!(accused.is_empty(), "{name}: {accused:?}");
+        let found_before: Vec<_> = found_before.filter(|code| *code != "floor-slopes").collect();
+        assert!(found_before.is_empty(), "{name}: {found_before:?}");
     }
     println!("{} models; damage: how many have it, and what it is called", feet.len());
     for (what, (count, names)) in &table {

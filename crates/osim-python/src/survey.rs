@@ -14,9 +14,9 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
+use crate::calls_into_rust::{ProgressCallback, dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::guard::{ProgressCallback, dictionary, guarded, request_fields};
-use crate::planned::{WORDS, remedies};
+use crate::planned_change::{WORDS, remedies};
 use crate::problem::Problem;
 
 /// The result for one model: its record and, for each finding, the requests that correct the model; or else the exception.
@@ -34,7 +34,7 @@ pub(crate) fn survey<'py>(
     callback: Option<Py<PyAny>>,
 ) -> PyResult<(Vec<Row<'py>>, Vec<String>, String)> {
     let fields = request_fields(fields)?;
-    let (rows, remarks, text) = guarded(py, || {
+    let (rows, remarks, text) = without_gil(py, || {
         let files = RequestFiles::from_python(&memory, true);
         let request = Request::from_map(fields)?;
         let (models, inspector, report, shows_each, full) = match &request {

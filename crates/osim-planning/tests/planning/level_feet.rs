@@ -33,7 +33,7 @@ fn planned(text: &str, fields: &Value) -> Result<(Model, Plan), String> {
     Ok((opened.model, plan))
 }
 
-fn changed(text: &str, fields: &Value) -> String {
+fn text_after(text: &str, fields: &Value) -> String {
     let (model, plan) = planned(text, fields).unwrap();
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
 }
@@ -75,7 +75,7 @@ fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
     let found = check_with(NAME, UNEVEN, &InspectOptions::default());
     let remedy = find(&found, FindingCode::UnevenBottoms).remedy.as_ref();
     assert_eq!(fields_of_remedy(remedy), json!({"verb": "set", "level": true}));
-    let after = changed(UNEVEN, &json!({"verb": "set", "level": true}));
+    let after = text_after(UNEVEN, &json!({"verb": "set", "level": true}));
     assert!(is_level(&after) && !is_level(UNEVEN));
     let found = check_with(NAME, &after, &InspectOptions::default());
     assert_eq!((found.counts.error, found.counts.warning, found.steps.len()), (0, 0, 0));
@@ -90,21 +90,21 @@ fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
 fn feet_are_level_with_the_radii_that_they_get() {
     let request =
         json!({"verb": "set", "set": {"radius": "x1.5"}, "select": ["*1_r", "*5_l"], "level": true});
-    let after = changed(UNEVEN, &request);
+    let after = text_after(UNEVEN, &request);
     // Spheres of forces that are not chosen stay: s1_r alone on its foot, and s5_l on its.
     assert!(planned(UNEVEN, &request).unwrap().1.moves.is_empty());
     assert!(!is_level(&after));
-    let after = changed(&after, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
+    let after = text_after(&after, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
     assert!(is_level(&after));
     // A radius that grows makes its own bottom the lowest.
-    let all = changed(UNEVEN, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
+    let all = text_after(UNEVEN, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
     assert!(is_level(&all));
     assert!((lowest_bottom(&all) - (lowest_bottom(UNEVEN) - 0.032)).abs() < 1e-12);
 }
 
 #[test]
 fn a_factor_is_not_applied_twice_because_feet_were_made_level_with_it() {
-    let first = changed(UNEVEN, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
+    let first = text_after(UNEVEN, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
     assert!(first.contains("by set stiffness=x2 level;"), "{first}");
     for again in [
         json!({"verb": "set", "set": {"stiffness": "x2"}}),
@@ -126,7 +126,7 @@ fn a_request_that_sets_nothing_is_refused() {
 fn added_spheres_are_level_where_that_is_asked() {
     let add = |level: bool| {
         let request = json!({"verb": "add", "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level});
-        changed(FEET, &request)
+        text_after(FEET, &request)
     };
     let (plain, level) = (add(false), add(true));
     // 0.01 - 0.03 and 0.005 - 0.025 are level as they are: then nothing moves.
@@ -192,7 +192,7 @@ fn a_model_that_did_not_stand_does_not_lose_its_stand() {
 
 #[test]
 fn a_change_that_makes_a_foot_uneven_says_so() {
-    let level = changed(UNEVEN, &json!({"verb": "set", "level": true, "no_note": true}));
+    let level = text_after(UNEVEN, &json!({"verb": "set", "level": true, "no_note": true}));
     // R = 0.032 becomes 0.0416: 9.6 mm, 0.231 of the largest radius.
     let said = remarks_on_moved_bottoms(
         &level,

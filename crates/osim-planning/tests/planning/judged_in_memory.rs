@@ -12,7 +12,7 @@ use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use crate::taken_back::documents::{ChangedFiles, all_files, models};
+use crate::add_and_remove::documents::{ChangedFiles, all_files, models};
 
 const MODEL: &str = "model.osim";
 

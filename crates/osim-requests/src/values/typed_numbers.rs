@@ -165,13 +165,13 @@ impl<'t> Range<'t> {
 }
 
 /// The range with colons in this program's spelling; `None` if there are no colons between numbers, or if the range is empty.
-pub fn respelled(text: &str) -> Option<String> {
+pub fn respell_colons(text: &str) -> Option<String> {
     ColonRange::read(text)?.range
 }
 
 /// The advice for a range with colons, as MATLAB has it: `FROM:STEP:TO`, or `FROM:TO` with steps of 1. `None` if there are no
 /// colons between numbers.
-pub(crate) fn with_colons(text: &str) -> Option<String> {
+pub(crate) fn advice_about_colons(text: &str) -> Option<String> {
     let here = "ranges are FROM..TO/COUNT here, equally spaced in their logarithm";
     Some(match ColonRange::read(text)? {
         ColonRange { range: Some(range), has_steps: true } => {
@@ -214,7 +214,7 @@ impl ColonRange {
 }
 
 /// `count` numbers from `first` to `last`, at equal distances of their logarithms; both ends are exact.
-pub(super) fn spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
+pub(super) fn log_spaced(first: f64, last: f64, count: u32) -> impl Iterator<Item = f64> {
     let steps = f64::from(count - 1);
     (0..count).map(move |index| match index {
         0 => first,
@@ -248,18 +248,18 @@ mod tests {
             ("2:4", "write 2..4/3,"),
             ("9:2:1", "FROM..TO/COUNT"),
         ] {
-            let found = with_colons(text).unwrap_or_default();
+            let found = advice_about_colons(text).unwrap_or_default();
             assert!(found.contains(said), "{text}: {found}");
         }
         for text in ["1..4/3", "5", "a:b", "", "1:2:3:4"] {
-            assert_eq!(with_colons(text), None, "{text}");
+            assert_eq!(advice_about_colons(text), None, "{text}");
         }
     }
 
     #[test]
     fn ends_are_exact_and_the_middle_is_the_geometric_mean() {
         // 0.1 * 100^(1/2) = 1.
-        let values: Vec<f64> = spaced(0.1, 10.0, 3).collect();
+        let values: Vec<f64> = log_spaced(0.1, 10.0, 3).collect();
         assert_eq!((values[0], values[2]), (0.1, 10.0));
         assert!((values[1] - 1.0).abs() < 1e-15);
     }

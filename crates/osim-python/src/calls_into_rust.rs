@@ -18,7 +18,7 @@ use crate::problem::Problem;
 ///
 /// # Errors
 /// The problem of `work`, or Ctrl-C.
-pub(crate) fn guarded<T: Send>(
+pub(crate) fn without_gil<T: Send>(
     py: Python<'_>,
     work: impl FnOnce() -> Result<T, Problem> + Send,
 ) -> PyResult<T> {
@@ -76,7 +76,7 @@ pub(crate) fn dictionary<'py>(py: Python<'py>, record: &impl Serialize) -> PyRes
 #[allow(clippy::panic, reason = "that is what it is for")]
 pub(crate) fn defect(py: Python<'_>, threads: usize) -> PyResult<()> {
     let work = |_: &usize| panic!("asked for by a test");
-    guarded(py, || Ok(work_in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
+    without_gil(py, || Ok(work_in_order(&[0; 10], threads, work, |_, ()| Ok::<(), LibraryFault>(()))?))
 }
 
 // How far a long call is, and Ctrl-C.

@@ -75,17 +75,17 @@ pub(crate) struct InspectedModel {
     findings: Vec<FindingShown>,
     sections: Vec<Section>,
     explained: Vec<Explained>,
-    /// Files that it was read from, the model first.
+    /// Files that the model was read from, its own file first.
     files: Vec<String>,
     /// Verdicts of the check.
     verdicts: Vec<VerdictShown>,
     /// The model in space, where it was asked for.
     scene: Option<Scene>,
-    /// How it falls on its contacts, where that was asked for.
+    /// How the model falls on its contacts, where that was asked for.
     falls: Vec<BodyFall>,
 }
 
-/// A finding, with what puts it right.
+/// A finding, with the request that corrects the fault.
 #[derive(Debug, Serialize)]
 pub(crate) struct FindingShown {
     #[serde(flatten)]

@@ -13,7 +13,7 @@ use osim_planning::{PreparedChange, prepare};
 use osim_requests::Request;
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::Python as PythonWords;
-use osim_view::html::{About, Columns, DeferredParts, DetailLevel, InMemory, Page};
+use osim_view::html::{Columns, DeferredParts, DetailLevel, InMemory, Page, PageHead};
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan as plan_text;
 use pyo3::prelude::*;
@@ -21,8 +21,8 @@ use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::{PyBytes, PyDict, PyList};
 use serde_json::{Map, Value};
 
+use crate::calls_into_rust::{dictionary, request_fields, without_gil};
 use crate::files::{Memory, RequestFiles};
-use crate::guard::{dictionary, guarded, request_fields};
 use crate::problem::Problem;
 
 /// Spells options and calls in messages as Python does.
@@ -51,7 +51,7 @@ pub(crate) fn plan(
     with_disk: bool,
 ) -> PyResult<Planned> {
     let fields = request_fields(fields)?;
-    guarded(py, move || {
+    without_gil(py, move || {
         let files = RequestFiles::from_python(&memory, with_disk);
         let change = prepare(Request::from_map(fields.clone())?, &files)?;
         let [path] = change.models.as_slice() else {
@@ -116,7 +116,7 @@ impl Planned {
 
     /// The changes as a unified diff; `output` is how the new model is called in it.
     fn diff(&self, py: Python<'_>, output: Option<String>) -> PyResult<String> {
-        guarded(py, || {
+        without_gil(py, || {
             let opened = &self.model.opened;
             let each = self.model.results()?.into_iter().map(|(file, bytes)| {
                 let old_name = opened.name_of(file);
@@ -129,7 +129,7 @@ impl Planned {
 
     /// The bytes of each file that changes, the model first, with its name.
     fn results<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
-        let results = guarded(py, || Ok(self.model.results()?))?;
+        let results = without_gil(py, || Ok(self.model.results()?))?;
         let opened = &self.model.opened;
         let each = results.iter().map(|(file, bytes)| (opened.name_of(*file), PyBytes::new(py, bytes)));
         PyList::new(py, each.collect::<Vec<_>>())
@@ -165,7 +165,7 @@ impl Planned {
     /// Checks of the model before the change and after it, each as the JSON of the command `check`, and for each finding the request
     /// that corrects it.
     fn checked<'py>(&self, py: Python<'py>) -> PyResult<Vec<CheckAndRequests<'py>>> {
-        let both = guarded(py, || {
+        let both = without_gil(py, || {
             let both = self.model.show(&PythonWords, false, |changed| changed.before_after)?;
             let Some(both) = both else { return Ok(Vec::new()) };
             let after = both.after.map(|(_, found)| found);
@@ -181,7 +181,7 @@ impl Planned {
 
     /// The page of a report about this change, as HTML; `call` is what was called, for those who want to do it again.
     fn page(&self, py: Python<'_>, verb: &str, call: String) -> PyResult<String> {
-        guarded(py, || {
+        without_gil(py, || {
             let detail = DetailLevel::for_models(1);
             let entry = self.model.show(&PythonWords, detail.has_feet(), |mut changed| {
                 let both = changed.before_after.take();
@@ -189,8 +189,8 @@ impl Planned {
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
             let name = self.model.opened.name().to_string();
-            let about = About::new(verb, Some(name), Columns::Changes, call);
-            let mut page = Page::new(about, DeferredParts::<InMemory>::default(), WORDS);
+            let head = PageHead::new(verb, Some(name), Columns::Changes, call);
+            let mut page = Page::new(head, DeferredParts::<InMemory>::default(), WORDS);
             entry.into_iter().for_each(|entry| page.add(entry));
             let mut bytes = Vec::new();
             page.finish(&mut bytes).map_err(|error| Problem::defect(error.to_string()))?;
@@ -205,7 +205,7 @@ impl Planned {
         fields: &Bound<'_, PyDict>,
     ) -> PyResult<(Vec<PathBuf>, Vec<PathBuf>, Vec<String>)> {
         let output = request_fields(fields)?;
-        guarded(py, || {
+        without_gil(py, || {
             let output = checked_output(output)?;
             self.check_in_place(&output)?;
             let (written, remarks) = self.model.write(&output)?;

@@ -155,7 +155,7 @@ impl ChosenModels {
     }
 
     /// The models to draw, each with the reasons for its choice.
-    pub(crate) fn choice(&self) -> Vec<(&Candidate, Vec<String>)> {
+    pub(crate) fn models_to_draw(&self) -> Vec<(&Candidate, Vec<String>)> {
         let mut chosen: Vec<(&Candidate, Vec<String>)> = Vec::new();
         for (one, why) in self.extremes() {
             let room = chosen.len() < MAX_DRAWN;
@@ -261,7 +261,7 @@ mod tests {
             offer_model(&mut chosen, number, 100.0 - number as f64, code);
         }
         let drawn: Vec<(usize, String)> =
-            chosen.choice().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();
+            chosen.models_to_draw().into_iter().map(|(one, why)| (one.number, why.join("; "))).collect();
         let expected = [
             (1, "heaviest (99 kg); the first of 40 with the most common dimensionless contact (x/R = 0.1)"),
             (40, "lightest (60 kg)"),

@@ -12,7 +12,7 @@ use crate::figures::{self, Indentations};
 use crate::html::entry::{EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, marked_outside, severity_tag};
 use crate::html::fragment::table;
-use crate::html::special::{Indentation, is_too_deep};
+use crate::html::special_models::{Indentation, is_too_deep};
 
 pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
 pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
@@ -160,7 +160,7 @@ impl PageCounts {
 }
 
 /// The section "at a glance" of a page about one model.
-pub(super) fn glance_of_one_model(entry: &Entry, code: &Markup) -> Markup {
+pub(super) fn overview_of_one_model(entry: &Entry, code: &Markup) -> Markup {
     let (id, title) = SECTION;
     html! {
         section id=(id) aria-labelledby="glance-title" {
