@@ -108,6 +108,6 @@ fn every_path_in_the_code_map_exists() {
     assert!(missing.is_empty(), "{CODE_MAP} names paths that are not there: {missing:?}");
     for entry in fs::read_dir(root().join("crates")).unwrap() {
         let name = entry.unwrap().file_name().into_string().unwrap();
-        assert!(text.contains(&format!("\n- `crates/{name}`: ")), "{CODE_MAP}: no paragraph on {name}");
+        assert!(text.contains(&format!("\n- `crates/{name}/src`: ")), "{CODE_MAP}: no paragraph on {name}");
     }
 }
