@@ -27,9 +27,9 @@ fn new_value(plan: &Value, property: &str) -> f64 {
     values[0]
 }
 
-/// The upward movement of the floor in a plan, m.
+/// Reads from a plan how far the floor moves up, m.
 #[track_caller]
-fn floor_up(plan: &Value) -> f64 {
+fn floor_rise_m(plan: &Value) -> f64 {
     let moved =
         plan["changes"].as_array().unwrap().iter().find(|change| change["property"] == "location").unwrap();
     moved["to"][1].as_f64().unwrap() - moved["from"][1].as_f64().unwrap()
@@ -44,7 +44,7 @@ fn fit_recovers_known_contacts_from_a_recording() {
     );
     assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, "E1*");
     assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, "dissipation");
-    assert!((floor_up(&plan) + 0.011).abs() < 1e-4, "{plan}");
+    assert!((floor_rise_m(&plan) + 0.011).abs() < 1e-4, "{plan}");
     let floors = plan["floor_up_m"].as_array().unwrap();
     assert!(floors.len() == 1 && (floors[0].as_f64().unwrap() + 0.011).abs() < 1e-4, "{plan}");
     let errors = &plan["errors"];
@@ -81,7 +81,7 @@ fn a_start_that_is_wrong_by_ten_times_leads_to_the_same_fit() {
         let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
         assert_close(new_value(&plan, "stiffness"), 4e6, 0.01, factor);
         assert_close(new_value(&plan, "dissipation"), 1.5, 0.05, factor);
-        assert!((floor_up(&plan) + 0.011).abs() < 1e-4, "{plan}");
+        assert!((floor_rise_m(&plan) + 0.011).abs() < 1e-4, "{plan}");
     }
 }
 
@@ -120,7 +120,7 @@ fn dissipations_that_differ_between_spheres_stay_if_only_the_floor_is_fitted() {
     dir.write("lower.osim", lower);
     let call = "fit lower.osim --motion walk.mot --plates own.sto --loads own.xml --unbounded --fit height";
     let plan = json_object(&dir.run(&format!("{call} --dry-run --format json")).succeeded());
-    assert!((floor_up(&plan) - 0.005).abs() < 2e-6, "{plan}");
+    assert!((floor_rise_m(&plan) - 0.005).abs() < 2e-6, "{plan}");
     assert!(plan["errors"]["vertical_rms_bw"].as_f64().unwrap() < 1e-3, "{plan}");
 }
 
@@ -257,7 +257,7 @@ fn fit_recovers_the_contacts_of_a_simulated_gait() {
         plan["changes"].as_array().unwrap().iter().find(|change| change["property"] == "stiffness").unwrap();
     assert_close(stiffness["to"].as_f64().unwrap(), stiffness["from"].as_f64().unwrap(), 0.01, "E1*");
     assert_close(new_value(&plan, "dissipation"), 2.0, 0.05, "dissipation");
-    assert!(floor_up(&plan).abs() < 1e-4, "{plan}");
+    assert!(floor_rise_m(&plan).abs() < 1e-4, "{plan}");
 }
 
 /// The error for a measured gait, without bounds: 0.2 body weights per foot, and 0.3 on the foot that was not fitted.

@@ -25,7 +25,7 @@ pub enum PlotError {
     #[error(
         "{wanted} names were given, and the figure has {} to name{}",
         counted_curves(.curves.len()),
-        listed_names(.curves)
+        quoted_names(.curves)
     )]
     Names {
         /// Number of the given names.
@@ -34,7 +34,7 @@ pub enum PlotError {
         curves: Vec<String>,
     },
     /// The figure has no axis in the given direction, or several different axes.
-    #[error("the figure has no single {which} axis to limit{}", listed_names(.found))]
+    #[error("the figure has no single {which} axis to limit{}", quoted_names(.found))]
     NoAxis {
         /// The direction of the axis: `horizontal` or `vertical`.
         which: &'static str,
@@ -97,7 +97,7 @@ fn counted_curves(curves: usize) -> String {
 }
 
 /// The names in quotation marks, after a colon; an empty text if there are no names.
-fn listed_names(names: &[String]) -> String {
+fn quoted_names(names: &[String]) -> String {
     let quoted: Vec<String> = names.iter().map(|name| format!("'{name}'")).collect();
     if quoted.is_empty() { String::new() } else { format!(": {}", quoted.join(", ")) }
 }

@@ -113,7 +113,7 @@ pub const TOUCHING_SHARE: Limit = Limit::at_most(
 );
 
 /// Threshold t for the width of the contact transition, without unit: the width is from s_c = t to s_c = 1 − t (section C.2).
-pub const TRANSITION_THRESHOLD: f64 = 0.05;
+pub const TRANSITION_SHARE: f64 = 0.05;
 
 /// Suggested x̂_c if x̂ ≤ 0.16 is wanted, without unit (section C.1).
 pub const SUGGESTED_CONSTANT_INDENTATION: f64 = 0.05;

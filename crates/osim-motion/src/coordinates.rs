@@ -7,7 +7,7 @@ use osim_model::{CoordinateFunction, Model, ModelJoint};
 
 use crate::table::{Column, Table};
 
-/// Whether a coordinate is an angle or a length.
+/// What the value of a coordinate is: an angle, a length, or a number on which both depend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CoordinateKind {
     /// An angle; files may have it in degrees.

@@ -12,15 +12,15 @@ use osim_planning::{BeforeAfter, BeforeAndAfterPlan, PreparedChange};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::{CommandLine, FrontEnd};
 use osim_view::html::{
-    Columns, DeferredParts, DetailLevel, Entry, Explained, InMemory, ListedFiles, NamedDigest, Page,
-    PageHead, RunRow, Section, Sections,
+    Columns, DeferredParts, DetailLevel, Entry, Explained, ListedFiles, NamedDigest, Page, PageHead, RunRow,
+    Section, Sections, TextInMemory,
 };
 use osim_view::report::json::PlanRecord;
 use osim_view::report::plan::unified_diff;
 use serde::Serialize;
 
 use crate::given_files::GivenFiles;
-use crate::opened_model::{FindingShown, OpenedModel, VerdictShown, sha256};
+use crate::opened_model::{FindingShown, OpenedModel, VerdictWithQuestion, sha256};
 use crate::problem::Problem;
 
 /// Sections of the page that are made again while the user moves a slider: they need only the plan and the drawings of the model.
@@ -61,7 +61,7 @@ pub(crate) struct ChangeShown<'p> {
     /// Findings of the model after the change, where they were asked for.
     findings: Option<Vec<FindingShown>>,
     /// Verdicts on the model after the change, where they were asked for.
-    verdicts: Option<Vec<VerdictShown>>,
+    verdicts: Option<Vec<VerdictWithQuestion>>,
     /// The new model in space, where it was asked for.
     scene: Option<Scene>,
     /// Falls on the contacts before and after the change, where they were asked for.
@@ -181,7 +181,7 @@ impl PlannedChange {
                 let files = if wants("files") { self.files() } else { ListedFiles::default() };
                 let changed =
                     osim_view::html::ChangedModelOnPage::of_states(&self.plan, &before_after, files);
-                let verdicts = wants("findings").then(|| VerdictShown::all(&last.1.verdicts));
+                let verdicts = wants("findings").then(|| VerdictWithQuestion::all(&last.1.verdicts));
                 (Sections::of_change(changed, wanted, self.words), findings, verdicts)
             }
         };
@@ -268,7 +268,7 @@ impl Report {
     pub(crate) fn of(verb: Verb, model: &Path, command: String, entry: Entry) -> Result<Self, Problem> {
         let columns = if verb == Verb::Inspect { Columns::Inspections } else { Columns::Changes };
         let head = PageHead::new(verb, Some(model.display().to_string()), columns, command);
-        let mut page = Page::new(head, DeferredParts::<InMemory>::default(), &CommandLine);
+        let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), &CommandLine);
         page.add(entry);
         let mut bytes = Vec::new();
         page.finish(&mut bytes).map_err(Problem::defect)?;

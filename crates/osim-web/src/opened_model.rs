@@ -78,7 +78,7 @@ pub(crate) struct InspectedModel {
     /// Files that the model was read from, its own file first.
     files: Vec<String>,
     /// Verdicts of the check.
-    verdicts: Vec<VerdictShown>,
+    verdicts: Vec<VerdictWithQuestion>,
     /// The model in space, where it was asked for.
     scene: Option<Scene>,
     /// How the model falls on its contacts, where that was asked for.
@@ -177,7 +177,7 @@ pub(crate) fn inspect_for_page(
     };
     let Sections { sections, explained, .. } = Sections::of_model(shown, wanted, &Page);
     let findings = FindingShown::all(&found);
-    let verdicts = VerdictShown::all(&found.verdicts);
+    let verdicts = VerdictWithQuestion::all(&found.verdicts);
     let scene = wants("scene").then(|| Scene::of(&opened.model.model, &inspector.options));
     let falls = if wants("falls") { falls(inspector, opened) } else { Vec::new() };
     Ok(InspectedModel {
@@ -233,13 +233,13 @@ pub(crate) fn entry(
 
 /// A verdict as the page shows it.
 #[derive(Debug, Serialize)]
-pub(crate) struct VerdictShown {
+pub(crate) struct VerdictWithQuestion {
     question: &'static str,
     #[serde(flatten)]
     verdict: Verdict,
 }
 
-impl VerdictShown {
+impl VerdictWithQuestion {
     /// Every verdict of a check.
     pub(crate) fn all(verdicts: &[Verdict]) -> Vec<Self> {
         let shown = |verdict: &Verdict| Self { question: verdict.on.question(), verdict: verdict.clone() };

@@ -132,7 +132,7 @@ crate::quantities! {
             = Quantity::new("transition_width", "transition, in R", "").by_equation("C.7").with_limit(&limits::TRANSITION_WIDTH)
             .with_column("transition_width_over_radius")
             => entry(Always, |s| {
-                let threshold = limits::TRANSITION_THRESHOLD;
+                let threshold = limits::TRANSITION_SHARE;
                 s.largest_of_smoothing(|values, radius| smoothing::transition_width(threshold, values.hertz_smoothing, radius)).into()
             });
         /// Force at rest while the sphere just touches, x = 0.

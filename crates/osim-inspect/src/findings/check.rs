@@ -229,6 +229,7 @@ fn with_mass(options: &MassOptions, masses: &MassRequest) -> MassRequest {
     }
 }
 
+/// The doubts about masses that a remedy would raise, so that its command answers them.
 fn mass_questions(masses: &MassRequest, model: &Model, choice: &ForceOptions) -> Vec<Suspicion> {
     let selection: Selection = choice.selection();
     unexplained_mass(masses, model, &selection).into_iter().collect()

@@ -216,7 +216,7 @@ pub(crate) fn constant_indentation_for_touching(spheres: &[&SphereFigures]) -> O
 /// is 0.12118/(bd R x̂)^(3/2); from that and (C.8), the width is 2 artanh(1 − 2t) (share/0.12118)^(2/3) x̂.
 pub(crate) fn transition_width_for(spheres: &[&SphereFigures], share: f64) -> Option<f64> {
     let least = spheres.iter().filter_map(|sphere| sphere.value(Figure::Indentation)).reduce(f64::min)?;
-    let full = 2.0 * (1.0 - 2.0 * limits::TRANSITION_THRESHOLD).atanh();
+    let full = 2.0 * (1.0 - 2.0 * limits::TRANSITION_SHARE).atanh();
     Some(round_down_to_two_digits(full * (share / 0.121_18).powf(2.0 / 3.0) * least))
         .filter(|&width| width > 0.0)
 }

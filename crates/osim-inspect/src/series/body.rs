@@ -277,13 +277,13 @@ const SIDE_ENDINGS: [(&str, &str); 4] = [("_r", "_l"), ("_R", "_L"), ("R", "L"),
 /// number.
 pub(super) fn list_spheres(names: &[String]) -> String {
     if let Some(common) = names_without_sides(names) {
-        return format!("{}, both sides", listed_names(&common));
+        return format!("{}, both sides", first_to_last_name(&common));
     }
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    listed_names(&names)
+    first_to_last_name(&names)
 }
 
-fn listed_names(names: &[&str]) -> String {
+fn first_to_last_name(names: &[&str]) -> String {
     match names {
         [first, .., last] if names.len() > MOST_NAMES_LISTED => {
             format!("{first} to {last} ({} spheres)", names.len())

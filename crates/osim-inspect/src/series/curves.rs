@@ -52,7 +52,7 @@ const LEAST_DEPTHS_RADII: (f64, f64) = (0.25, 0.5);
 /// Curves reach this many times deeper than the equilibrium of the deepest body.
 const DEPTH_OVER_REST_DEPTH: f64 = 1.25;
 /// The contact states t and 1 − t at which thresholds are drawn, as in section C.2; this is t.
-const CONTACT_STATE_THRESHOLD: f64 = limits::TRANSITION_THRESHOLD;
+const CONTACT_STATE_THRESHOLD: f64 = limits::TRANSITION_SHARE;
 /// The default duration of a drop, in √(R/g).
 const DROP_TIME_UNITS: f64 = 20.0;
 /// Number of samples in each shortest time in which the force of a drop rises and falls; `DROP_SAMPLES` are the least and largest number of

@@ -144,21 +144,21 @@ fn nearest_distance(images: [DVec3; 2], place: DVec3) -> Option<f64> {
 
 pub(crate) struct BodyPairs {
     /// Pairs of bodies by their common name without the side. Sorted, so that sums have the same last bit in each run.
-    by_name: BTreeMap<String, BodiesOfSameName>,
+    by_name: BTreeMap<String, LeftAndRightBody>,
     /// The signs of the mirror that fits most bodies.
     common_mirror: DVec3,
 }
 
 /// A right and a left body whose names differ only in the side.
 #[derive(Debug, Default)]
-struct BodiesOfSameName {
+struct LeftAndRightBody {
     right: Option<String>,
     left: Option<String>,
     /// Centres of mass and joints that both bodies have, in the right and in the left frame, m.
     landmarks: Vec<(DVec3, DVec3)>,
 }
 
-impl BodiesOfSameName {
+impl LeftAndRightBody {
     fn left_and_right(&self) -> Option<(&str, &str)> {
         Some((self.right.as_deref()?, self.left.as_deref()?))
     }
@@ -181,7 +181,7 @@ impl BodyPairs {
         };
         let same_name = |sides: [Option<&str>; 2]| {
             let [right, left] = sides.map(|name| name.map(str::to_owned));
-            BodiesOfSameName { right, left, landmarks: common_landmarks(sides).unwrap_or_default() }
+            LeftAndRightBody { right, left, landmarks: common_landmarks(sides).unwrap_or_default() }
         };
         let by_name = bodies.into_iter().map(|(name, sides)| (name, same_name(sides))).collect();
         Self { common_mirror: common_mirror(&by_name), by_name }
@@ -219,7 +219,7 @@ impl BodyPairs {
 }
 
 /// The signs of the mirror in which the landmarks of all bodies together are closest.
-fn common_mirror(bodies: &BTreeMap<String, BodiesOfSameName>) -> DVec3 {
+fn common_mirror(bodies: &BTreeMap<String, LeftAndRightBody>) -> DVec3 {
     let apart_m = |signs: DVec3| -> f64 {
         let landmarks = bodies.values().flat_map(|bodies| &bodies.landmarks);
         landmarks.map(|&(right_m, left_m)| (signs * right_m).distance(left_m)).sum()

@@ -10,7 +10,7 @@ use crate::model::files::FileError;
 /// Why bones cannot be read or spheres cannot be placed under a foot.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FeetFault {
-    #[error("there is no body {body}, the model has {}", listed_names(.bodies))]
+    #[error("there is no body {body}, the model has {}", quoted_names(.bodies))]
     NoBody { body: String, bodies: Vec<String> },
     /// The body has no mesh, so its form is unknown.
     #[error(
@@ -41,7 +41,7 @@ pub enum FeetFault {
     /// The bottoms of some spheres would be closer than 1 mm. At most `fits` spheres are not.
     #[error(
         "of {count} spheres under {} some would be closer than 1 mm, expected at most {fits}: ask for fewer",
-        listed_names(.bodies)
+        quoted_names(.bodies)
     )]
     TooManySpheres { bodies: Vec<String>, count: usize, fits: usize },
     /// The place of a body at the default pose is not known.
@@ -79,7 +79,7 @@ impl FeetFault {
 /// The largest number of names in one message, to keep the message readable.
 const MOST_NAMES_SHOWN: usize = 20;
 
-fn listed_names(names: &[String]) -> String {
+fn quoted_names(names: &[String]) -> String {
     listed(names, MOST_NAMES_SHOWN)
 }
 

@@ -57,6 +57,6 @@ pub use movements::{Mobility, Movements};
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sole_pose::TiltingCoordinate;
 pub use standing::{
-    LevelledSphere, Lift, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor, RestingSphere,
-    SphereOverFloor, Standing, held_roots, levelled_spheres,
+    LevelledSphere, LiftingCoordinate, MOST_LEAN_RAD, NotLevelled, NotLifted, RestLaw, RestOnFloor,
+    RestingSphere, SphereOverFloor, Standing, held_roots, levelled_spheres,
 };

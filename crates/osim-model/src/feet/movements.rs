@@ -20,7 +20,7 @@ const MOST_JOINTS: usize = 64;
 pub struct Mobility {
     /// Whether a coordinate turns one of the bodies against the other.
     pub turns: bool,
-    /// Whether a coordinate shifts one of the bodies without turning it.
+    /// Whether a coordinate shifts one of the bodies against the other without turning it.
     pub slides: bool,
 }
 

@@ -212,6 +212,10 @@ impl<'t> Scanner<'t> {
         self.pieces.push(StoredPiece { start: start as u32, kind });
     }
 
+    /// Opens an element at the byte `start`.
+    ///
+    /// # Errors
+    /// It is a second outermost element.
     fn enter(&mut self, start: usize, kind: PieceKind, name_len: usize) -> Result<(), Fault> {
         if self.open.is_empty() && !self.elements.is_empty() {
             return Err((SyntaxFault::SecondRoot, start));

@@ -3,7 +3,7 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::feet::{Lift, NotLifted, RestLaw, RestOnFloor, Standing};
+use osim_model::feet::{LiftingCoordinate, NotLifted, RestLaw, RestOnFloor, Standing};
 use osim_model::{Model, SphereId};
 
 /// E* = 375,000 N/m2: a sphere of radius 0.04 m at a depth of 0.01 m carries 4/3 E* 0.2 m^1/2 0.001 m^3/2 = 100 N.
@@ -129,7 +129,7 @@ fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
     standing.rest_on_floor(&all, 1.0).unwrap().unwrap()
 }
 
-fn lift_of(standing: &Standing) -> &Lift {
+fn lift_of(standing: &Standing) -> &LiftingCoordinate {
     standing.lift.as_ref().unwrap()
 }
 

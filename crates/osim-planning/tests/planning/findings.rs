@@ -276,7 +276,7 @@ fn a_sphere_count_does_not_help_if_no_body_of_two_was_chosen() {
 }
 
 #[test]
-fn special_forms_of_contact_forces_are_reported() {
+fn mixed_radii_are_reported() {
     assert!(has(&check_text(MIXED_RADII), FindingCode::MixedRadii));
 }
 

@@ -130,7 +130,7 @@ fn a_foot_is_filled_as_in_published_models() {
 }
 
 #[test]
-fn no_question_is_asked_if_no_bone_was_scaled() {
+fn bones_that_nobody_scaled_give_no_finding_about_places() {
     // Unscaled bones, and meshes in millimetres.
     for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
         let text = UNPUBLISHED.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);

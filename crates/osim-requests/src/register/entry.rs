@@ -24,7 +24,7 @@ pub struct Entry {
     pub is_rare: bool,
     /// Whether the verb refuses the option, or ignores it: the help omits it.
     pub is_refused: bool,
-    /// Subject of the option, if it does not describe contacts.
+    /// What the option is about, if not contacts: the files written, many models at once, or how results are shown.
     pub group: Option<FieldGroup>,
     /// Whether the option is for a whole run, and not for one row of a table.
     pub is_of_run: bool,

@@ -105,7 +105,7 @@ quantities! {
         let expected = "a threshold between 0 and 0.5";
         let t = positive(text, expected, &[])?;
         if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) }
-    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_THRESHOLD;
+    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_SHARE;
 
     /// c_r, a coefficient of restitution: 0 to 1.
     RestitutionCoefficient = |text| match plain_number(trimmed(text)) {

@@ -7,7 +7,7 @@ use osim_model::messages::{Dialect, readable};
 use osim_patch::{NumberChange, PlaceChange, Plan};
 use osim_planning::{BeforeAfter, ModelFeet};
 
-use crate::html::explained::{Topics, as_sentence, listed_names, severity_tag};
+use crate::html::explained::{Topics, as_sentence, first_names_and_count, severity_tag};
 use crate::html::fragment::{DetailLevel, Fragment, Section, table};
 use crate::html::inspected::{self, ListedFiles};
 use crate::html::special_models::{DrawnStates, ModelFacts, deepest};
@@ -103,7 +103,7 @@ pub(super) fn add_change_sections(
                 let after = findings::NewModelFindings { check: found, in_file, gravity_m_s2 };
                 findings::add_findings_of_change(fragment, checked, &after);
             }
-            None => findings::add_findings_of_model(fragment, checked),
+            None => findings::add_verdicts_and_findings(fragment, checked),
         }
     }
     if let Some(recording) = &changed.recording {
@@ -224,7 +224,7 @@ fn table_of_objects(plan: &Plan) -> Markup {
                 th scope="row" { code { (group.class) } }
                 td.words { (group.action.as_str()) }
                 td { (group.names.len()) }
-                td.words { (listed_names(&group.names)) }
+                td.words { (first_names_and_count(&group.names)) }
             }
         }
     };
@@ -259,7 +259,7 @@ fn row_of_numbers(topics: &mut Topics, group: &[&NumberChange], with_names: bool
     html! {
         tr {
             th scope="row" { code { (first.name()) } @if !unit.is_empty() && unit != "1" { " " span.quiet { (unit) } } }
-            td.words { (name_or_count(group)) @if with_names && group.len() > 1 { br; span.quiet { (listed_names(&names(group))) } } }
+            td.words { (name_or_count(group)) @if with_names && group.len() > 1 { br; span.quiet { (first_names_and_count(&names(group))) } } }
             td { (from) }
             td { b { (to) } @if first.inserted { " +" } }
             td { @if let Some(factor) = first.factor { "×" (readable(factor)) } }

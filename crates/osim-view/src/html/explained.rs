@@ -183,7 +183,7 @@ pub(super) fn severity_tag(severity: Severity) -> Markup {
 }
 
 /// The first names, and the number of the other names.
-pub(super) fn listed_names(names: &[&str]) -> String {
+pub(super) fn first_names_and_count(names: &[&str]) -> String {
     const MOST_NAMES: usize = 8;
     osim_model::messages::listed(names, MOST_NAMES)
 }

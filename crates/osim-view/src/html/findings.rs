@@ -11,7 +11,7 @@ use crate::html::page_frame::command_line;
 pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
 
 /// Adds the section about the findings of one model.
-pub(super) fn add_findings_of_model(fragment: &mut Fragment, check: &CheckResult) {
+pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckResult) {
     let findings: Vec<&FindingWithRemedy> = check.findings.iter().collect();
     let list = list_of_items(&items_of_findings(fragment, &findings, LineOf::Only, CommandDisplay::Shown));
     let body = html! {

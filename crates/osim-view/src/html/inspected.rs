@@ -49,7 +49,7 @@ pub(super) fn add_inspection_sections(
 ) -> DrawnStates {
     let InspectedModelOnPage { options, model, examined, files, feet, recording } = inspected;
     let (inspected, checked) = examined;
-    findings::add_findings_of_model(fragment, checked);
+    findings::add_verdicts_and_findings(fragment, checked);
     if let Some(recording) = recording {
         fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html));
     }

@@ -22,10 +22,10 @@ const MOST_OPEN_ON_PAPER: usize = 20;
 /// ```
 /// use osim_model::messages::Verb;
 /// use osim_requests::spell::CommandLine;
-/// use osim_view::html::{PageHead, Columns, Entry, InMemory, DeferredParts, Page};
+/// use osim_view::html::{PageHead, Columns, Entry, TextInMemory, DeferredParts, Page};
 ///
 /// let head = PageHead::new(Verb::Check, None, Columns::Inspections, "osim-contact-scale check models");
-/// let mut page = Page::new(about, DeferredParts::<InMemory>::default(), &CommandLine);
+/// let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), &CommandLine);
 /// page.add(Entry::without_contacts("models/arm.osim"));
 /// let mut bytes = Vec::new();
 /// page.finish(&mut bytes)?;
@@ -282,9 +282,9 @@ pub trait DeferredText {
 
 /// A text that is kept in memory.
 #[derive(Debug, Clone, Default)]
-pub struct InMemory(String);
+pub struct TextInMemory(String);
 
-impl DeferredText for InMemory {
+impl DeferredText for TextInMemory {
     fn add(&mut self, text: &str) -> io::Result<()> {
         self.0.push_str(text);
         Ok(())

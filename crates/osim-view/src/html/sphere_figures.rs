@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use maud::{Markup, html};
 use osim_inspect::{Figure, Figures, SphereFigures};
 
-use crate::html::explained::{listed_names, marked_outside};
+use crate::html::explained::{first_names_and_count, marked_outside};
 use crate::html::fragment::{Fragment, scrollable, table};
 use crate::report::extent::Extent;
 use crate::report::inspection::spheres::{
@@ -109,7 +109,7 @@ fn own_heights_table(state: &ModelState<'_>) -> Markup {
             tr {
                 th scope="row" { (row.limb) }
                 @for value in &row.indentation { td { (value) } }
-                td.words { (listed_names(&row.spheres)) }
+                td.words { (first_names_and_count(&row.spheres)) }
             }
         }
     };
@@ -157,7 +157,7 @@ fn sphere_groups<'s>(states: &'s [ModelState<'s>]) -> Vec<SphereGroup<'s>> {
 fn names_with_limbs(group: &SphereGroup<'_>) -> String {
     let limbs: Vec<&str> = group.limbs.iter().copied().filter(|limb| !limb.is_empty()).collect();
     let limbs = if limbs.is_empty() { String::new() } else { format!(" ({})", limbs.join(", ")) };
-    format!("{}{limbs}", listed_names(&group.names))
+    format!("{}{limbs}", first_names_and_count(&group.names))
 }
 
 fn figures_table(

@@ -86,7 +86,7 @@ impl AnswerRow<'_> {
 /// The answers to all questions, sorted; the worst first.
 struct AnswerRows<'c> {
     bad: Vec<AnswerRow<'c>>,
-    /// Questions whose answer is not known, by the reason.
+    /// Questions of the table, such as "does it stand?", whose answer is not known, by the reason.
     unknown: BTreeMap<String, Vec<&'c str>>,
     good: Vec<AnswerRow<'c>>,
     /// Questions that only have findings which the published model has, too.

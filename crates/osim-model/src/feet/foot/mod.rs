@@ -40,7 +40,7 @@ pub struct FootSphere {
     pub name: String,
     /// Name of the body that carries the sphere; empty for ground.
     pub body: String,
-    /// Centre of the sphere in the frame of the foot, m.
+    /// Centre of the sphere in the frame that [`Foot::frame`] names, m.
     pub centre_m: DVec3,
     /// Radius of the sphere, m.
     pub radius_m: f64,

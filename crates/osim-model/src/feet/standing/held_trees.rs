@@ -2,7 +2,7 @@
 
 use foldhash::{HashMap, HashSet, HashSetExt};
 
-use super::lift::{JointTree, LiftSearch, NotLifted, ParentJoint};
+use super::lift::{JointTree, LiftingCoordinateSearch, NotLifted, ParentJoint};
 use crate::feet::couplers::{CoordinateState, Couplers, is_enforced};
 use crate::feet::default_pose::DefaultPose;
 use crate::model::{Model, Side};
@@ -10,7 +10,7 @@ use crate::model::{Model, Side};
 /// The joint trees of `bodies` that cannot move along gravity: the topmost body of each, and what holds it in words.
 pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> Vec<(String, String)> {
     let (tree, pose) = (JointTree::of(model.joints()), DefaultPose::of(model));
-    let search = LiftSearch::of(model, &pose);
+    let search = LiftingCoordinateSearch::of(model, &pose);
     let components = model.components();
     let constraints = model.constraints_to_ground().into_iter();
     let enforced = constraints.filter(|(id, _)| is_enforced(components.doc(*id), components.element(*id)));
@@ -30,7 +30,11 @@ pub fn held_roots<'b>(model: &Model, bodies: impl Iterator<Item = &'b str>) -> V
 }
 
 /// What keeps the bodies below `path` from moving along gravity; `None` if a coordinate is free to.
-fn what_holds(model: &Model, search: &LiftSearch<'_>, path: &[ParentJoint<'_>]) -> Option<String> {
+fn what_holds(
+    model: &Model,
+    search: &LiftingCoordinateSearch<'_>,
+    path: &[ParentJoint<'_>],
+) -> Option<String> {
     match search.find(path, model.up()).err()? {
         NotLifted::Locked { coordinate } => Some(format!("{coordinate} is locked")),
         NotLifted::Driven { coordinate } => {

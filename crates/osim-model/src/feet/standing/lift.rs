@@ -15,7 +15,7 @@ const LEAST_RISE: f64 = 0.5;
 
 /// The free coordinate that moves all spheres of a joint tree equally along the normal of their floor.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Lift {
+pub struct LiftingCoordinate {
     /// Name of the coordinate, such as `pelvis_ty`.
     pub coordinate: String,
     pub joint: String,
@@ -53,14 +53,14 @@ enum CoordinateEffect {
 }
 
 /// A model at its default pose, in which the lifting coordinate is searched.
-pub(super) struct LiftSearch<'m> {
+pub(super) struct LiftingCoordinateSearch<'m> {
     model: &'m Model,
     pose: &'m DefaultPose,
     known: &'m CoordinateValues,
     pub(super) states: CoordinateStates<'m>,
 }
 
-impl<'m> LiftSearch<'m> {
+impl<'m> LiftingCoordinateSearch<'m> {
     pub(super) fn of(model: &'m Model, pose: &'m DefaultPose) -> Self {
         Self {
             model,
@@ -71,8 +71,12 @@ impl<'m> LiftSearch<'m> {
     }
 
     /// Finds the coordinate of the joints on `path` that lifts most along `normal`. Also returns the index of its joint on the path.
-    pub(super) fn find(&self, path: &[ParentJoint<'_>], normal: DVec3) -> Result<(usize, Lift), NotLifted> {
-        let mut best: Option<(usize, Lift)> = None;
+    pub(super) fn find(
+        &self,
+        path: &[ParentJoint<'_>],
+        normal: DVec3,
+    ) -> Result<(usize, LiftingCoordinate), NotLifted> {
+        let mut best: Option<(usize, LiftingCoordinate)> = None;
         let mut not = NotLifted::Welded;
         for (place, parent_joint) in path.iter().enumerate() {
             for (index, coordinate) in parent_joint.joint.coordinates.iter().enumerate() {
@@ -85,7 +89,9 @@ impl<'m> LiftSearch<'m> {
                             .is_none_or(|(_, known)| rise.abs() > known.rise.abs() + SAME_MOVEMENT);
                         let default_m = self.known.values.get(&coordinate.name).copied().filter(|_| more);
                         let joint = parent_joint.joint.name.clone();
-                        let lift = |default_m| (place, Lift { coordinate: name(), joint, default_m, rise });
+                        let lift = |default_m| {
+                            (place, LiftingCoordinate { coordinate: name(), joint, default_m, rise })
+                        };
                         best = default_m.map(lift).or(best);
                         continue;
                     }

@@ -20,8 +20,8 @@ use gaps::{FloorContact, SphereFloors};
 pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
 pub use held_trees::held_roots;
 pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
-use lift::{JointTree, LiftSearch};
-pub use lift::{Lift, NotLifted};
+use lift::{JointTree, LiftingCoordinateSearch};
+pub use lift::{LiftingCoordinate, NotLifted};
 
 /// Floors have one direction if the angle between their normals is at most this, rad.
 const SAME_DIRECTION_RAD: f64 = 1e-6;
@@ -34,7 +34,7 @@ pub struct Standing {
     /// Spheres of the tree that press on floors, in file order.
     pub spheres: Vec<SphereOverFloor>,
     /// The coordinate that lifts all these spheres from the floor; the error says why there is none.
-    pub lift: Result<Lift, NotLifted>,
+    pub lift: Result<LiftingCoordinate, NotLifted>,
     /// Mass of the bodies that the lifting coordinate moves, kg: bodies above its joint do not count. `None` if a mass cannot be read.
     pub mass_kg: Option<f64>,
     /// The part of the weight of these bodies along the floor's normal, N; `None` without mass or gravity.
@@ -49,7 +49,7 @@ impl Standing {
         let pose = DefaultPose::of(model);
         let floors = SphereFloors::of(model, forces, &pose);
         let tree = JointTree::of(joints);
-        let lifting = LiftSearch::of(model, &pose);
+        let lifting = LiftingCoordinateSearch::of(model, &pose);
         let bodies = model.bodies().iter().enumerate();
         let masses = bodies.map(|(place, body)| (body.name.as_str(), (place, body.mass_kg().ok()))).collect();
         let mut standings = Vec::new();
@@ -138,7 +138,7 @@ impl<'j> StandingTree<'_, 'j> {
         &self,
         spheres: &[SphereId],
         pose: &DefaultPose,
-        lifting: &LiftSearch<'_>,
+        lifting: &LiftingCoordinateSearch<'_>,
     ) -> Result<Standing, PoseFault> {
         let planes = self.floors.floors_under(spheres);
         let normal = planes.first().map(|(_, surface)| surface.normal);
@@ -166,8 +166,8 @@ impl<'j> StandingTree<'_, 'j> {
         &self,
         spheres: &[SphereId],
         planes: &[&(ContactPlane, PlaneSurface)],
-        lifting: &LiftSearch<'_>,
-    ) -> (Result<Lift, NotLifted>, Option<f64>) {
+        lifting: &LiftingCoordinateSearch<'_>,
+    ) -> (Result<LiftingCoordinate, NotLifted>, Option<f64>) {
         let bodies: Vec<&str> =
             spheres.iter().filter_map(|&id| self.model.sphere(id)?.body.as_deref()).collect();
         let mut path = self.tree.common_path_to_ground(&bodies);

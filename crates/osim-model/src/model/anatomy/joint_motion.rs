@@ -5,7 +5,8 @@ use glam::DVec3;
 use crate::model::{CoordinateFunction, Document, MovingPlacement, Placement, Rotation};
 use crate::xml::{ElementId, opensim_text};
 
-/// The rates of change of a joint's coordinates, one number for each. Missing numbers count as 0.
+/// How fast the coordinates of a joint change, as rates or as OpenSim's generalized speeds: one number for each coordinate. Missing numbers
+/// count as 0.
 ///
 /// Rates and generalized speeds differ only for the three angles of a BallJoint, FreeJoint or EllipsoidJoint. There, OpenSim's speeds (the
 /// `speed` columns of its states) are the child's angular velocity in the parent's frame.

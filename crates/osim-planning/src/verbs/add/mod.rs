@@ -23,7 +23,7 @@ use crate::remarks::{
 };
 use bodies::AddFault;
 use places::Places;
-use reference::{FromReference, Numbers, with_contacts};
+use reference::{ContactNumbers, FromReference, with_contacts};
 
 /// Plans new contacts for models that have none, or in place of the contacts that they have.
 struct AddPlanner {
@@ -46,7 +46,7 @@ enum ContactSource {
     /// A reference gives the places and the numbers.
     Reference(Box<FromReference>),
     /// The request gives the places. The numbers come from a reference or a design.
-    OwnPlaces(Places, Numbers),
+    OwnPlaces(Places, ContactNumbers),
 }
 
 impl Planner for AddPlanner {
@@ -84,7 +84,7 @@ impl AddPlanner {
         }
         plan.findings.retain(|finding| finding.code() != FindingCode::NothingToChange);
         plan.remarks.splice(0..0, remarks);
-        let has_reference = !matches!(self.source, ContactSource::OwnPlaces(_, Numbers::Designed(_)));
+        let has_reference = !matches!(self.source, ContactSource::OwnPlaces(_, ContactNumbers::Designed(_)));
         if !self.friction && has_reference {
             plan.remarks.extend(remark_on_kept_friction(&plan, rebuilt.model()));
         }

@@ -14,7 +14,7 @@ use osim_patch::{ContactLayout, NewContact};
 use osim_requests::options::AnswerOptions;
 
 use super::bodies::{AddFault, name_without_path, nearest_name_hint};
-use super::reference::Numbers;
+use super::reference::ContactNumbers;
 use crate::contact_table::{ContactRow, ContactTable, PlaceFault};
 use crate::remarks::{JointPositions, question_about_pad, remarks_on_parts_of_feet};
 
@@ -61,7 +61,7 @@ impl Places {
         &self,
         model: &Model,
         path: &Path,
-        numbers: &Numbers,
+        numbers: &ContactNumbers,
         answers: &AnswerOptions,
         files: &dyn Files,
     ) -> Result<(ContactLayout, Vec<Phrase>), AddFault> {
@@ -110,7 +110,7 @@ impl TablePlaces {
     fn contacts(
         &self,
         model: &Model,
-        numbers: &Numbers,
+        numbers: &ContactNumbers,
         remarks: &mut Vec<Phrase>,
     ) -> Result<Vec<NewContact>, AddFault> {
         let bodies: HashSet<&str> = model.bodies().iter().map(|body| body.name.as_str()).collect();
@@ -282,7 +282,7 @@ fn question_about_unequal_feet(soles: &[Sole], model: &Model) -> Option<Suspicio
 }
 
 /// The new contacts of one sole. Each has the name of the body that carries it, and a number.
-fn contacts_of_sole(sole: &Sole, numbers: &Numbers) -> Result<Vec<NewContact>, AddFault> {
+fn contacts_of_sole(sole: &Sole, numbers: &ContactNumbers) -> Result<Vec<NewContact>, AddFault> {
     let mut counts: Vec<(&str, usize)> = Vec::new();
     let mut contacts = Vec::new();
     for sphere in &sole.spheres {

@@ -13,8 +13,8 @@ use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, 
 use super::bodies::{body_names, table_failure};
 use super::places::{FeetPlaces, Places, TablePlaces};
 use super::reference::{
-    DesignedNumbers, FromReference, Numbers, ReferenceNumbers, check_maps, layout, open_reference, transfer,
-    wanted_contacts,
+    ContactNumbers, DesignedNumbers, FromReference, ReferenceNumbers, check_maps, layout, open_reference,
+    transfer, wanted_contacts,
 };
 use super::{AddPlanner, ContactSource};
 use crate::contact_table::ContactTable;
@@ -45,14 +45,14 @@ pub(in crate::verbs) fn prepare(
         }
         (Some(places), Some(from)) => {
             let (numbers_or_contacts, reference, is_file) = reference_numbers(&request, from, files)?;
-            let numbers = Numbers::Reference(Box::new(numbers_or_contacts));
+            let numbers = ContactNumbers::Reference(Box::new(numbers_or_contacts));
             (ContactSource::OwnPlaces(places, numbers), Some(reference), is_file, Vec::new())
         }
         (Some(places), None) => {
             if !places.has_radii() {
                 return Err(missing_radius().into());
             }
-            let numbers = Numbers::Designed(Box::new(designed_numbers(&request)?));
+            let numbers = ContactNumbers::Designed(Box::new(designed_numbers(&request)?));
             (ContactSource::OwnPlaces(places, numbers), None, false, Vec::new())
         }
     };

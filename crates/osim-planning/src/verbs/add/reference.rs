@@ -22,7 +22,7 @@ use crate::verbs::reference::GenericModel;
 use crate::verbs::transfer::TransferPlanner;
 
 /// The source of the numbers of contacts whose places are given.
-pub(super) enum Numbers {
+pub(super) enum ContactNumbers {
     /// The contacts of a reference, scaled to the model.
     Reference(Box<ReferenceNumbers>),
     /// The numbers that `design` computes from the wanted properties.
@@ -38,7 +38,7 @@ pub(super) struct ReferenceNumbers {
     pub(super) transfer_planner: TransferPlanner,
 }
 
-/// Numbers of new contacts that are computed from what is wanted, without a reference.
+/// ContactNumbers of new contacts that are computed from what is wanted, without a reference.
 pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
     /// The friction that the caller gave.
@@ -48,7 +48,7 @@ pub(super) struct DesignedNumbers {
     pub(super) remarks: Vec<Phrase>,
 }
 
-impl Numbers {
+impl ContactNumbers {
     /// The ratio of radii in `model` to radii in the reference, by (8).
     ///
     /// # Errors

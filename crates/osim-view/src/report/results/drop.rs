@@ -16,7 +16,7 @@ use serde::{Serialize, Serializer};
 use super::fit::within_or_outside;
 use crate::report::layout::{WIDTH, table};
 
-/// Curves closer than this (in radii and body weights) differ only by rounding errors of the integration.
+/// A difference of curves below this (in radii and body weights) comes from rounding in the integration, and is printed as "below" this.
 const ROUNDING_OF_CURVES: f64 = 1e-9;
 const CHART_ROWS: usize = 16;
 
