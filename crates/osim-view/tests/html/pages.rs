@@ -6,15 +6,15 @@ use osim_model::messages::Verb;
 use osim_planning::ModelFeet;
 use osim_requests::spell::{CommandLine, FrontEnd, Python};
 use osim_view::html::{
-    ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InMemory,
-    InspectedModelOnPage, ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, entry_of_changed_model,
+    ChangedModelOnPage, Columns, DeferredParts, DetailLevel, EarlierRun, Entry, InspectedModelOnPage,
+    ListedFiles, NamedDigest, Page, PageHead, RowError, RunRow, TextInMemory, entry_of_changed_model,
     entry_of_inspected_model,
 };
 
 use crate::support::{self, open, rescaled};
 
 fn page(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
-    let mut page = Page::new(head, DeferredParts::<InMemory>::default(), front_end);
+    let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
     page.finish(&mut bytes).unwrap();
