@@ -54,6 +54,7 @@ VERBS = {
     "add": (["add", MODEL, "--from", "GENERIC", "--replace", "-o", OUT], ["forces", "bodies"]),
     "add level": (["add", MODEL, "--from", "GENERIC", "--replace", "--level", "-o", OUT], ["forces"]),
     "add table": (["add", MODEL, "--contacts", "PLACES", "--replace", *SPHERE_OPTIONS, "-o", OUT], ["places"]),
+    "add table from": (["add", MODEL, "--contacts", "PLACES", "--from", "GENERIC", "--replace", "-o", OUT], ["places"]),
     "motion": (["motion", MODEL, "MOTION"], ["forces", "bodies", "frames"]),
     "motion plates": (["motion", MODEL, "MOTION", "--plates", "PLATES", "--loads", "LOADS", "--format", "csv"], ["frames"]),
     "check --motion": (["check", MODEL, "--motion", "MOTION", "--plates", "PLATES", "--loads", "LOADS"], ["frames"]),
@@ -75,7 +76,7 @@ VERBS = {
     "remove": (["remove", MODEL, "-o", OUT], ["forces", "spheres", "shared"]),
     "remove some": (["remove", MODEL, "--exclude", "f*0", "-o", OUT], ["forces"]),
     "convert": (["convert", MODEL, "--to", "hunt-crossley", "-o", OUT], ["forces", "spheres", "same name", "defaults"]),
-    "convert smooth": (["convert", MODEL, "--to", "smooth", "-o", OUT], ["named", "one force", "many sets", "radii"]),
+    "convert smooth": (["convert", MODEL, "--to", "smooth", "-o", OUT], ["named", "one force", "apart", "many sets", "radii"]),
     "sweep": (["sweep", MODEL, "--grid", "stiffness=x1,x2", "-d", OUT, "--jobs", "1"], ["forces"]),
     "ladder": (["sweep", MODEL, "--ladder", "2", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["forces"]),
     "steps": (["sweep", "SMALL", "--ladder", "COUNT", *DESIGN_OPTIONS, "-d", OUT, "--jobs", "1"], ["files"]),
@@ -189,9 +190,9 @@ def prepared(place, verb, kind, size):
         written |= {MODEL: place / "walker.osim", "MOTION": place / "motion.mot"}
         written |= {"PLATES": place / "plates.sto", "LOADS": place / "plates.xml"}
     else:
-        text = models.KINDS["forces" if kind == "places" else kind](LEAST if kind == "places" else size)
-        (place / "model.osim").write_text(text)
-        (place / "generic.osim").write_text(text)
+        kind, least = ("forces", LEAST) if kind == "places" else (kind, size)
+        (place / "model.osim").write_text(models.KINDS[kind](least))
+        (place / "generic.osim").write_text(models.KINDS[kind](size))
         # In rows and columns under each foot, so that no two are at the same place.
         width = math.isqrt(size) + 1
         rows = [

@@ -25,7 +25,7 @@ MOST_S, MOST_BYTES = 300, 12 << 30
 # A hundred thousand files are a test of the disk.
 LEFT_OUT = {"files"}
 # What grows in one more thing than forces, where small models cannot show it.
-MORE = {"check": ["chain+", "shared", "one force"], "plot feet": ["chain+"], "inspect": ["spheres"]}
+MORE = {"check": ["chain+", "shared", "one force"], "convert smooth": ["apart"], "plot feet": ["chain+"], "inspect": ["spheres"]}
 
 
 def main():

@@ -69,6 +69,14 @@ def one_force(n):
     return model(feet(2), spheres(max(n, 2), foot), some)
 
 
+def apart(n):
+    """A force of the older kind that names n spheres of n bodies, which are so far apart that no two touch."""
+    bodies, joints = feet(n)
+    apart = [one.replace("<translation>0 -0.1 0<", f"<translation>{2 * i} -0.1 0<") for i, one in enumerate(joints[1:])]
+    names = " ".join(f"s{i}" for i in range(n))
+    return model((bodies, [joints[0], *apart]), spheres(n, lambda i: foot(i, n)), [hunt_crossley(0, f"{names} floor")])
+
+
 def named(n):
     """n forces of the older kind that call their spheres by name."""
     return model(feet(2), spheres(n, foot), [hunt_crossley(i, f"s{i} floor") for i in range(n)])
@@ -127,6 +135,7 @@ KINDS = {
     "defaults": defaults,
     "shared": shared,
     "one force": one_force,
+    "apart": apart,
     "named": named,
     "radii": radii,
     "many sets": many_sets,

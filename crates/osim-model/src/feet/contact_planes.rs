@@ -136,58 +136,84 @@ impl PlanesWithSpheres {
 
 // Spheres of one force that could touch each other.
 
-/// Two spheres on different bodies between which one force acts.
+/// The pairs of spheres on different bodies between which one force acts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SpherePair {
-    /// The sphere that the force names first.
-    pub one: SphereId,
-    pub other: SphereId,
-    /// The gap between the spheres at the default pose, m; 0 or below if they touch. The error says why it is not known.
-    pub gap_m: Result<f64, String>,
+pub struct SpherePairs {
+    pub count: usize,
+    /// The first pairs, in the order in which the force names the spheres.
+    pub first: Vec<[SphereId; 2]>,
+    /// A pair that touches each other at the default pose, or of which is not known whether it does, and why.
+    pub not_apart: Option<([SphereId; 2], Option<String>)>,
 }
 
-/// The pairs of spheres between which `force` acts, with their gaps at the default `pose`. A force with one sphere has no pairs.
-///
-/// ```
-/// use osim_model::feet::{DefaultPose, sphere_pairs};
-/// use osim_model::Model;
-///
-/// # let bytes: &[u8] = include_bytes!("../../tests/data/one_foot.osim");
-/// let model = Model::parse(bytes)?;
-/// // One foot, one sphere.
-/// assert!(sphere_pairs(&model, &DefaultPose::of(&model), &model.forces()[0]).is_empty());
-/// # Ok::<(), osim_model::Fault>(())
-/// ```
-pub fn sphere_pairs(model: &Model, pose: &DefaultPose, force: &Force) -> Vec<SpherePair> {
-    let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
-    let mut pairs = Vec::new();
-    if spheres.windows(2).all(|two| matches!(two, [one, other] if one.body == other.body)) {
-        return pairs;
+impl SpherePairs {
+    /// The pairs of `force` at the default `pose`, the first `listed` of them listed. A force with one sphere has no pairs.
+    pub fn of(model: &Model, pose: &DefaultPose, force: &Force, listed: usize) -> Self {
+        let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
+        let mut on_body: HashMap<Option<&str>, usize> = HashMap::default();
+        let count = spheres.iter().enumerate().map(|(before, sphere)| {
+            let same = on_body.entry(sphere.body.as_deref()).or_default();
+            *same += 1;
+            before + 1 - *same
+        });
+        let count = count.sum();
+        let first = spheres.iter().enumerate().filter(|_| count > 0).flat_map(|(index, &one)| {
+            let others = spheres.iter().skip(index + 1).filter(move |other| other.body != one.body);
+            others.map(move |other| [one.id, other.id])
+        });
+        let first = first.take(listed).collect();
+        let not_apart = if count == 0 { None } else { find_not_apart(model, pose, &spheres) };
+        Self { count, first, not_apart }
     }
-    for (index, one) in spheres.iter().enumerate() {
-        let others = spheres.iter().skip(index + 1).filter(|other| other.body != one.body);
-        pairs.extend(others.map(|other| SpherePair {
-            one: one.id,
-            other: other.id,
-            gap_m: gap_m(model, pose, one, other),
-        }));
-    }
-    pairs
 }
 
-fn gap_m(model: &Model, pose: &DefaultPose, one: &Sphere, other: &Sphere) -> Result<f64, String> {
-    let distance = centre_m(model, pose, one)?.distance(centre_m(model, pose, other)?);
-    let radius = |sphere: &Sphere| sphere.round_radius_m().map_err(|fault| fault.to_string());
-    Ok(distance - radius(one)? - radius(other)?)
+/// Two of `spheres` on different bodies that touch each other, or one of unknown place or radius with another, and what is not known.
+fn find_not_apart(
+    model: &Model,
+    pose: &DefaultPose,
+    spheres: &[&Sphere],
+) -> Option<([SphereId; 2], Option<String>)> {
+    let mut balls = Vec::with_capacity(spheres.len());
+    let pair = |one: usize, other: usize| {
+        let id = |index: usize| spheres.get(index).map(|sphere| sphere.id);
+        Some([id(one.min(other))?, id(one.max(other))?])
+    };
+    for (index, &sphere) in spheres.iter().enumerate() {
+        let radius_m = sphere.round_radius_m().map_err(|fault| fault.to_string());
+        match centre_m(model, pose, sphere)
+            .and_then(|centre_m| Ok((centre_m, radius_m?, index, &sphere.body)))
+        {
+            Ok(ball) => balls.push(ball),
+            Err(why) => {
+                let other = spheres.iter().position(|other| other.body != sphere.body)?;
+                return Some((pair(index, other)?, Some(why)));
+            }
+        }
+    }
+    // Along the axis on which they are farthest apart, only near ones are compared.
+    let span = balls.iter().fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(least, most), (at, ..)| {
+        (least.min(*at), most.max(*at))
+    });
+    let axis = (span.1 - span.0).max_position();
+    let start = |(at, radius_m, ..): &(DVec3, f64, usize, &Option<String>)| at[axis] - radius_m;
+    balls.sort_by(|one, other| start(one).total_cmp(&start(other)));
+    balls.iter().enumerate().find_map(|(place, (at, radius_m, index, body))| {
+        let near = balls.iter().skip(place + 1).take_while(|other| start(other) <= at[axis] + radius_m);
+        let mut near = near.filter(|(.., other)| other != body);
+        let (.., other, _) =
+            near.find(|(other_at, other_m, ..)| at.distance(*other_at) <= radius_m + other_m)?;
+        Some((pair(*index, *other)?, None))
+    })
 }
 
 fn centre_m(model: &Model, pose: &DefaultPose, sphere: &Sphere) -> Result<DVec3, String> {
     let unread = || format!("the place of {} cannot be read", sphere.path);
     let place = model.centre_m(sphere.id).ok_or_else(unread)?;
-    match &sphere.body {
-        None => Ok(place),
-        Some(body) => Ok(pose.placement(body).map_err(|fault| fault.to_string())?.point(place)),
-    }
+    let place = match &sphere.body {
+        None => place,
+        Some(body) => pose.placement(body).map_err(|fault| fault.to_string())?.point(place),
+    };
+    place.is_finite().then_some(place).ok_or_else(unread)
 }
 
 /// The angle between two vectors, rad, from 0 to π: atan2(|a × b|, a · b), which is exact near 0 and π, too.

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use contact_scaling::{Ratios, SmoothingValues};
 use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
-use osim_model::feet::{DefaultPose, SpherePair, sphere_pairs};
+use osim_model::feet::{DefaultPose, SpherePairs};
 use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, three_significant};
 use osim_model::{
     Class, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, Model, Property, Selected, SphereId,
@@ -197,15 +197,17 @@ pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Re
     let pose = DefaultPose::of(model);
     let mut remarks = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let pairs = sphere_pairs(model, &pose, force);
-        let names: Vec<String> =
-            pairs.iter().map(|pair| names_of_apart_pair(model, force, pair)).collect::<Result<_, _>>()?;
-        if names.is_empty() {
+        let pairs = SpherePairs::of(model, &pose, force, PAIRS_LISTED);
+        if let Some((pair, why)) = &pairs.not_apart {
+            return Err(refuse_pair(model, force, *pair, why.as_deref()));
+        }
+        if pairs.count == 0 {
             continue;
         }
-        let more = names.len().saturating_sub(PAIRS_LISTED);
-        let named: Vec<&str> = names.iter().take(PAIRS_LISTED).map(String::as_str).collect();
+        let more = pairs.count - pairs.first.len();
         let more = if more == 0 { String::new() } else { format!(", and {more} more") };
+        let named: Vec<String> =
+            pairs.first.iter().map(|pair| names_of(model, *pair).join(" and ")).collect();
         let named = named.join("; ");
         remarks.push(
             format!(
@@ -218,30 +220,29 @@ pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Re
     Ok(remarks)
 }
 
-/// The names of two spheres that do not touch each other.
-fn names_of_apart_pair(model: &Model, force: &Force, pair: &SpherePair) -> Result<String, Fault> {
-    let name = |id: SphereId| model.sphere(id).map_or("", |sphere| sphere.name.as_str());
-    let (one, other) = (name(pair.one), name(pair.other));
-    let refused = |text: String, otherwise: &'static str| {
-        let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
-        Fault::new(kind).at_element(force.path.clone())
+fn names_of(model: &Model, pair: [SphereId; 2]) -> [&str; 2] {
+    pair.map(|id| model.sphere(id).map_or("", |sphere| sphere.name.as_str()))
+}
+
+/// The error about two spheres that touch each other, or of which is not known whether they do: `why`.
+fn refuse_pair(model: &Model, force: &Force, pair: [SphereId; 2], why: Option<&str>) -> Fault {
+    let [one, other] = names_of(model, pair);
+    let path = &force.path;
+    let (text, otherwise) = match why {
+        Some(why) => (
+            format!(
+                "{path} also lets {one} and {other} touch each other, which forces of one sphere do not, and whether they touch is not \
+                 known ({why})"
+            ),
+            "",
+        ),
+        None => (
+            format!(
+                "in {path}, {one} and {other} touch each other at the default pose, which forces of one sphere do not"
+            ),
+            "take one of them out of it in OpenSim",
+        ),
     };
-    match &pair.gap_m {
-        Err(why) => {
-            let text = format!(
-                "{} also lets {one} and {other} touch each other, which forces of one sphere do not, and whether they touch is not \
-                 known ({why})",
-                force.path
-            );
-            Err(refused(text, ""))
-        }
-        Ok(gap) if *gap > 0.0 => Ok(format!("{one} and {other}")),
-        Ok(_) => {
-            let text = format!(
-                "in {}, {one} and {other} touch each other at the default pose, which forces of one sphere do not",
-                force.path
-            );
-            Err(refused(text, "take one of them out of it in OpenSim"))
-        }
-    }
+    let kind = FaultKind::ForceCannotChange { text, force: force.name.clone(), otherwise };
+    Fault::new(kind).at_element(path.clone())
 }

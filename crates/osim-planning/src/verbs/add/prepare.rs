@@ -205,7 +205,7 @@ fn reference_numbers(
     let (mass, sphere_count) = (known.mass.clone(), known.sphere_count);
     let reference = reference_of_layout(&known.name, &layout, mass, sphere_count, known.gravity_m_s2)
         .map_err(|fault| opened.failure(fault))?;
-    Ok((ReferenceNumbers { layout, reference, transfer_planner }, state, is_file))
+    Ok((ReferenceNumbers::new(layout, reference, transfer_planner), state, is_file))
 }
 
 fn selection(request: &AddRequest) -> Selection {

@@ -1,6 +1,6 @@
 //! Puts the contacts of a reference on the bodies of the model. Gives numbers to contacts whose places are known.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 
 use contact_scaling::Ratios;
@@ -32,10 +32,13 @@ pub(super) enum ContactNumbers {
 /// The contacts of a reference that only give numbers, and no places.
 pub(super) struct ReferenceNumbers {
     /// The contacts of the reference, converted to the wanted class of force.
-    pub(super) layout: ContactLayout,
+    layout: ContactLayout,
+    /// The places in the layout of the contacts of spheres, of one name the first.
+    by_sphere: HashMap<String, usize>,
+    has_one_radius: bool,
     /// The same contacts in the form from which numbers are scaled. It does not depend on names of forces.
-    pub(super) reference: Reference,
-    pub(super) transfer_planner: TransferPlanner,
+    reference: Reference,
+    transfer_planner: TransferPlanner,
 }
 
 /// ContactNumbers of new contacts that are computed from what is wanted, without a reference.
@@ -129,11 +132,23 @@ impl ContactNumbers {
 }
 
 impl ReferenceNumbers {
+    pub(super) fn new(
+        layout: ContactLayout,
+        reference: Reference,
+        transfer_planner: TransferPlanner,
+    ) -> Self {
+        let contacts = &layout.contacts;
+        let by_sphere = contacts.iter().enumerate().rev().map(|(at, one)| (one.sphere.clone(), at)).collect();
+        let has_one_radius =
+            contacts.windows(2).all(|two| matches!(two, [one, next] if one.radius_m == next.radius_m));
+        Self { layout, by_sphere, has_one_radius, reference, transfer_planner }
+    }
+
     /// The reference's contact from which the new sphere `name` is made: the contact of the sphere that the caller chose; else that of the
     /// sphere with the same name; else the first. If the contacts differ and no sphere has the name, the planner of the transfer asks.
     fn contact_like(&self, name: Option<&str>) -> Result<&NewContact, Fault> {
         let contacts = &self.layout.contacts;
-        let named = |wanted: &str| contacts.iter().find(|contact| contact.sphere == wanted);
+        let named = |wanted: &str| contacts.get(*self.by_sphere.get(wanted)?);
         let none = || self.reference.without_contacts();
         match &self.transfer_planner.reference_sphere {
             Some(chosen) => named(chosen).ok_or_else(|| {
@@ -154,8 +169,7 @@ impl ReferenceNumbers {
     fn radius(&self, name: Option<&str>) -> Result<Option<f64>, Fault> {
         let like = self.contact_like(name)?;
         let named = self.transfer_planner.reference_sphere.is_some() || Some(like.sphere.as_str()) == name;
-        let all = self.layout.contacts.iter().all(|contact| contact.radius_m == like.radius_m);
-        Ok((named || all).then_some(like.radius_m))
+        Ok((named || self.has_one_radius).then_some(like.radius_m))
     }
 }
 
