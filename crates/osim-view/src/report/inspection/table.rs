@@ -176,7 +176,9 @@ const MOST_SPHERES_NAMED: usize = 6;
 
 /// Sentences about a body: its height at the default pose, and the equilibria on all its feet and on one limb.
 pub fn sentences(body: &StandingBody, extent: Extent) -> Vec<String> {
-    let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else { return Vec::new() };
+    let Some((lowest, place)) = body.lowest().zip(body.height_in_words()) else {
+        return vec!["the height of its spheres over a floor is not known".to_owned()];
+    };
     let mut sentence =
         format!("at the default pose {}, the lowest sphere, is {place}", shown(&lowest.sphere));
     if let Some(why) = &body.why_no_coordinate {
