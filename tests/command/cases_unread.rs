@@ -38,6 +38,9 @@ fn a_frame_whose_translation_opensim_cannot_read_is_an_error() {
     assert_eq!(severity, "error");
     assert!(message.contains("translation") && message.ends_with("OpenSim reads as 0 0 0"), "{message}");
     assert!(place.contains("tibia_r") || place.contains("femur_r"), "{place}");
+    // The legs are no mirror images because of it: one cause has one finding.
+    let report = check_json(&dir_of_case("leg_bone_unreadable").unwrap(), "model.osim");
+    assert!(!report.to_string().contains("left-right-bones"), "{report}");
 }
 
 #[test]

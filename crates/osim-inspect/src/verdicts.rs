@@ -182,6 +182,9 @@ fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWith
     if follows_weight && has_gravity_of_another_unit(inspected, findings) {
         return Verdict::without_findings(on, Err("gravity is in another unit".into()));
     }
+    if on == VerdictOn::Sides && findings.iter().any(|found| found.code() == FindingCode::OddNumber) {
+        return Verdict::without_findings(on, Err("OpenSim reads another number than is written".into()));
+    }
     let right = match on {
         VerdictOn::Floor => describe_floor(inspected),
         VerdictOn::Standing => describe_standing(inspected),

@@ -111,7 +111,8 @@ fn find_all(
         findings.retain(|finding| finding.code() != FindingCode::CountUnknown);
     }
     if let Some(bare) = contacts::find_bare_model(options, model) {
-        findings.extend((!has_finding(FindingCode::IgnoredContacts)).then(|| bare.into()));
+        let causes = [FindingCode::IgnoredContacts, FindingCode::FootSphereOnGround];
+        findings.extend((!causes.into_iter().any(has_finding)).then(|| bare.into()));
     }
     findings.extend(another_mass);
     findings.extend(another_gravity.map(FindingWithRemedy::from));

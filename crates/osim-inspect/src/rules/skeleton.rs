@@ -11,6 +11,7 @@ use osim_model::{
     SphereId, VerdictOn, without_side,
 };
 
+use crate::rules::misread::find_misread_values;
 use crate::rules::spheres::{about_spheres, and_others};
 
 pub(super) static ODD_PARENT: Rule = Rule {
@@ -135,7 +136,9 @@ impl<'m> Limbs<'m> {
             (apart_m > UNLIKE_PART_OF_BONE * bone_m).then_some((apart_m, bone_m, body, other))
         });
         let worst = differences.reduce(|a, b| if b.0 / b.1 > a.0 / a.1 { b } else { a });
-        let (apart_m, bone_m, body, other) = worst?;
+        // A place that OpenSim cannot read is the cause, and has a finding of its own.
+        let (apart_m, bone_m, body, other) = worst
+            .filter(|(.., body, other)| !self.has_misread_joint(body) && !self.has_misread_joint(other))?;
         let text = format!(
             "the joints above {} and {} are {} mm from being mirror images, {} % of the limb's longest bone ({} mm), expected at most {} %",
             shown(body),
@@ -146,6 +149,17 @@ impl<'m> Limbs<'m> {
             100.0 * UNLIKE_PART_OF_BONE
         );
         self.finding(&LEFT_RIGHT_BONES, body, text)
+    }
+
+    /// Whether OpenSim reads other numbers than are written in a joint above `body`, or in a frame of it.
+    fn has_misread_joint(&self, body: &'m str) -> bool {
+        let components = self.model.components();
+        let joints = self.path(body).filter_map(|body| self.above.get(body));
+        let joint_path =
+            |joint: &&ModelJoint| Some(components.tree.path(components.at(joint.file, joint.element)?));
+        let paths: Vec<String> = joints.filter_map(joint_path).collect();
+        let is_in_joint = |place: &str| paths.iter().any(|path| place.starts_with(path));
+        find_misread_values(self.model).iter().any(|found| found.place.as_deref().is_some_and(is_in_joint))
     }
 
     /// How far the joints above two bodies are from being mirror images, m. Distances do not depend on the directions of the axes of bodies,
@@ -195,7 +209,7 @@ pub(super) static FOOT_SPHERE_ON_GROUND: Rule = Rule {
     code: FindingCode::FootSphereOnGround,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Sides),
-    what: "A sphere of a foot is on ground: by its name, or because its counterpart on the other side is on a body.",
+    what: "A sphere of a foot is on ground or welded to it: by its name, because spheres named like it are on moving bodies, or because no other sphere moves.",
     why: "OpenSim takes ground if the frame of a sphere says so. The sphere then stays in place while the foot walks away, and the foot falls through the floor. Only scenery, such as a stone, belongs on ground.",
     advice: "Write the body of the foot as the frame of the sphere",
     repair: Repair::NotPossible("only numbers are changed, and the sphere needs another frame"),
@@ -204,25 +218,34 @@ pub(super) static FOOT_SPHERE_ON_GROUND: Rule = Rule {
 
 /// Words in the names of spheres of feet.
 const FOOT_WORDS: [&str; 6] = ["heel", "toe", "foot", "calc", "hallux", "metatars"];
-/// Words in the names of scenery for feet.
-const SCENERY_WORDS: [&str; 5] = ["plate", "rest", "stool", "step", "form"];
+/// Words in the names of scenery and of marks on a floor.
+const SCENERY_WORDS: [&str; 11] =
+    ["plate", "rest", "stool", "step", "form", "mark", "stone", "rock", "boulder", "obstacle", "terrain"];
 
-/// Spheres in forces that are on ground and belong to a foot, in the order of their numbers.
+/// Spheres that are on ground or welded to it, belong to a foot, and are in forces with a half-space, in the order of their numbers. Scenery
+/// on which feet stand is in forces of spheres alone.
 pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
-    let used: BTreeSet<SphereId> = model.forces().iter().flat_map(Force::spheres).collect();
-    let used = used.into_iter().filter_map(|id| model.sphere(id));
-    let (on_ground, others): (Vec<&Sphere>, Vec<&Sphere>) =
-        used.partition(|sphere| sphere.fixed && sphere.body.is_none());
-    let name = |sphere: &Sphere| Some((without_side(&sphere.name), Side::of_name(&sphere.name)?));
-    let moving: BTreeSet<_> =
-        others.into_iter().filter(|sphere| !on_ground.is_empty() && !sphere.fixed).filter_map(name).collect();
+    let spheres = |needs_floor: bool| {
+        let forces = model.forces().iter();
+        let forces =
+            forces.filter(move |force| !needs_floor || force.sets.iter().any(|set| set.half_spaces > 0));
+        let used: BTreeSet<SphereId> = forces.flat_map(Force::spheres).collect();
+        used.into_iter().filter_map(|id| model.sphere(id))
+    };
+    let fixed: Vec<&Sphere> = spheres(true).filter(|sphere| sphere.fixed).collect();
+    if fixed.is_empty() {
+        return fixed;
+    }
+    // The spheres of both feet often have one name, with a side and a number.
+    let series =
+        |sphere: &Sphere| without_side(&sphere.name).replace(|letter: char| letter.is_ascii_digit(), "");
+    let moving: BTreeSet<String> = spheres(false).filter(|sphere| !sphere.fixed).map(series).collect();
     let is_of_foot = |sphere: &&Sphere| {
         let has = |words: &[&str]| words.iter().any(|word| sphere.name.to_lowercase().contains(word));
-        name(sphere).is_some_and(|(name, side)| {
-            moving.contains(&(name, side.other())) || has(&FOOT_WORDS) && !has(&SCENERY_WORDS)
-        })
+        let is_named_so = has(&FOOT_WORDS) || moving.is_empty();
+        moving.contains(&series(sphere)) || is_named_so && !has(&SCENERY_WORDS)
     };
-    on_ground.into_iter().filter(is_of_foot).collect()
+    fixed.into_iter().filter(is_of_foot).collect()
 }
 
 /// One finding for all spheres of feet that are on ground.
@@ -230,7 +253,11 @@ pub(super) fn find_foot_sphere_on_ground(model: &Model) -> Vec<Finding> {
     let on_ground = foot_spheres_on_ground(model);
     let Some(first) = on_ground.first() else { return Vec::new() };
     let more = and_others(on_ground.len(), "another sphere, too", "other spheres, too");
-    let text = format!("{} belongs to a foot, and is on ground{more}", shown(&first.name));
+    let place = match &first.body {
+        Some(body) => format!("on {}, which is welded to ground", shown(body)),
+        None => "on ground".to_owned(),
+    };
+    let text = format!("{} belongs to a foot, and is {place}{more}", shown(&first.name));
     about_spheres(&FOOT_SPHERE_ON_GROUND, text, on_ground.iter().copied()).into_iter().collect()
 }
 

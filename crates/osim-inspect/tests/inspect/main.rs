@@ -16,4 +16,5 @@ mod random;
 mod register;
 mod rules;
 mod sides;
+mod skeleton;
 mod unread;

@@ -30,6 +30,9 @@ pub const SKELETON: &[DamageKind] = &[
             (name == left).then(|| if old.contains('/') { "/ground" } else { "ground" }.to_owned())
         })
     }),
+    ("all spheres on ground", "foot-sphere-on-ground", |m| {
+        m.edit(SPHERE, FRAME, |_, old| Some(if old.contains('/') { "/ground" } else { "ground" }.to_owned()))
+    }),
     ("pelvis locked", "root-held", |m| locked(m, |name| name.ends_with("_ty"))),
 ];
 

@@ -1,0 +1,75 @@
+//! Spheres of feet on ground, scenery beside them, and the cause of bones that are not mirror images.
+
+use osim_inspect::model_findings;
+use osim_model::{Finding, FindingCode, Model};
+
+const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
+
+fn findings(text: &str) -> Vec<Finding> {
+    model_findings(&Model::parse(text).unwrap()).to_vec()
+}
+
+/// The model with the spheres `names` on `frame`.
+fn with_spheres_on(frame: &str, names: &[&str]) -> String {
+    names.iter().fold(HUMAN.to_owned(), |text, name| {
+        let start = text.find(&format!("<ContactSphere name=\"{name}\">")).unwrap();
+        let (before, sphere) = text.split_at(start);
+        let body = sphere.split("<socket_frame>").nth(1).unwrap().split('<').next().unwrap();
+        format!("{before}{}", sphere.replacen(body, frame, 1))
+    })
+}
+
+/// The spheres of feet on ground in `text`, in which the sphere s1_r is called `name`.
+fn found_if_called(text: &str, name: &str) -> Vec<String> {
+    let text = text.replace("\"s1_r\"", &format!("\"{name}\"")).replace("/s1_r<", &format!("/{name}<"));
+    let found = findings(&text).into_iter().find(|one| one.code() == FindingCode::FootSphereOnGround);
+    found.map(|found| found.spheres).unwrap_or_default()
+}
+
+#[test]
+fn spheres_of_feet_on_ground_are_found_with_any_name() {
+    let all =
+        ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s1_l", "s2_l", "s3_l", "s4_l", "s5_l", "s6_l"];
+    for names in [&all[..1], &["s1_r", "s1_l"], &all] {
+        assert_eq!(found_if_called(&with_spheres_on("/ground", names), "s1_r"), names);
+    }
+    let one = with_spheres_on("/ground", &["s1_r"]);
+    for name in ["heel", "RightHeel"] {
+        assert_eq!(found_if_called(&one, name), [name]);
+    }
+    assert_eq!(found_if_called(&with_spheres_on("/ground", &all), "c"), [&["c"], &all[1..]].concat());
+    for name in ["kerb", "floor_marker_r", "foot_plate_l", "stepping_stone_r"] {
+        assert!(found_if_called(&one, name).is_empty(), "{name}");
+    }
+}
+
+#[test]
+fn spheres_of_feet_on_a_body_that_is_welded_to_ground_are_found() {
+    let body = "<Body name=\"stand\"><mass>0</mass></Body><Body name=\"pelvis\">";
+    let joint = "<JointSet name=\"jointset\">\n<objects><WeldJoint name=\"stand\"><socket_parent_frame>/ground</socket_parent_frame>\
+                 <socket_child_frame>/bodyset/stand</socket_child_frame></WeldJoint>";
+    let text = with_spheres_on("/bodyset/stand", &["s1_r"]).replacen("<Body name=\"pelvis\">", body, 1);
+    let (before, joints) = text.split_once("<JointSet name=\"jointset\">").unwrap();
+    let text = format!("{before}{joint}{}", joints.split_once("<objects>").unwrap().1);
+    let found =
+        findings(&text).into_iter().find(|one| one.code() == FindingCode::FootSphereOnGround).unwrap();
+    assert_eq!(
+        found.message.to_string(),
+        "s1_r belongs to a foot, and is on stand, which is welded to ground"
+    );
+}
+
+#[test]
+fn a_joint_whose_place_cannot_be_read_has_one_finding() {
+    let [place, unreadable] = ["0.16341 -0.00183 -0.00099", "0.16341,-0.00183,-0.00099"];
+    let (before, after) = HUMAN.rsplit_once(place).unwrap();
+    let codes = |place: &str| -> Vec<FindingCode> {
+        findings(&format!("{before}{place}{after}")).iter().map(Finding::code).collect()
+    };
+    assert!(codes("0 0 0").contains(&FindingCode::LeftRightBones));
+    let found = codes(unreadable);
+    assert!(
+        found.contains(&FindingCode::OddNumber) && !found.contains(&FindingCode::LeftRightBones),
+        "{found:?}"
+    );
+}
