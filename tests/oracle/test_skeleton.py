@@ -85,6 +85,15 @@ def test_opensim_puts_the_foot_elsewhere(name):
     assert codes(FIXTURES / f"check/{name}.osim")[name.replace("_", "-")] == "warning"
 
 
+def test_a_misspelt_place_of_a_joint_is_the_default(tmp_path):
+    path = tmp_path / "model.osim"
+    path.write_text(HUMAN.replace("<translation>0 -0.9 0.1</translation>", "<translaton>0 -0.9 0.1</translaton>"))
+    placed, whole = run_each_job("opensim_feet", [str(path), str(FIXTURES / "check/known_contacts.osim")])
+    moved = np.array(placed["bodies"]["calcn_r"])[:, 3] - np.array(whole["bodies"]["calcn_r"])[:, 3]
+    assert np.allclose(moved, [0, 0.9, -0.1], atol=1e-9)
+    assert codes(path)["unknown-name"] == "error"
+
+
 def test_a_sphere_on_ground_stays_there():
     """OpenSim computes its force, but the foot has no part of it."""
     path = FIXTURES / "check/foot_sphere_on_ground.osim"

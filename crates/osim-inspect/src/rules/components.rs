@@ -79,7 +79,9 @@ pub(super) fn find_irregularities(model: &Model) -> Vec<Finding> {
             }
             Irregularity::LeadsNowhere { owner, socket, text, line } => {
                 let text = match text.as_str() {
-                    "" => format!("{socket} of {owner} is empty, expected the path of a body or frame"),
+                    "" => format!(
+                        "{socket} of {owner} is empty or missing, expected the path of a body or frame"
+                    ),
                     text => {
                         format!("{socket} of {owner} is '{text}', and no component has that path or name")
                     }

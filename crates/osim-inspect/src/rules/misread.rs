@@ -7,6 +7,7 @@ use osim_model::{
 };
 
 use crate::rules::numbers::is_default_stiffness;
+use crate::rules::unread::{find_unknown_children, known_children};
 
 /// A function that describes the fault of a value, in words that follow the name of the value; `None` if the value has no fault.
 type DescribeValue = fn(&Value) -> Option<String>;
@@ -147,6 +148,10 @@ pub(super) fn find_in_texts(model: &Model) -> Vec<Finding> {
             let all = if is_object { written_properties(class) } else { &[] };
             if all.is_empty() {
                 return tag != "Model";
+            }
+            if known_children(document, element).is_none() || class == "Model" {
+                let known: Vec<&str> = all.iter().flat_map(|(tags, ..)| tags.iter().copied()).collect();
+                found.extend(find_unknown_children(model, component.file, element, &known));
             }
             children.clear();
             children.extend(tree.children(element).map(|child| (tree.name(child), child)));

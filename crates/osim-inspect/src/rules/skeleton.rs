@@ -11,7 +11,7 @@ use osim_model::{
     SphereId, VerdictOn, without_side,
 };
 
-use crate::rules::misread::find_misread_values;
+use crate::rules::misread::find_in_texts;
 use crate::rules::spheres::{about_spheres, and_others};
 
 pub(super) static ODD_PARENT: Rule = Rule {
@@ -159,7 +159,7 @@ impl<'m> Limbs<'m> {
             |joint: &&ModelJoint| Some(components.tree.path(components.at(joint.file, joint.element)?));
         let paths: Vec<String> = joints.filter_map(joint_path).collect();
         let is_in_joint = |place: &str| paths.iter().any(|path| place.starts_with(path));
-        find_misread_values(self.model).iter().any(|found| found.place.as_deref().is_some_and(is_in_joint))
+        find_in_texts(self.model).iter().any(|found| found.place.as_deref().is_some_and(is_in_joint))
     }
 
     /// How far the joints above two bodies are from being mirror images, m. Distances do not depend on the directions of the axes of bodies,

@@ -1,10 +1,12 @@
 //! Rules about what OpenSim refuses or ignores: objects in the wrong places, names that it does not know, and forms of other document
 //! versions.
 
+use foldhash::{HashMap, HashMapExt};
 use osim_model::messages::shown;
 use osim_model::{
     Class, ComponentId, Document, ElementId, Example, FileId, Finding, FindingCode, ForceKind,
-    GEOMETRY_CLASSES, LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn, opensim_text,
+    GEOMETRY_CLASSES, LAST_VERSION_WITH_IS_DISABLED, Model, Repair, Rule, Severity, VerdictOn,
+    component_classes, opensim_text,
 };
 
 use crate::rules::spheres::and_others;
@@ -206,7 +208,7 @@ pub(super) static UNKNOWN_NAME: Rule = Rule {
     code: FindingCode::UnknownName,
     severity: Severity::Error,
     verdict: None,
-    what: "A class or property of a contact has a name that OpenSim does not know.",
+    what: "A class, or a property on which contacts depend, has a name that OpenSim does not know.",
     why: "OpenSim refuses an unknown class, and ignores an unknown property: the default of the property that was meant counts.",
     advice: "Write the name that OpenSim knows",
     repair: Repair::NotPossible("only numbers are changed, and names are left alone"),
@@ -224,91 +226,106 @@ const OLD_CLASSES: [(&str, &str); 1] = [("AckermannVanDenBogert2010Force", "Smoo
 /// Most wrong letters in a name that is nearly one of OpenSim's.
 const MOST_WRONG_LETTERS: usize = 2;
 
-/// Finds classes and properties of contacts, and of the sets around them, whose names are nearly OpenSim's names.
+/// Finds classes, and properties of contacts and of the sets around them, whose names are nearly OpenSim's names.
 fn find_unknown_names(model: &Model) -> Vec<Finding> {
-    files_of_model(model).flat_map(|file| find_unknown_names_in(model, file)).collect()
+    let in_file = |file| find_unknown_names_in(model, file);
+    find_unknown_classes(model).into_iter().chain(files_of_model(model).flat_map(in_file)).collect()
+}
+
+fn find_unknown_classes(model: &Model) -> Vec<Finding> {
+    let components = model.components();
+    let members = components.tree.iter().map(|(_, component)| (component.file, component.element));
+    // Models have many objects of few classes.
+    let mut known: HashMap<&str, Option<&str>> = HashMap::new();
+    let all = members.chain(components.tree.skipped.iter().copied());
+    let finding = |(file, element)| {
+        let tree = components.document(file).tree();
+        let class = tree.name(element);
+        let meant = (*known.entry(class).or_insert_with(|| likely_name(class, component_classes())))?;
+        Some(about_unknown_name(model, file, element, element, meant))
+    };
+    all.filter_map(finding).collect()
+}
+
+/// The finding about the name of `element`, which is in the component at `owner` or is that component.
+fn about_unknown_name(
+    model: &Model,
+    file: FileId,
+    owner: ElementId,
+    element: ElementId,
+    meant: &str,
+) -> Finding {
+    let (document, path) = (model.file(file), path_of_component(model, file, owner));
+    let what = if owner == element { "class" } else { "element" };
+    let (name, span) = (document.tree().name(element), document.tree().span(element));
+    let of = if path == "/" { "the model" } else { &path };
+    let text = format!("the {what} {name} of {of} has a name that OpenSim does not know: {meant} is meant");
+    Finding::at(&UNKNOWN_NAME, document.line(span.start), text).with_place(&path)
+}
+
+/// The path of the component that is, or is around, an element.
+fn path_of_component(model: &Model, file: FileId, element: ElementId) -> String {
+    let (tree, components) = (model.file(file).tree(), model.components());
+    let mut above = std::iter::successors(Some(element), |&id| tree.parent(id));
+    let component = above.find_map(|id| components.at(file, id));
+    component.map(|id| components.tree.path(id)).unwrap_or_default()
 }
 
 fn find_unknown_names_in(model: &Model, file: FileId) -> Vec<Finding> {
-    let (document, components) = (model.file(file), model.components());
+    let document = model.file(file);
     let tree = document.tree();
     let mut found = Vec::new();
     tree.walk(document.data_root(), |id| {
-        let Some((is_list, known)) = known_children(document, id) else { return false };
-        let path = |element: ElementId| {
-            let mut above = std::iter::successors(Some(element), |&id| tree.parent(id));
-            let component = above.find_map(|id| components.at(file, id));
-            component.map(|id| components.tree.path(id)).unwrap_or_default()
-        };
-        let mut report = |element: ElementId, path: &str, text: String| {
-            let line = document.line(tree.span(element).start);
-            found.push(Finding::at(&UNKNOWN_NAME, line, text).with_place(path));
-        };
-        // Lists have many objects of one class.
-        let mut last = ("", None);
-        for child in tree.children(id) {
-            let name = tree.name(child);
-            if name != last.0 {
-                last = (name, likely_name(name, known));
-            }
-            let meant = last.1.filter(|meant| is_list || tree.child(id, meant).is_none());
-            let Some(meant) = meant else { continue };
-            let path = path(if is_list { child } else { id });
-            let what = if is_list { "the class" } else { "the element" };
-            report(child, &path, format!("{what} {name} of {path} has a name that OpenSim does not know: {meant} is meant"));
-        }
-        if let Some(flag) = ignored_flag(document, id) {
-            let path = path(id);
+        let Some(known) = known_children(document, id) else { return false };
+        found.extend(find_unknown_children(model, file, id, known));
+        found.extend(ignored_flag(document, id).map(|flag| {
+            let path = path_of_component(model, file, id);
             let text = format!(
                 "isDisabled of {path} is true, but documents from version {} on have appliesForce instead: the force is on",
                 LAST_VERSION_WITH_IS_DISABLED + 1
             );
-            report(flag, &path, text);
-        }
+            Finding::at(&UNKNOWN_NAME, document.line(tree.span(flag).start), text).with_place(&path)
+        }));
         true
     });
     found
 }
 
-/// The names of OpenSim that elements directly inside of `id` may have, and whether they are classes of a list; `None` if `id` is not one of
-/// the contacts, or of the sets around them.
-fn known_children(document: &Document, id: ElementId) -> Option<(bool, &'static [&'static str])> {
+/// One finding for each element inside of `owner` whose name is nearly that of a property among `known` that is not there.
+pub(super) fn find_unknown_children(
+    model: &Model,
+    file: FileId,
+    owner: ElementId,
+    known: &[&'static str],
+) -> Vec<Finding> {
+    let tree = model.file(file).tree();
+    let meant =
+        |child| likely_name(tree.name(child), known).filter(|&meant| tree.child(owner, meant).is_none());
+    let finding = |child| Some(about_unknown_name(model, file, owner, child, meant(child)?));
+    tree.children(owner).filter_map(finding).collect()
+}
+
+/// The properties of contacts, and of the sets around them, directly inside of `id`; `None` if `id` is not one of these.
+pub(super) fn known_children(document: &Document, id: ElementId) -> Option<&'static [&'static str]> {
+    const PARAMETER_SET: &str = "HuntCrossleyForce::ContactParametersSet";
     let tree = document.tree();
-    let of_list = |set: ElementId| match tree.name(set) {
-        "ForceSet" => Some(&FORCE_CLASSES[..]),
-        "ContactGeometrySet" => Some(&GEOMETRY_CLASSES[..]),
-        "HuntCrossleyForce::ContactParametersSet" => {
-            Some(&["HuntCrossleyForce::ContactParameters"] as &[&str])
-        }
-        _ => None,
-    };
     let classes = [
         Class::SmoothSphereHalfSpaceForce,
         Class::ContactParameters,
         Class::ContactSphere,
         Class::ContactHalfSpace,
     ];
-    match tree.name(id) {
-        "Model" => Some((false, &["ForceSet", "ContactGeometrySet"])),
-        "ForceSet" | "ContactGeometrySet" | "HuntCrossleyForce::ContactParametersSet" => {
-            Some((false, &["objects"]))
+    Some(match tree.name(id) {
+        "Model" => &["ForceSet", "ContactGeometrySet", "BodySet", "JointSet", "Ground", "ground"],
+        "ForceSet" | "ContactGeometrySet" | PARAMETER_SET => &["objects"],
+        "objects" if tree.name(tree.parent(id)?) == PARAMETER_SET => {
+            &["HuntCrossleyForce::ContactParameters"]
         }
-        "objects" => Some((true, of_list(tree.parent(id)?)?)),
-        "components" => Some((true, &FORCE_CLASSES)),
-        "HuntCrossleyForce" => Some((
-            false,
-            &[
-                "appliesForce",
-                "contact_parameters",
-                "HuntCrossleyForce::ContactParametersSet",
-                "transition_velocity",
-            ],
-        )),
-        "contact_parameters" => Some((false, &["HuntCrossleyForce::ContactParametersSet"])),
-        tag => {
-            classes.into_iter().find(|class| class.tag() == tag).map(|class| (false, class.element_order()))
-        }
-    }
+        "objects" | "components" => &[],
+        "HuntCrossleyForce" => &["appliesForce", "contact_parameters", PARAMETER_SET, "transition_velocity"],
+        "contact_parameters" => &[PARAMETER_SET],
+        tag => classes.into_iter().find(|class| class.tag() == tag)?.element_order(),
+    })
 }
 
 /// The name among `known` that was probably meant by `name`; `None` if OpenSim knows `name`, or no known name is near.

@@ -53,7 +53,7 @@ pub use anatomy::{
 };
 pub use body_sizes::{AttachedMesh, BodyShape, ScaledSinceNote};
 pub use choices::{Assignment, DissipationBy, MovedSpheres, PropertySet, RadiusAxis, RadiusRule};
-pub use components::{Companion, Component, ComponentId, ComponentTree, Components};
+pub use components::{Companion, Component, ComponentId, ComponentTree, Components, component_classes};
 pub use contact_digest::{ValueKey, short_digest};
 pub use contacts::{
     Force, ForceId, ForceKind, FrameProperty, GEOMETRY_CLASSES, GroundPlane, HalfSpace, Irregularity,

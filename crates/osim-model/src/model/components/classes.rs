@@ -2,13 +2,15 @@
 
 use std::sync::LazyLock;
 
-use foldhash::HashSet;
-
-/// Whether OpenSim 4.6 reads components of this class: a subclass of `Component` in its Python package.
-pub(super) fn is_component_class(tag: &str) -> bool {
-    static CLASSES: LazyLock<HashSet<&str>> =
+/// The subclasses of `Component` in the Python package of OpenSim 4.6, in alphabetical order.
+pub fn component_classes() -> &'static [&'static str] {
+    static CLASSES: LazyLock<Vec<&str>> =
         LazyLock::new(|| include_str!("component_classes.txt").lines().collect());
-    CLASSES.contains(tag)
+    &CLASSES
+}
+
+pub(super) fn is_component_class(tag: &str) -> bool {
+    component_classes().binary_search(&tag).is_ok()
 }
 
 /// Which sets of a model file (`ForceSet`, `ContactGeometrySet`, `BodySet`, …) are read. A set that is given as a separate file replaces the model's own set.

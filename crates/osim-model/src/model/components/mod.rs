@@ -11,6 +11,7 @@ use std::borrow::Cow;
 use crate::model::components::classes::CountedSets;
 use crate::model::{Document, Fault, FaultKind, FileId};
 use crate::xml::ElementId;
+pub use classes::component_classes;
 pub use tree::{Component, ComponentId, ComponentTree};
 
 /// A file that belongs to a model in addition to its main file, for [`Model::read_with`](crate::model::Model::read_with).

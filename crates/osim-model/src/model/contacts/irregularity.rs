@@ -6,6 +6,9 @@ use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::ElementId;
 
+/// The first version of documents that write all connections as sockets.
+const FIRST_WITH_SOCKETS: u32 = 40000;
+
 impl ContactReader<'_> {
     /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.
     pub(super) fn record_sockets_of_joints(&mut self) {
@@ -42,8 +45,11 @@ impl ContactReader<'_> {
             },
             None => {
                 let (document, element) = (self.components.doc(id), self.components.element(id));
-                let Some(empty) = document.tree().child(element, &format!("socket_{socket}")) else { return };
-                (String::new(), document.line(document.tree().span(empty).start))
+                let empty = document.tree().child(element, &format!("socket_{socket}"));
+                if empty.is_none() && document.version() < FIRST_WITH_SOCKETS {
+                    return;
+                }
+                (String::new(), document.line(document.tree().span(empty.unwrap_or(element)).start))
             }
         };
         let owner = self.components.tree.path(id);
