@@ -411,7 +411,7 @@ impl LibraryTable {
             table.add_row([&found.models.to_string(), severity.as_str(), code.as_str(), &worst]);
         }
         table.right_aligned(&[0]);
-        table.to_lines(layout.columns.map(|columns| columns + 1))
+        table.into_lines(layout.columns.map(|columns| columns + 1))
     }
 
     /// A sentence about the models that were not checked.

@@ -179,7 +179,7 @@ impl TextTable {
 
     /// The table in lines of at most `columns`. Long names are cut in the middle, and columns that do not fit are put below the others;
     /// `None` means lines without a limit. There are no blanks at the ends of lines.
-    pub(crate) fn to_lines(mut self, columns: Option<usize>) -> String {
+    pub(crate) fn into_lines(mut self, columns: Option<usize>) -> String {
         while let Some(excess) = columns.and_then(|columns| self.width().checked_sub(columns + 2)) {
             let names = (0..self.header.len()).filter(|index| !self.right_aligned.contains(index));
             let longest = names.map(|index| (self.column_width(index), index)).max();
@@ -194,13 +194,13 @@ impl TextTable {
             }
         }
         match columns.filter(|columns| self.width() > columns + 1) {
-            Some(columns) => self.to_parts(columns),
+            Some(columns) => self.into_parts(columns),
             None => self.trim_fmt(),
         }
     }
 
     /// The table in parts: as many columns as fit, and below them the first column with the next ones.
-    fn to_parts(self, columns: usize) -> String {
+    fn into_parts(self, columns: usize) -> String {
         let all = self.header.len();
         let fit = (2..all).take_while(|&end| self.with_columns(0..end).width() <= columns + 1).last();
         let end = fit.unwrap_or(2);
@@ -208,7 +208,7 @@ impl TextTable {
             return self.trim_fmt();
         }
         let below = self.with_columns(std::iter::once(0).chain(end..all));
-        format!("{}\n\n{}", self.with_columns(0..end).trim_fmt(), below.to_lines(Some(columns)))
+        format!("{}\n\n{}", self.with_columns(0..end).trim_fmt(), below.into_lines(Some(columns)))
     }
 
     fn with_columns(&self, chosen: impl Iterator<Item = usize>) -> Self {
@@ -463,7 +463,7 @@ mod tests {
             let mut table = table(&["name", "", "value"]);
             names.iter().for_each(|name| table.add_row([name, "", "1.234"]));
             table.right_aligned(&[2]);
-            table.to_lines(columns)
+            table.into_lines(columns)
         };
         assert!(rows(None).contains(names[0]) && rows(Some(80)) == rows(None));
         for columns in 20..36 {

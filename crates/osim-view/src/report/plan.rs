@@ -84,7 +84,7 @@ fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String 
         ]);
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.to_lines(columns))
+    format!("{}\n", table.into_lines(columns))
 }
 
 /// Whether the numbers that change belong to new objects. Then the old numbers are those of the contact from which the new one was made.
@@ -119,7 +119,7 @@ fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(vec![first.name().to_owned(), of, format!("{from}{mark}"), to, factor, equation]);
     }
     table.right_aligned(&[2, 3, 4]);
-    let mut text = table.to_lines(columns);
+    let mut text = table.into_lines(columns);
     text.push('\n');
     if changes.iter().any(|change| change.inserted) {
         text.push_str("  (* not in the file: OpenSim's default applied; it is written out now)\n");
@@ -141,7 +141,7 @@ fn table_of_new_spheres(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[2, 3, 4, 5]);
-    format!("{}\n  (m, in the frame of the body)\n", table.to_lines(columns))
+    format!("{}\n  (m, in the frame of the body)\n", table.into_lines(columns))
 }
 
 /// The table of sphere centres that move, with a row for each sphere, because moves are rarely alike. New spheres are in another table.
@@ -159,7 +159,7 @@ fn table_of_moves(plan: &Plan, columns: Option<usize>) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6]);
-    format!("{}\n  (m, in the frame of the body)\n", table.to_lines(columns))
+    format!("{}\n  (m, in the frame of the body)\n", table.into_lines(columns))
 }
 
 fn largest_of(largest: f64, coordinate: f64) -> f64 {

@@ -49,7 +49,7 @@ pub fn text(list: &SizeList, layout: Layout) -> String {
         rows.add_row(cells(list, row, extent));
     }
     rows.right_aligned(&[1]);
-    text.push_str(&rows.to_lines(layout.columns));
+    text.push_str(&rows.into_lines(layout.columns));
     text.push('\n');
     for sentence in gaps(list, extent) {
         text.push_str(&layout.wrapped(&format!("  {sentence}"), "    "));

@@ -202,7 +202,7 @@ fn own_heights_table(inspected: &Inspection, layout: Layout) -> String {
         table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, MOST_NAMES_LISTED)]);
     }
     table.right_aligned(&[1, 2]);
-    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.to_lines(layout.columns))
+    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.into_lines(layout.columns))
 }
 
 fn alike_spheres(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
@@ -240,7 +240,7 @@ fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, lay
         table.add_row([vec![name, limit(figure)], values].concat());
     }
     table.right_aligned(&(2..2 + groups.len()).collect::<Vec<_>>());
-    format!("{}\n", table.to_lines(layout.columns))
+    format!("{}\n", table.into_lines(layout.columns))
 }
 
 fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {

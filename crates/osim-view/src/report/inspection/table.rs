@@ -111,7 +111,7 @@ fn table_of_spheres(spheres: &[InspectedSphere], layout: Layout) -> String {
     table.right_aligned(&[3, 4, 5, 6]);
     format!(
         "{}\n  (in m; the lowest point in the body's frame, with the body's axes upright)\n",
-        table.to_lines(layout.columns)
+        table.into_lines(layout.columns)
     )
 }
 
@@ -127,7 +127,7 @@ fn table_of_forces(inspected: &Inspection, layout: Layout) -> String {
         table.add_row([vec![label], group.cells].concat());
     }
     table.right_aligned(&[1, 2, 3, 4, 5, 6, 7, 8]);
-    let mut text = format!("{legend}\n{}\n", table.to_lines(layout.columns));
+    let mut text = format!("{legend}\n{}\n", table.into_lines(layout.columns));
     text.push_str("  (E1*, E* in N/m2, alpha and bv in s/m, slip in m/s, cf in m2, bd in 1/m;\n");
     text.push_str("   friction static/dynamic/viscous)\n");
     if inspected.forces.iter().any(has_default) {
@@ -166,7 +166,7 @@ fn body_factors(inspected: &Inspection, layout: Layout) -> String {
         table.add_row(cells);
     }
     table.right_aligned(&[1, 2, 3]);
-    format!("{}\n", table.to_lines(layout.columns))
+    format!("{}\n", table.into_lines(layout.columns))
 }
 
 // A body over its floor and on its feet, in sentences: the text and the page share them.

@@ -66,7 +66,7 @@ fn rows(drop: &DropResult, columns: Option<usize>) -> String {
         }
     }
     table.right_aligned(&[1]);
-    format!("{}\n", table.to_lines(columns))
+    format!("{}\n", table.into_lines(columns))
 }
 
 /// Whether the figures are within the limits of the laws. The equations (11) and (13) are the same that `check` uses for these limits.

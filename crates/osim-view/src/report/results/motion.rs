@@ -54,7 +54,7 @@ fn feet(result: &MotionResult, columns: Option<usize>) -> String {
         all.add_row(row);
     }
     all.right_aligned(&(1..headings.len()).collect::<Vec<_>>());
-    format!("{}\n", all.to_lines(columns))
+    format!("{}\n", all.into_lines(columns))
 }
 
 /// The headers and the rows of the table of feet: a row for each foot, and a row for all feet together.
@@ -105,7 +105,7 @@ fn spheres(result: &MotionResult, columns: Option<usize>) -> String {
         }
     }
     all.right_aligned(&[1, 2, 3, 4, 5, 6, 7]);
-    format!("{}\n", all.to_lines(columns))
+    format!("{}\n", all.into_lines(columns))
 }
 
 fn sphere_row(result: &MotionResult, sphere: &SphereSummary) -> Vec<String> {

@@ -117,7 +117,7 @@ pub fn preset_text(preset: &Preset, columns: Option<usize>) -> String {
         "{}\n{}\n\n{}\n\nrelative indentation at body weight: {}\n",
         preset.name,
         filled(&format!("source: {}", preset.source), columns.unwrap_or(WIDTH)),
-        table.to_lines(columns),
+        table.into_lines(columns),
         four_significant(dimensionless.relative_indentation())
     )
 }
