@@ -31,6 +31,9 @@ pub use places::find_misplaced_spheres;
 /// A table of rules: each line has one or several rules, and the function that applies them together.
 type Table<F> = &'static [(&'static [&'static Rule], F)];
 
+/// What a rule about one model depends on, and the function that finds its cases.
+type ModelRule = (DependsOn, fn(&Model) -> Vec<Finding>);
+
 /// What the findings of a rule depend on.
 #[derive(Clone, Copy, PartialEq)]
 enum DependsOn {
@@ -42,7 +45,7 @@ enum DependsOn {
 use DependsOn::{Numbers, Rest};
 
 /// Rules about the model itself, in the order in which reports list their findings.
-static MODEL_RULES: Table<(DependsOn, fn(&Model) -> Vec<Finding>)> = &[
+static MODEL_RULES: Table<ModelRule> = &[
     (
         &[&components::CONNECTEE_BY_NAME, &components::SOCKET_NOWHERE, &components::MISNAMED_PARAMETER_SET],
         (Rest, components::find_irregularities),
