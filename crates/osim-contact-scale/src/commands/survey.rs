@@ -112,7 +112,7 @@ fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) 
             }
             SurveyedModel::WithoutContacts => shown.without_contacts += 1,
             SurveyedModel::Failed(failure) => {
-                shown.exit = shown.exit.plus(session.report_failure(failure, json)?)
+                shown.exit = shown.exit.plus(session.report_failure(failure, json)?);
             }
         }
         shown.is_any |= matches!(surveyed, SurveyedModel::Inspected(..) | SurveyedModel::Checked(..));
