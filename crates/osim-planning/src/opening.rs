@@ -259,7 +259,7 @@ impl PresetEntry {
 /// The presets that the request names; all presets if it names none.
 ///
 /// # Errors
-/// As [`presets`], or an unknown name.
+/// A file of presets that cannot be read, or an unknown name.
 pub fn find_presets(request: &PresetsRequest, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
     let mut all = presets(request.presets.as_deref(), files)?;
     let Some(name) = &request.name else { return Ok(all) };

@@ -216,7 +216,7 @@ impl Document {
     }
 
     /// The element of a property: the object's own element, else the element in `<defaults>`.
-    pub fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
+    pub(crate) fn property_element(&self, object: ElementId, tag: &str) -> Option<ElementId> {
         self.tree.child(object, tag).or_else(|| self.default_property(self.tree.name(object), tag))
     }
 

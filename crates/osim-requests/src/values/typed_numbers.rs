@@ -165,7 +165,7 @@ impl<'t> Range<'t> {
 }
 
 /// The range with colons in this program's spelling; `None` if there are no colons between numbers, or if the range is empty.
-pub fn respell_colons(text: &str) -> Option<String> {
+pub(crate) fn respell_colons(text: &str) -> Option<String> {
     ColonRange::read(text)?.range
 }
 

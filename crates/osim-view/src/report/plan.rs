@@ -196,7 +196,7 @@ pub fn centre(metres: f64) -> String {
 // Equal changes together, so that twelve spheres are one line.
 
 /// Groups of equal changes, in the order of the first change of each group.
-pub fn equal_changes(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
+pub(crate) fn equal_changes(changes: &[NumberChange]) -> Vec<Vec<&NumberChange>> {
     let mut groups: Vec<Vec<&NumberChange>> = Vec::new();
     let mut places = HashMap::new();
     for change in changes {

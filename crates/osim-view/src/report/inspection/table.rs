@@ -255,7 +255,7 @@ pub struct ForceGroup<'m> {
 }
 
 /// The forces of a model in groups; the forces of a group have the same parameters.
-pub fn alike_forces(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
+pub(crate) fn alike_forces(inspected: &Inspection, extent: Extent) -> Vec<ForceGroup<'_>> {
     let mut groups: Vec<ForceGroup<'_>> = Vec::new();
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
