@@ -242,8 +242,8 @@ pub(super) fn foot_spheres_on_ground(model: &Model) -> Vec<&Sphere> {
     let moving: BTreeSet<String> = spheres(false).filter(|sphere| !sphere.fixed).map(series).collect();
     let is_of_foot = |sphere: &&Sphere| {
         let has = |words: &[&str]| words.iter().any(|word| sphere.name.to_lowercase().contains(word));
-        let is_named_so = has(&FOOT_WORDS) || moving.is_empty();
-        moving.contains(&series(sphere)) || is_named_so && !has(&SCENERY_WORDS)
+        let is_named_so = has(&FOOT_WORDS) || moving.is_empty() || moving.contains(&series(sphere));
+        is_named_so && !has(&SCENERY_WORDS)
     };
     fixed.into_iter().filter(is_of_foot).collect()
 }
