@@ -334,10 +334,16 @@ fn likely_name(name: &str, known: &[&'static str]) -> Option<&'static str> {
         return None;
     }
     let old = OLD_CLASSES.iter().find(|(old, _)| *old == name).map(|(_, new)| *new);
+    // Most names are told apart by which letters they have, in upper or lower case: one wrong letter changes at most two of these bits.
+    let letters = |text: &str| text.chars().fold(0_u32, |bits, letter| bits | 1 << (u32::from(letter) % 32));
+    let is_alike = |known: &&&str| {
+        known.len().abs_diff(name.len()) <= MOST_WRONG_LETTERS
+            && (letters(known) ^ letters(name)).count_ones() as usize <= 2 * MOST_WRONG_LETTERS
+    };
     let near = || {
-        let lower = name.to_lowercase();
-        let alike = known.iter().filter(|known| known.len().abs_diff(name.len()) <= MOST_WRONG_LETTERS);
-        let alike = alike.map(|&known| (strsim::osa_distance(&known.to_lowercase(), &lower), known));
+        let alike = known.iter().filter(is_alike);
+        let distance = |known: &str| strsim::osa_distance(&known.to_lowercase(), &name.to_lowercase());
+        let alike = alike.map(|&known| (distance(known), known));
         let near = alike.filter(|(wrong_letters, _)| *wrong_letters <= MOST_WRONG_LETTERS);
         near.min_by_key(|(wrong_letters, _)| *wrong_letters).map(|(_, known)| known)
     };
