@@ -262,7 +262,7 @@ fn shown_text(text: &str) -> String {
 const MOST_LETTERS_OF_FINITE: usize = 300;
 
 impl TextForm {
-    /// Whether a text is the right count of numbers without exponents. Most texts are, and nobody reads them otherwise.
+    /// Whether a text is the right count of numbers without exponents, which OpenSim reads as they look. Most texts are.
     fn has_decimals_alone(self, text: &str) -> bool {
         let is_decimal = |word: &str| {
             let digits = word.strip_prefix('-').unwrap_or(word).as_bytes();
@@ -270,11 +270,8 @@ impl TextForm {
             let others = digits.iter().any(|letter| !letter.is_ascii_digit() && *letter != b'.');
             !others && points < digits.len().min(2) && digits.len() <= MOST_LETTERS_OF_FINITE
         };
-        let mut found = 0;
-        let mut words = opensim_text::list_words(text).inspect(|_| found += 1);
-        let are_decimals = words.all(is_decimal);
-        drop(words);
-        matches!(self, Numbers(count) if are_decimals && found == count)
+        let words = || opensim_text::list_words(text);
+        matches!(self, Numbers(count) if words().all(is_decimal) && words().count() == count)
     }
 
     /// The numbers of a text, none if it is a flag; `None` if a person and OpenSim do not read the text alike.
