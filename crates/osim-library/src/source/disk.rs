@@ -179,7 +179,7 @@ impl LoadedModel {
             |error: FileError| Failure::outside(source.path.as_path(), "unreadable", error.to_string());
         let bytes = disk.read(&source.path).map_err(unreadable)?;
         let files = ModelFiles::read(&source.path, bytes, set_files.companion_paths(), &disk)?;
-        Ok(Self::of(&source.path, files, stamped.stamps.into_inner()))
+        Ok(Self::new(&source.path, files, stamped.stamps.into_inner()))
     }
 
     /// A model with the given `bytes` and the name `path`; `files` has the files beside the model.
@@ -189,10 +189,14 @@ impl LoadedModel {
         set_files: &SetFiles,
         files: &dyn Files,
     ) -> Result<Self, Failure> {
-        Ok(Self::of(path, ModelFiles::read(path, bytes, set_files.companion_paths(), files)?, HashMap::new()))
+        Ok(Self::new(
+            path,
+            ModelFiles::read(path, bytes, set_files.companion_paths(), files)?,
+            HashMap::new(),
+        ))
     }
 
-    fn of(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, FileStamp>) -> Self {
+    fn new(path: &Path, files: ModelFiles, stamps: HashMap<PathBuf, FileStamp>) -> Self {
         let included = files.included().map(str::to_owned).collect();
         let companions = files.companions().map(|(file, path, _)| (file, path.to_owned())).collect();
         let origin = ModelOrigin { path: path.to_owned(), stamps, companions, included };

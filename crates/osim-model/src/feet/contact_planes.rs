@@ -138,7 +138,7 @@ impl PlanesWithSpheres {
 
 /// The pairs of spheres on different bodies between which one force acts.
 #[derive(Debug, Clone, PartialEq)]
-pub struct SpherePairs {
+pub struct PairsOfForce {
     pub count: usize,
     /// The first pairs, in the order in which the force names the spheres.
     pub first: Vec<[SphereId; 2]>,
@@ -146,9 +146,9 @@ pub struct SpherePairs {
     pub not_apart: Option<([SphereId; 2], Option<String>)>,
 }
 
-impl SpherePairs {
+impl PairsOfForce {
     /// The pairs of `force` at the default `pose`, the first `listed` of them listed. A force with one sphere has no pairs.
-    pub fn of(model: &Model, pose: &DefaultPose, force: &Force, listed: usize) -> Self {
+    pub fn find(model: &Model, pose: &DefaultPose, force: &Force, listed: usize) -> Self {
         let spheres: Vec<&Sphere> = force.spheres().into_iter().filter_map(|id| model.sphere(id)).collect();
         let mut on_body: HashMap<Option<&str>, usize> = HashMap::default();
         let count = spheres.iter().enumerate().map(|(before, sphere)| {

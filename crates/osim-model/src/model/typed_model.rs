@@ -40,7 +40,7 @@ pub struct Model {
     pub note: Option<Note>,
     /// Elements that were read although they are written wrongly, in the order of reading.
     pub irregularities: Vec<Irregularity>,
-    /// Computed once, because digests take time.
+    /// The reason not to trust the note. It is found once, because digests take time.
     pub(crate) doubt_about_note: OnceLock<Option<NoteDoubt>>,
     /// The findings of all rules about one model. Computed once.
     pub(crate) findings: OnceLock<Vec<Finding>>,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use contact_scaling::{Ratios, SmoothingValues};
 use osim_inspect::{FindingWithRemedy, InspectOptions, check_model};
-use osim_model::feet::{DefaultPose, SpherePairs};
+use osim_model::feet::{DefaultPose, PairsOfForce};
 use osim_model::messages::{Input, Phrase, Verb, listed, phrase, readable, three_significant};
 use osim_model::{
     Class, Fault, FaultKind, Finding, FindingCode, Force, ForceKind, Model, Property, Selected, SphereId,
@@ -197,7 +197,7 @@ pub(crate) fn remarks_on_dropped_pairs(model: &Model, selected: &Selected) -> Re
     let pose = DefaultPose::of(model);
     let mut remarks = Vec::new();
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-        let pairs = SpherePairs::of(model, &pose, force, PAIRS_LISTED);
+        let pairs = PairsOfForce::find(model, &pose, force, PAIRS_LISTED);
         if let Some((pair, why)) = &pairs.not_apart {
             return Err(refuse_pair(model, force, *pair, why.as_deref()));
         }

@@ -41,7 +41,7 @@ pub(super) struct ReferenceNumbers {
     transfer_planner: TransferPlanner,
 }
 
-/// ContactNumbers of new contacts that are computed from what is wanted, without a reference.
+/// Numbers of new contacts that are computed from what is wanted, without a reference.
 pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
     /// The friction that the caller gave.
