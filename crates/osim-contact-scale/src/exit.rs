@@ -111,7 +111,7 @@ pub(crate) fn report_failure(failure: &Failure, words: Words, terminal: &mut Ter
     let message = message.strip_prefix(&format!("{} ", failure.model)).unwrap_or(&message);
     terminal.error(&format!("error: {place}: {message}\n"));
     if let Some(excerpt) = &failure.excerpt {
-        terminal.excerpt(&format!("{}\n", snippet(excerpt)));
+        let _ = terminal.print_to_stderr_unbroken(&format!("{}\n", snippet(excerpt)));
     }
 }
 

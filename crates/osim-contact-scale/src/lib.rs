@@ -21,7 +21,7 @@ use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line,
 use crate::exit::{Exit, exit_of, text_of};
 use crate::session::{Session, WORDS};
 use crate::suggestions::{suggest, suggested_axis, suggested_figure};
-use crate::terminal::Terminal;
+use crate::terminal::{Terminal, without_closed_pipe};
 
 /// Runs the command with the arguments of the command line.
 pub fn main() -> ExitCode {
@@ -100,10 +100,7 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
         | ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand
         | ErrorKind::DisplayVersion => {
             // A reader that has seen enough is no failure.
-            let printed = error.print().or_else(|why| match why.kind() {
-                std::io::ErrorKind::BrokenPipe => Ok(()),
-                _ => Err(anyhow::Error::from(why)),
-            });
+            let printed = without_closed_pipe(error.print()).map_err(anyhow::Error::from);
             match printed {
                 Ok(()) if !error.use_stderr() => Exit::Done,
                 Ok(()) => Exit::Usage,

@@ -81,13 +81,9 @@ impl Terminal {
         }
         let text = harmless_but_colours(text);
         let mut out = anstream::stdout().lock();
-        match out.write_all(fitted(&text, self.out).as_bytes()).and_then(|()| out.flush()) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
-                self.gone = true;
-                Ok(())
-            }
-            result => result,
-        }
+        let written = out.write_all(fitted(&text, self.out).as_bytes()).and_then(|()| out.flush());
+        self.gone = written.as_ref().is_err_and(|error| error.kind() == ErrorKind::BrokenPipe);
+        without_closed_pipe(written)
     }
 
     /// Writes the unchanged bytes of a model or another file to standard output.
@@ -99,10 +95,7 @@ impl Terminal {
         let written = out.write_all(bytes).and_then(|()| out.flush());
         // What follows a gap is of no use: it is left out, and the failure is reported once.
         self.gone = written.is_err();
-        match written {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            result => result,
-        }
+        without_closed_pipe(written)
     }
 
     /// Whether standard output can show letters beyond ASCII; files and pipes always can.
@@ -125,10 +118,7 @@ impl Terminal {
 
     /// Prints text that is not a result on standard error, with unbroken lines.
     pub(crate) fn print_to_stderr_unbroken(&mut self, text: &str) -> io::Result<()> {
-        match io::stderr().lock().write_all(terminal_safe(text).as_bytes()) {
-            Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-            result => result,
-        }
+        without_closed_pipe(io::stderr().lock().write_all(terminal_safe(text).as_bytes()))
     }
 
     /// Prints a failure on standard error. If standard error is closed, does nothing.
@@ -141,14 +131,17 @@ impl Terminal {
         self.error(&format!("error: {}\n", one_line(text.to_owned())));
     }
 
-    /// Prints lines of a file with marks below them on standard error. The lines are not broken, so that the marks stay in place.
-    pub(crate) fn excerpt(&mut self, text: &str) {
-        let _ = io::stderr().lock().write_all(terminal_safe(text).as_bytes());
-    }
-
     /// Prints a remark in one line on standard error.
     pub(crate) fn remark(&mut self, text: &str) -> io::Result<()> {
         self.print_to_stderr(&format!("remark: {}\n", one_line(text.to_owned())))
+    }
+}
+
+/// The result of writing; a reader that has gone away is no failure.
+pub(crate) fn without_closed_pipe(written: io::Result<()>) -> io::Result<()> {
+    match written {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        result => result,
     }
 }
 

@@ -10,7 +10,7 @@ use osim_library::run::{
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
-use osim_model::messages::{Input, Phrase, one_line, phrase};
+use osim_model::messages::{Input, Phrase, listed, one_line, phrase};
 use osim_model::{FileId, Severity};
 use osim_planning::{PreparedChange, may_be_file, prepare};
 use osim_requests::options::{InspectionOptions, RunFormat, RunOptions, SheetFormat};
@@ -150,7 +150,7 @@ pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Sessi
         for (what, names) in
             [("failed", failed), ("skipped", skipped)].iter().filter(|(_, names)| !names.is_empty())
         {
-            session.terminal.remark(&format!("{what}: {}", first_names(names)))?;
+            session.terminal.remark(&format!("{what}: {}", listed(names, MOST_REPEATED_NAMES)))?;
         }
     } else if counts.interrupted() {
         session.terminal.print_to_stderr("stopped\n")?;
@@ -276,12 +276,6 @@ fn last_line_of_run(counts: &Counts, options: &RunOptions, words: Words) -> Stri
 
 /// Most models whose names are repeated at the end of a run.
 const MOST_REPEATED_NAMES: usize = 10;
-
-fn first_names(names: &[String]) -> String {
-    let more = names.len().saturating_sub(MOST_REPEATED_NAMES);
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    format!("{}{more}", names.iter().take(MOST_REPEATED_NAMES).cloned().collect::<Vec<_>>().join(", "))
-}
 
 // What is shown of a model that was changed, made on the thread that changed it.
 
