@@ -8,6 +8,7 @@ use osim_inspect::describe_unmatched_patterns;
 use osim_library::report_page::{ReportPage, Words};
 use osim_library::{Disk, LibraryFault};
 use osim_model::files::{CompanionPaths, Failure};
+use osim_model::messages::Input;
 use osim_planning::open_with;
 use osim_requests::options::{ForceOptions, MassOptions};
 use osim_requests::spell::{CommandLine, JsonRequest, Matlab, shell_quoted};
@@ -62,6 +63,12 @@ impl Session {
     /// Makes the error for refused files.
     pub(crate) fn file_error(&self, fault: &LibraryFault) -> anyhow::Error {
         ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause) }.into()
+    }
+
+    /// The error for a file of the option `input` whose name has none of the `endings`.
+    pub(crate) fn wrong_ending(&self, input: Input, path: &Path, endings: &str) -> anyhow::Error {
+        let option = self.words.input(input, None);
+        anyhow::anyhow!("{option} '{}': expected a name that ends in {endings}", path.display())
     }
 }
 

@@ -61,11 +61,7 @@ impl<'o> MotionOutput<'o> {
                 .is_some_and(|ending| ["sto", "mot"].iter().any(|known| ending.eq_ignore_ascii_case(known)))
         };
         if !is_table(table) {
-            bail!(
-                "{} '{}': expected a name that ends in .sto",
-                session.words.input(Input::Output, None),
-                table.display()
-            );
+            return Err(session.wrong_ending(Input::Output, table, ".sto"));
         }
         let loads = table.with_extension("xml");
         let mut conflicts = PathConflicts::default();

@@ -101,11 +101,7 @@ impl<'o> PlotOutput<'o> {
         let is_csv = |path: &Path| path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
         if let Some(data) = data {
             if !is_csv(data) {
-                bail!(
-                    "{} '{}': expected a name that ends in .csv",
-                    session.words.input(Input::Data, None),
-                    data.display()
-                );
+                return Err(session.wrong_ending(Input::Data, data, ".csv"));
             }
             conflicts
                 .add_output(data, "the table of the figure")
@@ -122,11 +118,7 @@ impl<'o> PlotOutput<'o> {
             Some(ending @ ("pdf" | "png")) => {
                 bail!("this program was built without {ending}: write to a name that ends in .svg")
             }
-            _ => bail!(
-                "{} '{}': expected a name that ends in .svg, .pdf or .png",
-                session.words.input(Input::Output, None),
-                path.display()
-            ),
+            _ => return Err(session.wrong_ending(Input::Output, path, ".svg, .pdf or .png")),
         };
         conflicts.add_output(path, "the figure").map_err(|fault| session.file_error(&fault))?;
         Ok(Self { path: Some(path), picture, data })
