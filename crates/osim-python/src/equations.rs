@@ -63,10 +63,7 @@ pub(crate) fn equation<'py>(
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         Ok(function.values(rule, &columns))
     })?;
-    Ok(match values {
-        Ok(values) => (Some(bytes(py, &values)), None),
-        Err(failure) => (None, Some(refusal(&failure))),
-    })
+    Ok(value_or_refusal(values.map(|values| bytes(py, &values))))
 }
 
 /// The value of an equation over spheres: a list for each argument, and their heights where they are not level. Of one over a list
@@ -90,10 +87,7 @@ pub(crate) fn equation_of_list(
         };
         Ok(function.value(&columns, heights.as_ref().map(|heights| floats(heights)).as_deref(), load))
     })?;
-    Ok(match value {
-        Ok(value) => (Some(value), None),
-        Err(failure) => (None, Some(refusal(&failure))),
-    })
+    Ok(value_or_refusal(value))
 }
 
 /// For each step of a continuation: the dimensionless stiffness, the factor of the modulus and the factor of the dissipation.
@@ -119,13 +113,11 @@ pub(crate) fn steps(
             return Ok((None, Some((Some("count"), None, message))));
         }
     };
-    Ok(match without_gil(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))? {
-        Ok(ladder) => {
-            let columns = (ladder.dimensionless_stiffness, ladder.modulus_factor, ladder.dissipation_factor);
-            (Some(columns), None)
-        }
-        Err(failure) => (None, Some(refusal(&failure))),
-    })
+    let ladder = without_gil(py, || Ok(continuation_steps(first, last, dissipation_ratio, count)))?;
+    Ok(value_or_refusal(
+        ladder
+            .map(|ladder| (ladder.dimensionless_stiffness, ladder.modulus_factor, ladder.dissipation_factor)),
+    ))
 }
 
 /// The name of OpenSim's rule for the modulus of two surfaces, which is used if the call names no rule.
@@ -141,12 +133,12 @@ fn unknown(name: &str) -> Problem {
     Problem::defect(format!("there is no equation {name}"))
 }
 
-fn refusal(failure: &EquationError) -> Refusal {
-    (
-        failure.parameter,
-        failure.index,
-        failure.message(if failure.index.is_some() { PLACE_OF_ELEMENT } else { "" }),
-    )
+fn value_or_refusal<T>(result: Result<T, EquationError>) -> ValueOrRefusal<T> {
+    let refusal = |failure: EquationError| {
+        let place = if failure.index.is_some() { PLACE_OF_ELEMENT } else { "" };
+        (None, Some((failure.parameter, failure.index, failure.message(place))))
+    };
+    result.map_or_else(refusal, |value| (Some(value), None))
 }
 
 fn floats(bytes: &[u8]) -> Vec<f64> {

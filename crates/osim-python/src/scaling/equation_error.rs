@@ -23,55 +23,51 @@ pub(crate) struct EquationError {
 }
 
 impl EquationError {
+    fn new(
+        parameter: Option<&'static str>,
+        quantity: &'static str,
+        value: f64,
+        expected: &'static str,
+    ) -> Self {
+        Self { parameter, quantity, value, expected, index: None }
+    }
+
     /// # Errors
     /// The first argument without a finite value: a gap in an array, or the result of a division by 0.
     pub(super) fn unless_finite(
         mut arguments: impl Iterator<Item = (&'static str, f64)>,
     ) -> Result<(), Self> {
         let Some((name, value)) = arguments.find(|(_, value)| !value.is_finite()) else { return Ok(()) };
-        Err(Self { parameter: Some(name), quantity: name, value, expected: "a finite number", index: None })
+        Err(Self::new(Some(name), name, value, "a finite number"))
     }
 
     /// The error that the result is too large for a float, although every argument is allowed.
     pub(super) fn result(value: f64) -> Self {
         let expected = "a finite number: an argument is far too large or too small";
-        Self { parameter: None, quantity: "the result", value, expected, index: None }
+        Self::new(None, "the result", value, expected)
     }
 
     /// The error that an equation got `found` arguments, and takes another number of arguments.
     pub(super) fn arguments(found: usize) -> Self {
         let expected = "a number for each argument of the equation";
-        Self {
-            parameter: None,
-            quantity: "the number of arguments",
-            value: count(found),
-            expected,
-            index: None,
-        }
+        Self::new(None, "the number of arguments", count(found), expected)
     }
 
     /// The error that a body has no spheres to rest on.
     pub(super) fn no_sphere() -> Self {
-        let quantity = "the number of spheres";
-        Self { parameter: None, quantity, value: 0.0, expected: "1 or more", index: None }
+        Self::new(None, "the number of spheres", 0.0, "1 or more")
     }
 
     /// The error that heights of spheres are not measured from the lowest sphere.
     pub(super) fn lowest(parameter: &'static str, value: f64) -> Self {
-        let quantity = "height of the lowest sphere";
         let expected = "0 for the lowest sphere: heights are above that one";
-        Self { parameter: Some(parameter), quantity, value, expected, index: None }
+        Self::new(Some(parameter), "height of the lowest sphere", value, expected)
     }
 
     /// The error that a list has neither one element nor as many elements as the other lists.
     pub(super) fn length(parameter: &'static str, found: usize) -> Self {
-        Self {
-            parameter: Some(parameter),
-            quantity: NUMBER_OF_ELEMENTS,
-            value: count(found),
-            expected: "one, or as many as the other arguments have",
-            index: None,
-        }
+        let expected = "one, or as many as the other arguments have";
+        Self::new(Some(parameter), NUMBER_OF_ELEMENTS, count(found), expected)
     }
 
     /// Finds the refused argument: its value is the refused value, and its name is the refused quantity or ends with the same word.
@@ -110,13 +106,7 @@ impl EquationError {
 
 impl From<DomainError> for EquationError {
     fn from(error: DomainError) -> Self {
-        Self {
-            parameter: None,
-            quantity: error.quantity(),
-            value: error.value(),
-            expected: error.expected(),
-            index: None,
-        }
+        Self::new(None, error.quantity(), error.value(), error.expected())
     }
 }
 
