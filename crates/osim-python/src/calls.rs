@@ -32,12 +32,13 @@ macro_rules! request {
     ($verb:ident, $fields:expr) => {
         match Request::from_map($fields)? {
             Request::$verb(request) => *request,
-            other => return Err(unexpected(&other)),
+            other => return Err($crate::calls::unexpected(&other)),
         }
     };
 }
+pub(crate) use request;
 
-fn unexpected(request: &Request) -> Problem {
+pub(crate) fn unexpected(request: &Request) -> Problem {
     Problem::defect(format!("a request for {} came where none is taken", request.verb().name()))
 }
 

@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
 
+use crate::calls::request;
 use crate::calls_into_rust::{request_fields, without_gil};
 use crate::files::RequestFiles;
 use crate::problem::Problem;
@@ -55,9 +56,7 @@ pub(crate) fn plot(
     let fields = request_fields(fields)?;
     without_gil(py, move || {
         let files = RequestFiles::from_python(&memory, true);
-        let Request::Plot(request) = Request::from_map(fields)? else {
-            return Err(Problem::defect("a request for another verb".to_owned()));
-        };
+        let request = request!(Plot, fields);
         request.check_models()?;
         let (drawing, bodies, remarks) = drawing_of_request(&request, &files)?;
         let svg = figures::svg(&drawing, figures::paper_of(&request.looks), &bodies)?;

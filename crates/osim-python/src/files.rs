@@ -31,35 +31,35 @@ impl RequestFiles {
         Self::new(memory.iter().map(|(path, bytes)| (path.clone(), bytes.to_vec())).collect(), with_disk)
     }
 
-    fn record_read(&self, path: &Path, bytes: Vec<u8>) -> Vec<u8> {
-        self.read.borrow_mut().insert(path.to_owned(), bytes.clone());
-        bytes
-    }
-
-    fn read_without_disk(&self, path: &Path) -> Option<Result<Vec<u8>, FileError>> {
-        match self.memory.get(path) {
-            Some(bytes) => Some(Ok(self.record_read(path, bytes.clone()))),
+    /// Reads a file from memory; or by `read_disk`, if the request may use the disk.
+    fn read_with(
+        &self,
+        path: &Path,
+        read_disk: impl FnOnce(&Path) -> Result<Vec<u8>, FileError>,
+    ) -> Result<Vec<u8>, FileError> {
+        let bytes = match self.memory.get(path) {
+            Some(bytes) => bytes.clone(),
             None if path.as_os_str() == "-" => {
                 let message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model";
-                Some(Err(FileError::new(message)))
+                return Err(FileError::new(message));
             }
             None if !self.with_disk => {
-                Some(Err(FileError::new(format!("{} did not come along", path.display()))))
+                return Err(FileError::new(format!("{} did not come along", path.display())));
             }
-            None => None,
-        }
+            None => read_disk(path)?,
+        };
+        self.read.borrow_mut().insert(path.to_owned(), bytes.clone());
+        Ok(bytes)
     }
 }
 
 impl Files for RequestFiles {
     fn read(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.read_without_disk(path)
-            .unwrap_or_else(|| Disk.read(path).map(|bytes| self.record_read(path, bytes)))
+        self.read_with(path, |path| Disk.read(path))
     }
 
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
-        self.read_without_disk(path)
-            .unwrap_or_else(|| Disk.read_included(path).map(|bytes| self.record_read(path, bytes)))
+        self.read_with(path, |path| Disk.read_included(path))
     }
 
     fn exists(&self, path: &Path) -> bool {

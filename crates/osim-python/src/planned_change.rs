@@ -171,12 +171,7 @@ impl Planned {
             let after = both.after.map(|(_, found)| found);
             Ok(std::iter::once(both.before.1).chain(after).collect::<Vec<_>>())
         })?;
-        both.into_iter()
-            .map(|found| {
-                let record = dictionary(py, &found)?;
-                Ok((record, remedies(&found)))
-            })
-            .collect()
+        both.iter().map(|found| Ok((dictionary(py, found)?, remedies(found)))).collect()
     }
 
     /// The page of a report about this change, as HTML; `call` is what was called, for those who want to do it again.

@@ -16,6 +16,7 @@ use serde_json::Value;
 const MODULE: &str = "osim_contact_scale._errors";
 
 /// A failure or fault that is about to become an exception of Python.
+#[derive(Default)]
 pub(crate) struct Problem {
     class: &'static str,
     code: &'static str,
@@ -36,17 +37,8 @@ impl Problem {
     /// A problem that concerns no single model.
     pub(crate) fn general(class: &'static str, code: &'static str, message: impl Into<Phrase>) -> Self {
         let message = message.into();
-        Self {
-            class,
-            code,
-            message: spelled(&message),
-            path: None,
-            line: None,
-            column: None,
-            excerpt: None,
-            keywords: keywords(&message),
-            raised: None,
-        }
+        let (message, keywords) = (spelled(&message), keywords(&message));
+        Self { class, code, message, keywords, ..Self::default() }
     }
 
     /// An internal error, which a user should report.

@@ -1,6 +1,6 @@
 //! Changes many models in one run: all models of a request, or the models in the rows of a table.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use osim_library::report_page::{ReportPage, entry_of_change, entry_of_record};
 use osim_library::run::{
@@ -15,12 +15,11 @@ use osim_requests::options::RunOptions;
 use osim_requests::spell::Speller;
 use osim_view::html::{DetailLevel, Entry};
 use osim_view::report::json::FailureRecord;
-use osim_view::report::results::SweepRecord;
 use pyo3::prelude::*;
 use pyo3::pybacked::PyBackedBytes;
 use pyo3::types::PyDict;
-use serde_json::{Map, Value};
 
+use crate::calls::request;
 use crate::calls_into_rust::{ProgressCallback, dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
 use crate::planned_change::WORDS;
@@ -90,16 +89,13 @@ pub(crate) fn rescale_many<'py>(
     call: String,
     callback: Option<Py<PyAny>>,
 ) -> PyResult<Lines<'py>> {
-    let fields = request_fields(fields)?;
+    let mut fields = request_fields(fields)?;
+    if table.is_some() {
+        // The request needs a name there; none of a file that is read.
+        fields.insert("manifest".to_owned(), NAME_OF_TABLE.into());
+    }
     let (records, remarks) = without_gil(py, || {
-        let request = match table {
-            // The request needs a name there; none of a file that is read.
-            Some(_) => Request::from_map(with_table_name(fields))?,
-            None => Request::from_map(fields)?,
-        };
-        let Request::Batch(mut request) = request else {
-            return Err(Problem::defect("a request for another verb".to_owned()));
-        };
+        let mut request = request!(Batch, fields);
         let (bytes, name, folder) = match table {
             Some(table) => {
                 request.manifest = None;
@@ -126,11 +122,6 @@ pub(crate) fn rescale_many<'py>(
 
 /// The name of a table without a file in messages.
 const NAME_OF_TABLE: &str = "table";
-
-fn with_table_name(mut fields: Map<String, Value>) -> Map<String, Value> {
-    fields.insert("manifest".to_owned(), NAME_OF_TABLE.into());
-    fields
-}
 
 /// Changes models by a request and writes the results.
 pub(crate) fn run(
@@ -198,14 +189,12 @@ pub(crate) fn sweep<'py>(
 ) -> PyResult<SweepResult<'py>> {
     let fields = request_fields(fields)?;
     let ((record, manifest), failures) = without_gil(py, || {
-        let Request::Sweep(request) = Request::from_map(fields)? else {
-            return Err(Problem::defect("a request for another verb".to_owned()));
-        };
+        let request = request!(Sweep, fields);
         let sweep = SweepRun::new(&request)?;
         sweep.check_ends()?;
         let mut failures: Vec<Failure> = Vec::new();
         if request.dry_run {
-            let record = sweep_record(&sweep, None).with_counts(sweep.count(), 0);
+            let record = sweep.record(None).with_counts(sweep.count(), 0);
             return Ok(((serde_json::to_value(&record), None), failures));
         }
         let watch = ProgressCallback::new(callback);
@@ -216,17 +205,11 @@ pub(crate) fn sweep<'py>(
         });
         watch.check_stopped()?;
         let end = end?;
-        let record = sweep_record(&sweep, end.manifest.as_deref());
+        let record = sweep.record(end.manifest.as_deref());
         let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
         Ok(((serde_json::to_value(&record), end.manifest), failures))
     })?;
     let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
     let failures = failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, WORDS)));
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
-}
-
-/// The record of a sweep before its variants are counted.
-fn sweep_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
-    let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
-    record.with_points(sweep.points(), sweep.point_file())
 }

@@ -2,8 +2,6 @@
 //!
 //! Count and size are reported first; then each variant is made, written, and read again from its own bytes for the table.
 
-use std::path::Path;
-
 use anyhow::Result;
 use osim_library::{SweepEnd, SweepFrontEnd, SweepRun};
 use osim_model::Question;
@@ -38,7 +36,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     sweep.check_ends().map_err(|error| session.refuse(error, json))?;
     print_number_of_variants(&sweep, request, session)?;
     if request.dry_run {
-        let record = first_record(&sweep, None).with_counts(sweep.count(), 0);
+        let record = sweep.record(None).with_counts(sweep.count(), 0);
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
@@ -63,7 +61,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
             "remark: stopped: {made} of {count} models are made; to continue, repeat the command with {resume}\n"
         ))?;
     }
-    let record = first_record(&sweep, end.manifest.as_deref());
+    let record = sweep.record(end.manifest.as_deref());
     let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
     report(&record, &text(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
@@ -96,13 +94,6 @@ fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     }
     remarks
 }
-
-/// The record of a sweep before the first variant is made.
-fn first_record(sweep: &SweepRun<'_>, manifest: Option<&Path>) -> SweepRecord {
-    let record = SweepRecord::new(sweep.model(), sweep.folder(), manifest);
-    record.with_points(sweep.points(), sweep.point_file())
-}
-
 fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     exit::listen_for_stop_signals();
     let watch = Progress::begin(sweep.count(), request.quiet);

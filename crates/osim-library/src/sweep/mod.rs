@@ -7,11 +7,12 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use osim_model::FileId;
-use osim_model::files::{Failure, FileName};
+use osim_model::files::Failure;
 use osim_model::messages::{Input, Verb, phrase};
 use osim_planning::SweepPlan;
 use osim_requests::options::SetFiles;
 use osim_requests::{RequestError, RequestFault, SweepRequest, verb_takes};
+use osim_view::report::results::SweepRecord;
 
 use crate::fault::{Context, LibraryFault};
 use crate::file_access;
@@ -113,8 +114,10 @@ impl<'s> SweepRun<'s> {
         self.request.is_large()
     }
 
-    pub fn model(&self) -> &FileName {
-        self.plan.model().name()
+    /// The record of this sweep before its variants are counted.
+    pub fn record(&self, manifest: Option<&Path>) -> SweepRecord {
+        let record = SweepRecord::new(self.plan.model().name(), &self.folder, manifest);
+        record.with_points(self.points(), self.point_file())
     }
 
     pub fn model_size(&self) -> usize {
