@@ -1,11 +1,10 @@
 //! Values that are read from their texts, also in JSON, and choices of one word among several.
 
 use std::fmt::Display;
-use std::marker::PhantomData;
 use std::str::FromStr;
 
 use osim_model::messages::shortest;
-use serde::de::{Error, MapAccess, SeqAccess, Visitor};
+use serde::de::{Error, Unexpected};
 use serde::{Deserialize, Deserializer, Serializer};
 use serde_json::Value;
 
@@ -18,60 +17,18 @@ where
     T: FromStr<Err: Display>,
     D: Deserializer<'d>,
 {
-    struct Text<T>(PhantomData<T>);
-
-    impl<'s, T: FromStr<Err: Display>> Visitor<'s> for Text<T> {
-        type Value = T;
-
-        fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-            f.write_str("a number or a text")
+    let text = match Value::deserialize(deserializer)? {
+        Value::String(text) => text,
+        Value::Number(number) if number.is_f64() => number.as_f64().map(shortest).unwrap_or_default(),
+        Value::Number(number) => number.to_string(),
+        Value::Array(_) => return Err(D::Error::custom("a list, expected one number or one text")),
+        Value::Object(_) => {
+            return Err(D::Error::custom("names with values, expected one number or one text"));
         }
-
-        fn visit_str<E: Error>(self, text: &str) -> Result<T, E> {
-            text.parse().map_err(E::custom)
-        }
-
-        fn visit_seq<A: SeqAccess<'s>>(self, _: A) -> Result<T, A::Error> {
-            Err(A::Error::custom("a list, expected one number or one text"))
-        }
-
-        fn visit_map<A: MapAccess<'s>>(self, _: A) -> Result<T, A::Error> {
-            Err(A::Error::custom("names with values, expected one number or one text"))
-        }
-
-        fn visit_bool<E: Error>(self, _: bool) -> Result<T, E> {
-            Err(E::custom("expected a number or a text"))
-        }
-
-        fn visit_f64<E: Error>(self, value: f64) -> Result<T, E> {
-            self.visit_str(&shortest(value))
-        }
-
-        fn visit_u64<E: Error>(self, value: u64) -> Result<T, E> {
-            self.visit_str(&value.to_string())
-        }
-
-        fn visit_i64<E: Error>(self, value: i64) -> Result<T, E> {
-            self.visit_str(&value.to_string())
-        }
-    }
-
-    deserializer.deserialize_any(Text(PhantomData))
-}
-
-/// Reads a value that may be absent.
-///
-/// # Errors
-/// The error of [`FromStr`].
-pub(crate) fn optional_from_text<'d, T, D>(deserializer: D) -> Result<Option<T>, D::Error>
-where
-    T: FromStr<Err: Display>,
-    D: Deserializer<'d>,
-{
-    match Option::<Value>::deserialize(deserializer)? {
-        None => Ok(None),
-        Some(value) => from_text(value).map(Some).map_err(D::Error::custom),
-    }
+        Value::Bool(_) => return Err(D::Error::custom("expected a number or a text")),
+        Value::Null => return Err(D::Error::invalid_type(Unexpected::Unit, &"a number or a text")),
+    };
+    text.parse().map_err(D::Error::custom)
 }
 
 /// Reads a list of values from their texts, or a single value.

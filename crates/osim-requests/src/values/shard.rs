@@ -6,7 +6,9 @@ use std::ops::Range;
 use std::path::Path;
 use std::str::FromStr;
 
-use serde::Deserializer;
+use serde::de::Error;
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::values::serial::{self, values_as_text};
@@ -98,8 +100,9 @@ impl FromStr for PointNumber {
 
 /// Reads the number of a point of a sweep.
 pub(crate) fn point_of_json<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<usize>, D::Error> {
-    let number: Option<PointNumber> = serial::optional_from_text(deserializer)?;
-    Ok(number.map(|PointNumber(number)| number))
+    let Some(value) = Option::<Value>::deserialize(deserializer)? else { return Ok(None) };
+    let PointNumber(number) = serial::from_text(value).map_err(D::Error::custom)?;
+    Ok(Some(number))
 }
 
 #[cfg(test)]
