@@ -1,14 +1,15 @@
 //! Collects the changes of a plan. Each number is checked, and changed at most once.
 
+use contact_scaling::Ratios;
 use contact_scaling::modulus::SurfaceValues;
 use foldhash::{HashSet, HashSetExt};
 use osim_model::messages::Phrase;
 use osim_model::{
-    Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, SetId, Slot, SphereId,
-    Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
+    DissipationBy, Fault, FaultKind, FileId, Finding, Force, ForceId, HalfSpace, Model, Property, SetId,
+    Slot, SphereId, Surfaces, ValueKey, radius_of_equal_volume, sphere_sets,
 };
 
-use crate::change::{ChangedBy, NumberChange, PlaceChange};
+use crate::change::{ChangedBy, NumberChange, PlaceChange, property_factor};
 
 /// Relative rounding error of a product of a few numbers.
 const ROUNDING_OF_FACTORS: f64 = 1e-14;
@@ -179,6 +180,36 @@ impl<'m> PlanBuilder<'m> {
         }
         Ok(())
     }
+
+    /// Changes `property` in each set of `force` that has it, and says whether one has it.
+    pub(crate) fn change_sets(
+        &mut self,
+        force: &Force,
+        property: Property,
+        new: impl Fn(f64) -> NewValue,
+    ) -> Result<bool, Fault> {
+        let mut found = false;
+        for set in &force.sets {
+            if let Some(from) = force.checked(set.id, property)? {
+                self.change_parameter(force.id, set.id, property, new(from))?;
+                found = true;
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Changes a property that has no value of its own by the factor that follows from the new radius; `own` has the ratios of this model's new
+/// radii to its old ones.
+pub(crate) fn scale_with_radius(
+    plan: &mut PlanBuilder<'_>,
+    force: &Force,
+    property: Property,
+    own: &Ratios,
+    by: DissipationBy,
+) -> Result<(), Fault> {
+    let Some((factor, by)) = property_factor(property, own, by) else { return Ok(()) };
+    plan.change_sets(force, property, |from| NewValue::times(from, factor, by)).map(drop)
 }
 
 /// Two composite values are equal if their relative difference is at most this.

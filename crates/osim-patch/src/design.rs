@@ -11,7 +11,7 @@ use osim_model::{
     PropertySet, RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
 };
 
-use crate::builder::{NewValue, PlanBuilder, change_composite};
+use crate::builder::{NewValue, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
@@ -100,6 +100,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
     plan.findings.extend(model.remarks_on(&selected.forces));
     let mut rests = Vec::new();
     let shared = !model.spheres_in_several_forces().is_empty();
+    let by = DissipationBy::Radius;
     for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
         let by_radius =
             RatioValues { mass: 1.0, sphere_count: 1.0, radius: radii.ratio(force), gravity: 1.0 };
@@ -112,7 +113,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
                 Some((to, equation)) => {
                     change_composite(&mut plan, force.id, property, to, ChangedBy::Equation(equation))?;
                 }
-                None => scale_with_radius(&mut plan, force, property, &sphere.own_ratios)?,
+                None => scale_with_radius(&mut plan, force, property, &sphere.own_ratios, by)?,
             }
         }
     }
@@ -152,30 +153,8 @@ struct DesignedForce<'f> {
     own_ratios: Ratios,
 }
 
-impl DesignedForce<'_> {
-    fn is_smooth(&self) -> bool {
-        is_smooth(self.force)
-    }
-}
-
 fn is_smooth(force: &Force) -> bool {
     force.kind == ForceKind::SmoothSphereHalfSpace
-}
-
-/// Changes a property that is not designed by the factor that follows from the new radius.
-fn scale_with_radius(
-    plan: &mut PlanBuilder<'_>,
-    force: &Force,
-    property: Property,
-    own: &Ratios,
-) -> Result<(), Fault> {
-    let Some((factor, by)) = property_factor(property, own, DissipationBy::Radius) else { return Ok(()) };
-    for set in &force.sets {
-        if let Some(from) = force.checked(set.id, property)? {
-            plan.change_parameter(force.id, set.id, property, NewValue::times(from, factor, by))?;
-        }
-    }
-    Ok(())
 }
 
 impl Design {
@@ -230,7 +209,7 @@ impl Design {
         sphere: &DesignedForce<'_>,
         property: Property,
     ) -> Result<Option<(f64, &'static str)>, Fault> {
-        let (radius_m, smooth, model) = (sphere.radius_m, sphere.is_smooth(), plan.model);
+        let (radius_m, smooth, model) = (sphere.radius_m, is_smooth(sphere.force), plan.model);
         Ok(match property {
             Property::Stiffness => match self.modulus {
                 Some(modulus) => {
@@ -288,7 +267,7 @@ impl Design {
     /// The factor on the Hertz force at speed 0, the second factor of (C.9), with the α and bv of the force; 1 without
     /// smoothing.
     fn speed_state(&self, plan: &PlanBuilder<'_>, sphere: &DesignedForce<'_>) -> Result<f64, Fault> {
-        if !sphere.is_smooth() {
+        if !is_smooth(sphere.force) {
             return Ok(1.0);
         }
         let dissipation = self.value_after(plan, sphere, Property::Dissipation)?;
@@ -305,7 +284,7 @@ impl Design {
         plan: &PlanBuilder<'_>,
         sphere: &DesignedForce<'_>,
     ) -> Result<Option<f64>, Fault> {
-        let Some(load) = self.load.filter(|_| sphere.is_smooth()) else { return Ok(None) };
+        let Some(load) = self.load.filter(|_| is_smooth(sphere.force)) else { return Ok(None) };
         let after =
             |property| self.value_after(plan, sphere, property).map(|value| value.unwrap_or(f64::NAN));
         let values = ContactValues {
@@ -359,13 +338,7 @@ impl Design {
             parts.push(phrase![weighs, &mass.source.describe(), ")"]);
         }
         parts.extend(self.wanted_in_words().into_iter().map(Phrase::from));
-        let Some((first, others)) = parts.split_first() else { return "another radius".into() };
-        let mut all = first.clone();
-        for other in others {
-            all.push("; ");
-            all.push(other);
-        }
-        all
+        Phrase::joined(parts, "; ").unwrap_or_else(|| "another radius".into())
     }
 
     fn wanted_in_words(&self) -> Vec<String> {

@@ -127,17 +127,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-                for set in &force.sets {
-                    if let Some(from) = force.checked(set.id, property)? {
-                        plan.change_parameter(
-                            force.id,
-                            set.id,
-                            property,
-                            NewValue::assigned(value, from, by),
-                        )?;
-                        found = true;
-                    }
-                }
+                found |= plan.change_sets(force, property, |from| NewValue::assigned(value, from, by))?;
             }
         }
         if !found {

@@ -224,11 +224,7 @@ pub(crate) fn plan_several_sets(
         };
         let Some((factor, by)) = scaled else { continue };
         let factor = factor * composite_ratio(plan, force, chosen, property)?;
-        for set in &force.sets {
-            if let Some(from) = force.checked(set.id, property)? {
-                plan.change_parameter(force.id, set.id, property, NewValue::times(from, factor, by))?;
-            }
-        }
+        plan.change_sets(force, property, |from| NewValue::times(from, factor, by))?;
     }
     Ok(())
 }

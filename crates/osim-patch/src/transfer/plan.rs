@@ -4,11 +4,11 @@ use contact_scaling::{Contact, DimensionlessContact, RatioValues, Ratios, Scale,
 use osim_model::compare::Follow;
 use osim_model::messages::{Phrase, phrase, readable};
 use osim_model::{
-    DissipationBy, Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Model, Property, RadiusRule,
-    Scope, Selected, SphereId,
+    Fault, FaultKind, Finding, Force, ForceKind, GravityFor, Model, Property, RadiusRule, Scope, Selected,
+    SphereId,
 };
 
-use crate::builder::{NewValue, PlanBuilder, change_composite};
+use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
 use crate::objects::keeps_sphere_inside;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER};
@@ -136,7 +136,7 @@ impl TargetForce<'_> {
                     let to = if factor == 1.0 { value } else { value * factor };
                     change_composite(plan, self.force.id, property, to, by)?;
                 }
-                None => self.scale_with_radius(plan, property, wanted.dissipation_by)?,
+                None => scale_with_radius(plan, self.force, property, &self.own, wanted.dissipation_by)?,
             }
         }
         Ok(())
@@ -154,22 +154,6 @@ impl TargetForce<'_> {
             Property::ViscousFriction => self.from.friction.map(|(_, viscous)| viscous),
             _ => None,
         }
-    }
-
-    /// Changes a property that the reference does not have by the factor that follows from the new radius.
-    fn scale_with_radius(
-        &self,
-        plan: &mut PlanBuilder<'_>,
-        property: Property,
-        by: DissipationBy,
-    ) -> Result<(), Fault> {
-        let Some((factor, by)) = property_factor(property, &self.own, by) else { return Ok(()) };
-        for set in &self.force.sets {
-            if let Some(from) = self.force.checked(set.id, property)? {
-                plan.change_parameter(self.force.id, set.id, property, NewValue::times(from, factor, by))?;
-            }
-        }
-        Ok(())
     }
 }
 
