@@ -210,43 +210,31 @@ impl Design {
         property: Property,
     ) -> Result<Option<(f64, &'static str)>, Fault> {
         let (radius_m, smooth, model) = (sphere.radius_m, is_smooth(sphere.force), plan.model);
-        Ok(match property {
-            Property::Stiffness => match self.modulus {
-                Some(modulus) => {
-                    Some(self.designed_modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?)
-                }
-                None => None,
-            },
-            Property::Dissipation => match self.restitution {
-                Some((restitution, speed)) => {
-                    let speed = speed.map_or_else(
-                        || default_impact_speed(self.gravity_m_s2.or(model.gravity()), radius_m),
-                        Ok,
-                    )?;
-                    Some((restitution::dissipation(restitution, speed).map_err(Fault::new)?, "13"))
-                }
-                None => None,
-            },
-            Property::ConstantContactForce if smooth => match self.constant_indentation {
-                Some(x) => Some((smoothing::constant_contact_force(x, radius_m).map_err(Fault::new)?, "C.2")),
-                None => None,
-            },
-            Property::HertzSmoothing if smooth => match self.state_width {
-                Some((t, width)) => Some((
-                    smoothing::hertz_smoothing_for_width(t, width, radius_m).map_err(Fault::new)?,
-                    "C.8",
-                )),
-                None => None,
-            },
-            Property::HuntCrossleySmoothing if smooth => match self.speed_width {
-                Some((t, width)) => Some((
-                    smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(Fault::new)?,
-                    "C.10",
-                )),
-                None => None,
-            },
-            _ => None,
-        })
+        Ok(Some(match property {
+            Property::Stiffness => {
+                let Some(modulus) = self.modulus else { return Ok(None) };
+                self.designed_modulus(modulus, radius_m, self.speed_state(plan, sphere)?)?
+            }
+            Property::Dissipation => {
+                let Some((restitution, speed)) = self.restitution else { return Ok(None) };
+                let gravity = self.gravity_m_s2.or(model.gravity());
+                let speed = speed.map_or_else(|| default_impact_speed(gravity, radius_m), Ok)?;
+                (restitution::dissipation(restitution, speed).map_err(Fault::new)?, "13")
+            }
+            Property::ConstantContactForce if smooth => {
+                let Some(x) = self.constant_indentation else { return Ok(None) };
+                (smoothing::constant_contact_force(x, radius_m).map_err(Fault::new)?, "C.2")
+            }
+            Property::HertzSmoothing if smooth => {
+                let Some((t, width)) = self.state_width else { return Ok(None) };
+                (smoothing::hertz_smoothing_for_width(t, width, radius_m).map_err(Fault::new)?, "C.8")
+            }
+            Property::HuntCrossleySmoothing if smooth => {
+                let Some((t, width)) = self.speed_width else { return Ok(None) };
+                (smoothing::hunt_crossley_smoothing_for_speed_width(t, width).map_err(Fault::new)?, "C.10")
+            }
+            _ => return Ok(None),
+        }))
     }
 
     /// The value of `property` after the design: designed, or scaled with the radius.
