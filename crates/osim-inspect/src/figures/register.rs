@@ -29,11 +29,6 @@ const fn indentation(name: &'static str, label: &'static str) -> Quantity {
     Quantity::new(name, label, "").with_limit(&limits::INDENTATION)
 }
 
-/// A relative indentation without a limit, because it depends on the pose and not only on the contact.
-const fn unlimited_indentation(name: &'static str, label: &'static str) -> Quantity {
-    Quantity::new(name, label, "")
-}
-
 crate::quantities! {
     /// A number of a contact sphere that carries its share of the body weight; [`Quantity`] says which.
     Figure: Entry {
@@ -67,12 +62,12 @@ crate::quantities! {
             => entry(IfMixedAndSmooth, |s| s.at_one_body_weight(|rest| rest.level_model_law));
         /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the Hertz law. Below 0 if the
         /// sphere does not touch; absent if the pose or the spheres are not known.
-        StandingIndentation = unlimited_indentation("relative_indentation_hertz_standing", "x/R at its own height, Hertz")
+        StandingIndentation = Quantity::new("relative_indentation_hertz_standing", "x/R at its own height, Hertz", "")
             .with_column("indentation_at_rest_over_radius_default_pose_hertz_law")
             => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_hertz));
         /// x̂ with each sphere of the limb at its own height at the default pose, under one body weight, by the model's law.
         StandingIndentationModelLaw
-            = unlimited_indentation("relative_indentation_model_law_standing", "x/R at its own height, the model's law")
+            = Quantity::new("relative_indentation_model_law_standing", "x/R at its own height, the model's law", "")
             .with_column("indentation_at_rest_over_radius_default_pose_model_law")
             => entry(Never, |s| s.at_one_body_weight(|rest| rest.standing_model_law));
         /// x̂ under its share of two body weights, by the Hertz law.

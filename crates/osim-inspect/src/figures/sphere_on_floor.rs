@@ -134,13 +134,9 @@ impl SphereContacts {
     /// The bits of all numbers in the contact laws of the sphere. Equal keys mean equal laws.
     pub(super) fn laws_key(&self) -> Vec<u64> {
         let numbers = self.contacts.iter().flat_map(|contact| {
-            let smoothing = contact.smoothing().map(|smoothing| {
-                [
-                    smoothing.constant_contact_force,
-                    smoothing.hertz_smoothing,
-                    smoothing.hunt_crossley_smoothing,
-                ]
-            });
+            let smoothing = contact.smoothing();
+            let smoothing =
+                smoothing.map(|s| [s.constant_contact_force, s.hertz_smoothing, s.hunt_crossley_smoothing]);
             let smoothing = smoothing.map_or(vec![f64::NAN], |smoothing| smoothing.to_vec());
             [contact.plane_strain_modulus(), contact.dissipation()].into_iter().chain(smoothing)
         });

@@ -199,18 +199,14 @@ fn with_published_severities(
 
 /// Adds to `remedy` the answer yes to each question that the program would ask about it for `model`.
 fn answer_questions(remedy: &mut Request, model: &Model, masses: &MassRequest) {
+    let asked =
+        |own: &MassOptions, choice: &ForceOptions| mass_questions(&with_mass(own, masses), model, choice);
     let questions = match remedy {
         Request::Rescale(request) => rescale_questions(request, model, masses),
-        Request::Transfer(request) => {
-            mass_questions(&with_mass(&request.masses, masses), model, &request.choice)
-        }
-        Request::Design(request) => {
-            mass_questions(&with_mass(&request.masses, masses), model, &request.choice)
-        }
-        Request::Convert(request) => {
-            mass_questions(&with_mass(&MassOptions::default(), masses), model, &request.choice)
-        }
-        Request::Set(request) => mass_questions(&with_mass(&request.masses, masses), model, &request.choice),
+        Request::Transfer(request) => asked(&request.masses, &request.choice),
+        Request::Design(request) => asked(&request.masses, &request.choice),
+        Request::Convert(request) => asked(&MassOptions::default(), &request.choice),
+        Request::Set(request) => asked(&request.masses, &request.choice),
         _ => Vec::new(),
     };
     let is_asked = |question: &Question| questions.iter().any(|needs| needs.question() == *question);

@@ -262,24 +262,21 @@ fn body_at_rest(model: &Model, standing: &Standing, rest: &RestOnFloor, limb: Op
 impl StandingBody {
     /// How far inside or above the floor the lowest sphere is: `945 mm inside the floor`; `on the floor` within a tenth of a millimetre.
     pub fn height_in_words(&self) -> Option<String> {
-        let height_m = self.lowest()?.height_m;
-        let millimetres = readable((height_m.abs() * 1e4).round() / 10.0);
-        Some(match height_m {
-            height if height.abs() < 1e-4 => "on the floor".to_owned(),
-            height if height < 0.0 => format!("{millimetres} mm inside the floor"),
-            _ => format!("{millimetres} mm above the floor"),
-        })
+        self.distance_in_words(readable, "inside the floor", "above the floor")
     }
 
     /// Where the default pose is: `65 mm too high`; `on the floor` within a tenth of a millimetre.
     pub(crate) fn pose_in_words(&self) -> Option<String> {
+        self.distance_in_words(four_significant, "too low", "too high")
+    }
+
+    fn distance_in_words(&self, number: fn(f64) -> String, low: &str, high: &str) -> Option<String> {
         let height_m = self.lowest()?.height_m;
-        let millimetres = four_significant((height_m.abs() * 1e4).round() / 10.0);
-        Some(match height_m {
-            height if height.abs() < 1e-4 => "on the floor".to_owned(),
-            height if height < 0.0 => format!("{millimetres} mm too low"),
-            _ => format!("{millimetres} mm too high"),
-        })
+        if height_m.abs() < 1e-4 {
+            return Some("on the floor".to_owned());
+        }
+        let side = if height_m < 0.0 { low } else { high };
+        Some(format!("{} mm {side}", number((height_m.abs() * 1e4).round() / 10.0)))
     }
 
     /// The coordinate with which the body stands: `to start there, pelvis_ty = 0.981 (now 0; the spheres then carry the body)`, or why
