@@ -5,8 +5,8 @@ use std::collections::{HashMap, HashSet};
 use osim_inspect::{
     Figure, FigureVisibility, Figures, InspectedForce, Inspection, LimbFigures, Quantity, SphereFigures,
 };
-use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
+use osim_model::{Class, Property};
 
 use crate::report::extent::{Extent, Layout};
 use crate::report::layout::{OUTSIDE, csv_text, table};
@@ -289,17 +289,7 @@ const PLACE_COLUMNS: [(&str, Cell); 12] = [
 ];
 
 /// Columns with the parameters of the first force that presses the sphere.
-const PARAMETER_COLUMNS: [Property; 9] = [
-    Property::Stiffness,
-    Property::Dissipation,
-    Property::StaticFriction,
-    Property::DynamicFriction,
-    Property::ViscousFriction,
-    Property::TransitionVelocity,
-    Property::ConstantContactForce,
-    Property::HertzSmoothing,
-    Property::HuntCrossleySmoothing,
-];
+const PARAMETER_COLUMNS: &[Property] = Class::SmoothSphereHalfSpaceForce.parameters();
 
 /// Columns after the figures: names of the figures that are beyond their limits, and codes of findings.
 const LAST_COLUMNS: [&str; 2] = ["outside_limits", "findings"];
@@ -319,7 +309,8 @@ fn cells(place: &SpherePlace<'_>) -> Vec<String> {
     let outside: Vec<String> =
         Figure::ALL.iter().filter(is_outside).map(|figure| figure.info().column()).collect();
     let last = [outside.join(" "), place.findings.to_owned()];
-    let before = PLACE_COLUMNS.iter().map(|(_, cell)| cell(place)).chain(PARAMETER_COLUMNS.map(parameter));
+    let parameters = PARAMETER_COLUMNS.iter().copied().map(parameter);
+    let before = PLACE_COLUMNS.iter().map(|(_, cell)| cell(place)).chain(parameters);
     before.chain(figures).chain(last).collect()
 }
 
