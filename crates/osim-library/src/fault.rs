@@ -86,7 +86,12 @@ impl LibraryFault {
     }
 }
 
-/// Turns an error of another library into a fault.
+/// The fault of a lock that a thread held when it ended by a panic.
+pub(crate) fn fault_of_panic() -> LibraryFault {
+    LibraryFault::new("a thread ended early")
+}
+
+/// A fault with the text of `error`.
 pub(crate) fn fault_of_error(error: impl Display) -> LibraryFault {
     LibraryFault::new(error.to_string())
 }

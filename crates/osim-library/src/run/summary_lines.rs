@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use osim_model::messages::{Input, phrase, shown};
 use osim_planning::{cell, from_cell};
 
-use crate::fault::{Context, LibraryFault, fault_of_error};
+use crate::fault::{Context, LibraryFault, fault_of_error, fault_of_panic};
 use crate::file_access;
 use crate::partial::end_of_lines;
 use crate::run::record::{JsonRecord, Record};
@@ -223,8 +223,4 @@ fn check_header(
         ))),
         None => Ok(()),
     }
-}
-
-fn fault_of_panic() -> LibraryFault {
-    LibraryFault::new("a thread ended early")
 }

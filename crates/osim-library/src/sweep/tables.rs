@@ -8,7 +8,7 @@ use std::sync::{Mutex, OnceLock};
 use osim_model::messages::{Input, phrase};
 use osim_planning::{SweepPlan, cell, from_cell};
 
-use crate::fault::{Context, LibraryFault, fault_of_error};
+use crate::fault::{Context, LibraryFault, fault_of_error, fault_of_panic};
 use crate::file_access;
 use crate::file_access::{NameDigest, digest_of_name};
 use crate::partial::{PartialFile, end_of_lines};
@@ -185,10 +185,6 @@ fn add_lines(partial: &mut PartialFile, lines: &[u8]) -> Result<(), LibraryFault
     }
     whole.extend_from_slice(lines);
     partial.add_lines(&whole)
-}
-
-fn fault_of_panic() -> LibraryFault {
-    LibraryFault::new("a thread ended early")
 }
 
 // Names and digests of files, as tables of sweeps have them.
