@@ -15,8 +15,9 @@ use osim_model::messages::{Input, Phrase, phrase};
 use osim_model::{CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model};
 use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, RequestError, RequestFault};
 
+use self::DropRow::{InOrder, Last, Nowhere};
 use self::FigureValue::{Always, Sometimes};
-use crate::calculator::STANDARD_GRAVITY_M_S2;
+use crate::calculator::{STANDARD_GRAVITY_M_S2, domain_fault};
 use crate::opening::Subject;
 
 /// Result of a drop test.
@@ -121,8 +122,7 @@ fn drop_of_subject(request: &DropTestRequest, files: &dyn Files) -> Result<Prepa
     let Some(path) = &request.subject else { return Ok(drop_of_numbers(request)?) };
     let given = request.numbers.given_inputs();
     if !given.is_empty() {
-        let mut message = phrase!["a model or preset has its own numbers: leave out "];
-        push_listed(&mut message, &given);
+        let message = phrase!["a model or preset has its own numbers: leave out ", &listed(given)];
         return Err(RequestFault::general(message).into());
     }
     drop_of_named(request, path, &options_for_subject(request), files)
@@ -206,9 +206,10 @@ fn drop_of_numbers(request: &DropTestRequest) -> Result<PreparedDrop, RequestFau
     let [Some(mass), Some(count), Some(radius), Some(plane_strain_modulus), Some(dissipation)] =
         needed.map(|(_, value)| value)
     else {
-        let mut message =
-            phrase!["nothing to drop: name a model or a preset, or give the numbers; missing: "];
-        push_listed(&mut message, &missing);
+        let message = phrase![
+            "nothing to drop: name a model or a preset, or give the numbers; missing: ",
+            &listed(missing),
+        ];
         return Err(RequestFault::general(message));
     };
     let values = ContactValues { plane_strain_modulus, dissipation, smoothing: numbers.smoothing()? };
@@ -245,17 +246,8 @@ fn prepare_drop(
     Ok(PreparedDrop { name: name.into(), test, sphere_count: weight.sphere_count, mismatch: None })
 }
 
-fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
-    RequestFault::general(error.to_string())
-}
-
-fn push_listed(message: &mut Phrase, inputs: &[Input]) {
-    for (index, input) in inputs.iter().enumerate() {
-        if index > 0 {
-            message.push(", ");
-        }
-        message.push(*input);
-    }
+fn listed(inputs: Vec<Input>) -> Phrase {
+    Phrase::joined(inputs.into_iter().map(Phrase::from), ", ").unwrap_or_default()
 }
 
 // The one register of the figures of a drop, and of the columns of its series. A new one is a new entry here, and a test.
@@ -284,75 +276,67 @@ pub enum DropRow {
     Last,
 }
 
-const fn only_in_json(value: FigureValue) -> Entry {
-    Entry { row: DropRow::Nowhere, value }
-}
-
-const fn row_in_order(value: FigureValue) -> Entry {
-    Entry { row: DropRow::InOrder, value }
-}
-
-const fn last_row(value: FigureValue) -> Entry {
-    Entry { row: DropRow::Last, value }
+const fn entry(row: DropRow, value: FigureValue) -> Entry {
+    Entry { row, value }
 }
 
 osim_inspect::quantities! {
     /// A figure of a drop, see [`Quantity`]; in the order of the JSON.
     DropFigure: Entry {
         /// Mass M of the body.
-        Mass = Quantity::new("mass_kg", "mass", "kg") => only_in_json(Always(|drop| drop.values.mass_kg));
+        Mass = Quantity::new("mass_kg", "mass", "kg") => entry(Nowhere, Always(|drop| drop.values.mass_kg));
         /// Spheres n that share the weight.
-        SphereCount = Quantity::new("sphere_count", "spheres", "") => only_in_json(Always(|drop| drop.sphere_count));
+        SphereCount = Quantity::new("sphere_count", "spheres", "") => entry(Nowhere, Always(|drop| drop.sphere_count));
         /// Gravity g.
-        Gravity = Quantity::new("gravity_m_s2", "gravity", "m/s2") => only_in_json(Always(|drop| drop.values.gravity_m_s2));
+        Gravity = Quantity::new("gravity_m_s2", "gravity", "m/s2") => entry(Nowhere, Always(|drop| drop.values.gravity_m_s2));
         /// Height of the sphere bottoms at the start.
-        Height = Quantity::new("height_m", "height", "m") => only_in_json(Always(|drop| drop.values.height_m));
+        Height = Quantity::new("height_m", "height", "m") => entry(Nowhere, Always(|drop| drop.values.height_m));
         /// How long the body was followed.
-        Duration = Quantity::new("duration_s", "duration", "s") => only_in_json(Always(|drop| drop.values.duration_s));
+        Duration = Quantity::new("duration_s", "duration", "s") => entry(Nowhere, Always(|drop| drop.values.duration_s));
         /// R = √(Σ R_i²/n): what lengths are divided by.
         ReferenceRadius = Quantity::new("reference_radius_m", "radius", "m")
-            => only_in_json(Always(|drop| drop.report.reference_radius_m));
+            => entry(Nowhere, Always(|drop| drop.report.reference_radius_m));
         /// √(R/g): what to divide times by before animals of different size are compared.
         ReferenceTime = Quantity::new("reference_time_s", "time unit sqrt(R/g)", "s")
-            => last_row(Always(|drop| drop.report.reference_time_s));
+            => entry(Last, Always(|drop| drop.report.reference_time_s));
         /// x̂ at the end of the series.
         FinalIndentation = Quantity::new("final_relative_indentation", "indentation/radius at the end", "")
-            => row_in_order(Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
+            => entry(InOrder, Always(|drop| drop.report.final_indentation_m / drop.report.reference_radius_m));
         /// x̂ that the Hertz law (1) gives under body weight: the x̂ of the paper, of `design` and of scaling.
         IndentationHertz = Quantity::INDENTATION_HERTZ.labelled("  at rest, Hertz law")
-            => row_in_order(Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
+            => entry(InOrder, Always(|drop| drop.report.hertz_indentation_m / drop.report.reference_radius_m));
         /// x̂ where the force by the model's law at speed 0, (C.9) for a smoothed one, equals body weight.
         IndentationModelLaw = Quantity::INDENTATION_MODEL_LAW.labelled("  at rest, the model's law").by_equation("")
-            => row_in_order(Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
+            => entry(InOrder, Always(|drop| drop.report.equilibrium_indentation_m / drop.report.reference_radius_m));
         /// The largest force of all spheres together.
-        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => row_in_order(Always(|drop| drop.report.peak_force_n));
+        PeakForce = Quantity::new("peak_force_n", "peak force", "N") => entry(InOrder, Always(|drop| drop.report.peak_force_n));
         /// The largest force over body weight.
         PeakForceBw = Quantity::new("peak_force_bw", "peak force/body weight", "")
-            => row_in_order(Always(|drop| drop.report.peak_force_bw()));
+            => entry(InOrder, Always(|drop| drop.report.peak_force_bw()));
         /// Slope of the force of one sphere where it rests, by the model's law; the mean of spheres that differ.
         EquilibriumStiffness
             = Quantity::new("equilibrium_stiffness_n_m", "stiffness of one sphere at rest, model's law", "N/m")
-            => row_in_order(Always(|drop| drop.report.equilibrium_stiffness_n_m));
+            => entry(InOrder, Always(|drop| drop.report.equilibrium_stiffness_n_m));
         /// Slope of the Hertz force of one sphere where it rests: the k of Table 1.
         HertzStiffness
             = Quantity::new("hertz_stiffness_n_m", "stiffness of one sphere at rest, Hertz", "N/m").by_equation("B.1")
-            => row_in_order(Always(|drop| drop.report.hertz_stiffness_n_m));
+            => entry(InOrder, Always(|drop| drop.report.hertz_stiffness_n_m));
         /// Speed at height 0: smoothed forces brake before, so it is a little below √(2gh). Absent where the ground is not
         /// reached.
         ImpactSpeed = Quantity::IMPACT_SPEED
-            => row_in_order(Sometimes(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
+            => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.impact_speed_m_s)));
         /// Restitution of an impact at this speed by (12), if there were no gravity.
         RestitutionExact = Quantity::RESTITUTION_EXACT.labelled("restitution without gravity, exact")
-            => row_in_order(Sometimes(|drop| Some(first_contact(drop)?.restitution_exact)));
+            => entry(InOrder, Sometimes(|drop| Some(first_contact(drop)?.restitution_exact)));
         /// Restitution of an impact at this speed by (13), 1 − α ẋ. Absent if it is below 0.
         RestitutionApproximate = Quantity::RESTITUTION_APPROXIMATE
-            => row_in_order(Sometimes(|drop| first_contact(drop)?.restitution_approximate));
+            => entry(InOrder, Sometimes(|drop| first_contact(drop)?.restitution_approximate));
         /// Time from touch-down to lift-off. Absent where the body does not leave the ground again.
         ContactTime = Quantity::new("contact_time_s", "contact time", "s")
-            => row_in_order(Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
+            => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.contact_time_s)));
         /// Speed at lift-off. Absent where the body does not leave the ground again.
         ReboundSpeed = Quantity::new("rebound_speed_m_s", "rebound speed", "m/s")
-            => row_in_order(Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
+            => entry(InOrder, Sometimes(|drop| Some(lift_off(drop)?.rebound_speed_m_s)));
     }
 }
 

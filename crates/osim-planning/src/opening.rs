@@ -215,11 +215,6 @@ pub(crate) fn find_preset(
     Ok(presets(file, files)?.into_iter().find(|preset| preset.name == name))
 }
 
-fn preset_names(file: Option<&Path>, files: &dyn Files) -> Vec<String> {
-    let presets = presets(file, files).unwrap_or_default();
-    presets.iter().map(|preset| preset.name.to_string()).collect()
-}
-
 /// The reason why a user's preset cannot be used.
 #[derive(Debug, thiserror::Error)]
 enum PresetEntryError {
@@ -263,18 +258,16 @@ impl PresetEntry {
 pub fn find_presets(request: &PresetsRequest, files: &dyn Files) -> Result<Vec<Preset>, RequestFault> {
     let mut all = presets(request.presets.as_deref(), files)?;
     let Some(name) = &request.name else { return Ok(all) };
-    all.retain(|preset| preset.name == name.as_str());
-    if all.is_empty() {
-        if preset_model(name).is_some() {
-            return Err(RequestFault::general(phrase![format!(
-                "the spheres of {name} have radii of their own, which this list cannot show: drop-test {name} says what they do; add and \
-                 transfer take them"
-            )]));
-        }
-        let names = preset_names(request.presets.as_deref(), files).join(", ");
+    if let Some(at) = all.iter().position(|preset| preset.name == name.as_str()) {
+        return Ok(vec![all.swap_remove(at)]);
+    }
+    if preset_model(name).is_some() {
         return Err(RequestFault::general(phrase![format!(
-            "unknown preset '{name}', expected one of: {names}"
+            "the spheres of {name} have radii of their own, which this list cannot show: drop-test {name} says what they do; add and \
+             transfer take them"
         )]));
     }
-    Ok(all)
+    let names: Vec<String> = all.iter().map(|preset| preset.name.to_string()).collect();
+    let names = names.join(", ");
+    Err(RequestFault::general(phrase![format!("unknown preset '{name}', expected one of: {names}")]))
 }

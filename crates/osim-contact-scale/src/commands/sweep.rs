@@ -94,6 +94,7 @@ fn remarks_of_sweep(end: &SweepEnd, sweep: &SweepRun<'_>) -> String {
     }
     remarks
 }
+
 fn make_variants(sweep: &SweepRun<'_>, request: &SweepRequest, session: &mut Session) -> Result<SweepEnd> {
     exit::listen_for_stop_signals();
     let watch = Progress::begin(sweep.count(), request.quiet);

@@ -43,7 +43,7 @@ impl ModulusSource {
 }
 
 /// Turns the error of an equation that refuses a number into a fault of the request.
-pub(super) fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
+pub(crate) fn domain_fault(error: impl std::fmt::Display) -> RequestFault {
     RequestFault::general(error.to_string())
 }
 
@@ -156,12 +156,8 @@ impl DesignInputs {
             "too little is known: three quantities give the rest, known: {known}{}; add of: ";
             &self.missing_part_of_load()
         ];
-        for (index, (.., input)) in have.iter().filter(|(have, ..)| !have).enumerate() {
-            if index > 0 {
-                message.push("; ");
-            }
-            message.push(input);
-        }
+        let others = have.iter().filter(|(have, ..)| !have).map(|(.., input)| input.clone());
+        message.push(&Phrase::joined(others, "; ").unwrap_or_default());
         RequestFault::general(message)
     }
 

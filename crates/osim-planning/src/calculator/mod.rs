@@ -16,8 +16,8 @@ use osim_requests::options::WantedOptions;
 use osim_requests::{ConstantIndentation, DesignRequest, Positive, RequestFault, RestitutionCoefficient};
 use serde::Serialize;
 
-pub(crate) use inputs::STANDARD_GRAVITY_M_S2;
-use inputs::{AtRest, DesignInputs, ModulusSource, domain_fault, solve_at_rest};
+use inputs::{AtRest, DesignInputs, ModulusSource, solve_at_rest};
+pub(crate) use inputs::{STANDARD_GRAVITY_M_S2, domain_fault};
 
 /// All figures that follow from the known ones. Serialised it is the JSON contract of `design` without a model; `docs/reference/json.md`
 /// describes it.
@@ -241,7 +241,7 @@ fn add_moduli(
 fn add_sizing(
     sheet: &mut DesignSheet,
     sizing: &Sizing,
-    given_quantities: &KnownQuantities,
+    known: &KnownQuantities,
     inputs: &DesignInputs,
     load: Option<&SharedLoad>,
     at_rest: Option<AtRest>,
@@ -249,23 +249,13 @@ fn add_sizing(
     let (radius, x) = (sizing.radius_m, sizing.relative_indentation);
     let (load_n, k) = (sizing.load_per_sphere_n, sizing.stiffness_n_m);
     let smoothed = at_rest.is_some_and(AtRest::changes_force);
-    sheet.add_at_rest(
-        smoothed,
-        DesignQuantity::LoadPerSphere,
-        load_n,
-        given_quantities.load_per_sphere_n.is_some(),
-    );
-    sheet.add(DesignQuantity::Radius, radius, given_quantities.radius_m.is_some());
-    let x_given = given_quantities.relative_indentation.is_some();
+    sheet.add_at_rest(smoothed, DesignQuantity::LoadPerSphere, load_n, known.load_per_sphere_n.is_some());
+    sheet.add(DesignQuantity::Radius, radius, known.radius_m.is_some());
+    let x_given = known.relative_indentation.is_some();
     sheet.add_at_rest(smoothed, DesignQuantity::RelativeIndentation, x, x_given);
     sheet.add(DesignQuantity::Indentation, x * radius, false);
     add_moduli(sheet, sizing.composite_modulus_n_m2, inputs.modulus, smoothed)?;
-    sheet.add_at_rest(
-        smoothed,
-        DesignQuantity::ContactStiffness,
-        k,
-        given_quantities.stiffness_n_m.is_some(),
-    );
+    sheet.add_at_rest(smoothed, DesignQuantity::ContactStiffness, k, known.stiffness_n_m.is_some());
     let one = SharedLoad::new(load_n, 1.0).map_err(domain_fault)?;
     let dimensionless = stiffness::dimensionless(k, radius, &one).map_err(domain_fault)?;
     sheet.add(DesignQuantity::DimensionlessStiffness, dimensionless, false);
