@@ -6,7 +6,7 @@ use osim_model::compare::{BodyFactors, Factors};
 use osim_model::feet::Standing;
 use osim_model::files::FileName;
 use osim_model::{
-    CountedSpheres, DVec3, Finding, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
+    Body, CountedSpheres, DVec3, Force, ForceId, Limb, Limbs, Mass, Model, Property, Selected, SetId,
     SphereId, Value, loaded_spheres_alone,
 };
 
@@ -70,27 +70,43 @@ impl InspectOptions {
         let (mass, contacts_mass) = (mass.ok(), contacts_mass.ok());
         let weight = mass.as_ref().or(contacts_mass.as_ref());
         // If nobody chose among the forces of several bodies, all bodies count.
-        let forces = if no_choice.is_some() { model.force_ids() } else { sharing.forces.to_vec() };
-        let standing = Standing::all(model, &forces);
+        let chosen = if no_choice.is_some() { model.force_ids() } else { sharing.forces.to_vec() };
+        let standing = Standing::all(model, &chosen);
         let trees = standing.as_deref().unwrap_or_default();
         let figures = Figures::compute(model, &selected, &sharing, weight, &self.stance, trees);
         let bodies = StandingBody::with_rests(model, trees, &sharing.limbs, stance_limbs, rests);
         let contacts = contacts_of_sets(model, &selected, contacts_mass.as_ref(), count);
-        let parts = InspectionParts {
-            mass: mass.as_ref(),
-            contacts_mass: contacts_mass.as_ref(),
-            selected: &selected,
-            limbs: &sharing.limbs,
-            findings: &findings,
-            contacts: &contacts,
-            factors,
-            known_contacts,
+        let (name, model_bytes) = Into::<FileName>::into(name).into_parts();
+        let limbs = &sharing.limbs;
+        let inspected_limbs = |limbs: &[Limb]| limbs.iter().map(|limb| inspected_limb(model, limb)).collect();
+        Inspection {
+            schema_version: SCHEMA_VERSION,
+            model: name,
+            model_bytes,
+            document_version: model.document().version(),
+            name: model.name.clone(),
+            mass_kg: mass.as_ref().map(|mass| mass.kg),
+            mass_source: mass.as_ref().map(|mass| mass.source.describe()).unwrap_or_default(),
+            gravity_m_s2: model.gravity(),
+            contacts_mass_kg: contacts_mass.as_ref().map(ContactsMass::new),
+            note: None,
+            limbs: limbs.if_known().map(inspected_limbs),
             stance_limbs,
+            spheres_per_limb: limbs.spheres_per_limb().ok(),
+            limbs_unknown: limbs.spheres_per_limb().err(),
+            spheres: spheres(model, limbs),
+            forces: forces(model, &selected, &contacts),
+            findings,
+            bodies: model.bodies().iter().map(inspected_body).collect(),
+            body_factors: factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
+            known_contacts,
+            placement: None,
+            similarity: None,
+            reference_contacts: None,
             figures: figures.unwrap_or_else(|fault| Figures::absent(fault.phrase())),
             standing: bodies,
             why_no_standing: standing.err().map(|fault| fault.to_string()),
-        };
-        Inspection::new(name.into(), model, parts)
+        }
     }
 }
 
@@ -124,78 +140,22 @@ fn contacts_of_sets(
     contacts
 }
 
-/// The computed parts from which an [`Inspection`] is made.
-pub(super) struct InspectionParts<'f> {
-    pub mass: Option<&'f Mass>,
-    pub contacts_mass: Option<&'f Mass>,
-    pub selected: &'f Selected,
-    pub limbs: &'f Limbs,
-    pub findings: &'f [Finding],
-    pub contacts: &'f SetContacts,
-    pub factors: Option<&'f Factors>,
-    pub known_contacts: Option<KnownContacts>,
-    pub stance_limbs: f64,
-    pub figures: Figures,
-    pub standing: Vec<StandingBody>,
-    pub why_no_standing: Option<String>,
-}
-
 /// The contact of each parameter set.
 type SetContacts = HashMap<(ForceId, SetId), SetContact>;
 
-pub(super) struct SetContact {
-    pub composite_modulus_n_m2: f64,
+struct SetContact {
+    composite_modulus_n_m2: f64,
     /// The dimensionless contact of the parameter set; `None` if mass, limbs or gravity are not known.
-    pub dimensionless: Option<DimensionlessContact>,
+    dimensionless: Option<DimensionlessContact>,
 }
 
-impl Inspection {
-    pub(super) fn new(name: FileName, model: &Model, parts: InspectionParts<'_>) -> Self {
-        let (name, model_bytes) = name.into_parts();
-        Self {
-            schema_version: SCHEMA_VERSION,
-            model: name,
-            model_bytes,
-            document_version: model.document().version(),
-            name: model.name.clone(),
-            mass_kg: parts.mass.map(|mass| mass.kg),
-            mass_source: parts.mass.map(|mass| mass.source.describe()).unwrap_or_default(),
-            gravity_m_s2: model.gravity(),
-            contacts_mass_kg: parts.contacts_mass.map(ContactsMass::new),
-            note: None,
-            limbs: parts.limbs.if_known().map(|limbs| {
-                let limb = |limb: &Limb| InspectedLimb {
-                    name: limb.name.clone(),
-                    side: limb.side.as_str(),
-                    spheres: names(model, &limb.spheres),
-                };
-                limbs.iter().map(limb).collect()
-            }),
-            stance_limbs: parts.stance_limbs,
-            spheres_per_limb: parts.limbs.spheres_per_limb().ok(),
-            limbs_unknown: parts.limbs.spheres_per_limb().err(),
-            spheres: spheres(model, parts.limbs),
-            forces: forces(model, &parts),
-            findings: parts.findings.to_vec(),
-            bodies: model
-                .bodies()
-                .iter()
-                .map(|body| InspectedBody {
-                    name: body.name.clone(),
-                    path: body.path.clone(),
-                    mass_kg: body.mass.number,
-                })
-                .collect(),
-            body_factors: parts.factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
-            known_contacts: parts.known_contacts,
-            placement: None,
-            similarity: None,
-            reference_contacts: None,
-            figures: parts.figures,
-            standing: parts.standing,
-            why_no_standing: parts.why_no_standing,
-        }
-    }
+fn inspected_limb(model: &Model, limb: &Limb) -> InspectedLimb {
+    let (name, side) = (limb.name.clone(), limb.side.as_str());
+    InspectedLimb { name, side, spheres: names(model, &limb.spheres) }
+}
+
+fn inspected_body(body: &Body) -> InspectedBody {
+    InspectedBody { name: body.name.clone(), path: body.path.clone(), mass_kg: body.mass.number }
 }
 
 fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
@@ -223,12 +183,12 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     inspected.collect()
 }
 
-fn forces(model: &Model, parts: &InspectionParts<'_>) -> Vec<InspectedForce> {
+fn forces(model: &Model, selected: &Selected, contacts: &SetContacts) -> Vec<InspectedForce> {
     let mut inspected = Vec::new();
-    let selected: HashSet<ForceId> = parts.selected.forces.iter().copied().collect();
+    let selected: HashSet<ForceId> = selected.forces.iter().copied().collect();
     for force in model.forces() {
         for set in &force.sets {
-            let contact = parts.contacts.get(&(force.id, set.id));
+            let contact = contacts.get(&(force.id, set.id));
             let parameters = parameters(force, set.id, |value| value.number);
             let modulus_of_stiffness = || {
                 let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
