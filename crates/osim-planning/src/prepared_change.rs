@@ -174,14 +174,9 @@ impl PreparedChange {
 
     /// Asks a question about radii that look like a typing mistake or another unit, and adds a remark if a mass is perhaps in pounds.
     fn ask_about_radii(&self, model: &Model, mut plan: Plan) -> Result<Plan, Fault> {
-        let perhaps_in_pounds_question =
-            masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
+        let question = masses_perhaps_in_pounds(&self.masses(), model, &self.options.selection);
         let is_meant = self.answers.confirms(Question::MassInPounds);
-        plan.remarks.extend(
-            perhaps_in_pounds_question
-                .filter(|_| !is_meant)
-                .map(|perhaps_in_pounds_question| perhaps_in_pounds_question.doubt()),
-        );
+        plan.remarks.extend(question.filter(|_| !is_meant).map(|question| question.doubt()));
         match plan.implausible_radius(model) {
             Some(fault) if !self.answers.confirms(Question::ImplausibleRadius) => Err(fault),
             _ => Ok(plan),
