@@ -26,14 +26,8 @@ pub fn heat(
     let series = series::heat(body, request, stiffness, dissipation)?;
     let words = QuantityWords::of_quantity(request.quantity);
     let title = wanted_title.map_or_else(|| format!("{}: {}", words.title, body.name), str::to_owned);
-    let mark_label = format!("{} now", body.name);
     if let Some(profile) = series.profile {
-        return Ok(Drawing::Panels(curve_figure(
-            profile,
-            series.limit,
-            &words,
-            CurveTexts { title, body: &body.name, mark_label },
-        )));
+        return Ok(Drawing::Panels(curve_figure(profile, series.limit, &words, title, &body.name)));
     }
     Ok(Drawing::HeatMap(HeatMap {
         title,
@@ -48,7 +42,7 @@ pub fn heat(
         x: series.x,
         y: series.y,
         limit: series.limit.map(|at| HeatLimit { label: words.limit.clone(), at }),
-        mark: Some((mark_label, series.present)),
+        mark: Some((format!("{} now", body.name), series.present)),
     }))
 }
 
@@ -64,29 +58,21 @@ pub(super) fn value_axis(label: &str, values: &[Vec<Option<f64>>]) -> Axis {
     if low > 0.0 && high > LOGARITHMIC_RATIO * low { Axis::logarithmic(label) } else { Axis::new(label) }
 }
 
-/// Texts in the figure of a curve, which replaces a heat map.
-struct CurveTexts<'t> {
-    title: String,
-    body: &'t str,
-    /// Label of the point with the present parameters of the body.
-    mark_label: String,
-}
-
 /// The figure of a quantity over the only parameter that changes it.
 fn curve_figure(
     profile: Profile,
     limit: Option<f64>,
     words: &QuantityWords,
-    texts: CurveTexts<'_>,
+    title: String,
+    body: &str,
 ) -> Figure {
-    let CurveTexts { title, body, mark_label } = texts;
     let (axis, other) = match profile.along {
         Parameter::Stiffness => (STIFFNESS_LABEL, "dissipation α"),
         Parameter::Dissipation => (DISSIPATION_LABEL, "stiffness E₁*"),
     };
     let mut panel = Panel::new("", Axis::logarithmic(axis), Axis::new(words.label));
     panel.curves.push(Curve::new(words.curve, profile.points, Look::HERTZ));
-    panel.marks.extend(profile.present.map(|at| Mark { label: mark_label, at, look: Look::OWN }));
+    panel.marks.extend(profile.present.map(|at| Mark { label: format!("{body} now"), at, look: Look::OWN }));
     panel.limits.extend(limit.map(|at| Limit::horizontal(&words.limit, at)));
     let description = format!(
         "{} of {body} over {axis}, on a logarithmic axis. It does not depend on the {other}, so it is a curve and no \

@@ -120,17 +120,13 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     let animal = animal_of_table(FIG_C5_ANIMAL)?;
     let (emu, values) = (animal.scale(), animal.contact().map_err(table_failure)?.values());
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
-    let mut bodies = Vec::new();
+    let (mut panels, mut states) = (Vec::new(), Vec::new());
     for (name, values) in [("default cf, bd", default), ("scaled cf, bd", values)] {
-        bodies.push((name, body(&emu, Contact::new(values).map_err(table_failure)?)));
+        let body = body(&emu, Contact::new(values).map_err(table_failure)?);
+        panels.push(force_panel_of(name, &body)?);
+        states.push(state_panel_of(name, &body)?);
     }
-    let mut panels = Vec::new();
-    for (name, body) in &bodies {
-        panels.push(force_panel_of(name, body)?);
-    }
-    for (name, body) in &bodies {
-        panels.push(state_panel_of(name, body)?);
-    }
+    panels.append(&mut states);
     // Both force panels have one scale, so that they can be compared.
     let top = panels.iter().take(2).flat_map(|panel| panel.curves.iter().flat_map(|curve| &curve.points));
     let top = top.fold(0.0_f64, |most, (_, force)| most.max(*force));

@@ -116,11 +116,7 @@ pub(super) fn add_change_sections(
     let files = inspected::list_of_files(&changed.files);
     let drawn = drawn_states(changed);
     if fragment.detail.is_alone() {
-        plots::feet_section(fragment, &drawn.feet);
-        if !drawn.bodies.is_empty() {
-            plots::contact_section(fragment, &drawn.bodies, drawn.has_reference, dialect);
-            plots::state_section(fragment, &drawn.bodies);
-        }
+        plots::add_sections(fragment, &drawn, dialect);
     }
     if fragment.is_wanted(sphere_figures::SECTION.0) {
         let after = after.map(|(after, _)| after);

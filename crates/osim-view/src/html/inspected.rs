@@ -64,11 +64,7 @@ pub(super) fn add_inspection_sections(
         feet: feet.into_iter().collect(),
     };
     if fragment.detail.is_alone() {
-        plots::feet_section(fragment, &drawn.feet);
-        if !drawn.bodies.is_empty() {
-            plots::contact_section(fragment, &drawn.bodies, false, dialect);
-            plots::state_section(fragment, &drawn.bodies);
-        }
+        plots::add_sections(fragment, &drawn, dialect);
     }
     sphere_figures::section(
         fragment,

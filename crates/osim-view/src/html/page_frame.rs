@@ -80,16 +80,12 @@ pub(super) fn origin_and_closing() -> String {
                 dt { "Cite the paper" }
                 dd { (PAPER) " " a href={ "https://doi.org/" (DOI) } { "doi:" (DOI) } }
                 dt { "Cite the software" }
-                dd { (software()) }
+                dd { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
             }
             p.quiet { "The page holds no date: the same call on the same files gives the same page." }
         }
     };
     format!("{}\n</main>\n</body>\n</html>\n", end.0)
-}
-
-fn software() -> Markup {
-    html! { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
 }
 
 #[cfg(test)]

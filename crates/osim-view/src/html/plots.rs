@@ -11,6 +11,7 @@ use osim_requests::{DropHeight, PlotRequest};
 use crate::figures::{self, draw_motion};
 use crate::html::explained::as_sentence;
 use crate::html::fragment::{Fragment, Section, table};
+use crate::html::special_models::DrawnStates;
 use crate::report::results::motion_feet;
 
 const CONTACT_PLOTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
@@ -21,23 +22,24 @@ const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: Forc
 /// The height of falls in the plots: a quarter of the radius, as in the paper's drop tests.
 const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
-/// Adds the section with plots of `bodies`, which are one model in different states.
-///
-/// `has_reference`: the last one is another body.
-pub(super) fn contact_section(
-    fragment: &mut Fragment,
-    bodies: &[ContactBody],
-    has_reference: bool,
-    dialect: &dyn Dialect,
-) {
-    if fragment.is_wanted(CONTACT_PLOTS.0) {
-        fragment.add_section(CONTACT_PLOTS.0, CONTACT_PLOTS.1, &figures(bodies, has_reference, dialect));
+/// Adds the sections with the feet and the plots of `drawn`. Without feet or bodies, no such section.
+pub(super) fn add_sections(fragment: &mut Fragment, drawn: &DrawnStates, dialect: &dyn Dialect) {
+    if let Some(figure) = fragment.is_wanted(FEET_SECTION.0).then(|| feet_figure(&drawn.feet)).flatten() {
+        fragment.add_section(FEET_SECTION.0, FEET_SECTION.1, &figure);
     }
+    if drawn.bodies.is_empty() {
+        return;
+    }
+    if fragment.is_wanted(CONTACT_PLOTS.0) {
+        let plots = figures(&drawn.bodies, drawn.has_reference, dialect);
+        fragment.add_section(CONTACT_PLOTS.0, CONTACT_PLOTS.1, &plots);
+    }
+    state_section(fragment, &drawn.bodies);
 }
 
 /// Adds the section about the contact state of a smoothed law, if the caller names the section. A law without smoothing has no such
 /// section.
-pub(super) fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
+fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
     let svg = || svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state"))).ok();
     let svg = fragment.is_named(STATE.0).then(svg).flatten();
     if let Some(svg) = svg {
@@ -93,13 +95,6 @@ fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Re
 // The feet of a model on a page.
 
 const FEET_SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
-
-/// Adds the section with the feet of one model. The last of `states` has bones. Without feet, no section.
-pub(super) fn feet_section(fragment: &mut Fragment, states: &[ModelFeet]) {
-    if let Some(figure) = fragment.is_wanted(FEET_SECTION.0).then(|| feet_figure(states)).flatten() {
-        fragment.add_section(FEET_SECTION.0, FEET_SECTION.1, &figure);
-    }
-}
 
 /// The largest number of meshes that are listed; if there are more, the page has their number.
 const MAX_LISTED_MESHES: usize = 12;

@@ -9,6 +9,7 @@ use serde::Serialize;
 use crate::html::change::{ChangedModelOnPage, add_change_sections, add_changes_section};
 use crate::html::fragment::{Fragment, Section};
 use crate::html::inspected::{self, InspectedModelOnPage};
+use crate::html::special_models::DrawnStates;
 use crate::html::{explained, plots};
 
 /// The equations and codes that links in a section lead to.
@@ -52,9 +53,9 @@ impl Sections {
         add_changes_section(&mut fragment, plan);
         if !bodies.is_empty() {
             let other = reference.and_then(|reference| reference.body.clone());
-            let bodies: Vec<ContactBody> = bodies.iter().cloned().chain(other).collect();
-            plots::contact_section(&mut fragment, &bodies, reference.is_some(), dialect);
-            plots::state_section(&mut fragment, &bodies);
+            let bodies = bodies.iter().cloned().chain(other).collect();
+            let drawn = DrawnStates { bodies, has_reference: reference.is_some(), feet: Vec::new() };
+            plots::add_sections(&mut fragment, &drawn, dialect);
         }
         Self::of(fragment, dialect)
     }

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
 use osim_inspect::{CheckResult, Counts, FindingWithRemedy, Sign};
-use osim_model::messages::{Phrase, counted, one_line, shown_whole};
+use osim_model::messages::{Phrase, counted, listed, one_line, shown_whole};
 use osim_model::{FindingCode, Severity};
 use osim_requests::options::OutputOptions;
 use osim_requests::spell::FrontEnd;
@@ -423,10 +423,9 @@ impl LibraryTable {
         match self.not_read.len() {
             0 => format!("every file was read; {without}"),
             count => {
-                let names: Vec<String> =
-                    self.not_read.iter().take(NAMED).map(|name| shown_whole(name).to_string()).collect();
-                let more = if count > NAMED { format!(" and {} more", count - NAMED) } else { String::new() };
-                format!("{count} not read: {}{more}; {without}", names.join(", "))
+                let names = self.not_read.iter().map(|name| shown_whole(name).to_string());
+                let names = listed(&names.collect::<Vec<_>>(), NAMED);
+                format!("{count} not read: {names}; {without}")
             }
         }
     }
