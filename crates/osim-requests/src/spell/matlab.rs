@@ -121,10 +121,8 @@ fn literal(value: &FieldValue) -> String {
         }
         FieldValue::Map(entries) => {
             let names = cell_array(entries.iter().map(|(name, _)| quoted(name)));
-            format!(
-                "containers.Map({names}, {})",
-                cell_array(entries.iter().map(|(_, value)| literal(value)))
-            )
+            let values = cell_array(entries.iter().map(|(_, value)| literal(value)));
+            format!("containers.Map({names}, {values})")
         }
     }
 }

@@ -156,10 +156,8 @@ fn lines_for_figure(fields: &Fields) -> Vec<String> {
 /// The line of a script that writes the file in the field `name` with the method `method` of the result.
 fn save_line(method: &str, name: &str, file: &FieldValue, fields: &Fields) -> String {
     let force = fields.options.iter().filter(|(name, _)| name == "force");
-    format!(
-        "result.{method}({})",
-        joined_arguments(std::iter::once(literal(name, file)).chain(keywords(force)))
-    )
+    let arguments = std::iter::once(literal(name, file)).chain(keywords(force));
+    format!("result.{method}({})", joined_arguments(arguments))
 }
 
 fn joined_arguments(arguments: impl Iterator<Item = String>) -> String {

@@ -3,7 +3,6 @@
 use osim_model::messages::shortest;
 use osim_model::{Assignment, Property};
 use serde::de::Error;
-use serde::ser::SerializeMap;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
@@ -100,16 +99,10 @@ impl FromIterator<(Property, Assignment)> for Assignments {
 
 impl Serialize for Assignments {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (property, value) in &self.0 {
-            match value {
-                Assignment::Factor(factor) => {
-                    map.serialize_entry(property.name(), &format!("x{}", shortest(*factor)))?;
-                }
-                Assignment::Value(value) => map.serialize_entry(property.name(), value)?,
-            }
-        }
-        map.end()
+        serializer.collect_map(self.0.iter().map(|(property, value)| match value {
+            Assignment::Factor(factor) => (property.name(), Value::from(format!("x{}", shortest(*factor)))),
+            Assignment::Value(value) => (property.name(), Value::from(*value)),
+        }))
     }
 }
 

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::values::serial::{values_as_text, values_from_text};
 use crate::values::typed_numbers::{
-    LENGTHS, MASSES, converted, not_negative, plain_number, positive, positive_number, trimmed,
+    LENGTHS, MASSES, UnitSpelling, converted, not_negative, plain_number, positive, positive_number, trimmed,
 };
 
 macro_rules! quantities {
@@ -58,6 +58,17 @@ macro_rules! quantities {
     )+};
 }
 
+/// A plain number for which `is_in` is true.
+fn plain(text: &str, expected: &str, is_in: fn(f64) -> bool) -> Result<f64, String> {
+    plain_number(trimmed(text)).filter(|value| is_in(*value)).ok_or_else(|| format!("expected {expected}"))
+}
+
+/// A number above 0 for which `is_in` is true.
+fn within(text: &str, expected: &str, units: &[UnitSpelling], is_in: fn(f64) -> bool) -> Result<f64, String> {
+    let value = positive(text, expected, units)?;
+    if is_in(value) { Ok(value) } else { Err(format!("expected {expected}")) }
+}
+
 quantities! {
     /// A mass in kg, above 0.
     Kilograms = |text| positive(text, "a mass in kg", MASSES),
@@ -78,16 +89,11 @@ quantities! {
     Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
 
     /// A speed in m/s along an axis, of either sign.
-    Speed = |text| match plain_number(trimmed(text)) {
-        Some(value) if value.is_finite() => Ok(value),
-        _ => Err("expected a speed in m/s".to_owned()),
-    }, {"type": "number"};
+    Speed = |text| plain(text, "a speed in m/s", f64::is_finite), {"type": "number"};
 
     /// x̂, an indentation over the radius: above 0, at most 1.
     RelativeIndentation = |text| {
-        let expected = "a relative indentation (x/R) above 0, at most 1";
-        let x = positive(text, expected, &[])?;
-        if x <= 1.0 { Ok(x) } else { Err(format!("expected {expected}")) }
+        within(text, "a relative indentation (x/R) above 0, at most 1", &[], |x| x <= 1.0)
     }, {"type": "number", "exclusiveMinimum": 0, "maximum": 1};
 
     /// √cf/R: above 0, for OpenSim computes nothing from a cf of 0.
@@ -101,36 +107,29 @@ quantities! {
     }, {"type": "number", "exclusiveMinimum": 0};
 
     /// t, the share of a transition that counts as outside it: between 0 and 0.5.
-    Threshold = |text| {
-        let expected = "a threshold between 0 and 0.5";
-        let t = positive(text, expected, &[])?;
-        if t < 0.5 { Ok(t) } else { Err(format!("expected {expected}")) }
-    }, {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_SHARE;
+    Threshold = |text| within(text, "a threshold between 0 and 0.5", &[], |t| t < 0.5),
+        {"type": "number", "exclusiveMinimum": 0, "exclusiveMaximum": 0.5}, contact_scaling::limits::TRANSITION_SHARE;
 
     /// c_r, a coefficient of restitution: 0 to 1.
-    RestitutionCoefficient = |text| match plain_number(trimmed(text)) {
-        Some(value) if (0.0..=1.0).contains(&value) => Ok(value),
-        _ => Err("expected a coefficient of restitution from 0 to 1".to_owned()),
+    RestitutionCoefficient = |text| {
+        plain(text, "a coefficient of restitution from 0 to 1", |value| (0.0..=1.0).contains(&value))
     }, {"type": "number", "minimum": 0, "maximum": 1};
 
     /// ν, Poisson's ratio: above -1, at most 0.5.
-    PoissonRatio = |text| match plain_number(trimmed(text)) {
-        Some(value) if value > -1.0 && value <= 0.5 => Ok(value),
-        _ => Err("expected a Poisson's ratio above -1, at most 0.5".to_owned()),
+    PoissonRatio = |text| {
+        plain(text, "a Poisson's ratio above -1, at most 0.5", |value| value > -1.0 && value <= 0.5)
     }, {"type": "number", "exclusiveMinimum": -1, "maximum": 0.5};
 
     /// A width of a figure in mm, 20 to 1000.
     FigureWidth = |text| {
-        let expected = "a width in mm from 20 to 1000";
-        let width = positive(text, expected, &[("mm", 1.0), ("cm", 10.0)])?;
-        if (20.0..=1000.0).contains(&width) { Ok(width) } else { Err(format!("expected {expected}")) }
+        let units = [("mm", 1.0), ("cm", 10.0)];
+        within(text, "a width in mm from 20 to 1000", &units, |mm| (20.0..=1000.0).contains(&mm))
     }, {"type": "number", "minimum": 20, "maximum": 1000};
 
     /// A size of letters in points of 1/72 inch, 4 to 40.
     FontSize = |text| {
         let expected = "a size of letters in points from 4 to 40";
-        let size = positive(text, expected, &[("pt", 1.0)])?;
-        if (4.0..=40.0).contains(&size) { Ok(size) } else { Err(format!("expected {expected}")) }
+        within(text, expected, &[("pt", 1.0)], |points| (4.0..=40.0).contains(&points))
     }, {"type": "number", "minimum": 4, "maximum": 40}, 7.0;
 
     /// A number of things, 1 to a million.
