@@ -263,6 +263,29 @@ inChromium("a ZIP is opened like the folder in it; a damaged one is said to be s
   await user.announced(/twice\.zip: this ZIP has two files called a\.osim/);
 });
 
+inChromium("a ZIP with a wrong checksum or size is said to be damaged", async (user) => {
+  const { zipSync } = await import("../../web/node_modules/fflate/esm/index.mjs");
+  const sound = Buffer.from(zipSync({ "a.osim": new Uint8Array(HUMAN.bytes) }));
+  // In the directory of a ZIP, an entry begins with PK 1 2; these numbers are so many bytes after its begin.
+  const entry = sound.lastIndexOf("PK\x01\x02", "latin1");
+  for (const [name, at, by] of [
+    ["checksum", 16, 1],
+    ["packed_size", 20, -100],
+    ["shorter", 24, -1],
+    ["longer", 24, 1],
+    ["empty", 24, -HUMAN.bytes.length],
+  ]) {
+    const damaged = Buffer.from(sound);
+    damaged.writeUInt32LE((damaged.readUInt32LE(entry + at) + by) >>> 0, entry + at);
+    await user.drop({ name: `${name}.zip`, bytes: damaged });
+    await user.announced(new RegExp(`${name}\\.zip: this ZIP is damaged`));
+  }
+  await user.drop({ name: "torn.zip", bytes: sound.subarray(0, -30) });
+  await user.announced(/torn\.zip: this ZIP is damaged/);
+  await user.drop({ name: "sound.zip", bytes: sound });
+  await user.opened("a.osim");
+});
+
 inChromium("1,500 is asked about: it may be either", async (user) => {
   await user.open(HUMAN);
   await user.field("Target mass (kg)").fill("1,500");
