@@ -16,8 +16,15 @@ fn run_twice_at_once(dir: &TestDir, call: &str) -> [(Option<i32>, String); 2] {
 }
 
 /// Runs `call` twice at once in many folders from `new_dir`. A run that does not end with 0 has an exit status and its message in `why_not`.
+/// Returns the number of such runs.
 #[track_caller]
-fn race(new_dir: impl Fn() -> TestDir, call: &str, why_not: &[(i32, &str)], check: impl Fn(&TestDir)) {
+fn race(
+    new_dir: impl Fn() -> TestDir,
+    call: &str,
+    why_not: &[(i32, &str)],
+    check: impl Fn(&TestDir),
+) -> usize {
+    let mut refused = 0;
     for round in 0..ROUNDS {
         let dir = new_dir();
         let ends = run_twice_at_once(&dir, call);
@@ -25,10 +32,12 @@ fn race(new_dir: impl Fn() -> TestDir, call: &str, why_not: &[(i32, &str)], chec
             let is_explained =
                 why_not.iter().any(|(expected, says)| *status == Some(*expected) && text.contains(says));
             assert!(*status == Some(0) || is_explained, "{call}, round {round}: {status:?}: {text}");
+            refused += usize::from(*status != Some(0));
         }
         assert_no_temporary_files(&dir);
         check(&dir);
     }
+    refused
 }
 
 #[track_caller]
@@ -44,13 +53,15 @@ fn two_runs_that_may_replace_files_both_succeed() {
 }
 
 #[test]
-fn of_two_runs_that_may_not_replace_files_each_is_complete_or_says_why() {
-    race(
+fn two_runs_that_may_not_replace_files_both_succeed() {
+    // The second run is refused only if the first one has ended before the second one begins, as on a busy machine.
+    let refused = race(
         || folder_with_models(4),
         RESCALE,
         &[(1, "exists already"), (2, "results exist already")],
         assert_all_rescaled,
     );
+    assert!(refused < ROUNDS / 2, "{refused} of {ROUNDS}");
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod terminal;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::SystemTime;
 
 use clap::error::ErrorKind;
 use osim_model::messages::Verb;
@@ -26,7 +27,7 @@ use crate::terminal::{Terminal, without_closed_pipe};
 /// Runs the command with the arguments of the command line.
 pub fn main() -> ExitCode {
     exit::outlive_size_limit();
-    let mut session = Session { terminal: Terminal::new(), words: WORDS };
+    let mut session = Session { terminal: Terminal::new(), words: WORDS, start: SystemTime::now() };
     let exit = match call_of_arguments(session.terminal.columns()) {
         Ok((call, is_quiet)) => {
             if is_quiet {

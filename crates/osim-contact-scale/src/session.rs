@@ -1,6 +1,7 @@
 //! One call of the program: data that all verbs share, and functions for the end of verbs that change no model.
 
 use std::path::Path;
+use std::time::SystemTime;
 
 use anyhow::Result;
 use clap::ValueEnum;
@@ -26,6 +27,7 @@ pub(crate) struct Session {
     pub terminal: Terminal,
     /// The language in which the call spells options and calls.
     pub words: Words,
+    pub start: SystemTime,
 }
 
 impl Session {

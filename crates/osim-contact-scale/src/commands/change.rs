@@ -113,7 +113,8 @@ const MOST_MODELS_IN_TABLES: usize = 10;
 ///
 /// # Errors
 /// Wrong usage: found before anything is written.
-pub(crate) fn run(request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+pub(crate) fn run(mut request: RunRequest, options: &RunOptions, session: &mut Session) -> Result<Exit> {
+    request.start = session.start;
     let mut run = Run::new(request, options).map_err(|fault| session.file_error(&fault))?;
     let tasks = run.request.tasks.len();
     let several = tasks + run.request.failures.len() > 1;

@@ -14,7 +14,7 @@ use osim_requests::{Request, RequestError};
 use crate::run::request::RunRequest;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
-use crate::{Disk, LibraryFault, ModelOrigin, OutputFolders, Source};
+use crate::{Disk, LibraryFault, ModelOrigin, OutputFolders, Source, WriteMode};
 
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {
@@ -77,7 +77,8 @@ impl ModelToFix<'_> {
         let judged = inspector.check(&result.model, &inspection, compiled.as_ref(), &Disk);
         let model = Patch::new(&bytes, Vec::new()).map_err(|fault| self.opened.failure(fault))?;
         let results = ResultBytes { model, geometry: None };
-        let files = PreparedFiles::new(task, self.opened, self.origin, &results, output.force);
+        let mode = if output.force { WriteMode::Replace } else { WriteMode::New };
+        let files = PreparedFiles::new(task, self.opened, self.origin, &results, mode);
         let written = files.and_then(|files| files.commit(&results)).map_err(refused)?;
         let steps = counted(self.checked.steps.len(), "command");
         let before = self.checked.counts.only_worst().describe("no finding");

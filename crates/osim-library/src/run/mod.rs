@@ -25,7 +25,7 @@ use crate::run::model_job::{ModelJob, RunContext};
 use crate::run::resume::PreviousRun;
 use crate::run::summary::SummaryWriter;
 use crate::workers::{thread_count, work_in_order};
-use crate::write::OutputFolders;
+use crate::write::{OutputFolders, WriteMode};
 
 pub(crate) use fix::ModelToFix;
 pub use model_job::{Counts, Outcome};
@@ -64,6 +64,7 @@ impl<'r> Run<'r> {
             folders: OutputFolders::default(),
             summary: None,
             previous: PreviousRun::default(),
+            start: request.start,
         };
         Ok(Self { request, context, kept_files: Vec::new() })
     }
@@ -105,7 +106,9 @@ impl<'r> Run<'r> {
         let RunOptions { dry_run, resume, .. } = *self.context.run;
         let is_new = |task: &&Task| matches!(task.destination, Destination::File(_)) && !task.settings.force;
         let results = self.request.tasks.iter().filter(|_| !dry_run && !resume).filter(is_new);
-        let existing: Vec<&Path> = results.filter_map(Task::output).filter(|path| path.exists()).collect();
+        let mode = WriteMode::NewSince(self.context.start);
+        let stays = |path: &&Path| path.metadata().is_ok_and(|existing| !mode.is_of_other_run(&existing));
+        let existing: Vec<&Path> = results.filter_map(Task::output).filter(stays).collect();
         match existing.as_slice() {
             [first, _, ..] => {
                 let which = format!("{} of {} results", existing.len(), self.request.tasks.len());

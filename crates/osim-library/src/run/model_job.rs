@@ -1,6 +1,7 @@
 //! Loads, plans and writes one model of a run, and returns its outcome.
 
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use osim_model::files::{Failure, ModelFiles, OpenModel};
 use osim_patch::Plan;
@@ -12,7 +13,7 @@ use crate::run::resume::{PreviousOutcome, PreviousRun};
 use crate::run::summary::SummaryWriter;
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::run::{ChangedModel, Destination, ModelDetail, Record, RunFrontEnd, Status, Task};
-use crate::write::{OutputFolders, hard_link_finding};
+use crate::write::{OutputFolders, WriteMode, hard_link_finding};
 use crate::{Disk, LibraryFault, LoadedModel, ModelOrigin};
 
 /// Data that all models of a run share.
@@ -21,6 +22,7 @@ pub(super) struct RunContext<'r> {
     pub(super) folders: OutputFolders,
     pub(super) summary: Option<SummaryWriter>,
     pub(super) previous: PreviousRun,
+    pub(super) start: SystemTime,
 }
 
 /// The outcome for one model. `S` is the type of the front end's text about the model.
@@ -279,7 +281,8 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
             return Ok(Written::Nothing("nothing written"));
         }
         record.status = Status::Written;
-        let files = PreparedFiles::new(self.task, opened, origin, results, force)?;
+        let mode = if force { WriteMode::Replace } else { WriteMode::NewSince(self.context.start) };
+        let files = PreparedFiles::new(self.task, opened, origin, results, mode)?;
         if self.context.summary.is_some() || self.context.run.report.is_some() {
             record.sha256_output = Some(sha256_of_parts(results.model.parts()));
             let geometry = results.geometry.as_ref();

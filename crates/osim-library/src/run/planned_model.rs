@@ -16,7 +16,7 @@ use crate::run::model_job::changed_files;
 use crate::run::task::{Destination, JobSettings, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes, Written};
 use crate::run::{ChangedModel, Record, RunRequest, Status};
-use crate::write::{OutputFolders, hard_link_finding};
+use crate::write::{OutputFolders, WriteMode, hard_link_finding};
 use crate::{LoadedModel, ModelOrigin, Source, file_access, sha256};
 
 pub struct PlannedModel {
@@ -124,7 +124,8 @@ impl PlannedModel {
         }
         let results = ResultBytes::of_task(task, &self.plan, &self.opened.model)
             .map_err(|fault| LibraryFault::new(self.opened.failure(fault).message))?;
-        let files = PreparedFiles::new(task, &self.opened, &self.origin, &results, output.force)?;
+        let mode = if output.force { WriteMode::Replace } else { WriteMode::New };
+        let files = PreparedFiles::new(task, &self.opened, &self.origin, &results, mode)?;
         Ok((files.commit(&results)?, remarks))
     }
 

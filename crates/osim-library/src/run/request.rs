@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::SystemTime;
 
 use osim_model::files::{Failure, OpenModel};
 use osim_model::messages::{Input, Verb, phrase};
@@ -27,6 +28,8 @@ pub struct RunRequest {
     pub extra_files: Vec<PathBuf>,
     /// Whether an existing summary or report is replaced.
     pub force: bool,
+    /// When the run, or the program that makes it, began.
+    pub start: SystemTime,
     /// Whether the caller gave the bytes of the models. Then their names need not be names of files.
     pub(super) from_memory: bool,
 }
@@ -40,6 +43,7 @@ impl RunRequest {
             remarks: Vec::new(),
             extra_files: Vec::new(),
             force: false,
+            start: SystemTime::now(),
             from_memory: false,
         }
     }

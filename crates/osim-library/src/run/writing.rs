@@ -93,7 +93,7 @@ pub(super) struct PreparedFiles<'w> {
 }
 
 impl<'w> PreparedFiles<'w> {
-    /// Prepares all outputs of a task; `force` allows to replace existing files.
+    /// Prepares all outputs of a task; `mode` says how they are written, if not in place.
     ///
     /// # Errors
     /// A file exists that may not be replaced, or the disk is full.
@@ -102,7 +102,7 @@ impl<'w> PreparedFiles<'w> {
         opened: &'w OpenModel,
         origin: &'w ModelOrigin,
         results: &ResultBytes<'_>,
-        force: bool,
+        mode: WriteMode,
     ) -> Result<Self, LibraryFault> {
         let mut files = Self {
             task,
@@ -116,10 +116,10 @@ impl<'w> PreparedFiles<'w> {
         };
         if let Some(path) = task.output() {
             origin.refuse_output_without_includes(path)?;
-            files.prepare_file(path, &results.model, FileId::MAIN, force)?;
+            files.prepare_file(path, &results.model, FileId::MAIN, mode)?;
         }
         if let Some(geometry) = &results.geometry {
-            files.prepare_file(&geometry.path, &geometry.patch, geometry.file, force)?;
+            files.prepare_file(&geometry.path, &geometry.patch, geometry.file, mode)?;
         }
         Ok(files)
     }
@@ -130,7 +130,7 @@ impl<'w> PreparedFiles<'w> {
         path: &Path,
         patch: &Patch<'_>,
         file: FileId,
-        force: bool,
+        mode: WriteMode,
     ) -> Result<(), LibraryFault> {
         let settings = &self.task.settings;
         let mut backup_paths = None;
@@ -150,11 +150,7 @@ impl<'w> PreparedFiles<'w> {
             }
         }
         make_folder_of(path)?;
-        let mode = match (settings.in_place, force) {
-            (true, _) => WriteMode::InPlace,
-            (false, true) => WriteMode::Replace,
-            (false, false) => WriteMode::New,
-        };
+        let mode = if settings.in_place { WriteMode::InPlace } else { mode };
         let like = self.origin.stamp_of(file).map(FileStamp::metadata);
         self.replacements.push((file, PendingFile::with_parts(path, patch.parts(), like, mode)?));
         self.backup_paths.push(backup_paths);

@@ -3,6 +3,7 @@
 use std::fs::{File, Metadata};
 use std::io::{ErrorKind, IoSlice, Write};
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use osim_model::messages::{Input, phrase};
 use tempfile::NamedTempFile;
@@ -26,10 +27,19 @@ pub struct PendingFile {
 pub enum WriteMode {
     /// Only a new file is written: nothing is replaced.
     New,
+    /// Only a new file is written; but a file with the same bytes that another run has written since this time is as good.
+    NewSince(SystemTime),
     /// Replace an existing file, and keep its owner and group if the system allows it.
     Replace,
     /// Replace an existing file that is changed in place, and keep its owner and group; refuse if that is not possible.
     InPlace,
+}
+
+impl WriteMode {
+    /// Whether the existing file may be what another run of the same call has just written. Then its bytes decide.
+    pub(crate) fn is_of_other_run(self, existing: &Metadata) -> bool {
+        matches!(self, Self::NewSince(start) if existing.modified().is_ok_and(|written| written >= start))
+    }
 }
 
 /// Adds bytes to the file that [`commit`](PendingFile::commit) completes.
@@ -83,7 +93,8 @@ impl PendingFile {
             let message = format!("{} is not an ordinary file: write to another name", shown.display());
             return Err(LibraryFault::new(message));
         }
-        if existing.is_some() && mode == WriteMode::New {
+        let existing = existing.filter(|existing| !mode.is_of_other_run(existing));
+        if existing.is_some() && matches!(mode, WriteMode::New | WriteMode::NewSince(_)) {
             return Err(LibraryFault::new(phrase![
                 "{} exists already: choose another name with {}, or replace it with {}";
                 shown.display().to_string(), Input::Output, Input::Force
