@@ -12,6 +12,8 @@
     reason = "a test fails by panicking and says aloud what it skips"
 )]
 
+#[path = "physics/correct.rs"]
+mod correct;
 #[path = "physics/design.rs"]
 mod design;
 #[path = "physics/drop_test.rs"]

@@ -15,9 +15,10 @@ function results = fit(varargin)
 %     fit: What to fit [default: stiffness, dissipation and height]. Takes 'stiffness' or 'dissipation'
 %         or 'height' or a cell array of these.
 %     unbounded: Let spheres go deeper than their radius. Takes true or false.
-%     height_in: What a fitted height moves [default: 'floor']. Takes 'floor' or 'spheres'.
 %     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of each motion. Takes a text.
+%     start: Leave out what the motion has before this time, s. Takes a number.
+%     end: Leave out what the motion has after this time, s. Takes a number.
 %     angles: The unit of the motions' angles, where their headers do not say it. Takes 'degrees' or
 %         'radians'.
 %     low_pass: Smooth the coordinates first: zero-lag Butterworth filter of 4th order, cutoff in Hz (6

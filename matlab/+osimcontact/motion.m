@@ -17,6 +17,14 @@ function results = motion(varargin)
 %         is usual for walking). Takes a number.
 %     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of the motion. Takes a text.
+%     start: Leave out what the motion has before this time, s. Takes a number.
+%     end: Leave out what the motion has after this time, s. Takes a number.
+%     correct: Write the motion to this file (.sto, .mot) after the least correction that makes the
+%         contacts give the forces of the plates. Takes a text.
+%     vertical: With correct: only forces along the normal of the floor and their centres count. Takes
+%         true or false.
+%     floor: With correct: the floor is this much higher than in the model, m [default: it is found].
+%         Takes a number.
 %     output: Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it
 %         (.xml). Takes a text.
 %     force: Replace existing files. Takes true or false.
@@ -37,8 +45,8 @@ function results = motion(varargin)
 %
 %   RESULTS: an array of structs with the fields model, motion, frames, from_s, to_s, mass_kg,
 %   gravity_m_s2, weight_n, stride_mean_n, measured_stride_mean_n, double_support, peak_n, comparison,
-%   feet, remarks. docs/reference/json.md and schemas/ say what each holds; what is missing is NaN, ''
-%   or empty.
+%   feet, consistency, remarks. docs/reference/json.md and schemas/ say what each holds; what is missing
+%   is NaN, '' or empty.
 %
 %   Example:
 %       walk = osimcontact.motion('walker.osim', 'walk.mot');

@@ -25,15 +25,15 @@ ChangingVerb = Literal[
 ROW_OPTIONS = frozenset({
     "angles", "belt", "belt_column", "body_map", "body_scale", "body_scale_file", "body_weights", "branch", "class",
     "constant_contact_force", "constant_indentation", "contact_stiffness", "contacts", "contacts_gravity",
-    "contacts_mass", "count", "default_pose", "dissipation_by", "dynamic_friction", "exclude", "exclude_body", "feet",
-    "fit", "follow_bodies", "force", "force_column", "force_unit", "friction", "from", "geometry", "geometry_dir",
-    "geometry_output", "gravity", "height_in", "height_ratio", "hertz_smoothing", "hunt_crossley_smoothing",
+    "contacts_mass", "count", "default_pose", "dissipation_by", "dynamic_friction", "end", "exclude", "exclude_body",
+    "feet", "fit", "follow_bodies", "force", "force_column", "force_unit", "friction", "from", "geometry",
+    "geometry_dir", "geometry_output", "gravity", "height_ratio", "hertz_smoothing", "hunt_crossley_smoothing",
     "impact_speed", "in_place", "indentation", "indentation_column", "indentation_unit", "keep", "level",
     "level_axis", "load", "loads", "low_pass", "mass", "mirror", "model", "motion", "moved_spheres", "no_backup",
     "no_note", "only", "onset", "output", "output_dir", "pad", "plates", "poisson", "presets", "radius",
     "radius_axis", "reference_gravity", "reference_mass", "reference_select", "reference_sphere", "reference_spheres",
     "replace", "restitution", "rule", "select", "set", "skip_disabled", "sockets", "speed_column", "speed_unit",
-    "speed_width", "spheres", "stance_limbs", "state_width", "static_friction", "stiffness", "strict",
+    "speed_width", "spheres", "stance_limbs", "start", "state_width", "static_friction", "stiffness", "strict",
     "target_gravity", "target_mass", "threshold", "time_column", "time_unit", "to", "transition_velocity",
     "unbounded", "verb", "viscous_friction", "yes", "young",
 })
@@ -45,7 +45,7 @@ RUN_OPTIONS = frozenset({
 
 #: Options that name files or folders.
 PATHS = frozenset({
-    "body_scale_file", "compare", "contacts", "data", "file", "from", "from_moco_setup", "geometry", "geometry_dir",
-    "geometry_output", "loads", "manifest", "moco_setup", "model", "models", "motion", "output", "output_dir",
-    "plates", "presets", "report", "subject", "summary", "table",
+    "body_scale_file", "compare", "contacts", "correct", "data", "file", "from", "from_moco_setup", "geometry",
+    "geometry_dir", "geometry_output", "loads", "manifest", "moco_setup", "model", "models", "motion", "output",
+    "output_dir", "plates", "presets", "report", "subject", "summary", "table",
 })

@@ -726,9 +726,9 @@ def explain(
 
 
 @overload
-def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
+def fit(measured: StrPath | TableLike, /, *, motion: None = None, plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Fit: ...
 @overload
-def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, height_in: Literal["floor", "spheres"] | None = None, belt: float | None = None, belt_column: str | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
+def fit(measured: Source, /, *, motion: StrPath | TableLike | Sequence[StrPath | TableLike], plates: StrPath | TableLike | Sequence[StrPath | TableLike] | None = None, loads: StrPath | Sequence[StrPath] | None = None, fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None, unbounded: bool = False, belt: float | None = None, belt_column: str | None = None, start: float | None = None, end: float | None = None, angles: Literal["degrees", "radians"] | None = None, low_pass: float | None = None, radius: float | None = None, spheres: int | None = None, onset: Literal["fit"] | None = None, branch: Literal["both", "loading", "unloading"] | None = None, indentation_column: str | None = None, force_column: str | None = None, speed_column: str | None = None, time_column: str | None = None, indentation_unit: Literal["m", "mm", "um"] | None = None, force_unit: Literal["N", "kN", "mN"] | None = None, speed_unit: Literal["m/s", "mm/s"] | None = None, time_unit: Literal["s", "ms"] | None = None, contacts_mass: float | None = None, mass: float | None = None, exclude_body: str | Sequence[str] | None = None, select: str | Sequence[str] | None = None, exclude: str | Sequence[str] | None = None, skip_disabled: bool = False, no_note: bool = False, yes: Question | Sequence[Question] | None = None, geometry: Source | None = None, model: Source | None = None) -> Result: ...
 def fit(
     measured: StrPath | TableLike | Source,
     /,
@@ -738,9 +738,10 @@ def fit(
     loads: StrPath | Sequence[StrPath] | None = None,
     fit: Literal["stiffness", "dissipation", "height"] | Sequence[Literal["stiffness", "dissipation", "height"]] | None = None,
     unbounded: bool = False,
-    height_in: Literal["floor", "spheres"] | None = None,
     belt: float | None = None,
     belt_column: str | None = None,
+    start: float | None = None,
+    end: float | None = None,
     angles: Literal["degrees", "radians"] | None = None,
     low_pass: float | None = None,
     radius: float | None = None,
@@ -784,12 +785,14 @@ def fit(
         What to fit; one or several in a list [default: stiffness, dissipation and height]
     unbounded : bool, optional
         Let spheres go deeper than their radius.
-    height_in : {"floor", "spheres"}, optional
-        What a fitted height moves.
     belt : float, optional
         Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
         Speed of a treadmill's belt from this column of each motion.
+    start : float, optional
+        Leave out what the motion has before this time, s.
+    end : float, optional
+        Leave out what the motion has after this time, s.
     angles : {"degrees", "radians"}, optional
         The unit of the motions' angles, where their headers do not say it.
     low_pass : float, optional
@@ -855,7 +858,7 @@ def fit(
     >>> ocs.fit("fixtures/measured/heel_pad.csv", radius=0.03).frame()["name"].tolist()
     ['composite_modulus_n_m2', 'stiffness']
     """
-    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "height_in": height_in, "belt": belt, "belt_column": belt_column, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
+    keywords = {"motion": motion, "plates": plates, "loads": loads, "fit": fit, "unbounded": unbounded or None, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "angles": angles, "low_pass": low_pass, "radius": radius, "spheres": spheres, "onset": onset, "branch": branch, "indentation_column": indentation_column, "force_column": force_column, "speed_column": speed_column, "time_column": time_column, "indentation_unit": indentation_unit, "force_unit": force_unit, "speed_unit": speed_unit, "time_unit": time_unit, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "no_note": no_note or None, "yes": yes, "geometry": geometry, "model": model}
     return _run.fit(measured, keywords)
 
 
@@ -961,6 +964,11 @@ def motion(
     low_pass: float | None = None,
     belt: float | None = None,
     belt_column: str | None = None,
+    start: float | None = None,
+    end: float | None = None,
+    correct: StrPath | None = None,
+    vertical: bool = False,
+    floor: float | None = None,
     output: StrPath | None = None,
     force: bool = False,
     contacts_mass: float | None = None,
@@ -994,6 +1002,17 @@ def motion(
         Speed of a treadmill's belt towards -x, m/s; slip is relative to it.
     belt_column : str, optional
         Speed of a treadmill's belt from this column of the motion.
+    start : float, optional
+        Leave out what the motion has before this time, s.
+    end : float, optional
+        Leave out what the motion has after this time, s.
+    correct : path, optional
+        Write the motion to this file (.sto, .mot) after the least correction that makes the contacts give the
+        forces of the plates.
+    vertical : bool, optional
+        With `correct`: only forces along the normal of the floor and their centres count.
+    floor : float, optional
+        With `correct`: the floor is this much higher than in the model, m [default: it is found]
     output : path, optional
         Write the model's ground reactions to this file (.sto), with its ExternalLoads beside it (.xml)
     force : bool, optional
@@ -1031,7 +1050,7 @@ def motion(
     >>> len(walk.rows)
     964
     """
-    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "belt_column": belt_column, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
+    keywords = {"plates": plates, "loads": loads, "angles": angles, "low_pass": low_pass, "belt": belt, "belt_column": belt_column, "start": start, "end": end, "correct": correct, "vertical": vertical or None, "floor": floor, "output": output, "force": force or None, "contacts_mass": contacts_mass, "mass": mass, "exclude_body": exclude_body, "select": select, "exclude": exclude, "skip_disabled": skip_disabled or None, "geometry": geometry, "model": model}
     return _run.motion(source, recording, keywords)
 
 

@@ -55,7 +55,7 @@ fn a_verdict_that_warns_counts_as_a_warning() {
     let files = [
         ("motion/walker.osim", "walker.osim"),
         ("motion/walk.mot", "walk.mot"),
-        ("motion/plates.sto", "plates.sto"),
+        ("motion/kilonewtons.sto", "plates.sto"),
     ];
     let dir = TestDir::with(&files);
     let call = "walker.osim --motion walk.mot --plates plates.sto";

@@ -166,6 +166,16 @@ const CASES_OF_SEVERAL_FILES: &[Case] = &[
         fixtures: &[
             ("motion/walker.osim", "model.osim"),
             ("motion/walk.mot", "walk.mot"),
+            ("motion/kilonewtons.sto", "plates.sto"),
+        ],
+        before: "",
+        check: "model.osim --motion walk.mot --plates plates.sto",
+    },
+    Case {
+        code: "large-correction",
+        fixtures: &[
+            ("motion/walker.osim", "model.osim"),
+            ("motion/pitched.mot", "walk.mot"),
             ("motion/plates.sto", "plates.sto"),
         ],
         before: "",

@@ -29,10 +29,40 @@ def needed(model, times, values, speeds, loads=None):
     return run_one_job("opensim_motion", ["needed", str(Path(model).absolute()), list(times), values, speeds, loads])
 
 
+def analysed(model, motion, folder):
+    """The upward force of each contact along a motion file by OpenSim's AnalyzeTool: lists by the names of forces, with `time`."""
+    return run_one_job("opensim_motion", ["analysed", str(model), str(motion), str(folder)])
+
+
 def run_job(job):
     """Follows the motion in this process."""
     what, path, *rest = job
-    return {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here}[what](path, *rest)
+    jobs = {"coordinates": coordinates_here, "follow": follow_here, "needed": needed_here, "analysed": analysed_here}
+    return jobs[what](path, *rest)
+
+
+def analysed_here(path, motion, folder):
+    import opensim
+
+    times = opensim.Storage(motion)
+    tool = opensim.AnalyzeTool()
+    tool.setName("analysed")
+    tool.setModelFilename(path)
+    tool.setCoordinatesFileName(motion)
+    tool.setLowpassCutoffFrequency(-1)
+    tool.setInitialTime(times.getFirstTime())
+    tool.setFinalTime(times.getLastTime())
+    tool.setResultsDir(folder)
+    reporter = opensim.ForceReporter()
+    reporter.setStepInterval(1)
+    tool.getAnalysisSet().cloneAndAppend(reporter)
+    setup = str(Path(folder) / "analysed.xml")
+    tool.printToXML(setup)
+    opensim.AnalyzeTool(setup).run()
+    (found,) = Path(folder).glob("*ForceReporter_forces.sto")
+    forces = opensim.TimeSeriesTable(str(found))
+    upward = {label: list(forces.getDependentColumn(label).to_numpy()) for label in forces.getColumnLabels() if label.endswith("Sphere.force.Y")}
+    return upward | {"time": list(forces.getIndependentColumn())}
 
 
 def opened(path):

@@ -212,6 +212,25 @@ def test_public_recordings_are_followed_like_opensim(model, motion, tmp_path):
     assert compared(rows(model, motion), theirs, times) > 0
 
 
+@pytest.mark.parametrize(("model", "motion"), list(trials()))
+def test_a_corrected_motion_has_the_forces_of_the_plates_in_opensim(model, motion, tmp_path):
+    """AnalyzeTool reads the written file, and its forces are those that the correction reports."""
+    (plates,) = [path for path in model.parent.glob("*[gG][rR][fF]*") if path.suffix != ".xml"]
+    (loads,) = model.parent.glob("*[gG][rR][fF]*.xml")
+    if not command.inspect(model).report["forces"]:
+        command.run("add", model, "--from", "falisse2022", "-o", tmp_path / "with.osim")
+        model = tmp_path / "with.osim"
+    corrected = tmp_path / "corrected.sto"
+    command.run("motion", model, motion, "--plates", plates, "--loads", loads, "--correct", corrected)
+    theirs = opensim_motion.analysed(model, corrected, tmp_path)
+    times = theirs.pop("time")
+    ours = {}
+    for row in rows(model, corrected):
+        ours[row["time_s"]] = ours.get(row["time_s"], 0.0) + float(row["force_y_n"])
+    assert len(ours) == len(times)
+    assert np.allclose(list(ours.values()), np.sum(list(theirs.values()), axis=0), rtol=0, atol=0.5)  # N
+
+
 def table(path):
     """Times, columns by name, and whether angles are degrees, of a `.mot` or `.sto`: they are where a `.mot` has no version."""
     head, _, body = path.read_text(encoding="utf-8").partition("endheader")

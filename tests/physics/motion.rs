@@ -1,7 +1,7 @@
 //! `motion`: contact forces along a recorded motion. Expected numbers are computed by hand; `tests/oracle/test_motion.py` compares
 //! with OpenSim.
 
-use crate::support::TestDir;
+use crate::support::{TestDir, fixture};
 use crate::{assert_close, json_object};
 
 const FILES: [(&str, &str); 4] = [
@@ -211,7 +211,7 @@ fn a_step_beside_the_plates_is_not_compared() {
     assert!(rms_bw < 0.05, "{rms_bw}");
 }
 
-/// The seventh verdict is a warning before a fit, good after it, and unknown if the recording cannot be read.
+/// The seventh verdict is good also for a floor that is too high, a warning for forces in kN, and unknown if the recording cannot be read.
 #[test]
 fn check_judges_contacts_by_a_recording() {
     let dir = TestDir::with(&FILES);
@@ -229,12 +229,14 @@ fn check_judges_contacts_by_a_recording() {
     assert_eq!(motion_verdict("walker.osim", ""), (6, None));
     let (count, verdict) = motion_verdict("walker.osim", recording);
     let (sign, text) = verdict.unwrap();
-    assert_eq!((count, sign.as_str()), (7, "warning"));
-    assert!(text.contains("up to 7.61 body weights where the plates measured up to 1.53"), "{text}");
-    // The advised command works.
-    assert!(text.contains("fit MODEL --motion MOTION --plates PLATES"), "{text}");
+    assert_eq!((count, sign.as_str()), (7, "good"));
+    assert!(text.contains("contacts and plates agree") && text.contains("lower than in the model"), "{text}");
     dir.run(&format!("fit walker.osim {recording} -o fitted.osim")).succeeded();
     assert_eq!(motion_verdict("fitted.osim", recording).1.unwrap().0, "good");
+    dir.write("kilonewtons.sto", fixture("motion/kilonewtons.sto"));
+    let (_, verdict) = motion_verdict("walker.osim", "--motion walk.mot --plates kilonewtons.sto");
+    let (sign, text) = verdict.unwrap();
+    assert!(sign == "warning" && text.contains("are their forces in kN?"), "{text}");
     dir.write("words.sto", "nothing");
     assert_eq!(
         motion_verdict("walker.osim", "--motion words.sto --plates plates.sto").1.unwrap().0,

@@ -8,6 +8,7 @@
 
 mod fault;
 mod file_access;
+mod motion_files;
 mod partial;
 mod paths;
 pub mod report_page;
@@ -20,6 +21,7 @@ mod write;
 
 pub use fault::{FaultCause, LibraryFault};
 pub use file_access::{reason, sha256};
+pub use motion_files::MotionFiles;
 pub use paths::{folder_of, make_folder_of, resolved};
 pub use source::{
     Disk, FileStamp, LoadedModel, ModelOrigin, OrdinaryFiles, Source, Sources, SplitName, workbook_as_csv,

@@ -10,6 +10,7 @@
 
 mod comparison;
 mod coordinates;
+pub mod correct;
 mod feet;
 pub mod fit;
 mod joint_paths;
@@ -33,7 +34,7 @@ pub use crate::recording::{Recording, RecordingFacts, RecordingOptions};
 pub use crate::sole::PressureOnSole;
 pub use crate::states::{Belt, CentreOfPressure, ContactState, ContactStates, StatesError, Wrench};
 pub use crate::summary::{FootSummary, SphereSummary, StanceSummary, Summary, TouchDown};
-pub use crate::table::{AngleUnit, Column, Gap, MotionFault, Table};
+pub use crate::table::{AngleUnit, CORRECTED, Column, Gap, MotionFault, Table};
 
 /// The example of the README, which must compile.
 #[cfg(doctest)]

@@ -58,8 +58,9 @@ impl Plate {
             if let Some(frame) =
                 [&load.force_frame, &load.point_frame].into_iter().find(|frame| !is_ground(frame))
             {
+                let text = "only loads in ground are understood";
                 return Err(MotionFault::new(format!(
-                    "load '{}' is expressed in '{frame}': only loads in ground are understood",
+                    "load '{}' is expressed in '{frame}': {text}",
                     load.name
                 )));
             }
@@ -171,10 +172,8 @@ impl ExternalLoads {
         let tree = document.tree();
         let root = document.data_root();
         if tree.name(root) != "ExternalLoads" {
-            return Err(MotionFault::new(format!(
-                "it is a <{}>, not an <ExternalLoads>, which says which columns act on which body",
-                tree.name(root)
-            )));
+            let text = "not an <ExternalLoads>, which says which columns act on which body";
+            return Err(MotionFault::new(format!("it is a <{}>, {text}", tree.name(root))));
         }
         let objects = tree.child(root, "objects");
         let forces = objects.into_iter().flat_map(|objects| tree.children(objects));

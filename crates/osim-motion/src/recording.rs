@@ -111,6 +111,35 @@ impl Recording {
         row_of_frame(&self.speeds, frame, self.coordinates.len())
     }
 
+    /// The recording after `change` of the values and speeds of each frame; dependent coordinates follow.
+    pub(crate) fn changed(
+        &self,
+        couplers: &Couplers,
+        mut change: impl FnMut(usize, &mut [f64], &mut [f64]),
+    ) -> Result<Self, MotionFault> {
+        let mut changed = self.clone();
+        let count = self.coordinates.len();
+        let speeds = changed.speeds.chunks_exact_mut(count);
+        for (frame, (values, speeds)) in changed.values.chunks_exact_mut(count).zip(speeds).enumerate() {
+            change(frame, values, speeds);
+        }
+        changed.apply_couplers(couplers)?;
+        Ok(changed)
+    }
+
+    /// The recording with the speeds that OpenSim computes from its values.
+    pub(crate) fn with_splined_speeds(mut self, couplers: &Couplers) -> Result<Self, MotionFault> {
+        let count = self.coordinates.len();
+        for index in 0..count {
+            let values: Vec<f64> = self.values.iter().skip(index).step_by(count).copied().collect();
+            let speeds = splined_speeds(&self.time_s, &values, &self.coordinates[index].name)?;
+            self.set_coordinate(index, &values, &speeds);
+        }
+        self.has_opensim_speeds.fill(false);
+        self.apply_couplers(couplers)?;
+        Ok(self)
+    }
+
     fn read_columns(
         &mut self,
         table: &Table,
@@ -198,10 +227,10 @@ impl Recording {
                 continue;
             };
             if coupler.value_and_slope(0.0).is_none() {
-                return Err(MotionFault::new(format!(
-                    "it is not known how coordinate {} follows from {}: the function of their coupler is not understood",
-                    coupler.dependent, coupler.independent
-                )));
+                let (one, other) = (&coupler.dependent, &coupler.independent);
+                let text = "the function of their coupler is not understood";
+                let text = format!("it is not known how coordinate {one} follows from {other}: {text}");
+                return Err(MotionFault::new(text));
             }
             applied.push((coupler, from, to));
         }
@@ -324,12 +353,10 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
     };
     let rate_hz = 1.0 / step_s;
     if !(cutoff_hz > 0.0 && cutoff_hz < rate_hz / 2.0) {
-        return Err(MotionFault::new(format!(
-            "it has {} rows a second: a cutoff is above 0 and below half of that, {} Hz, and not {} Hz",
-            three_decimals(rate_hz),
-            three_decimals(rate_hz / 2.0),
-            short_number(cutoff_hz)
-        )));
+        let (rate, half) = (three_decimals(rate_hz), three_decimals(rate_hz / 2.0));
+        let text =
+            format!("it has {rate} rows a second: a cutoff is above 0 and below half of that, {half} Hz");
+        return Err(MotionFault::new(format!("{text}, and not {} Hz", short_number(cutoff_hz))));
     }
     let too_few = || MotionFault::new(format!("its {} rows are too few for a filter", values.len()));
     if values.len() <= MIRRORED_ROWS {
@@ -339,11 +366,8 @@ fn low_pass(table: &Table, values: &[f64], cutoff_hz: f64) -> Result<Vec<f64>, M
     let filtered = filter.and_then(|filter| filter.bidirectional(&values.to_vec()));
     let filtered = filtered.map_err(|_| too_few())?;
     if !filtered.iter().all(|value| value.is_finite()) {
-        return Err(MotionFault::new(format!(
-            "a cutoff of {} Hz is too low for its {} rows",
-            short_number(cutoff_hz),
-            values.len()
-        )));
+        let (cutoff, rows) = (short_number(cutoff_hz), values.len());
+        return Err(MotionFault::new(format!("a cutoff of {cutoff} Hz is too low for its {rows} rows")));
     }
     Ok(filtered)
 }

@@ -3,24 +3,10 @@
 use osim_model::feet::{DefaultPose, PoseFault, ViewAxes};
 use osim_model::{DVec3, Model, Side};
 
-use crate::{ContactStates, FootSummary, ON_BW, TouchedSurface, Wrench};
+use crate::{ContactStates, FootSummary, ON_BW, Wrench};
 
 /// Smallest distance between the middles of the left and the right spheres at which the right side is known, m.
 const LEAST_DISTANCE_OF_SIDES_M: f64 = 1e-3;
-
-/// Unit vectors into the floor at the default pose, one for each pair of `states`, in the frame of the body of the pair's sphere.
-pub(crate) fn down_in_bodies(model: &Model, states: &ContactStates) -> Result<Vec<DVec3>, PoseFault> {
-    let pose = DefaultPose::of(model);
-    let each = states.pairs.iter().map(|pair| {
-        let normal = match pair.touched {
-            TouchedSurface::Plane(plane) => states.planes.get(plane).and_then(|plane| plane.normal),
-            TouchedSurface::Sphere(_) => None,
-        };
-        let up = normal.unwrap_or(model.up());
-        Ok(pose.placement(&pair.body)?.rotation.inverse().to_body(-up))
-    });
-    each.collect()
-}
 
 /// The vector from the middle of the left spheres to the middle of the right spheres at the default pose, m; not finite if a side
 /// has no spheres.

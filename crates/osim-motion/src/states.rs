@@ -33,6 +33,18 @@ impl Belt {
         Ok(Self::PerFrame(column.values.iter().map(|speed| DVec3::new(-speed, 0.0, 0.0)).collect()))
     }
 
+    /// How far the belt went since the first of the times, m.
+    pub(crate) fn way_m(&self, time_s: &[f64]) -> Vec<DVec3> {
+        let mut way = DVec3::ZERO;
+        let step = |frame: usize| {
+            if let Some(before) = frame.checked_sub(1) {
+                way += (self.at(before) + self.at(frame)) / 2.0 * (time_s[frame] - time_s[before]);
+            }
+            way
+        };
+        (0..time_s.len()).map(step).collect()
+    }
+
     pub(crate) fn at(&self, frame: usize) -> DVec3 {
         match self {
             Self::Constant(velocity) => *velocity,
@@ -129,18 +141,14 @@ impl ContactStates {
         Self::from_pairs(model, recording, contact_pairs(model, forces)?, &belt.into())
     }
 
-    /// The states after each sphere is moved by `by_m` in the frame of its body.
-    pub(crate) fn displaced(
+    /// The states of the same pairs along another motion.
+    pub(crate) fn along(
         &self,
         model: &Model,
         recording: &Recording,
-        by_m: DVec3,
+        belt: &Belt,
     ) -> Result<Self, StatesError> {
-        let mut pairs = self.pairs.clone();
-        for pair in &mut pairs {
-            pair.centre_m += by_m;
-        }
-        Self::from_pairs(model, recording, (pairs, self.planes.clone()), &Belt::default())
+        Self::from_pairs(model, recording, (self.pairs.clone(), self.planes.clone()), belt)
     }
 
     fn from_pairs(

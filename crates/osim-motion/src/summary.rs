@@ -91,7 +91,6 @@ pub struct Summary {
     pub peak_n: f64,
     /// The force of all feet compared with that of all plates.
     pub comparison: Option<Comparison>,
-    pub smallest_radius_m: Option<f64>,
     /// The model's mean force along the normal over whole strides, N.
     pub stride_mean_n: Option<f64>,
     /// The mean normal force of the plates over whole strides, N; it equals the weight of the subject.
@@ -136,7 +135,6 @@ impl Summary {
         Self {
             weight_n,
             peak_n: total.iter().map(along).fold(f64::NEG_INFINITY, f64::max),
-            smallest_radius_m: states.pairs.iter().map(|pair| pair.radius_m).reduce(f64::min),
             stride_mean_n: mean_over(&states.time_s, &modelled, &spans),
             measured_stride_mean_n: plates
                 .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),

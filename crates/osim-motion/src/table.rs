@@ -22,6 +22,8 @@ pub struct Table {
     pub declared: Option<AngleUnit>,
     /// Whether the header has a `version`. If it has, and declares no unit of angles, OpenSim assumes radians.
     pub has_version: bool,
+    /// Whether the header says that contacts corrected the motion.
+    pub corrected: bool,
     /// The line of each row in the file, from 1.
     pub lines: Vec<usize>,
 }
@@ -33,18 +35,37 @@ pub struct Column {
     pub values: Vec<f64>,
 }
 
+/// The begin of a line in the header of a corrected motion.
+pub const CORRECTED: &str = "corrected to contacts";
+
 impl Table {
     /// A table without columns; times must rise.
     #[cfg(test)]
     pub(crate) fn from_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
         let lines: Vec<usize> = (1..=time_s.len()).collect();
         check_rising(&time_s, &lines)?;
-        Ok(Self { time_s, columns: Vec::new(), declared: Some(AngleUnit::Radians), has_version: true, lines })
+        Ok(Self {
+            time_s,
+            columns: Vec::new(),
+            declared: Some(AngleUnit::Radians),
+            has_version: true,
+            corrected: false,
+            lines,
+        })
     }
 
     /// The first column called `name`.
     pub fn column(&self, name: &str) -> Option<&Column> {
         self.columns.iter().find(|column| column.name == name)
+    }
+
+    /// Keeps the rows of these times.
+    pub fn keep_window(&mut self, start_s: f64, end_s: f64) {
+        let first = self.time_s.partition_point(|&time| time < start_s);
+        let end = self.time_s.partition_point(|&time| time <= end_s).max(first);
+        self.time_s = self.time_s[first..end].to_vec();
+        self.lines = self.lines[first..end].to_vec();
+        self.columns.iter_mut().for_each(|column| column.values = column.values[first..end].to_vec());
     }
 
     pub fn rows(&self) -> usize {
@@ -99,13 +120,14 @@ impl AngleUnit {
 struct Header {
     declared: Option<AngleUnit>,
     has_version: bool,
+    corrected: bool,
     /// Index of the line `endheader` in the file, from 0.
     end: usize,
 }
 
 impl Header {
     fn read(text: &str) -> Result<Self, MotionFault> {
-        let mut header = Self { declared: None, has_version: false, end: 0 };
+        let mut header = Self { declared: None, has_version: false, corrected: false, end: 0 };
         for (index, line) in text.lines().enumerate() {
             let line = line.trim_ascii();
             if line.eq_ignore_ascii_case("endheader") {
@@ -129,6 +151,7 @@ impl Header {
                 self.declared = Some(if yes { AngleUnit::Degrees } else { AngleUnit::Radians });
             }
             "version" => self.has_version = true,
+            _ if lower.starts_with(CORRECTED) => self.corrected = true,
             _ if lower.contains("angles are in degrees") => self.read_sentence(AngleUnit::Degrees),
             _ if lower.contains("angles are in radians") => self.read_sentence(AngleUnit::Radians),
             _ => {}
@@ -212,13 +235,10 @@ fn read_rows(text: &str, header: &Header) -> Result<Table, MotionFault> {
         count += cells.count();
         if count != columns.len() + 1 {
             let expected = columns.len() + 1;
-            return Err(MotionFault::at(
-                number,
-                format!(
-                    "it has {count} cells, but there are {expected} names of columns in line {}",
-                    above + 1
-                ),
-            ));
+            let line = above + 1;
+            let text =
+                format!("it has {count} cells, but there are {expected} names of columns in line {line}");
+            return Err(MotionFault::at(number, text));
         }
         numbers.push(number);
     }
@@ -226,8 +246,8 @@ fn read_rows(text: &str, header: &Header) -> Result<Table, MotionFault> {
         return Err(MotionFault::new("it has no rows of numbers"));
     }
     check_rising(&time_s, &numbers)?;
-    let &Header { declared, has_version, .. } = header;
-    Ok(Table { time_s, columns, declared, has_version, lines: numbers })
+    let &Header { declared, has_version, corrected, .. } = header;
+    Ok(Table { time_s, columns, declared, has_version, corrected, lines: numbers })
 }
 
 /// The names of columns: split at tabs, so that names may have spaces; without tabs, split at spaces.

@@ -14,7 +14,8 @@ use osim_model::{Anatomy, Document, Fault, Finding, FindingCode, MassRequest, Mo
 use osim_requests::options::{AnswerOptions, InspectionOptions, SetFiles};
 use osim_requests::{CheckRequest, InspectRequest, Kilograms};
 
-use crate::motion_remarks::{CheckedMotion, MotionRemark};
+use crate::consistency::MotionRemark;
+use crate::motion_remarks::CheckedMotion;
 use crate::opening::{moco_setup, open, scale_file};
 use crate::remedies::{NO_CODES, RemedyTrials};
 use crate::{MotionResult, check_with_trials, rules};

@@ -29,6 +29,7 @@
 
 mod before_after;
 mod calculator;
+mod consistency;
 pub mod contact_table;
 mod drop_test;
 mod fit;
@@ -50,11 +51,11 @@ pub(crate) mod verbs;
 
 pub use crate::before_after::{BeforeAfter, BeforeAndAfterPlan};
 pub use crate::calculator::{DesignFigure, DesignLimit, DesignSheet, design_sheet};
+pub use crate::consistency::{Consistency, MotionRemark};
 pub use crate::drop_test::{ComparedDrop, DropResult, DropRow, run_drop_test};
 pub use crate::fit::{FitResult, run_fit};
 pub use crate::inspector::Inspector;
 pub use crate::motion::{MotionResult, PlatesRead, run_motion};
-pub use crate::motion_remarks::MotionRemark;
 pub use crate::opening::{all_preset_names, find_presets, may_be_file, open_with, presets_of_unlike_spheres};
 pub use crate::plot::{HeatTable, ModelFeet, TableColumn, plot_bodies, plot_feet, plot_motion, plot_table};
 pub use crate::prepared_change::{PreparedChange, check_with_trials, try_what_can_change};

@@ -9,8 +9,9 @@ use osim_motion::{
     AngleUnit, Belt, ContactStates, ExternalLoads, Foot, Gap, MeasuredForces, MotionFault, Plate,
     PressureOnSole, Recording, RecordingOptions, StatesError, Summary, Table,
 };
-use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Speed};
+use osim_requests::{AngleChoice, MotionRequest, Positive, RequestError, RequestFault, Signed};
 
+use crate::consistency::{Consistency, correction_options};
 use crate::opening::{open_with, read};
 
 /// The contacts of a model along a recorded motion, compared with force plates if the request has some.
@@ -31,6 +32,10 @@ pub struct MotionResult {
     pub gravity_m_s2: f64,
     /// The motion of the treadmill's belt; `None` without a treadmill.
     pub belt: Option<Belt>,
+    /// Whether the motion was corrected to contacts.
+    pub is_corrected: bool,
+    /// Whether motion, contacts and plates agree, if the request wants a corrected motion.
+    pub consistency: Option<Consistency>,
 }
 
 /// Computes the contacts along the motion.
@@ -44,7 +49,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     let Some(motion) = &request.motion else { return Err(RequestFault::Missing { field: "motion" }.into()) };
     let opened = open_with(subject, request.set_files.companion_paths(), files)?;
     let options = recording_options(motion, request.angles, request.low_pass);
-    let table = read_table(motion, files)?;
+    let table = read_motion(motion, (request.start, request.end), files)?;
     let recording =
         Recording::of(&opened.model, &table, &options).map_err(|fault| failure(motion, &fault))?;
     let loads = request.loads.as_deref();
@@ -69,7 +74,7 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
     }
     let followed =
         FollowedMotion { recording, states, feet, mass_and_gravity: (mass_kg, gravity_m_s2), belt };
-    let result = followed.compared_with_plates(opened, FileName::from(motion.as_path()), plates);
+    let mut result = followed.compared_with_plates(opened, FileName::from(motion.as_path()), plates);
     if let (Some(read), Some(measured)) = (&result.plates, &result.measured)
         && measured.total.iter().all(Option::is_none)
     {
@@ -81,7 +86,27 @@ pub fn run_motion(request: &MotionRequest, files: &dyn Files) -> Result<MotionRe
         let why = format!("it has {what}: correct the table");
         return Err(Failure::outside(read.name(), "motion", why).into());
     }
+    result.is_corrected = table.corrected;
+    if request.correct.is_some() {
+        let judged = result.judge(request);
+        result.consistency = Some(judged.map_err(|why| Failure::outside(motion.as_path(), "motion", why))?);
+    }
     Ok(result)
+}
+
+/// Reads a motion, without the rows before the first and after the second time of `window`.
+///
+/// # Errors
+/// It cannot be read, or no row remains.
+pub(crate) fn read_motion(
+    path: &Path,
+    (start, end): (Option<Signed>, Option<Signed>),
+    files: &dyn Files,
+) -> Result<Table, Failure> {
+    let mut table = read_table(path, files)?;
+    table.keep_window(start.map_or(f64::NEG_INFINITY, Signed::get), end.map_or(f64::INFINITY, Signed::get));
+    let why = "it has no row between the times of the start and of the end that are wanted";
+    if table.rows() > 0 { Ok(table) } else { Err(Failure::outside(path, "motion", why)) }
 }
 
 /// The contacts along a motion, before they are compared with force plates.
@@ -92,6 +117,22 @@ pub(crate) struct FollowedMotion {
     /// Mass of the model, kg, and its gravity, m/s².
     pub(crate) mass_and_gravity: (f64, f64),
     pub(crate) belt: Option<Belt>,
+}
+
+impl MotionResult {
+    /// Corrects the motion and judges the correction.
+    ///
+    /// # Errors
+    /// Why nothing can be judged.
+    pub(crate) fn judge(&self, request: &MotionRequest) -> Result<Consistency, String> {
+        let measured = self.measured.as_ref().ok_or("there are no force plates to compare with")?;
+        let feet: Vec<Foot> = self.summary.feet.iter().map(|foot| foot.foot.clone()).collect();
+        let slips: Vec<DVec3> = self.summary.feet.iter().filter_map(|foot| foot.stance_slip_m_s).collect();
+        let standing_m_s = slips.iter().sum::<DVec3>() / slips.len().max(1) as f64;
+        let options = correction_options(request, self.belt.clone(), standing_m_s);
+        let (contacts, plates) = ((&self.states, feet.as_slice()), (measured, self.summary.weight_n));
+        Consistency::of(&self.opened.model, &self.recording, contacts, plates, &options, self.is_corrected)
+    }
 }
 
 impl FollowedMotion {
@@ -122,6 +163,8 @@ impl FollowedMotion {
             mass_kg,
             gravity_m_s2,
             belt,
+            is_corrected: false,
+            consistency: None,
         }
     }
 }
@@ -183,12 +226,10 @@ impl PlatesRead {
             1 => "1 gap".to_owned(),
             count => format!("{count} gaps, the longest"),
         };
-        Some(format!(
-            "{}: rows are missing in {count} from {} to {} s; the measured forces are taken along straight lines there",
-            shown(&self.file.file_name().unwrap_or_default().to_string_lossy()),
-            readable(longest.from_s),
-            readable(longest.to_s)
-        ))
+        let name = self.file.file_name().unwrap_or_default().to_string_lossy();
+        let (file, from, to) = (shown(&name), readable(longest.from_s), readable(longest.to_s));
+        let text = "the measured forces are taken along straight lines there";
+        Some(format!("{file}: rows are missing in {count} from {from} to {to} s; {text}"))
     }
 
     pub fn name(&self) -> &Path {
@@ -227,7 +268,7 @@ fn failure(path: &Path, fault: &MotionFault) -> Failure {
 pub(crate) fn belt_of_motion(
     path: &Path,
     table: &Table,
-    speed: Option<Speed>,
+    speed: Option<Signed>,
     column: Option<&str>,
 ) -> Result<Option<Belt>, Failure> {
     match (speed, column) {
@@ -290,11 +331,10 @@ fn refuse_states(states: &ContactStates, weight_n: f64) -> Result<(), Fault> {
             ];
             if let Some((what, value, unit)) = sizes.into_iter().find(|(_, value, _)| !is_measurable(*value))
             {
-                let fault = format!(
-                    "at {time_s} s a sphere of radius {:e} m has {what} {value:e} {unit}: correct what the model says of it",
-                    pair.radius_m
-                );
-                return Err(Fault::refused(fault));
+                let (radius_m, text) = (pair.radius_m, "correct what the model says of it");
+                let fault =
+                    format!("at {time_s} s a sphere of radius {radius_m:e} m has {what} {value:e} {unit}");
+                return Err(Fault::refused(format!("{fault}: {text}")));
             }
         }
     }

@@ -17,6 +17,7 @@ const RULES: &[&Rule] = &[
     &MASS_AGAINST_LENGTH,
     &ODD_MESH,
     &UNLIKE_RECORDING,
+    &LARGE_CORRECTION,
 ];
 
 /// All rules of all crates: one rule for each code.
@@ -206,17 +207,31 @@ static UNLIKE_RECORDING: Rule = Rule {
     code: FindingCode::UnlikeRecording,
     severity: Severity::Warning,
     verdict: Some(VerdictOn::Recording),
-    what: "Along the recording the contacts give other forces than the force plates measured.",
-    why: "The error of the force (root mean square, for each foot) is more than 0.2 body weights. Fits of stiffness, dissipation and floor height reach this on measured gaits.",
-    advice: "`fit MODEL motion=MOTION plates=PLATES` finds the contacts, and the height of the floor, that fit",
-    repair: Repair::NotPossible("the numbers have to be fitted to the recording"),
+    what: "Contacts, motion and force plates do not agree, and the reason is seen.",
+    why: "Feet are swapped, a unit or a sign is wrong, the plates are late or early, or one foot is higher than the other.",
+    advice: "correct the cause that is named, before contacts or motion are changed",
+    repair: Repair::NotPossible("the recording has to be corrected"),
     example: Example::Request {
         good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
-        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/plates.sto"}"#,
+        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/walk.mot", "plates": "motion/kilonewtons.sto"}"#,
     },
 };
 
-/// The finding that contacts do not fit a recording; `text` is its message.
-pub(crate) fn unlike_recording(text: Phrase) -> Finding {
-    Finding::new(&UNLIKE_RECORDING, text)
+static LARGE_CORRECTION: Rule = Rule {
+    code: FindingCode::LargeCorrection,
+    severity: Severity::Remark,
+    verdict: Some(VerdictOn::Recording),
+    what: "Contacts and force plates agree after a large correction of the motion only.",
+    why: "The smallest correction with which the contacts give the measured forces moves spheres by more than 12 mm, or leaves 0.1 body weights. Half of all measured recordings are so.",
+    advice: "`motion MODEL correct=FILE`, with the motion and its plates, writes a corrected motion: a start for simulations",
+    repair: Repair::NotPossible("the recording is as it is"),
+    example: Example::Request {
+        good: r#"{"verb": "check", "models": ["motion/walker.osim"]}"#,
+        bad: r#"{"verb": "check", "models": ["motion/walker.osim"], "motion": "motion/pitched.mot", "plates": "motion/plates.sto"}"#,
+    },
+};
+
+/// The finding that contacts, motion and plates do not agree, or after a large correction only; `text` is its message.
+pub(crate) fn unlike_recording(agrees_at_last: bool, text: Phrase) -> Finding {
+    Finding::new(if agrees_at_last { &LARGE_CORRECTION } else { &UNLIKE_RECORDING }, text)
 }

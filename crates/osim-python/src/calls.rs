@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
+use osim_library::MotionFiles;
 use osim_model::Property;
 use osim_planning::{design_sheet, find_presets, run_drop_test, run_fit, run_motion};
 use osim_requests::Request;
@@ -76,7 +77,9 @@ pub(crate) fn motion<'py>(
     let fields = request_fields(fields)?;
     let (result, remarks) = without_gil(py, || {
         let request = request!(Motion, fields);
+        let files = MotionFiles::of(&request)?;
         let result = run_motion(&request, &RequestFiles::from_python(&memory, true))?;
+        files.write(&result)?;
         let remarks = result.remarks(&request);
         Ok((result, remarks))
     })?;

@@ -37,8 +37,8 @@ pub use crate::schema::schema_of;
 pub use crate::values::{
     Acceleration, Assignments, Axis, AxisName, BodyMap, BodyScale, ConstantIndentation, ContactOnset, Count,
     Dpi, DropHeight, FigureWidth, FontSize, Grid, GridValue, Jobs, Kilograms, Metres, NewRadius, NotNegative,
-    PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard, Span, Speed,
-    SpheresOfFoot, Steps, Threshold, assignment,
+    PoissonRatio, Positive, Radius, RelativeIndentation, RestitutionCoefficient, Samples, Shard, Signed,
+    Span, SpheresOfFoot, Steps, Threshold, assignment,
 };
 
 /// The example of the README, which must compile.

@@ -59,6 +59,7 @@ inputs! {
     Contacts = "contacts", "table of contacts";
     ContactsGravity = "contacts_gravity", "gravity the contacts were made for";
     ContactsMass = "contacts_mass", "mass the contacts were made for";
+    Correct = "correct", "file of the corrected motion";
     Count = "count", "spheres under each foot";
     Data = "data", "table of the numbers drawn";
     DefaultPose = "default_pose", "global places are those of the default pose";
@@ -70,11 +71,13 @@ inputs! {
     DryRun = "dry_run", "dry run";
     Duration = "duration", "duration";
     DynamicFriction = "dynamic_friction", "dynamic friction";
+    End = "end", "end of the motion's window";
     Exclude = "exclude", "forces to leave out";
     ExcludeBody = "exclude_body", "bodies to leave out of the sum";
     Feet = "feet", "bodies that touch the ground";
     Fit = "fit", "what is fitted";
     Fix = "fix", "do what check prints";
+    Floor = "floor", "height of the floor";
     FollowBodies = "follow_bodies", "spheres follow their bodies";
     FontSize = "font_size", "size of the letters";
     Force = "force", "replace existing files";
@@ -91,7 +94,6 @@ inputs! {
     Gravity = "gravity", "gravity";
     Grid = "grid", "values along an axis";
     Height = "height", "height of the drop";
-    HeightIn = "height_in", "what a fitted height moves";
     HeightRatio = "height_ratio", "ratio of the heights";
     HertzSmoothing = "hertz_smoothing", "Hertz smoothing";
     HuntCrossleySmoothing = "hunt_crossley_smoothing", "Hunt-Crossley smoothing";
@@ -152,6 +154,7 @@ inputs! {
     SpeedWidth = "speed_width", "width of the transition in speed";
     Spheres = "spheres", "spheres that share the body weight";
     StanceLimbs = "stance_limbs", "limbs that share the body weight";
+    Start = "start", "start of the motion's window";
     StateWidth = "state_width", "width of the contact transition over radius";
     StaticFriction = "static_friction", "static friction";
     Stiffness = "stiffness", "OpenSim's stiffness";
@@ -167,6 +170,7 @@ inputs! {
     To = "to", "class that forces get";
     Topics = "topics", "what to explain";
     TransitionVelocity = "transition_velocity", "transition velocity";
+    Vertical = "vertical", "only vertical forces";
     ViscousFriction = "viscous_friction", "viscous friction";
     Unbounded = "unbounded", "spheres deeper than their radius";
     ValueColumn = "value_column", "column of the colours";

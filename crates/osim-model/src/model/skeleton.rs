@@ -1,6 +1,7 @@
 //! Bodies and the joints between them, in all document versions; and loops of joints.
 
 use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
+use glam::DVec3;
 
 use crate::model::components::{Carrier, ComponentId, Components};
 use crate::model::{Class, Fault, FileId, Force, MissingFact, Origin, Property, Side, Sphere, Value};
@@ -19,6 +20,8 @@ pub struct Body {
     /// that can move away from it, by its joint, is not a child in this sense. It is also so for the bodies of a plate that carries a
     /// floor.
     pub excluded_from_mass: bool,
+    /// Centre of mass in the frame of the body, m.
+    pub centre_of_mass_m: DVec3,
 }
 
 impl Body {
@@ -76,7 +79,9 @@ impl Skeleton {
             let (name, path) = (components.name(id).into_owned(), components.tree.path(id));
             let (fixed, excluded_from_mass) =
                 (joined.welded.contains(&id), joined.excluded_from_mass.contains(&id));
-            Body { name, path, mass, file: component.file, fixed, excluded_from_mass }
+            let centre_of_mass_m =
+                document.triple(component.element, "mass_center").unwrap_or_default().into();
+            Body { name, path, mass, file: component.file, fixed, excluded_from_mass, centre_of_mass_m }
         });
         Self { bodies: bodies.collect(), joined }
     }

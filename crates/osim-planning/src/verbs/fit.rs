@@ -1,27 +1,26 @@
 //! The verb `fit` with recordings: fits contacts to recorded gaits.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
+use osim_inspect::{ContactsOrigin, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
-use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
-use osim_model::{
-    Assignment, DVec3, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId,
-};
-use osim_motion::fit::{FitBounds, FitError, FitTrial, FitWanted, FittedHeight, MotionFit, fit_motion};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shortest};
+use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected};
+use osim_motion::fit::{FitBounds, FitError, FitTrial, FootForces, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, MeasuredForces, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, set};
 use osim_requests::options::InspectionOptions;
-use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
+use osim_requests::{FitRequest, FittedChoice, MotionRequest, RequestError, RequestFault};
 
 use super::fit_remarks::remarks;
+use crate::consistency::MotionRemark;
 use crate::motion::{
-    FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_table, recording_options,
+    FollowedMotion, MotionResult, PlatesRead, belt_of_motion, mass_and_gravity, read_motion,
+    recording_options,
 };
-use crate::motion_remarks::{MotionRemark, weight_mismatch};
+use crate::motion_remarks::weight_mismatch;
 use crate::prepared_change::{Planner, PreparedChange, file_name};
 
 /// Number of significant digits of a fitted number that are written. More digits are not determined by the recordings.
@@ -63,7 +62,7 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
     let mut trials = Vec::new();
     for (index, (motion, table_of_plates)) in motions.iter().zip(plates).enumerate() {
         let loads = loads.get(index).or(loads.first()).map(PathBuf::as_path);
-        let table = read_table(motion, files)?;
+        let table = read_motion(motion, (request.start, request.end), files)?;
         let belt = belt_of_motion(motion, &table, request.belt, request.belt_column.as_deref())?;
         trials.push(TrialInput {
             name: file_name(motion),
@@ -74,14 +73,13 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
         });
     }
     let extra_files = motions.iter().chain(plates).chain(loads).cloned().collect();
-    let bounds = fit_bounds(&request);
-    if request.height_in == HeightChoice::Spheres && bounds.wanted.height.is_none() {
-        let why = phrase![
-            "no height is fitted: leave out {}, or add {}";
-            Input::HeightIn, Input::Fit.with_value("height")
-        ];
-        return Err(RequestFault::refused(Input::HeightIn, why).into());
-    }
+    let is_wanted = |choice| request.fit.is_empty() || request.fit.contains(&choice);
+    let bounds = FitBounds {
+        stiffness: is_wanted(FittedChoice::Stiffness),
+        dissipation: is_wanted(FittedChoice::Dissipation),
+        height: is_wanted(FittedChoice::Height),
+        most_relative_indentation: (!request.unbounded).then_some(1.0),
+    };
     let FitRequest { masses, choice, output, answers, set_files, .. } = request;
     let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
     let planner = FitPlanner { trials, bounds, options: InspectOptions::from(&inspection) };
@@ -91,28 +89,11 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
     })
 }
 
-/// Which parameters are fitted, and their bounds.
-fn fit_bounds(request: &FitRequest) -> FitBounds {
-    let is_wanted = |choice| request.fit.is_empty() || request.fit.contains(&choice);
-    let is_in_spheres = request.height_in == HeightChoice::Spheres;
-    let height = if is_in_spheres { FittedHeight::Spheres } else { FittedHeight::Floor };
-    FitBounds {
-        wanted: FitWanted {
-            stiffness: is_wanted(FittedChoice::Stiffness),
-            dissipation: is_wanted(FittedChoice::Dissipation),
-            height: is_wanted(FittedChoice::Height).then_some(height),
-        },
-        most_relative_indentation: (!request.unbounded).then_some(1.0),
-    }
-}
-
 /// The contacts of a model along one recording, and the forces that the plates measured.
 struct TrialStates {
     summary: Summary,
     trial: FitTrial,
     planes: Vec<HalfSpace>,
-    /// For each sphere, the direction down in the frame of its body, if the fit of the height moves spheres.
-    down: BTreeMap<SphereId, DVec3>,
     measured: MeasuredForces,
 }
 
@@ -132,28 +113,19 @@ impl FitPlanner {
         Ok((recording, states, feet))
     }
 
-    /// The contacts of a model along one recording. `first` is the first recording of the fit.
+    /// The contacts of a model along one recording.
     fn trial_states(
         &self,
         trial: &TrialInput,
         model: &Model,
         selected: &Selected,
         weight_n: f64,
-        first: Option<&TrialStates>,
     ) -> Result<TrialStates, Fault> {
-        let (recording, states, feet) = self.follow_trial(trial, model, selected)?;
+        let (_, states, feet) = self.follow_trial(trial, model, selected)?;
         let measured = MeasuredForces::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
-        let fitted = match self.bounds.wanted.height {
-            Some(FittedHeight::Spheres) => {
-                let down = first.map(|first| first.trial.down.as_slice());
-                FitTrial::with_lowered_spheres(model, &recording, &states, (&feet, &measured), weight_n, down)
-                    .map_err(|error| fault_of_states(&trial.name, error))?
-            }
-            _ => FitTrial::of(&states, &feet, &measured, weight_n),
-        };
-        let down = states.pairs.iter().map(|pair| pair.sphere).zip(fitted.down.iter().copied()).collect();
-        Ok(TrialStates { summary, trial: fitted, planes: states.planes, down, measured })
+        let trial = FitTrial::of(&states, &feet, &measured, weight_n);
+        Ok(TrialStates { summary, trial, planes: states.planes, measured })
     }
 
     /// The new values of parameters and places of spheres after a fit.
@@ -178,26 +150,20 @@ impl FitPlanner {
             assignments.push((Property::Dissipation, assignment));
         }
         let mut wanted = Set::new(assignments);
-        // Each trial has a floor of its own. The model gets the floor of the first trial, unless spheres move instead.
-        if let Some(up) = fit.floor_up_m.first().filter(|_| fit.spheres_down_m.is_none()) {
+        // Each trial has a floor of its own. The model gets the floor of the first trial.
+        if let Some(up) = fit.floor_up_m.first() {
             let up_m = (up.value * 1e6).round() / 1e6;
             summary.push(format!("floor_up={}", shortest(up_m)));
             for plane in states_of_trials.first().into_iter().flat_map(|first| &first.planes) {
                 if !plane.on_ground {
-                    return Err(Fault::refused(format!(
-                        "the floor {} is on the body {}: only a floor on ground has a height that can be fitted",
-                        plane.name,
-                        plane.body.as_deref().unwrap_or_default()
-                    )));
+                    let (floor, body) = (&plane.name, plane.body.as_deref().unwrap_or_default());
+                    let why = "only a floor on ground has a height that can be fitted";
+                    return Err(Fault::refused(format!("the floor {floor} is on the body {body}: {why}")));
                 }
                 let none =
                     || Fault::refused(format!("the place of half-space {} cannot be read", plane.path));
                 wanted.planes.push((plane.clone(), plane.location_moved_up(up_m).ok_or_else(none)?));
             }
-        }
-        if let Some(down) = fit.spheres_down_m {
-            wanted.centres = fitted_centres(model, states_of_trials, down.value)?;
-            summary.push("spheres".to_owned());
         }
         wanted.fitted = Some(summary.join(" "));
         // Contacts are made for the body whose gait they were fitted to.
@@ -208,20 +174,6 @@ impl FitPlanner {
             ContactsOrigin::find(model, &selected.forces, &self.options.masses, &self.options.stance);
         wanted.contacts_mass = origin.ok().map(|origin| origin.mass).or_else(noted);
         Ok(wanted)
-    }
-
-    /// A remark with the dimensionless numbers of the fitted contact, which do not change when it is rescaled.
-    fn remark_on_dimensionless_numbers(&self, changed: &Model) -> Option<Phrase> {
-        let name = FileName::from(Path::new("model"));
-        let states_of_trials = self.options.inspect(name, changed, None);
-        let sphere = states_of_trials.figures.spheres().next()?;
-        let depth = sphere.value(Figure::Indentation)?;
-        let stiffness = sphere.value(Figure::DimensionlessStiffness)?;
-        Some(Phrase::from(format!(
-            "in dimensionless form, at body weight on one limb: x/R {depth:.2} by Hertz, k R n/F {stiffness:.2} ({}); rescaling keeps both at \
-             other sizes",
-            shown(&sphere.sphere)
-        )))
     }
 }
 
@@ -243,16 +195,8 @@ impl Planner for FitPlanner {
         let selected = self.options.selection.apply(model)?;
         let (mass_kg, gravity_m_s2) = mass_and_gravity(&self.options.masses, model)?;
         let weight_n = mass_kg * gravity_m_s2;
-        let mut states_of_trials: Vec<TrialStates> = Vec::new();
-        for trial in &self.trials {
-            states_of_trials.push(self.trial_states(
-                trial,
-                model,
-                &selected,
-                weight_n,
-                states_of_trials.first(),
-            )?);
-        }
+        let follow = |trial| self.trial_states(trial, model, &selected, weight_n);
+        let states_of_trials = self.trials.iter().map(follow).collect::<Result<Vec<TrialStates>, _>>()?;
         let trials: Vec<FitTrial> = states_of_trials.iter().map(|one| one.trial.clone()).collect();
         let uses = || states_of_trials.iter().flat_map(|one| &one.measured.uses);
         let plate_of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
@@ -263,17 +207,11 @@ impl Planner for FitPlanner {
         let mut plan = set(model, &selected, &wanted)?;
         let changed = plan.changed_model(model)?;
         // The measured forces of the first trial are those of the original, because they do not depend on the contacts.
-        let after = match self.trials.first() {
-            Some(trial) => {
-                let (_, states, feet) = self.follow_trial(trial, &changed, &selected)?;
-                Summary::of(&states, &feet, Some(&first.measured), weight_n)
-            }
-            None => first.summary.clone(),
-        };
-        plan.errors = Some(recording_errors(&fit, &after)?);
-        // If spheres move, the floor of the first recording stays.
-        let first_m = fit.spheres_down_m.map(|_| 0.0);
-        plan.floor_up_m = first_m.into_iter().chain(fit.floor_up_m.iter().map(|up| up.value)).collect();
+        let (_, states, feet) = self.follow_trial(&self.trials[0], &changed, &selected)?;
+        let after = Summary::of(&states, &feet, Some(&first.measured), weight_n);
+        let errors = recording_errors(&fit, &trials, &after)?;
+        plan.errors = Some(errors);
+        plan.floor_up_m = fit.floor_up_m.iter().map(|up| up.value).collect();
         let others = match wanted.planes.is_empty() {
             true => Vec::new(),
             false => other_forces_on(model, &selected, &first.planes),
@@ -283,8 +221,10 @@ impl Planner for FitPlanner {
         plan.remarks.extend(subject.map(Phrase::from));
         let gaps = self.trials.iter().filter_map(|trial| trial.plates.gaps_during(&trial.table.time_s));
         plan.remarks.extend(gaps.map(Phrase::from));
+        let null_bw = errors.null_vertical_rms_bw;
+        let null = format!("a model that never touches has an error of {null_bw:.3} body weights (rms)");
+        plan.remarks.push(null.into());
         plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
-        plan.remarks.extend(self.remark_on_dimensionless_numbers(&changed));
         Ok(plan)
     }
 }
@@ -316,11 +256,22 @@ fn fault_of_fit(error: &FitError, plate_of_no_foot: Option<&String>) -> Fault {
     }
 }
 
+/// The error of a model that never touches, of the foot with the smallest force, in body weights.
+fn null_rms_bw(trials: &[FitTrial]) -> f64 {
+    let feet = trials.iter().flat_map(|trial| trial.feet.iter().map(|foot| (foot, trial.weight_n)));
+    let rms = |(foot, weight_n): (&FootForces, f64)| {
+        let square: f64 = foot.measured_n.iter().map(|force_n| force_n * force_n).sum();
+        (square / foot.measured_n.len().max(1) as f64).sqrt() / weight_n
+    };
+    feet.map(rms).fold(f64::INFINITY, f64::min)
+}
+
 /// The errors of the fitted model, compared with the plates. Refused if forces are not finite.
-fn recording_errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors, Fault> {
+fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Result<RecordingErrors, Fault> {
     let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
     let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
+    let null_rms_bw = null_rms_bw(trials);
     let others = fit.trials_rms_bw.iter().skip(1).copied().fold(0.0, largest);
     let vertical_rms_bw = largest(worst(|one| one.normal_rms_n) / after.weight_n, others);
     let horizontal_rms_bw = worst(|one| one.horizontal_rms_n) / after.weight_n;
@@ -329,38 +280,11 @@ fn recording_errors(fit: &MotionFit, after: &Summary) -> Result<RecordingErrors,
     }
     Ok(RecordingErrors {
         vertical_rms_bw,
-        held_out_vertical_rms_bw: fit.held_out_rms_bw(),
+        null_vertical_rms_bw: null_rms_bw,
         horizontal_rms_bw,
         cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
     })
-}
-
-/// The new centres of all fitted spheres in their own frames, m, rounded to micrometres.
-fn fitted_centres(
-    model: &Model,
-    states_of_trials: &[TrialStates],
-    down_m: f64,
-) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
-    let feet = || states_of_trials.iter().flat_map(|one| &one.trial.feet);
-    let directions = states_of_trials.first().into_iter().flat_map(|first| &first.down);
-    let fitted = directions.filter(|(id, _)| feet().any(|foot| foot.spheres.contains(id)));
-    let mut centres = Vec::new();
-    for (&id, down) in fitted {
-        let Some(sphere) = model.sphere(id) else { continue };
-        let by_m = model.rotation_of(sphere)?.inverse().to_body(down_m * *down);
-        let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
-        let location_m = std::array::from_fn(|i| {
-            // A coordinate that does not change keeps all its digits.
-            if rounded(by_m[i]) == 0.0 {
-                sphere.location_m[i]
-            } else {
-                rounded(sphere.location_m[i] + by_m[i])
-            }
-        });
-        centres.push((id, location_m));
-    }
-    Ok(centres)
 }
 
 /// The change of stiffness: a new value if all forces have the same stiffness, else a factor.

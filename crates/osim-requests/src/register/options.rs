@@ -177,6 +177,12 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
             "Speed of a treadmill's belt towards -x, m/s; slip is relative to it";
         BeltColumn = value("NAME").under_if(is(&[Fit]), RECORDING).rare(), "Speed of a treadmill's belt from this column of the motion",
             Fit => "Speed of a treadmill's belt from this column of each motion";
+        Start = value("S").signed().under_if(is(&[Fit]), RECORDING), "Leave out what the motion has before this time, s";
+        End = value("S").signed().under_if(is(&[Fit]), RECORDING), "Leave out what the motion has after this time, s";
+        Correct = written("FILE"), "Write the motion to this file (.sto, .mot) after the least correction that makes the contacts give \
+                                    the forces of the plates";
+        Vertical = flag().rare(), "With `correct`: only forces along the normal of the floor and their centres count";
+        Floor = value("M").signed().rare(), "With `correct`: the floor is this much higher than in the model, m [default: it is found]";
         Kind = choice(PlotKind::WORDS), "What to draw";
         Data = written("FILE").about(FieldGroup::Output), "Write the numbers that are drawn to this file, too (CSV)";
         Axes = choice(AxesChoice::WORDS), "Units of indentation and force [default: x/R and N; x/R and shares of the weight for several]";
@@ -360,7 +366,6 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Fit = choice(FittedChoice::WORDS).list_if(true).called("WHAT"), "What to fit; may be repeated [default: stiffness, dissipation \
                                                                 and height]";
         Unbounded = flag(), "Let spheres go deeper than their radius";
-        HeightIn = choice(HeightChoice::WORDS).called("WHAT"), "What a fitted height moves";
     }
     COLUMNS => {
         IndentationColumn = value("NAME"), "Column of the indentation";

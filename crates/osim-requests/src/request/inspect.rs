@@ -7,7 +7,7 @@ use crate::options::{
     OutputOptions, ReportOptions, RunOptions, SetFiles, SheetFormat,
 };
 use crate::values::serial::{choices, fields};
-use crate::values::{Acceleration, Count, DropHeight, Kilograms, Positive, Samples, Speed, path};
+use crate::values::{Acceleration, Count, DropHeight, Kilograms, Positive, Samples, Signed, path};
 
 fields! {
     /// Shows what contacts models have.
@@ -69,8 +69,13 @@ fields! {
         loads: Option<PathBuf> as "path::Optional",
         angles: Option<AngleChoice>,
         low_pass: Option<Positive>,
-        belt: Option<Speed>,
+        belt: Option<Signed>,
         belt_column: Option<String>,
+        start: Option<Signed>,
+        end: Option<Signed>,
+        correct: Option<PathBuf> as "path::Optional",
+        vertical: bool,
+        floor: Option<Signed>,
         output: Option<PathBuf> as "path::Optional",
         force: bool,
         format: MotionFormat,
@@ -78,7 +83,8 @@ fields! {
         choice: ..ForceOptions,
         set_files: ..SetFiles,
     } where
-        Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column");
+        Required("subject"), Required("motion"), Needs("loads", "plates"), Excludes("belt", "belt_column"),
+        Needs("correct", "plates"), Needs("vertical", "correct"), Needs("floor", "correct");
 
     /// Lets a model fall on its contacts and shows what they do.
     struct DropTestRequest {

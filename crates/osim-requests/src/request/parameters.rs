@@ -10,7 +10,7 @@ use crate::options::{
 };
 use crate::request::inspect::AngleChoice;
 use crate::values::serial::{choices, fields};
-use crate::values::{ContactOnset, Count, Positive, Speed, path};
+use crate::values::{ContactOnset, Count, Positive, Signed, path};
 
 fields! {
     /// Finds parameters from what is wanted: indentation, stiffness, restitution.
@@ -35,9 +35,10 @@ fields! {
         loads: Vec<PathBuf> as "path::List",
         fit: Vec<FittedChoice>,
         unbounded: bool,
-        height_in: HeightChoice,
-        belt: Option<Speed>,
+        belt: Option<Signed>,
         belt_column: Option<String>,
+        start: Option<Signed>,
+        end: Option<Signed>,
         angles: Option<AngleChoice>,
         low_pass: Option<Positive>,
         radius: Option<Positive>,
@@ -54,8 +55,8 @@ fields! {
     } where
         Required("file"), RequiredUnless("radius", "motion"), Needs("motion", "plates"),
         Needs("plates", "motion"), Needs("loads", "motion"), Needs("fit", "motion"),
-        Needs("unbounded", "motion"), Needs("height_in", "motion"), Needs("belt", "motion"),
-        Needs("belt_column", "motion"), Excludes("belt", "belt_column"), Needs("angles", "motion"),
+        Needs("unbounded", "motion"), Needs("belt", "motion"),
+        Needs("belt_column", "motion"), Needs("start", "motion"), Needs("end", "motion"), Excludes("belt", "belt_column"), Needs("angles", "motion"),
         Needs("low_pass", "motion"), Needs("output", "motion"), Needs("output_dir", "motion"),
         Needs("in_place", "motion"), Needs("report", "motion"), Needs("summary", "motion"),
         Excludes("radius", "motion"), Excludes("spheres", "motion"), Excludes("onset", "motion"),
@@ -90,12 +91,6 @@ choices! {
         Stiffness = "stiffness", "All stiffnesses, by one factor";
         Dissipation = "dissipation", "The dissipation of all forces";
         Height = "height", "How high the floor is";
-    }
-
-    /// The object that a fitted height moves.
-    HeightChoice: Floor {
-        Floor = "floor", "The floor, along its normal: spheres stay on the sole";
-        Spheres = "spheres", "All spheres, in their bodies: the floor stays";
     }
 
     /// Unit of a length.

@@ -20,7 +20,7 @@ pub use grid::{Axis, AxisName, Grid, GridValue, Span};
 pub use lengths::{ContactOnset, DropHeight, NewRadius, Radius};
 pub use quantity::{
     Acceleration, ConstantIndentation, Count, Dpi, FigureWidth, FontSize, Jobs, Kilograms, Metres,
-    NotNegative, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Samples, Speed,
+    NotNegative, PoissonRatio, Positive, RelativeIndentation, RestitutionCoefficient, Samples, Signed,
     SpheresOfFoot, Steps, Threshold,
 };
 pub use shard::Shard;

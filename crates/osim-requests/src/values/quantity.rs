@@ -88,8 +88,8 @@ quantities! {
     /// A length in m, 0 or more.
     Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
 
-    /// A speed in m/s along an axis, of either sign.
-    Speed = |text| plain(text, "a speed in m/s", f64::is_finite), {"type": "number"};
+    /// A number of either sign, in the unit of its field.
+    Signed = |text| plain(text, "a number", f64::is_finite), {"type": "number"};
 
     /// x̂, an indentation over the radius: above 0, at most 1.
     RelativeIndentation = |text| {

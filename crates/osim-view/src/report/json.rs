@@ -172,8 +172,8 @@ pub struct ObjectRecord {
 pub struct RecordingErrorsRecord {
     /// Root mean square along the normal of the floor, body weights.
     pub vertical_rms_bw: f64,
-    /// Root mean square along the normal in frames that were not fitted, body weights.
-    pub held_out_vertical_rms_bw: Option<f64>,
+    /// The same of a model that never touches, body weights.
+    pub null_vertical_rms_bw: f64,
     /// Root mean square across the normal, body weights.
     pub horizontal_rms_bw: f64,
     /// Root mean square of the distance between the centres of pressure, m.
@@ -186,7 +186,7 @@ impl From<RecordingErrors> for RecordingErrorsRecord {
     fn from(errors: RecordingErrors) -> Self {
         Self {
             vertical_rms_bw: errors.vertical_rms_bw,
-            held_out_vertical_rms_bw: errors.held_out_vertical_rms_bw,
+            null_vertical_rms_bw: errors.null_vertical_rms_bw,
             horizontal_rms_bw: errors.horizontal_rms_bw,
             cop_rms_m: errors.cop_rms_m,
             largest_relative_indentation: errors.largest_relative_indentation,

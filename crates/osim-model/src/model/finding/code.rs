@@ -126,6 +126,7 @@ codes! {
     UnmatchedPattern = "unmatched-pattern",
     MassAgainstLength = "mass-against-length",
     UnlikeRecording = "unlike-recording",
+    LargeCorrection = "large-correction",
     OddGravity = "odd-gravity",
     NoFriction = "no-friction",
     NoDissipation = "no-dissipation",

@@ -10,8 +10,9 @@ pub use drop::{DropDifferenceRecord, DropRecord, DropSeriesRecord, drop_chart, d
 pub use fit::{EstimateRecord, FitRecord, FitWarningRecord, ResidualsRecord, fit_text};
 pub(crate) use motion::motion_feet;
 pub use motion::{
-    MotionCells, MotionColumn, MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord,
-    MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord, external_loads_xml, ground_reactions_sto,
-    motion_columns, motion_csv, motion_text,
+    ConsistencyRecord, CorrectedErrorRecord, MotionCells, MotionColumn, MotionComparisonRecord,
+    MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord,
+    MotionTouchDownRecord, corrected_motion, external_loads_xml, ground_reactions_sto, motion_columns,
+    motion_csv, motion_text, moved_plates_sto, moved_plates_xml,
 };
 pub use preset::{PresetRecord, SweepRecord, design_sheet_text, preset_text};

@@ -2,13 +2,16 @@
 
 use osim_model::messages::{Dialect, readable, shortest, shown};
 use osim_model::{DVec3, Side};
-use osim_motion::{Comparison, ContactPair, ContactState, ON_BW, SphereSummary, TouchedSurface, Wrench};
+use osim_motion::correct::Correction;
+use osim_motion::{
+    CORRECTED, Comparison, ContactPair, ContactState, ON_BW, SphereSummary, TouchedSurface, Wrench,
+};
 use osim_planning::{MotionRemark, MotionResult};
 
 use crate::report::layout::{WIDTH, table, wrapped};
 pub use crate::report::results::motion_record::{
-    MotionComparisonRecord, MotionFootRecord, MotionRecord, MotionRemarkRecord, MotionSphereRecord,
-    MotionStanceRecord, MotionTouchDownRecord,
+    ConsistencyRecord, CorrectedErrorRecord, MotionComparisonRecord, MotionFootRecord, MotionRecord,
+    MotionRemarkRecord, MotionSphereRecord, MotionStanceRecord, MotionTouchDownRecord,
 };
 
 // A motion in words, with figures of each foot and sphere.
@@ -33,7 +36,8 @@ pub fn motion_text(
         readable(result.gravity_m_s2)
     );
     for remark in remarks {
-        let mark = if remark.code == "foot" { "" } else { "remark: " };
+        let is_result = ["foot", "consistency", "agree", "large-correction", "disagree", "horizontal-error"];
+        let mark = if is_result.contains(&remark.code) { "" } else { "remark: " };
         text.push_str(&wrapped(
             &format!("{mark}{}", remark.message.spelled(dialect)),
             "",
@@ -275,42 +279,78 @@ fn loads_on_bodies(result: &MotionResult) -> Vec<BodyLoad> {
 /// The ground reactions as a `.sto` file: force, point and free moment for each body, in ground.
 pub fn ground_reactions_sto(result: &MotionResult, name: &str) -> String {
     let loads = loads_on_bodies(result);
-    let mut text = format!(
-        "{}\nversion=1\nnRows={}\nnColumns={}\ninDegrees=no\nendheader\ntime",
-        name.lines().next().unwrap_or_default(),
-        result.states.frames(),
-        9 * loads.len() + 1
-    );
-    for load in &loads {
-        let label = &load.label;
-        for columns in [
+    let labels: Vec<&str> = loads.iter().map(|load| load.label.as_str()).collect();
+    reactions_sto(&result.states.time_s, &labels, name, |load, frame| {
+        let states = result.states.frame(frame);
+        let own = || loads[load].pairs.iter().filter_map(|&pair| states.get(pair));
+        let wrench = Wrench::from_states(own());
+        (wrench, point_of_force(result, own().next(), &wrench))
+    })
+}
+
+/// The measured ground reactions as [`ground_reactions_sto`] has those of the model, for the corrected motion: on a treadmill their
+/// points move with it. Each foot's force acts on its first body.
+pub fn moved_plates_sto(result: &MotionResult, correction: &Correction, name: &str) -> String {
+    let feet = || result.summary.feet.iter().map(|foot| &foot.foot);
+    let labels: Vec<&str> = feet().filter_map(|foot| Some(foot.bodies.first()?.as_str())).collect();
+    reactions_sto(&result.states.time_s, &labels, name, |foot, frame| {
+        let wrench = result.measured.as_ref().and_then(|measured| *measured.feet.get(foot)?.get(frame)?);
+        let wrench = wrench.unwrap_or_default();
+        let way_m = correction.belt_way_m.get(frame).copied().unwrap_or_default();
+        let back = Wrench { moment_n_m: wrench.moment_n_m - way_m.cross(wrench.force_n), ..wrench };
+        let first = feet().nth(foot).and_then(|foot| result.states.frame(frame).get(*foot.pairs.first()?));
+        (back, point_of_force(result, first, &back))
+    })
+}
+
+/// A table of forces, points and free moments, for each load and each time.
+fn reactions_sto(
+    time_s: &[f64],
+    labels: &[&str],
+    name: &str,
+    reaction: impl Fn(usize, usize) -> (Wrench, Option<DVec3>),
+) -> String {
+    let of_label = |label: &&str| {
+        [
             format!("ground_force_{label}_v"),
             format!("ground_force_{label}_p"),
             format!("ground_torque_{label}_"),
-        ] {
-            for axis in ["x", "y", "z"] {
-                text.push_str(&format!("\t{columns}{axis}"));
-            }
-        }
-    }
-    text.push('\n');
-    let mut points = vec![None; loads.len()];
-    for (frame, time_s) in result.states.time_s.iter().enumerate() {
-        text.push_str(&shortest(*time_s));
-        for (load, last) in loads.iter().zip(&mut points) {
-            let states = result.states.frame(frame);
-            let own = || load.pairs.iter().filter_map(|&pair| states.get(pair));
-            let wrench = Wrench::from_states(own());
-            let point = point_of_force(result, own().next(), &wrench).or(*last).unwrap_or_default();
+        ]
+    };
+    let columns = labels.iter().flat_map(of_label);
+    let columns = columns.flat_map(|columns| ["x", "y", "z"].map(|axis| format!("{columns}{axis}")));
+    let mut points = vec![None; labels.len()];
+    storage(name, "", columns.collect(), time_s, |frame| {
+        let mut row = Vec::new();
+        for (load, last) in points.iter_mut().enumerate() {
+            let (wrench, point) = reaction(load, frame);
+            let point = point.or(*last).unwrap_or_default();
             *last = Some(point);
             let moment = wrench.moment_n_m - point.cross(wrench.force_n);
-            for value in [wrench.force_n, point, moment].into_iter().flat_map(<[f64; 3]>::from) {
-                text.push('\t');
-                text.push_str(&shortest(value));
-            }
+            row.extend([wrench.force_n, point, moment].into_iter().flat_map(<[f64; 3]>::from));
         }
-        text.push('\n');
+        row
+    })
+}
+
+/// The text of a `.sto` file; `about` is a line of its header, or empty.
+fn storage(
+    name: &str,
+    about: &str,
+    columns: Vec<String>,
+    time_s: &[f64],
+    mut row: impl FnMut(usize) -> Vec<f64>,
+) -> String {
+    let (name, count) = (name.lines().next().unwrap_or_default(), columns.len() + 1);
+    let rows = time_s.len();
+    let mut text =
+        format!("{name}\nversion=1\nnRows={rows}\nnColumns={count}\ninDegrees=no\n{about}endheader\ntime");
+    columns.iter().for_each(|column| text.extend(["\t", column]));
+    for (frame, time_s) in time_s.iter().enumerate() {
+        text.push_str(&format!("\n{}", shortest(*time_s)));
+        row(frame).into_iter().for_each(|value| text.push_str(&format!("\t{}", shortest(value))));
     }
+    text.push('\n');
     text
 }
 
@@ -324,14 +364,42 @@ fn point_of_force(result: &MotionResult, first: Option<&ContactState>, wrench: &
     wrench.centre_of_pressure(state.normal, on_plane, least_n).map(|centre| centre.point_m)
 }
 
+/// The text of the corrected motion. Its header says what was done.
+pub fn corrected_motion(result: &MotionResult, correction: &Correction, name: &str) -> String {
+    let figures = &correction.figures;
+    let about = format!(
+        "{CORRECTED} of {}: loaded spheres move up or down by {:.1} mm (95 %), joints by {:.1} degrees (rms), the floor by {:.1} mm; no \
+         evidence that the contacts are right\n",
+        shown(&result.opened.name().to_string()),
+        1e3 * figures.lift_p95_m,
+        figures.worst(|foot| foot.joint_rms_rad).to_degrees(),
+        1e3 * correction.floor_up_m
+    );
+    let recording = &correction.recording;
+    let columns = recording.coordinates.iter().map(|coordinate| coordinate.name.clone()).collect();
+    storage(name, &about, columns, &recording.time_s, |frame| recording.values(frame).to_vec())
+}
+
 /// OpenSim's `ExternalLoads` file for the output of [`ground_reactions_sto`], which is in the same folder under the name `data_file`.
 pub fn external_loads_xml(result: &MotionResult, data_file: &str) -> String {
-    let mut text = String::from(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"contacts\">\n\t\t<objects>\n",
+    let loads = loads_on_bodies(result);
+    loads_xml("contacts", loads.iter().map(|load| (load.label.as_str(), load.body.as_str())), data_file)
+}
+
+/// The same for the output of [`moved_plates_sto`].
+pub fn moved_plates_xml(result: &MotionResult, data_file: &str) -> String {
+    let bodies = result.summary.feet.iter().filter_map(|foot| foot.foot.bodies.first());
+    loads_xml("plates", bodies.map(|body| (body.as_str(), body.as_str())), data_file)
+}
+
+/// An `ExternalLoads` file for loads, each with the label of its columns and its body.
+fn loads_xml<'l>(name: &str, loads: impl Iterator<Item = (&'l str, &'l str)>, data_file: &str) -> String {
+    let mut text = format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<OpenSimDocument Version=\"40000\">\n\t<ExternalLoads name=\"{name}\">\n\t\t<objects>\n"
     );
-    for load in loads_on_bodies(result) {
-        let (label, body) = (escaped(&load.label), escaped(&load.body));
-        text.push_str(&format!("\t\t\t<ExternalForce name=\"contacts_{body}\">\n"));
+    for (label, body) in loads {
+        let (label, body) = (escaped(label), escaped(body));
+        text.push_str(&format!("\t\t\t<ExternalForce name=\"{name}_{body}\">\n"));
         for (tag, value) in [
             ("applied_to_body", body),
             ("force_expressed_in_body", "ground".to_owned()),

@@ -3,8 +3,9 @@
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::DVec3;
 use osim_model::messages::Dialect;
+use osim_motion::correct::{FootErrors, ForceErrors};
 use osim_motion::{Comparison, FootSummary, PressureOnSole, SphereSummary, StanceSummary, TouchDown};
-use osim_planning::{MotionRemark, MotionResult};
+use osim_planning::{Consistency, MotionRemark, MotionResult};
 use serde::Serialize;
 
 /// A motion, as the JSON has it.
@@ -47,8 +48,91 @@ pub struct MotionRecord {
     pub comparison: Option<MotionComparisonRecord>,
     /// Results for each foot.
     pub feet: Vec<MotionFootRecord>,
+    /// Whether motion, contacts and plates agree, if a corrected motion is wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub consistency: Option<ConsistencyRecord>,
     /// Remarks in words.
     pub remarks: Vec<MotionRemarkRecord>,
+}
+
+/// Whether a motion, contacts and plates agree: by the least correction of the motion that makes them agree.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct ConsistencyRecord {
+    /// `agree`, `large-correction` or `disagree`.
+    pub verdict: String,
+    /// The verdict in words.
+    pub why: String,
+    /// Errors of the vertical force of each foot (rms), body weights.
+    pub vertical_rms_bw: Vec<CorrectedErrorRecord>,
+    /// Errors of the horizontal force of each foot (rms), body weights.
+    pub horizontal_rms_bw: Vec<CorrectedErrorRecord>,
+    /// Root mean square of the distance between both centres of pressure after the correction, of the worst foot, m.
+    pub cop_rms_m: Option<f64>,
+    /// How much higher the floor is than in the model, m.
+    pub floor_up_m: Option<f64>,
+    /// Velocity of the treadmill's belt, m/s.
+    pub belt_m_per_s: Option<[f64; 3]>,
+    /// Root mean square of the vertical moves of loaded spheres, without that of the floor, m.
+    pub lift_rms_m: Option<f64>,
+    /// The 95th percentile of the size of these moves, m.
+    pub lift_p95_m: Option<f64>,
+    /// The largest correction of an angle of a leg in stance (rms), without toes, rad.
+    pub joint_rms_rad: Option<f64>,
+    /// How much more the left foot is lifted than the right, m.
+    pub left_minus_right_m: Option<f64>,
+    /// Largest x/R after the correction.
+    pub largest_relative_indentation: Option<f64>,
+}
+
+/// An error of one foot.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
+pub struct CorrectedErrorRecord {
+    /// The foot.
+    pub foot: String,
+    /// Before the correction.
+    pub before: f64,
+    /// After the correction.
+    pub after: f64,
+    /// Of a model that never touches.
+    pub null: f64,
+}
+
+impl From<&Consistency> for ConsistencyRecord {
+    fn from(one: &Consistency) -> Self {
+        let correction = one.correction.as_ref();
+        let figures = correction.map(|correction| &correction.figures);
+        let errors = |of: fn(&ForceErrors) -> f64| {
+            let feet = figures.into_iter().flat_map(|figures| &figures.feet);
+            let record = |foot: &FootErrors| CorrectedErrorRecord {
+                foot: foot.foot.clone(),
+                before: of(&foot.before),
+                after: of(&foot.after),
+                null: of(&foot.null),
+            };
+            feet.map(record).collect()
+        };
+        let left_minus_right_m = figures.and_then(|figures| {
+            let sign = if figures.feet.first()?.foot.starts_with("left") { -1.0 } else { 1.0 };
+            Some(sign * figures.difference_of_feet_m()?)
+        });
+        Self {
+            verdict: one.verdict.as_str().to_owned(),
+            why: one.why.clone(),
+            vertical_rms_bw: errors(|errors| errors.vertical_bw),
+            horizontal_rms_bw: errors(|errors| errors.horizontal_bw),
+            cop_rms_m: figures
+                .and_then(|figures| figures.feet.iter().filter_map(|foot| foot.cop_rms_m).reduce(f64::max)),
+            floor_up_m: correction.map(|correction| correction.floor_up_m),
+            belt_m_per_s: correction.map(|correction| correction.belt_m_s.into()),
+            lift_rms_m: figures.map(|figures| figures.lift_rms_m),
+            lift_p95_m: figures.map(|figures| figures.lift_p95_m),
+            joint_rms_rad: figures.map(|figures| figures.worst(|foot| foot.joint_rms_rad)),
+            left_minus_right_m,
+            largest_relative_indentation: figures.map(|figures| figures.largest_relative_indentation),
+        }
+    }
 }
 
 /// Something that a reader should know of a motion.
@@ -202,6 +286,7 @@ impl MotionRecord {
                 .zip(&result.on_soles)
                 .map(|(foot, on_sole)| foot_record(result, foot, on_sole.as_ref()))
                 .collect(),
+            consistency: result.consistency.as_ref().map(ConsistencyRecord::from),
             remarks: remarks
                 .iter()
                 .map(|remark| MotionRemarkRecord {

@@ -1,0 +1,93 @@
+//! The files of a motion: ground reactions, and the corrected motion.
+
+use std::path::{Path, PathBuf};
+
+use osim_model::messages::{Input, phrase};
+use osim_planning::MotionResult;
+use osim_requests::MotionRequest;
+use osim_view::report::results::{
+    corrected_motion, external_loads_xml, ground_reactions_sto, moved_plates_sto, moved_plates_xml,
+};
+
+use crate::LibraryFault;
+use crate::run::PathConflicts;
+use crate::write::{WriteMode, write_files};
+
+/// The files that a request for a motion names.
+pub struct MotionFiles {
+    /// The model's ground reactions and their `ExternalLoads`; the corrected motion, and the moved plates and their `ExternalLoads`, which
+    /// a treadmill needs.
+    paths: Vec<Option<PathBuf>>,
+    mode: WriteMode,
+}
+
+const OWNERS: [&str; 5] = [
+    "the ground reactions",
+    "their ExternalLoads",
+    "the corrected motion",
+    "its plates",
+    "the loads of its plates",
+];
+
+impl MotionFiles {
+    /// The files that the request names, checked before anything is computed.
+    ///
+    /// # Errors
+    /// A name does not have the ending of a table, or is the name of a file that is read.
+    pub fn of(request: &MotionRequest) -> Result<Self, LibraryFault> {
+        let is_table = |path: &Path| {
+            path.extension()
+                .is_some_and(|ending| ["sto", "mot"].iter().any(|known| ending.eq_ignore_ascii_case(known)))
+        };
+        let (output, correct) = (request.output.as_deref(), request.correct.as_deref());
+        for (input, path) in [(Input::Output, output), (Input::Correct, correct)] {
+            if let Some(path) = path.filter(|path| !is_table(path)) {
+                let path = path.display().to_string();
+                return Err(LibraryFault::new(
+                    phrase!["{} '{}': expected a name that ends in .sto"; input, path],
+                ));
+            }
+        }
+        let with = |path: Option<&Path>, ending: &str| path.map(|path| path.with_extension(ending));
+        let own = |path: Option<&Path>| path.map(Path::to_owned);
+        let plates = [with(correct, "plates.sto"), with(correct, "plates.xml")];
+        let paths = [[own(output), with(output, "xml"), own(correct)].as_slice(), &plates].concat();
+        let mut conflicts = PathConflicts::default();
+        let read = [&request.subject, &request.motion, &request.plates, &request.loads];
+        for path in read.into_iter().flatten().chain(request.set_files.paths()) {
+            conflicts.add_input(path);
+        }
+        for (path, owner) in paths.iter().zip(OWNERS) {
+            path.iter().try_for_each(|path| conflicts.add_output(path, owner))?;
+        }
+        let mode = if request.force { WriteMode::Replace } else { WriteMode::New };
+        Ok(Self { paths, mode })
+    }
+
+    /// Writes the files and returns their paths. Plates are written for a treadmill only.
+    ///
+    /// # Errors
+    /// As [`write_files`].
+    pub fn write(&self, result: &MotionResult) -> Result<Vec<&Path>, LibraryFault> {
+        let name = |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let mut files: Vec<(&Path, String)> = Vec::new();
+        let path = |place: usize| self.paths[place].as_deref();
+        let [table, loads, motion, plates, plate_loads] = [0, 1, 2, 3, 4].map(path);
+        if let Some((table, loads)) = table.zip(loads) {
+            files.push((table, ground_reactions_sto(result, &name(table))));
+            files.push((loads, external_loads_xml(result, &name(table))));
+        }
+        let correction = result.consistency.as_ref().and_then(|one| one.correction.as_ref());
+        if let Some((correction, motion)) = correction.zip(motion) {
+            files.push((motion, corrected_motion(result, correction, &name(motion))));
+            let on_belt = plates.zip(plate_loads).filter(|_| correction.belt_m_s.length() > 0.0);
+            if let Some((plates, loads)) = on_belt {
+                files.push((plates, moved_plates_sto(result, correction, &name(plates))));
+                files.push((loads, moved_plates_xml(result, &name(plates))));
+            }
+        }
+        // All are complete before the first gets its name.
+        write_files(files.iter().map(|(path, text)| (*path, text.as_bytes())), self.mode)?;
+        Ok(files.into_iter().map(|(path, _)| path).collect())
+    }
+}

@@ -1,0 +1,18 @@
+//! Corrects a motion by the least that makes the contacts of a model give the forces of the plates.
+//!
+//! The unknowns are the height of the floor, the velocity of a belt, and splines in time: of the root's height, and of each
+//! coordinate that moves the spheres of one foot. Contacts are soft at first, so that spheres above the floor feel it. After that,
+//! the contacts are read again along the corrected motion.
+
+mod figures;
+mod passes;
+mod residuals;
+mod slopes;
+mod solve;
+mod unknowns;
+mod verdict;
+
+pub use figures::{CorrectionFigures, FootErrors, ForceErrors};
+pub use passes::{Correction, CorrectionError, correct};
+pub use unknowns::CorrectionOptions;
+pub use verdict::{Mismatch, Verdict, mismatches};

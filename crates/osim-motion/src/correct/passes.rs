@@ -1,0 +1,300 @@
+//! Runs a correction: stages from soft to exact contacts, and passes that read the contacts again.
+
+use osim_model::feet::Couplers;
+use osim_model::{DVec3, Model};
+
+use super::figures::CorrectionFigures;
+use super::residuals::{FootGoals, Goal, Problem, Setting, Stage, minimise};
+use super::slopes::{CentreOfMass, FootSlopes};
+use super::solve::CONSTANTS;
+use super::unknowns::{Basis, CorrectionOptions, find_coordinates, knot_distance_s};
+use crate::{
+    Belt, ContactStates, Foot, MeasuredForces, MotionFault, ON_BW, Recording, StancePhase, StatesError,
+    Wrench,
+};
+
+/// A corrected motion.
+#[derive(Debug, Clone)]
+pub struct Correction {
+    /// The motion, with locked coordinates at their defaults. On a treadmill it moves against the belt.
+    pub recording: Recording,
+    /// The distance by which the floor is higher than in the model, m; the root is lower by it.
+    pub floor_up_m: f64,
+    /// The mean velocity of the belt, m/s; 0 without a treadmill.
+    pub belt_m_s: DVec3,
+    /// The way of the belt since the first frame, m; the plates' points move back by it.
+    pub belt_way_m: Vec<DVec3>,
+    pub figures: CorrectionFigures,
+}
+
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum CorrectionError {
+    /// No free coordinate moves all spheres along the normal of the floor by its own value.
+    #[error("no free coordinate lifts the whole model: its motion cannot be corrected")]
+    NoRootHeight,
+    /// The root cannot follow the belt.
+    #[error(
+        "no free coordinate moves the whole model along the belt: its motion cannot be corrected on this treadmill"
+    )]
+    NoRootAlongBelt,
+    #[error("the plates measured no force under a foot")]
+    NoForce,
+    #[error(transparent)]
+    States(#[from] StatesError),
+}
+
+impl From<MotionFault> for CorrectionError {
+    fn from(fault: MotionFault) -> Self {
+        Self::States(StatesError::Motion(fault))
+    }
+}
+
+/// The stages of a search: the depths over which contacts begin, m, and the factors of the transition velocity.
+const SOFT_M: [f64; 8] = [0.02, 0.01, 0.005, 0.002, 0.002, 0.0, 0.0, 0.0];
+const WIDER: [f64; 8] = [0.0, 0.0, 0.0, 0.0, 10.0, 10.0, 3.0, 1.0];
+const LAST_STAGE: usize = 7;
+
+/// The contacts are read along the motion at least twice, at most four times.
+const LEAST_PASSES: usize = 2;
+const MOST_PASSES: usize = 4;
+/// The relative change of the cost, if contacts are read again, below which law and motion agree.
+const AGREES: f64 = 0.001;
+/// Loaded feet that are slower than this stand on a floor at rest, m/s.
+const STANDING_M_S: f64 = 0.4;
+/// The largest part of the belt's velocity that no coordinate of the root follows, m/s.
+const UNFOLLOWED_M_S: f64 = 0.01;
+
+/// Stances that are shorter than this are contacts by chance, s.
+const SHORTEST_STANCE_S: f64 = 0.08;
+/// The duration of a stance if the recording has no whole one, s.
+const USUAL_STANCE_S: f64 = 0.5;
+
+/// Corrects `recording`, along which a model has the contacts `states`, to the forces that were `measured` under its `feet`.
+///
+/// # Errors
+/// No coordinate for the height of the root, no measured force, or a motion whose states cannot be computed.
+pub fn correct(
+    model: &Model,
+    recording: &Recording,
+    (states, feet): (&ContactStates, &[Foot]),
+    measured: &MeasuredForces,
+    weight_n: f64,
+    options: &CorrectionOptions,
+) -> Result<Correction, CorrectionError> {
+    let couplers = Couplers::of(model);
+    let unmoved = at_defaults(recording, &couplers)?;
+    let first = feet.first().and_then(|foot| foot.pairs.first()).copied();
+    let (normal, on_floor_m) = first
+        .and_then(|pair| {
+            let state = states.frame(0).get(pair)?;
+            Some((state.normal, state.on_surface_m(states.pairs.get(pair)?.radius_m)))
+        })
+        .ok_or(CorrectionError::NoForce)?;
+    let forward = (DVec3::X - normal * normal.x).try_normalize().unwrap_or(DVec3::Z);
+    let level = [forward, forward.cross(normal)];
+    let found = find_coordinates(model, &unmoved, &couplers, states, (feet, normal))?;
+    let root = found.corrected.first().ok_or(CorrectionError::NoRootHeight)?.index;
+    let goal = |foot: usize, wrench: &Wrench| Goal {
+        normal_n: wrench.force_n.dot(normal).max(0.0),
+        level_n: level.map(|direction| wrench.force_n.dot(direction)),
+        centre_m: wrench
+            .centre_of_pressure(normal, on_floor_m, ON_BW * weight_n)
+            .filter(|_| measured.has_points.get(foot) == Some(&true) && wrench.force_n.dot(normal) > 0.0)
+            .map(|centre| centre.point_m),
+    };
+    let goals_of_foot = |(foot, wrenches): (usize, &Vec<Option<Wrench>>)| FootGoals {
+        pairs: feet[foot].pairs.iter().filter_map(|&pair| states.pairs.get(pair)).collect(),
+        goals: wrenches.iter().map(|wrench| wrench.as_ref().map(|wrench| goal(foot, wrench))).collect(),
+    };
+    let goals: Vec<FootGoals<'_>> = measured.feet.iter().enumerate().map(goals_of_foot).collect();
+    if !goals.iter().flat_map(|foot| &foot.goals).flatten().any(|goal| goal.normal_n > ON_BW * weight_n) {
+        return Err(CorrectionError::NoForce);
+    }
+    // Without goals along the floor, the feet themselves show the belt.
+    let standing = options.standing_m_s;
+    let moves = standing.length() >= STANDING_M_S;
+    let belt = match &options.belt {
+        Some(belt) => belt.clone(),
+        None if moves && options.vertical_only => Belt::Constant(standing),
+        None => Belt::default(),
+    };
+    let searches_belt = options.belt.is_none() && moves && !options.vertical_only;
+    let time_s = unmoved.time_s.last().zip(unmoved.time_s.first()).map_or(1.0, |(end, start)| end - start);
+    let frame_s = time_s / unmoved.frames() as f64;
+    let knots_s = knot_distance_s(shortest_stance_s(&unmoved.time_s, &goals, weight_n), frame_s);
+    let original = match options.floor_up_m {
+        Some(up_m) => unmoved.changed(&couplers, |_, values, _| values[root] -= up_m)?,
+        None => unmoved.clone(),
+    };
+    let centre = CentreOfMass::new(model)?;
+    let setting = Setting {
+        basis: Basis::new(&original.time_s, knots_s),
+        centre_of_mass: centre.slopes(&original, &couplers, &found.corrected)?,
+        coordinates: found.corrected,
+        feet: goals,
+        level,
+        weight_n,
+        options: options.clone(),
+        free: [options.floor_up_m.is_none(), searches_belt, searches_belt],
+    };
+    let search = Search { model, couplers, original, states, feet, belt };
+    let mut unknowns = vec![0.0; setting.coefficients() + CONSTANTS];
+    let place = setting.coefficients();
+    search.run(&setting, &mut unknowns)?;
+    let found_belt = level[0] * unknowns[place + 1] + level[1] * unknowns[place + 2];
+    let belt = if searches_belt { Belt::Constant(found_belt) } else { search.belt.clone() };
+    let in_place = search.corrected(&setting, &unknowns)?;
+    let floor_up_m = options.floor_up_m.unwrap_or(unknowns[place]);
+    let along = |recording: &Recording| states.along(model, recording, &belt);
+    let (before, after) = (along(&unmoved)?, along(&in_place)?);
+    let figures = CorrectionFigures::new(
+        &setting,
+        (&before, &after),
+        (feet, measured),
+        (normal, on_floor_m),
+        (&unknowns, floor_up_m),
+    );
+    let way_m = belt.way_m(&in_place.time_s);
+    let follow = |way: DVec3| found.level.iter().map(|(_, along)| way.dot(*along) * *along).sum::<DVec3>();
+    let belt_m_s = way_m.last().copied().unwrap_or_default() / time_s;
+    if (belt_m_s - follow(belt_m_s)).length() > UNFOLLOWED_M_S {
+        return Err(CorrectionError::NoRootAlongBelt);
+    }
+    let recording = in_place.changed(&search.couplers, |frame, values, _| {
+        found.level.iter().for_each(|(index, along)| values[*index] -= way_m[frame].dot(*along));
+    })?;
+    Ok(Correction { recording, floor_up_m, belt_m_s, belt_way_m: way_m, figures })
+}
+
+struct Search<'s> {
+    model: &'s Model,
+    couplers: Couplers,
+    original: Recording,
+    states: &'s ContactStates,
+    feet: &'s [Foot],
+    /// The known part of the belt's motion.
+    belt: Belt,
+}
+
+impl Search<'_> {
+    /// Makes the cost small in stages and passes.
+    fn run(&self, setting: &Setting<'_>, unknowns: &mut Vec<f64>) -> Result<(), CorrectionError> {
+        let mut cost = f64::INFINITY;
+        for pass in 0..MOST_PASSES {
+            let moved = self.corrected(setting, unknowns)?;
+            let parts = (self.feet, setting.coordinates.as_slice());
+            let (model, states) = (self.model, self.states);
+            let slopes =
+                FootSlopes::all(model, (&moved, &self.belt), &self.couplers, states, parts, setting.level)?;
+            let mut problem = Problem::new(setting, slopes, unknowns.clone());
+            if pass >= LEAST_PASSES && (problem.cost(unknowns) - cost).abs() <= AGREES * cost {
+                break;
+            }
+            for stage in if pass == 0 { 0 } else { LAST_STAGE }..=LAST_STAGE {
+                problem.stage = Stage { soft_m: SOFT_M[stage], transition: WIDER[stage] };
+                cost = minimise(&problem, unknowns);
+            }
+        }
+        Ok(())
+    }
+
+    /// The motion after corrections; the height of the floor moves the root.
+    fn corrected(&self, setting: &Setting<'_>, unknowns: &[f64]) -> Result<Recording, CorrectionError> {
+        let floor_up_m = unknowns[setting.coefficients()];
+        let moved = self.original.changed(&self.couplers, |frame, values, _| {
+            let corrections = setting.corrections(unknowns, frame, 0);
+            for (coordinate, by) in setting.coordinates.iter().zip(corrections) {
+                values[coordinate.index] += if coordinate.foot.is_none() { by - floor_up_m } else { by };
+            }
+        })?;
+        Ok(moved.with_splined_speeds(&self.couplers)?)
+    }
+}
+
+/// The recording with locked coordinates at their defaults, as OpenSim's tools take them, and with speeds from its values.
+fn at_defaults(recording: &Recording, couplers: &Couplers) -> Result<Recording, CorrectionError> {
+    let locked = recording.changed(couplers, |_, values, _| {
+        for (value, coordinate) in values.iter_mut().zip(&recording.coordinates) {
+            if let Some(default) = coordinate.default.filter(|_| coordinate.locked) {
+                *value = default;
+            }
+        }
+    })?;
+    Ok(locked.with_splined_speeds(couplers)?)
+}
+
+fn shortest_stance_s(time_s: &[f64], feet: &[FootGoals<'_>], weight_n: f64) -> f64 {
+    let stances = feet.iter().flat_map(|foot| {
+        let force_n: Vec<f64> =
+            foot.goals.iter().map(|goal| goal.map_or(f64::NAN, |goal| goal.normal_n)).collect();
+        StancePhase::all(time_s, &force_n, weight_n)
+    });
+    let whole = stances.filter_map(|stance| stance.duration_s()).filter(|&time| time > SHORTEST_STANCE_S);
+    whole.reduce(f64::min).unwrap_or(USUAL_STANCE_S)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::Table;
+    use crate::{RecordingOptions, StatesError};
+
+    /// A body of 1 kg with one sphere that moves in a plane above the floor.
+    fn ball_model() -> Model {
+        let text = "<OpenSimDocument Version=\"40000\"><Model><BodySet><objects><Body name=\"b\"><mass>1</mass></Body></objects></BodySet>\
+         <JointSet><objects><PlanarJoint name=\"j\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/b\
+         </socket_child_frame><coordinates><Coordinate name=\"turn\"/><Coordinate name=\"x\"/><Coordinate name=\"y\"/></coordinates>\
+         </PlanarJoint></objects></JointSet><ContactGeometrySet><objects><ContactSphere name=\"s\"><socket_frame>/bodyset/b</socket_frame>\
+         <location>0 0 0</location><radius>0.03</radius></ContactSphere><ContactHalfSpace name=\"floor\"><socket_frame>/ground\
+         </socket_frame><orientation>0 0 -1.5707963267948966</orientation></ContactHalfSpace></objects></ContactGeometrySet><ForceSet>\
+         <objects><HuntCrossleyForce name=\"f\"><contact_parameters><HuntCrossleyForce::ContactParametersSet><objects>\
+         <HuntCrossleyForce::ContactParameters><geometry>s floor</geometry><stiffness>1e6</stiffness><dissipation>1</dissipation>\
+         </HuntCrossleyForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet></contact_parameters>\
+         </HuntCrossleyForce></objects></ForceSet></Model></OpenSimDocument>";
+        Model::parse(text).unwrap()
+    }
+
+    /// The ball bounces 5 mm deep into the floor twice; the whole motion is higher by `up_m`.
+    fn bounces(model: &Model, up_m: f64) -> Result<(Recording, ContactStates), StatesError> {
+        let mut text = "inDegrees=no\nendheader\ntime\tturn\tx\ty\n".to_owned();
+        for frame in 0..220 {
+            let time = 0.01 * f64::from(frame);
+            let y = 0.025 + 0.02 * (1.0 + (std::f64::consts::TAU * time).cos()) + up_m;
+            text.push_str(&format!("{time}\t0\t0\t{y}\n"));
+        }
+        let recording =
+            Recording::of(model, &Table::read(text.as_bytes()).unwrap(), &RecordingOptions::default())?;
+        let states = ContactStates::of(model, &recording, &model.force_ids(), [0.0; 3])?;
+        Ok((recording, states))
+    }
+
+    #[test]
+    fn a_motion_that_is_too_high_comes_down() {
+        let (model, weight_n) = (ball_model(), 20.0);
+        let (_, truth) = bounces(&model, 0.0).unwrap();
+        let feet = Foot::all(&model, &truth, &model.force_ids());
+        let wrenches: Vec<Option<Wrench>> =
+            (0..truth.frames()).map(|frame| Some(Wrench::from_states(truth.frame(frame)))).collect();
+        let measured = MeasuredForces {
+            uses: Vec::new(),
+            total: wrenches.clone(),
+            feet: vec![wrenches],
+            beside: vec![0],
+            has_points: vec![true],
+        };
+        for up_m in [0.0, 0.02, -0.01] {
+            let (recording, states) = bounces(&model, up_m).unwrap();
+            let options = CorrectionOptions {
+                vertical_only: false,
+                standing_m_s: DVec3::ZERO,
+                belt: None,
+                floor_up_m: None,
+            };
+            let found = correct(&model, &recording, (&states, &feet), &measured, weight_n, &options).unwrap();
+            let figures = &found.figures;
+            assert!((found.floor_up_m - up_m).abs() < 3e-4, "{found:?}");
+            assert!(figures.feet[0].after.vertical_bw < 0.005 && figures.lift_p95_m < 3e-4, "{figures:?}");
+            assert_eq!(found.belt_m_s, DVec3::ZERO);
+        }
+    }
+}

@@ -1,0 +1,315 @@
+//! The sum of squares that a correction makes small: the differences from the plates, and the sizes of the correction.
+
+use osim_model::DVec3;
+
+use super::slopes::{FootSlopes, SphereState};
+use super::solve::{CONSTANTS, NormalEquations, dot};
+use super::unknowns::{Basis, CorrectedCoordinate, CorrectionOptions, LENGTH_M};
+use crate::ContactPair;
+
+/// An error of force that counts as much as a usual correction, body weights.
+const FORCE_BW: f64 = 0.05;
+/// An error of the centre of pressure that counts as much as a usual correction, m.
+const PRESSURE_M: f64 = 0.01;
+/// A usual added acceleration of the whole body, m/s².
+const ACCELERATION_M_S2: f64 = 0.03 * 9.81;
+/// The sum of squared moves of all spheres of a foot counts as much as this many spheres.
+const COUNTED_SPHERES: f64 = 3.0;
+/// Usual heights of the floor (m) and velocities of the belt (m/s), which count as much as a hundredth of the frames.
+const CONSTANT_SIZES: [f64; CONSTANTS] = [0.03, 2.0, 2.0];
+const COUNTED_FRAMES: f64 = 0.01;
+/// The usual size of a constant that stays 0.
+const FIXED: f64 = 1e-9;
+
+/// What a plate measured under a foot in one frame: the force along the normal and along both level directions, N, and the
+/// centre of pressure, m.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Goal {
+    pub(super) normal_n: f64,
+    pub(super) level_n: [f64; 2],
+    pub(super) centre_m: Option<DVec3>,
+}
+
+/// The plates' goals for one foot, frame by frame, and its contacts.
+pub(super) struct FootGoals<'p> {
+    pub(super) pairs: Vec<&'p ContactPair>,
+    pub(super) goals: Vec<Option<Goal>>,
+}
+
+/// What stays the same in all passes.
+pub(super) struct Setting<'p> {
+    pub(super) basis: Basis,
+    pub(super) coordinates: Vec<CorrectedCoordinate>,
+    pub(super) feet: Vec<FootGoals<'p>>,
+    pub(super) level: [DVec3; 2],
+    pub(super) weight_n: f64,
+    pub(super) options: CorrectionOptions,
+    /// Which constants are unknown.
+    pub(super) free: [bool; CONSTANTS],
+    /// The move of the whole body's centre of mass with each coordinate in each frame.
+    pub(super) centre_of_mass: Vec<DVec3>,
+}
+
+impl Setting<'_> {
+    /// The number of coefficients of all splines.
+    pub(super) fn coefficients(&self) -> usize {
+        self.basis.count * self.coordinates.len()
+    }
+
+    /// The corrections of all coordinates in a frame; with `order` 1 their rates.
+    pub(super) fn corrections(&self, unknowns: &[f64], frame: usize, order: usize) -> Vec<f64> {
+        let count = self.coordinates.len();
+        let start = self.basis.first[frame] * count;
+        let mut sums = vec![0.0; count];
+        for (row, weight) in unknowns[start..].chunks_exact(count).zip(self.basis.weights[frame][order]) {
+            sums.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
+        }
+        sums
+    }
+}
+
+/// A residual of one frame with its derivatives by corrections, by their rates, and by the constants.
+#[derive(Debug, Clone)]
+struct Row {
+    residual: f64,
+    /// For each coordinate of the foot, the derivatives by value and by rate.
+    by_coordinate: Vec<[f64; 2]>,
+    by_constant: [f64; CONSTANTS],
+}
+
+/// The problem along one motion, in one stage.
+pub(super) struct Problem<'s> {
+    pub(super) setting: &'s Setting<'s>,
+    pub(super) slopes: Vec<FootSlopes>,
+    /// The unknowns with which `slopes` were read.
+    pub(super) read_at: Vec<f64>,
+    pub(super) stage: Stage,
+    /// The squares of the corrections.
+    pub(super) sizes: NormalEquations,
+}
+
+impl<'s> Problem<'s> {
+    pub(super) fn new(setting: &'s Setting<'s>, slopes: Vec<FootSlopes>, read_at: Vec<f64>) -> Self {
+        let sizes = correction_sizes(setting, &slopes);
+        Self { setting, slopes, read_at, stage: Stage { soft_m: 0.0, transition: 1.0 }, sizes }
+    }
+
+    /// Calls `take` with the residuals of each foot in each frame; without `slopes`, rows have no derivatives.
+    fn residuals(&self, unknowns: &[f64], slopes: bool, mut take: impl FnMut(usize, &FootSlopes, &Row)) {
+        let Setting { level, weight_n, ref options, .. } = *self.setting;
+        let difference: Vec<f64> = unknowns.iter().zip(&self.read_at).map(|(now, then)| now - then).collect();
+        let place = self.setting.coefficients();
+        let constants = [difference[place], unknowns[place + 1], unknowns[place + 2]];
+        let unit = 1.0 / (FORCE_BW * weight_n);
+        for frame in 0..self.setting.basis.first.len() {
+            let [values, rates] = [0, 1].map(|order| self.setting.corrections(&difference, frame, order));
+            for (foot, along) in self.setting.feet.iter().zip(&self.slopes) {
+                let Some(goal) = foot.goals[frame] else { continue };
+                let first = frame * foot.pairs.len();
+                let state = |(number, pair): (usize, &&ContactPair)| {
+                    let state = along.state(first + number, [&values, &rates], constants);
+                    let slopes = if slopes { force_slopes(pair, state, self.stage) } else { [[0.0; 3]; 4] };
+                    (first + number, force_n(pair, state, self.stage), slopes)
+                };
+                let forces: Vec<_> = foot.pairs.iter().enumerate().map(state).collect();
+                // The sum of the forces of all spheres, each component times its factor.
+                let mut row = |goal: f64, factors: &dyn Fn(usize) -> [f64; 3]| {
+                    let count = if slopes { along.coordinates.len() } else { 0 };
+                    let mut sum = Row {
+                        residual: -goal,
+                        by_coordinate: vec![[0.0; 2]; count],
+                        by_constant: [0.0; CONSTANTS],
+                    };
+                    for (sphere, force, slopes) in &forces {
+                        let factors = factors(*sphere);
+                        sum.residual += dot(&factors, force);
+                        let by = slopes.map(|by| dot(&factors, &by));
+                        for (sums, by_both) in sum.by_coordinate.iter_mut().zip(along.slopes_of(*sphere)) {
+                            sums.iter_mut().zip(by_both).for_each(|(sum, numbers)| *sum += dot(&by, numbers));
+                        }
+                        sum.by_constant[0] += by[0];
+                        sum.by_constant[1] -= by[2];
+                        sum.by_constant[2] -= by[3];
+                    }
+                    take(frame, along, &sum);
+                };
+                row(goal.normal_n * unit, &|_| [unit, 0.0, 0.0]);
+                if let Some(centre_m) = goal.centre_m {
+                    for direction in level.map(|direction| direction / (PRESSURE_M * weight_n)) {
+                        row(0.0, &|sphere| [(along.centre_m(sphere) - centre_m).dot(direction), 0.0, 0.0]);
+                    }
+                }
+                if !options.vertical_only && self.stage.transition > 0.0 {
+                    row(goal.level_n[0] * unit, &|_| [0.0, unit, 0.0]);
+                    row(goal.level_n[1] * unit, &|_| [0.0, 0.0, unit]);
+                }
+            }
+        }
+    }
+
+    pub(super) fn cost(&self, unknowns: &[f64]) -> f64 {
+        let mut sum: f64 = self.sizes.times(unknowns).iter().zip(unknowns).map(|(a, b)| a * b).sum();
+        self.residuals(unknowns, false, |_, _, row| sum += row.residual * row.residual);
+        sum
+    }
+
+    fn normal_equations(&self, unknowns: &[f64]) -> NormalEquations {
+        let mut equations = self.sizes.clone();
+        equations.gradient = self.sizes.times(unknowns);
+        let (basis, count) = (&self.setting.basis, self.setting.coordinates.len());
+        let mut entries = Vec::new();
+        self.residuals(unknowns, true, |frame, along, row| {
+            entries.clear();
+            let [values, rates, _] = &basis.weights[frame];
+            for (spline, (value, rate)) in values.iter().zip(rates).enumerate() {
+                let start = (basis.first[frame] + spline) * count;
+                let slopes = along.coordinates.iter().zip(&row.by_coordinate);
+                entries.extend(slopes.map(|(number, by)| (start + number, value * by[0] + rate * by[1])));
+            }
+            let constants = row.by_constant.into_iter().enumerate();
+            entries.extend(constants.map(|(number, by)| (basis.count * count + number, by)));
+            equations.add(&entries, row.residual);
+        });
+        equations
+    }
+}
+
+/// The relative decrease of the cost at which the search ends.
+const SMALLEST_DECREASE: f64 = 1e-5;
+const MOST_STEPS: usize = 40;
+
+/// Makes the cost small by damped Gauss-Newton steps, and returns it.
+pub(super) fn minimise(problem: &Problem<'_>, unknowns: &mut Vec<f64>) -> f64 {
+    let (mut cost, mut damping) = (problem.cost(unknowns), 1e-4);
+    for _ in 0..MOST_STEPS {
+        let equations = problem.normal_equations(unknowns);
+        let mut decrease = 0.0;
+        while damping < 1e6 {
+            let step = equations.step(damping).unwrap_or_default();
+            let next: Vec<f64> = unknowns.iter().zip(&step).map(|(value, change)| value + change).collect();
+            let after = if next.len() == unknowns.len() { problem.cost(&next) } else { f64::INFINITY };
+            if after <= cost {
+                decrease = cost - after;
+                (*unknowns, cost, damping) = (next, after, (damping / 10.0_f64).max(1e-9));
+                break;
+            }
+            damping *= 8.0;
+        }
+        if decrease <= SMALLEST_DECREASE * cost {
+            break;
+        }
+    }
+    cost
+}
+
+/// The squares of everything that a correction should keep small.
+fn correction_sizes(setting: &Setting<'_>, slopes: &[FootSlopes]) -> NormalEquations {
+    let (basis, coordinates) = (&setting.basis, &setting.coordinates);
+    let count = coordinates.len();
+    let mut sizes = NormalEquations::new(setting.coefficients(), 4 * count);
+    let mut entries = Vec::new();
+    // Adds the square of a sum over coordinates of a frame; `order` 2 takes the accelerations.
+    let mut add = |frame: usize, order: usize, by: &[(usize, f64)]| {
+        entries.clear();
+        for (spline, weight) in basis.weights[frame][order].iter().enumerate() {
+            let start = (basis.first[frame] + spline) * count;
+            entries.extend(by.iter().map(|(number, slope)| (start + number, weight * slope)));
+        }
+        sizes.add(&entries, 0.0);
+    };
+    for frame in 0..basis.first.len() {
+        for (number, coordinate) in coordinates.iter().enumerate() {
+            add(frame, 0, &[(number, 1.0 / coordinate.usual())]);
+        }
+        for (foot, along) in setting.feet.iter().zip(slopes) {
+            let spheres = foot.pairs.len();
+            let unit = (COUNTED_SPHERES / spheres as f64).sqrt() / LENGTH_M;
+            for sphere in frame * spheres..(frame + 1) * spheres {
+                for axis in 0..3 {
+                    let moves = along.slopes_of(sphere).iter().map(|by| by[0][4 + axis] * unit);
+                    let by: Vec<(usize, f64)> = along.coordinates.iter().copied().zip(moves).collect();
+                    add(frame, 0, &by);
+                }
+            }
+        }
+        let moves = &setting.centre_of_mass[frame * count..(frame + 1) * count];
+        for axis in 0..3 {
+            let by: Vec<(usize, f64)> =
+                moves.iter().map(|by| by[axis] / ACCELERATION_M_S2).enumerate().collect();
+            add(frame, 2, &by);
+        }
+    }
+    let counted = (COUNTED_FRAMES * basis.first.len() as f64).sqrt();
+    for (number, size) in CONSTANT_SIZES.into_iter().enumerate() {
+        let size = if setting.free[number] { size } else { FIXED };
+        sizes.add(&[(setting.coefficients() + number, counted / size)], 0.0);
+    }
+    sizes
+}
+
+// The force of a sphere and its slopes, at first with a softened law.
+
+/// How forces are computed in one stage of the search.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Stage {
+    /// The depth over which contacts begin, m; 0 for the law of the model.
+    pub(super) soft_m: f64,
+    /// The factor of the transition velocity; 0 without friction.
+    pub(super) transition: f64,
+}
+
+/// The width over which a softened law lets go of a sphere that rises, as a share of its force at rest.
+const SOFT_SHARE: f64 = 0.1;
+/// Steps by which slopes are computed, in the order of a state.
+const STEPS: SphereState = [1e-7, 1e-6, 1e-6, 1e-6];
+
+/// The force on a sphere along the normal and along the two level directions, N.
+fn force_n(pair: &ContactPair, state: SphereState, stage: Stage) -> [f64; 3] {
+    let [x, rate, slip @ ..] = state;
+    let Stage { soft_m, transition } = stage;
+    let normal_n = if soft_m > 0.0 {
+        let depth = soft_positive(x, soft_m);
+        let damping = soft_positive(1.0 + 1.5 * pair.law.dissipation() * rate, SOFT_SHARE);
+        pair.law.hertz().coefficient() * depth * depth.sqrt() * damping
+    } else {
+        pair.law.force(x, rate)
+    };
+    if normal_n == 0.0 || transition == 0.0 {
+        return [normal_n, 0.0, 0.0];
+    }
+    let smoothing = pair.smoothing.filter(|_| soft_m == 0.0).unwrap_or(0.0);
+    let speed = (slip[0] * slip[0] + slip[1] * slip[1] + smoothing).sqrt().max(STEPS[2]);
+    // A transition velocity that is larger by the factor.
+    let share = pair.friction.coefficient(speed / transition) / speed;
+    [normal_n, -normal_n * share * slip[0], -normal_n * share * slip[1]]
+}
+
+/// The slopes of the force by each number of the state.
+fn force_slopes(pair: &ContactPair, state: SphereState, stage: Stage) -> [[f64; 3]; 4] {
+    std::array::from_fn(|place| {
+        let at = |by: f64| {
+            let mut state = state;
+            state[place] += by;
+            force_n(pair, state, stage)
+        };
+        let (above, below) = (at(STEPS[place]), at(-STEPS[place]));
+        std::array::from_fn(|axis| (above[axis] - below[axis]) / (2.0 * STEPS[place]))
+    })
+}
+
+/// w ln(1 + e^(x/w)), which is nearly 0 below 0 and nearly x above.
+fn soft_positive(x: f64, width: f64) -> f64 {
+    x.max(0.0) + width * (-(x / width).abs()).exp().ln_1p()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_soft_part_is_far_away_exact() {
+        assert!((soft_positive(1.0, 0.01) - 1.0).abs() < 1e-15);
+        assert!(soft_positive(-1.0, 0.01) < 1e-40);
+        assert!((soft_positive(0.0, 0.5) - 0.5 * 2.0_f64.ln()).abs() < 1e-15);
+    }
+}

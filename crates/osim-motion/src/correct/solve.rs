@@ -1,0 +1,138 @@
+//! Normal equations with a band for splines and full rows for constants, and damped Gauss-Newton steps.
+
+use std::ops::Range;
+
+/// The number of constants: the height of the floor, and two components of the belt's velocity.
+pub(super) const CONSTANTS: usize = 3;
+
+/// The normal equations A d = -g. The coefficients of the splines come first, then the constants.
+#[derive(Debug, Clone)]
+pub(super) struct NormalEquations {
+    /// For each unknown, its row of A from the first related unknown to the diagonal; and where this row ends in `entries`.
+    entries: Vec<f64>,
+    ends: Vec<usize>,
+    pub(super) gradient: Vec<f64>,
+}
+
+impl NormalEquations {
+    /// Equations for `coefficients` of splines, of which those less than `width` apart are related, and for the constants.
+    pub(super) fn new(coefficients: usize, width: usize) -> Self {
+        let count = coefficients + CONSTANTS;
+        let length = |i: usize| if i < coefficients { (i + 1).min(width) } else { i + 1 };
+        let mut ends: Vec<usize> = (0..count).map(length).collect();
+        (1..count).for_each(|i| ends[i] += ends[i - 1]);
+        Self { entries: vec![0.0; ends.last().copied().unwrap_or(0)], ends, gradient: vec![0.0; count] }
+    }
+
+    /// The first unknown that is related to unknown `i`, and its row.
+    fn row(&self, i: usize) -> (usize, Range<usize>) {
+        let start = if i > 0 { self.ends[i - 1] } else { 0 };
+        (i + 1 - (self.ends[i] - start), start..self.ends[i])
+    }
+
+    /// Adds a residual with its derivatives by some unknowns, in rising order.
+    pub(super) fn add(&mut self, derivatives: &[(usize, f64)], residual: f64) {
+        for (number, &(i, slope)) in derivatives.iter().enumerate() {
+            self.gradient[i] += slope * residual;
+            let (first, row) = self.row(i);
+            for &(j, other) in &derivatives[..=number] {
+                self.entries[row.start + j - first] += slope * other;
+            }
+        }
+    }
+
+    /// A times `vector`.
+    pub(super) fn times(&self, vector: &[f64]) -> Vec<f64> {
+        let mut product = vec![0.0; vector.len()];
+        for i in 0..vector.len() {
+            let (first, row) = self.row(i);
+            for (j, entry) in (first..).zip(&self.entries[row]) {
+                product[i] += entry * vector[j];
+                product[j] += if j < i { entry * vector[i] } else { 0.0 };
+            }
+        }
+        product
+    }
+
+    /// The step d of (A + damping · diag A) d = -g; `None` if the matrix is not positive definite.
+    pub(super) fn step(&self, damping: f64) -> Option<Vec<f64>> {
+        let mut factor = self.entries.clone();
+        let mut step: Vec<f64> = Vec::with_capacity(self.ends.len());
+        for i in 0..self.ends.len() {
+            let (first, range) = self.row(i);
+            let (above, rest) = factor.split_at_mut(range.start);
+            let row = &mut rest[..range.len()];
+            for j in first..i {
+                let (begin, other) = self.row(j);
+                let from = begin.max(first);
+                let products = row[from - first..j - first].iter().zip(&above[other.start + from - begin..]);
+                let sum: f64 = products.map(|(a, b)| a * b).sum();
+                row[j - first] = (row[j - first] - sum) / above[other.end - 1];
+            }
+            let (diagonal, entries) = row.split_last_mut()?;
+            let square = *diagonal * (1.0 + damping) - dot(entries, entries);
+            *diagonal = Some(square.sqrt()).filter(|root| *root > 0.0)?;
+            step.push((-self.gradient[i] - dot(entries, &step[first..])) / *diagonal);
+        }
+        for i in (0..step.len()).rev() {
+            let (first, range) = self.row(i);
+            let (diagonal, entries) = factor[range].split_last()?;
+            step[i] /= diagonal;
+            let value = step[i];
+            step[first..i].iter_mut().zip(entries).for_each(|(one, entry)| *one -= entry * value);
+        }
+        Some(step)
+    }
+}
+
+pub(super) fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equations of 9 coefficients and all constants, and the same as a dense matrix.
+    fn equations() -> (NormalEquations, Vec<Vec<f64>>) {
+        let mut equations = NormalEquations::new(9, 4);
+        let mut dense = vec![vec![0.0; 12]; 12];
+        for number in 0..40_usize {
+            let first = number % 6;
+            let slope = |place: usize| ((number * 7 + place * 3 + number * place) as f64).sin();
+            let all: Vec<(usize, f64)> =
+                (first..first + 4).chain(9..12).map(|place| (place, slope(place))).collect();
+            equations.add(&all, slope(30));
+            for &(i, a) in &all {
+                all.iter().for_each(|&(j, b)| dense[i][j] += a * b);
+            }
+        }
+        (equations, dense)
+    }
+
+    #[test]
+    fn a_step_solves_the_damped_equations() {
+        let (equations, dense) = equations();
+        for damping in [0.0, 0.3] {
+            let step = equations.step(damping).unwrap();
+            for (i, row) in dense.iter().enumerate() {
+                let left = dot(row, &step) + damping * row[i] * step[i];
+                assert!((left + equations.gradient[i]).abs() < 1e-9, "{damping} {i}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_product_is_that_of_the_dense_matrix() {
+        let (equations, dense) = equations();
+        let vector: Vec<f64> = (0..12).map(|place| f64::from(place).cos()).collect();
+        for (product, row) in equations.times(&vector).iter().zip(&dense) {
+            assert!((product - dot(row, &vector)).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn equations_without_a_solution_have_no_step() {
+        assert_eq!(NormalEquations::new(2, 2).step(0.0), None);
+    }
+}

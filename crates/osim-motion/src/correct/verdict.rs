@@ -1,0 +1,233 @@
+//! Whether motion, contacts and plates agree, and what is wrong with them, seen before anything is solved.
+
+use gcv_spline::GcvSpline;
+use osim_model::{DVec3, Model};
+
+use super::figures::{CorrectionFigures, FootErrors};
+use super::slopes::CentreOfMass;
+use super::unknowns::LENGTH_M;
+use crate::comparison::percentile;
+use crate::{CentreOfPressure, ContactStates, Foot, MeasuredForces, ON_BW, Recording, StatesError, Wrench};
+
+/// Why plates, motion and contacts do not go together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Mismatch {
+    /// The plates' forces point down.
+    Sign,
+    /// The plates' mean force under load, in body weights: about 0.001 for kN, 0.22 for pounds.
+    ForceUnit { mean_bw: f64 },
+    /// The centre of pressure is this far from the foot, or moments have this arm, m: places are in mm, or moments in N mm.
+    LengthUnit { foot: usize, distance_m: f64, of_places: bool },
+    /// The centre of pressure is nearer to another foot.
+    Swapped { foot: usize, own_m: f64, other: usize, other_m: f64 },
+    /// The plates are late by this time, s.
+    Delay { late_s: f64 },
+    /// The correction lifts the second foot this much more than the first, m.
+    OneFoot { apart_m: f64 },
+}
+
+/// The mean force under load between these, in body weights, is in a wrong unit; a smaller one, too.
+const KILONEWTONS: f64 = 0.01;
+const POUNDS: (f64, f64) = (0.12, 0.4);
+/// A centre of pressure that is farther from its foot is in a wrong unit, m.
+const UNIT_M: f64 = 0.5;
+/// A centre of pressure that is farther from its foot belongs to another, if that is as near, m.
+const SWAPPED_M: f64 = 0.1;
+/// A plate is under load above this part of its largest force.
+const LOADED: f64 = 0.2;
+/// The largest delay that is looked for, and the smallest that counts, s.
+const MOST_DELAY_S: f64 = 0.15;
+const LEAST_DELAY_S: f64 = 0.015;
+
+impl Mismatch {
+    /// Whether plates and motion cannot be compared at all.
+    pub const fn prevents(&self) -> bool {
+        !matches!(self, Self::Delay { .. } | Self::OneFoot { .. })
+    }
+}
+
+/// Finds what is wrong before anything is corrected.
+///
+/// # Errors
+/// A model whose centre of mass is not known.
+pub fn mismatches(
+    model: &Model,
+    recording: &Recording,
+    (states, feet): (&ContactStates, &[Foot]),
+    measured: &MeasuredForces,
+    weight_n: f64,
+) -> Result<Vec<Mismatch>, StatesError> {
+    let first = feet.first().and_then(|foot| states.frame(0).get(*foot.pairs.first()?));
+    let Some(first) = first else { return Ok(Vec::new()) };
+    let (normal, on_floor_m) = (first.normal, first.centre_m);
+    let along = |wrench: &Wrench| wrench.force_n.dot(normal);
+    let total: Vec<f64> =
+        measured.total.iter().map(|wrench| wrench.as_ref().map_or(f64::NAN, along)).collect();
+    let largest = total.iter().fold(0.0_f64, |most, force| most.max(force.abs()));
+    let loaded = || total.iter().filter(|force| force.abs() > LOADED * largest);
+    let mean_bw = loaded().sum::<f64>() / loaded().count().max(1) as f64 / weight_n;
+    let size = mean_bw.abs();
+    let is_complete = measured.beside.iter().all(|&frames| frames == 0);
+    if size > 0.0 && size < KILONEWTONS || is_complete && (POUNDS.0..POUNDS.1).contains(&size) {
+        return Ok(vec![Mismatch::ForceUnit { mean_bw }]);
+    }
+    if mean_bw < 0.0 {
+        return Ok(vec![Mismatch::Sign]);
+    }
+    // The median over stance of a number of the centre of pressure of one foot, with its force along the normal.
+    let median = |foot: usize, number: &dyn Fn(usize, CentreOfPressure, f64) -> f64| {
+        let in_frame = |frame: usize| {
+            let wrench = measured.feet.get(foot)?.get(frame)?.as_ref()?;
+            let centre = wrench.centre_of_pressure(normal, on_floor_m, ON_BW * weight_n)?;
+            Some(number(frame, centre, along(wrench)))
+        };
+        percentile(&(0..states.frames()).filter_map(in_frame).collect::<Vec<f64>>(), 0.5)
+    };
+    // The distance from the centre of pressure, times `scale`, to a foot.
+    let distance_m = |foot: usize, other: usize, scale: f64| {
+        let pairs = &feet[other].pairs;
+        median(foot, &|frame, centre, _| {
+            let spheres = pairs.iter().filter_map(|&pair| Some(states.frame(frame).get(pair)?.centre_m));
+            level_distance_m(centre.point_m * scale, &spheres.collect::<Vec<DVec3>>(), normal)
+        })
+    };
+    let mut found = Vec::new();
+    for foot in (0..feet.len()).filter(|&foot| measured.has_points.get(foot) == Some(&true)) {
+        let arm_m = median(foot, &|_, centre, force_n| (centre.free_moment_n_m / force_n).abs());
+        if let Some(distance_m) = arm_m.filter(|arm_m| *arm_m > UNIT_M) {
+            found.push(Mismatch::LengthUnit { foot, distance_m, of_places: false });
+            continue;
+        }
+        let Some(own_m) = distance_m(foot, foot, 1.0).filter(|own_m| *own_m > SWAPPED_M) else { continue };
+        let others = (0..feet.len()).filter_map(|other| Some((other, distance_m(foot, other, 1.0)?)));
+        let near = others.filter(|(_, other_m)| *other_m < SWAPPED_M).min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((other, other_m)) = near {
+            found.push(Mismatch::Swapped { foot, own_m, other, other_m });
+        } else if own_m > UNIT_M {
+            let of_places = distance_m(foot, foot, 1e-3).is_some_and(|scaled_m| scaled_m < UNIT_M);
+            found.push(Mismatch::LengthUnit { foot, distance_m: own_m, of_places });
+        }
+    }
+    if found.is_empty() {
+        let heights = CentreOfMass::new(model)?.along(recording);
+        let heights: Vec<f64> = heights.iter().map(|at| at.dot(normal)).collect();
+        let spline = GcvSpline::from_data(&recording.time_s, &heights).ok();
+        let inertia = spline.map(|spline| spline.derivative(&recording.time_s, 2));
+        let late_s = inertia.and_then(|inertia| delay_s(&recording.time_s, &inertia, &total));
+        let late_s = late_s.filter(|late_s| late_s.abs() > LEAST_DELAY_S);
+        found.extend(late_s.map(|late_s| Mismatch::Delay { late_s }));
+    }
+    Ok(found)
+}
+
+/// The distance along the floor from a point to the segment between the two spheres that are farthest apart.
+fn level_distance_m(point_m: DVec3, spheres: &[DVec3], normal: DVec3) -> f64 {
+    let level = |vector: DVec3| vector - normal * vector.dot(normal);
+    let all = || spheres.iter().flat_map(|one| spheres.iter().map(move |other| (*one, *other)));
+    let length = |(one, other): &(DVec3, DVec3)| level(*other - *one).length();
+    let Some((from, to)) = all().max_by(|a, b| length(a).total_cmp(&length(b))) else { return f64::NAN };
+    let (along, away) = (level(to - from), level(point_m - from));
+    let part = (away.dot(along) / along.length_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (away - part * along).length()
+}
+
+/// The time by which the plates' force is later than the inertia of the whole body, s: at the highest correlation.
+fn delay_s(time_s: &[f64], inertia: &[f64], force: &[f64]) -> Option<f64> {
+    let count = time_s.len();
+    let step_s = (time_s.last()? - time_s.first()?) / count.checked_sub(1)? as f64;
+    let most = (MOST_DELAY_S / step_s).min(count as f64 / 3.0) as usize;
+    let correlation = |shift: usize| {
+        // The force is later by `shift` frames less `most`.
+        let (a, f) = (&inertia[most.saturating_sub(shift)..], &force[shift.saturating_sub(most)..]);
+        let both = || a.iter().zip(f).filter(|(_, force)| force.is_finite());
+        let mean = |value: fn((&f64, &f64)) -> f64| both().map(value).sum::<f64>() / both().count() as f64;
+        let (a0, f0) = (mean(|one| *one.0), mean(|one| *one.1));
+        let sum = |of: fn(f64, f64) -> f64| both().map(|(a, f)| of(a - a0, f - f0)).sum::<f64>();
+        sum(|a, f| a * f) / (sum(|a, _| a * a) * sum(|_, f| f * f)).sqrt()
+    };
+    let all: Vec<f64> = (0..=2 * most).map(correlation).collect();
+    let best =
+        (0..all.len()).filter(|&one| all[one].is_finite()).max_by(|&a, &b| all[a].total_cmp(&all[b]))?;
+    let [before, here, after] = [all.get(best.checked_sub(1)?)?, all.get(best)?, all.get(best + 1)?];
+    let bend = before - 2.0 * here + after;
+    let part = if bend < 0.0 { (before - after) / (2.0 * bend) } else { 0.0 };
+    Some((best as f64 - most as f64 + part) * step_s)
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    Agree,
+    LargeCorrection,
+    Disagree,
+}
+
+/// The largest error of the vertical force that agrees, body weights.
+const MOST_VERTICAL_BW: f64 = 0.1;
+/// The largest lift that agrees (95 % of all), and the largest difference of two feet, as multiples of a usual error.
+const MOST_LIFT: f64 = 2.0;
+const MOST_DIFFERENCE: f64 = 2.5;
+
+impl Verdict {
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            Self::Agree => "agree",
+            Self::LargeCorrection => "large-correction",
+            Self::Disagree => "disagree",
+        }
+    }
+}
+
+impl CorrectionFigures {
+    /// How much more the second of two feet is lifted than the first, m; `None` unless there are two.
+    pub fn difference_of_feet_m(&self) -> Option<f64> {
+        match self.feet.as_slice() {
+            [first, second] => Some(second.mean_lift_m - first.mean_lift_m),
+            _ => None,
+        }
+    }
+
+    /// The largest of a figure of all feet.
+    pub fn worst(&self, figure: impl Fn(&FootErrors) -> f64) -> f64 {
+        self.feet.iter().map(figure).fold(0.0, f64::max)
+    }
+
+    /// The verdict, with what is wrong: what was seen `before`, and one foot that is off.
+    pub fn verdict(&self, before: Vec<Mismatch>) -> (Verdict, Vec<Mismatch>) {
+        let mut causes = before;
+        let apart_m =
+            self.difference_of_feet_m().filter(|apart_m| apart_m.abs() > MOST_DIFFERENCE * LENGTH_M);
+        causes.extend(apart_m.map(|apart_m| Mismatch::OneFoot { apart_m }));
+        let agrees = self.worst(|foot| foot.after.vertical_bw) <= MOST_VERTICAL_BW
+            && self.lift_p95_m <= MOST_LIFT * LENGTH_M;
+        let verdict = match (causes.is_empty(), agrees) {
+            (false, _) => Verdict::Disagree,
+            (true, true) => Verdict::Agree,
+            (true, false) => Verdict::LargeCorrection,
+        };
+        (verdict, causes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_delay_is_found_by_correlation() {
+        let times: Vec<f64> = (0..100).map(|frame| 0.01 * f64::from(frame)).collect();
+        let wave = |time: f64| (9.0 * time).sin() + 0.4 * (23.0 * time).cos();
+        let inertia: Vec<f64> = times.iter().map(|time| wave(*time)).collect();
+        for late_s in [-0.06, 0.0, 0.033, 0.1] {
+            let force: Vec<f64> = times.iter().map(|time| 700.0 + 70.0 * wave(time - late_s)).collect();
+            let found_s = delay_s(&times, &inertia, &force).unwrap();
+            assert!((found_s - late_s).abs() < 2e-3, "{found_s} {late_s}");
+        }
+    }
+
+    #[test]
+    fn distances_are_level_and_to_the_segment() {
+        let spheres = [DVec3::ZERO, DVec3::new(0.2, 0.3, 0.0), DVec3::new(0.1, 0.0, 0.0)];
+        assert_eq!(level_distance_m(DVec3::new(0.1, 9.0, 0.05), &spheres, DVec3::Y), 0.05);
+        assert!((level_distance_m(DVec3::new(0.5, 0.0, 0.4), &spheres, DVec3::Y) - 0.5).abs() < 1e-12);
+    }
+}

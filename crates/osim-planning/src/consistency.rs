@@ -1,0 +1,179 @@
+//! Whether a motion, the contacts of a model and force plates agree: by the least correction of the motion that makes them agree.
+
+use osim_model::messages::{Input, Phrase, phrase};
+use osim_model::{DVec3, Model};
+use osim_motion::correct::{
+    Correction, CorrectionFigures, CorrectionOptions, FootErrors, ForceErrors, Mismatch, Verdict, correct,
+    mismatches,
+};
+use osim_motion::{Belt, ContactStates, Foot, MeasuredForces, Recording};
+use osim_requests::{MotionRequest, Signed};
+
+/// Something that a reader should know about a motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MotionRemark {
+    /// Stable short name of the remark.
+    pub code: &'static str,
+    pub message: Phrase,
+}
+
+/// The value with two significant digits, or with all digits before the decimal point.
+pub(crate) fn two_digits(value: f64) -> String {
+    let digits = if value.abs() >= 10.0 || value == 0.0 { 0 } else { 1 - value.abs().log10().floor() as i32 };
+    format!("{value:.*}", usize::try_from(digits.clamp(0, 9)).unwrap_or(0))
+}
+
+/// The verdict on a motion, contacts and plates, and the corrected motion.
+#[derive(Debug, Clone)]
+pub struct Consistency {
+    pub verdict: Verdict,
+    /// The verdict in a sentence.
+    pub why: String,
+    /// The verdict and its figures in sentences.
+    pub remarks: Vec<MotionRemark>,
+    /// The corrected motion; `None` if plates and motion cannot be compared.
+    pub correction: Option<Correction>,
+}
+
+/// The options of a request, for feet that stand with this mean velocity along the floor.
+pub(crate) fn correction_options(
+    request: &MotionRequest,
+    belt: Option<Belt>,
+    standing_m_s: DVec3,
+) -> CorrectionOptions {
+    CorrectionOptions {
+        vertical_only: request.vertical,
+        standing_m_s,
+        belt,
+        floor_up_m: request.floor.map(Signed::get),
+    }
+}
+
+impl Consistency {
+    /// Corrects a motion and judges the correction. `was_corrected` says that it was corrected before.
+    ///
+    /// # Errors
+    /// Why nothing can be judged.
+    pub(crate) fn of(
+        model: &Model,
+        recording: &Recording,
+        (states, feet): (&ContactStates, &[Foot]),
+        (measured, weight_n): (&MeasuredForces, f64),
+        options: &CorrectionOptions,
+        was_corrected: bool,
+    ) -> Result<Self, String> {
+        let seen = mismatches(model, recording, (states, feet), measured, weight_n);
+        let seen = seen.map_err(|fault| fault.to_string())?;
+        if let Some(cause) = seen.iter().find(|cause| cause.prevents()) {
+            let why = format!("contacts and plates do not agree: {}", cause_in_words(cause, feet));
+            let remarks = vec![MotionRemark { code: "disagree", message: why.clone().into() }];
+            return Ok(Consistency { verdict: Verdict::Disagree, why, remarks, correction: None });
+        }
+        let correction = correct(model, recording, (states, feet), measured, weight_n, options)
+            .map_err(|fault| fault.to_string())?;
+        let (verdict, causes) = correction.figures.verdict(seen);
+        let why = sentence(verdict, &causes, feet, &correction);
+        let mut remarks = vec![MotionRemark { code: verdict.as_str(), message: why.clone().into() }];
+        let corrected = || MotionRemark { code: "corrected", message: CORRECTED_ALREADY.into() };
+        remarks.extend(was_corrected.then(corrected));
+        let horizontal = horizontal_error(&correction.figures);
+        remarks.splice(0..0, horizontal.map(|message| MotionRemark { code: "horizontal-error", message }));
+        let figures = figures_in_words(&correction);
+        remarks.extend(figures.map(|text| MotionRemark { code: "consistency", message: text.into() }));
+        Ok(Consistency { verdict, why, remarks, correction: Some(correction) })
+    }
+}
+
+/// Said of a motion that was corrected before.
+pub(crate) const CORRECTED_ALREADY: &str =
+    "the motion is corrected to contacts already: no evidence that they are right";
+
+fn millimetres(length_m: f64) -> String {
+    format!("{} mm", two_digits(1e3 * length_m.abs()))
+}
+
+fn cause_in_words(cause: &Mismatch, feet: &[Foot]) -> String {
+    let name = |foot: usize| feet.get(foot).map_or("foot", |foot| foot.name.as_str());
+    match *cause {
+        Mismatch::Sign => "the plates' forces point down: their sign has to change".to_owned(),
+        Mismatch::ForceUnit { mean_bw } => {
+            let (unit, mean) = (if mean_bw.abs() < 0.1 { "kN" } else { "pounds" }, two_digits(mean_bw));
+            format!("the plates measure {mean} body weights under load: are their forces in {unit}?")
+        }
+        Mismatch::LengthUnit { foot, distance_m, of_places } => {
+            let unit = if of_places { "points in mm" } else { "moments in N mm" };
+            let (foot, arm) = (name(foot), two_digits(distance_m));
+            format!("the force of the {foot} acts {arm} m from it: are the plates' {unit}?")
+        }
+        Mismatch::Swapped { foot, own_m, other, other_m } => {
+            let (foot, own, other) = (name(foot), millimetres(own_m), name(other));
+            let away = millimetres(other_m);
+            format!(
+                "the {foot}'s force lies {own} from it and {away} from the {other}: are the feet swapped?"
+            )
+        }
+        Mismatch::Delay { late_s } => {
+            let (ms, when) = (1e3 * late_s.abs(), if late_s > 0.0 { "later" } else { "earlier" });
+            format!("the plates are {ms:.0} ms {when} than the motion, by the inertia of the whole body")
+        }
+        Mismatch::OneFoot { apart_m } => {
+            let (up, other) = if apart_m > 0.0 { (name(1), name(0)) } else { (name(0), name(1)) };
+            format!("the {up} has to go up by {} against the {other}", millimetres(apart_m))
+        }
+    }
+}
+
+/// The verdict in a sentence.
+fn sentence(verdict: Verdict, causes: &[Mismatch], feet: &[Foot], correction: &Correction) -> String {
+    let figures = &correction.figures;
+    let side = if correction.floor_up_m < 0.0 { "lower" } else { "higher" };
+    let (lift, floor) = (millimetres(figures.lift_p95_m), millimetres(correction.floor_up_m));
+    let degrees = two_digits(figures.worst(|foot| foot.joint_rms_rad).to_degrees());
+    let moves = format!("loaded spheres move up or down by {lift} (95 %), joints by {degrees} degrees (rms)");
+    let moves = format!("{moves}; the floor is {floor} {side} than in the model");
+    let left = two_digits(figures.worst(|foot| foot.after.vertical_bw));
+    let causes: Vec<String> = causes.iter().map(|cause| cause_in_words(cause, feet)).collect();
+    let large = "contacts and plates agree after a large correction only, as in half of all recordings";
+    match verdict {
+        Verdict::Agree => format!("contacts and plates agree: {moves}"),
+        Verdict::LargeCorrection => {
+            format!("{large}: {moves}; the vertical force is off by {left} body weights")
+        }
+        Verdict::Disagree => format!("contacts and plates do not agree: {}; {moves}", causes.join("; ")),
+    }
+}
+
+/// A remark if horizontal forces are further from the plates than without any contact.
+pub(crate) fn horizontal_error(figures: &CorrectionFigures) -> Option<Phrase> {
+    let worse = |foot: &&FootErrors| foot.after.horizontal_bw > foot.null.horizontal_bw;
+    let foot = figures.feet.iter().find(worse)?;
+    Some(phrase![
+        "{}: its horizontal force is further from the plates ({} body weights) than if nothing touched ({}): smooth the motion, as with {}";
+        foot.foot.clone(), two_digits(foot.after.horizontal_bw), two_digits(foot.null.horizontal_bw),
+        Input::LowPass.with_value("10")
+    ])
+}
+
+/// The figures of a correction in sentences.
+fn figures_in_words(correction: &Correction) -> [String; 3] {
+    let figures = &correction.figures;
+    let errors = |of: fn(&ForceErrors) -> f64| {
+        let worst =
+            |which: fn(&FootErrors) -> &ForceErrors| two_digits(figures.worst(|foot| of(which(foot))));
+        let (after, before) = (worst(|foot| &foot.after), worst(|foot| &foot.before));
+        format!("{after} ({before} before; {} if nothing touched)", worst(|foot| &foot.null))
+    };
+    let centre_m = figures.feet.iter().filter_map(|foot| foot.cop_rms_m).reduce(f64::max);
+    let centre = centre_m.map(|rms_m| format!("; centre of pressure {}", millimetres(rms_m)));
+    let (vertical, across) = (errors(|errors| errors.vertical_bw), errors(|errors| errors.horizontal_bw));
+    let force = format!("vertical {vertical}, horizontal {across}{}", centre.unwrap_or_default());
+    let apart = millimetres(figures.difference_of_feet_m().unwrap_or(0.0));
+    let depth = two_digits(figures.largest_relative_indentation);
+    let belt = two_digits(correction.belt_m_s.length());
+    let apart = format!("left and right are lifted alike within {apart}; spheres are at most {depth} R deep");
+    [
+        format!("force, error of the worst foot in body weights (rms): {force}"),
+        format!("{apart}; the belt moves at {belt} m/s"),
+        "this cannot show that the stiffness is right: stiffer contacts agree as well".to_owned(),
+    ]
+}

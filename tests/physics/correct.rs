@@ -1,0 +1,214 @@
+//! `motion --correct`: the least correction of a motion with which contacts give the forces of plates. Expected numbers are those of a
+//! prototype in OpenSim and Python, on public recordings in the folder `trials` beside the one that OSIM_CORPUS names.
+
+use serde_json::Value;
+
+use crate::support::{TestDir, corpus_folder};
+use crate::{json_object, number};
+
+const WALK: [&str; 4] = ["2D_gait.osim", "referenceCoordinates.sto", "referenceGRF.sto", "referenceGRF.xml"];
+const WALK_CALL: &str =
+    "motion 2D_gait.osim referenceCoordinates.sto --plates referenceGRF.sto --loads referenceGRF.xml";
+const SUBJECT: [&str; 4] =
+    ["subject01.osim", "subject01_walk1_ik.mot", "subject01_walk1_grf.mot", "subject01_walk1_grf.xml"];
+const SUBJECT_CALL: &str = "motion feet.osim subject01_walk1_ik.mot --plates subject01_walk1_grf.mot --loads subject01_walk1_grf.xml";
+
+/// A folder with the files of a public trial; `None` after reporting that the test is skipped.
+fn trial(test: &str, folder: &str, files: [&str; 4]) -> Option<TestDir> {
+    let place = corpus_folder(test)?.join("../trials").join(folder);
+    let dir = TestDir::new();
+    for file in files {
+        dir.write(file, std::fs::read(place.join(file)).unwrap());
+    }
+    Some(dir)
+}
+
+/// Subject 1 with published contacts of this class.
+fn subject(test: &str, class: &str) -> Option<TestDir> {
+    let dir = trial(test, "subject01_walk_id", SUBJECT)?;
+    dir.run(&format!("add subject01.osim --from falisse2022 --class {class} -o feet.osim")).succeeded();
+    Some(dir)
+}
+
+/// Changes the values of a column whose name contains `column`; `change` takes the part of the time that has passed.
+fn change(dir: &TestDir, file: &str, column: &str, change: impl Fn(f64, f64) -> f64) {
+    let text = dir.text(file);
+    let (head, table) = text.split_once("endheader").unwrap();
+    let (names, rows) = table.trim_start().split_once('\n').unwrap();
+    let is_changed: Vec<bool> = names.split_ascii_whitespace().map(|name| name.contains(column)).collect();
+    assert!(is_changed.contains(&true), "{column}: {names}");
+    let last = rows.lines().count() as f64 - 1.0;
+    let changed = rows.lines().enumerate().map(|(row, line)| {
+        let cells = line.split_ascii_whitespace().zip(&is_changed).map(|(cell, is)| match is {
+            true => change(cell.parse().unwrap(), row as f64 / last).to_string(),
+            false => cell.to_owned(),
+        });
+        cells.collect::<Vec<String>>().join("\t") + "\n"
+    });
+    dir.write(file, format!("{head}endheader\n{names}\n{}", changed.collect::<String>()));
+}
+
+#[track_caller]
+fn consistency(dir: &TestDir, call: &str, options: &str) -> Value {
+    let run = dir.run(&format!("{call} --correct corrected.sto {options} --force --format json"));
+    json_object(&run.succeeded())["consistency"].clone()
+}
+
+/// The largest of an error of all feet.
+#[track_caller]
+fn worst(consistency: &Value, name: &str, when: &str) -> f64 {
+    let feet = consistency[name].as_array().unwrap();
+    feet.iter().map(|foot| number(foot, when)).fold(0.0, f64::max)
+}
+
+#[test]
+fn a_simulated_walk_hardly_needs_a_correction() {
+    let Some(dir) = trial("a simulated walk", "example2DWalking", WALK) else { return };
+    for (options, most_bw) in [("--vertical", 0.004), ("", 0.007)] {
+        let found = consistency(&dir, WALK_CALL, options);
+        assert!(worst(&found, "vertical_rms_bw", "after") <= most_bw, "{found}");
+        assert!(
+            number(&found, "floor_up_m").abs() <= 1e-4 && number(&found, "lift_p95_m") <= 2e-4,
+            "{found}"
+        );
+        assert!(
+            number(&found, "joint_rms_rad").to_degrees() <= 0.1 && found["verdict"] == "agree",
+            "{found}"
+        );
+    }
+}
+
+#[test]
+fn a_floor_at_another_height_is_found() {
+    for up_m in [-0.02, 0.03, -0.03, 0.06, -0.06] {
+        let Some(dir) = trial("a floor at another height", "example2DWalking", WALK) else { return };
+        change(&dir, "referenceCoordinates.sto", "pelvis_ty", |value, _| value + up_m);
+        let found = consistency(&dir, WALK_CALL, "--vertical");
+        assert!((number(&found, "floor_up_m") - up_m).abs() <= 3e-4, "{up_m}: {found}");
+        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.005, "{up_m}: {found}");
+        assert_eq!(found["verdict"], "agree");
+    }
+}
+
+#[test]
+fn disturbed_joints_are_corrected() {
+    let Some(dir) = trial("disturbed joints", "example2DWalking", WALK) else { return };
+    let turn = std::f64::consts::TAU;
+    let file = "referenceCoordinates.sto";
+    change(&dir, file, "pelvis_ty", |value, _| value - 0.02);
+    change(&dir, file, "ankle_angle_r/value", |value, part| {
+        value + 2.0_f64.to_radians() * (turn * part).sin()
+    });
+    change(&dir, file, "knee_angle_r/value", |value, part| {
+        value + 1.0_f64.to_radians() * (turn * part).cos()
+    });
+    change(&dir, file, "hip_flexion_l/value", |value, part| {
+        value + 0.5_f64.to_radians() * (2.0 * turn * part).sin()
+    });
+    let found = consistency(&dir, WALK_CALL, "");
+    assert!(worst(&found, "vertical_rms_bw", "after") <= 0.015, "{found}");
+    assert!((number(&found, "floor_up_m") + 0.0206).abs() <= 1e-3, "{found}");
+}
+
+#[test]
+fn a_treadmill_walk_is_corrected() {
+    for class in ["smooth", "hunt-crossley"] {
+        let Some(dir) = subject("a treadmill walk", class) else { return };
+        let found = consistency(&dir, SUBJECT_CALL, "");
+        assert!(worst(&found, "vertical_rms_bw", "after") <= 0.04, "{found}");
+        assert!(worst(&found, "horizontal_rms_bw", "after") <= 0.05, "{found}");
+        assert!(number(&found, "cop_rms_m") <= 0.032, "{found}");
+        assert!((number(&found, "floor_up_m") - 0.011).abs() <= 0.002, "{found}");
+        assert!(number(&found, "lift_rms_m") <= 0.008 && number(&found, "lift_p95_m") <= 0.018, "{found}");
+        assert!(number(&found, "joint_rms_rad").to_degrees() <= 5.0, "{found}");
+        assert!((found["belt_m_per_s"][0].as_f64().unwrap() + 1.15).abs() <= 0.01, "{found}");
+        assert_eq!(found["verdict"], "large-correction");
+        // The written files agree with each other: the floor rests, and the plates move with the motion.
+        let call =
+            "motion feet.osim corrected.sto --plates corrected.plates.sto --loads corrected.plates.xml";
+        let again = json_object(&dir.run(&format!("{call} --format json")).succeeded());
+        for (foot, errors) in
+            again["feet"].as_array().unwrap().iter().zip(found["vertical_rms_bw"].as_array().unwrap())
+        {
+            let difference = number(&foot["comparison"], "vertical_rms_bw") - number(errors, "after");
+            assert!(difference.abs() < 1e-3, "{foot}");
+        }
+    }
+}
+
+/// A corrected motion agrees with the contacts that it was corrected to, whatever they are.
+#[test]
+fn a_corrected_motion_is_no_evidence() {
+    let Some(dir) = trial("a corrected motion", "example2DWalking", WALK) else { return };
+    consistency(&dir, WALK_CALL, "");
+    let plates = "--plates referenceGRF.sto --loads referenceGRF.xml";
+    let says = |call: &str| dir.run(&format!("{call} {plates} --format json")).says(&["no evidence"]);
+    says("check 2D_gait.osim --motion corrected.sto");
+    says("motion 2D_gait.osim corrected.sto --correct again.sto");
+}
+
+/// What is wrong with the plates is named, and nothing is written.
+#[test]
+fn wrong_plates_are_refused_by_name() {
+    let times = |factor: f64| move |value: f64, _| value * factor;
+    let refused = |dir: &TestDir, call: &str, words: &str| {
+        let run = dir.run(&format!("{call} --correct corrected.sto")).says(&[words]).wrote_nothing();
+        assert_eq!(run.status, Some(1), "{words}");
+    };
+    for (factor, words) in [(0.001, "kN"), (-1.0, "point down")] {
+        let Some(dir) = trial("wrong plates", "example2DWalking", WALK) else { return };
+        change(&dir, "referenceGRF.sto", "_v", times(factor));
+        refused(&dir, WALK_CALL, words);
+    }
+    let file = "subject01_walk1_grf.mot";
+    let Some(dir) = subject("wrong plates", "smooth") else { return };
+    let loads = dir.text("subject01_walk1_grf.xml");
+    dir.write(
+        "subject01_walk1_grf.xml",
+        loads.replace("calcn_r", "X").replace("calcn_l", "calcn_r").replace('X', "calcn_l"),
+    );
+    refused(&dir, SUBJECT_CALL, "are the feet swapped?");
+    dir.write("subject01_walk1_grf.xml", loads);
+    let plates = dir.text(file);
+    change(&dir, file, "torque", times(1000.0));
+    refused(&dir, SUBJECT_CALL, "moments in N mm");
+    dir.write(file, &plates);
+    change(&dir, file, "_p", times(1000.0));
+    refused(&dir, SUBJECT_CALL, "points in mm");
+    for late_s in [0.02, 0.05, 0.1] {
+        dir.write(file, &plates);
+        change(&dir, file, "time", |value, _| value + late_s);
+        let found = consistency(&dir, SUBJECT_CALL, "");
+        let why = found["why"].as_str().unwrap();
+        let said: f64 =
+            why.split("the plates are ").nth(1).unwrap().split(' ').next().unwrap().parse().unwrap();
+        // By this measure the trial's own plates are 7 ms late.
+        assert!((said - 7.0 - 1e3 * late_s).abs() <= 3.0 && why.contains("ms later"), "{why}");
+        assert_eq!(found["verdict"], "disagree");
+    }
+}
+
+/// Without public recordings: the walker of the fixtures has a floor 11 mm too high, and contacts twice as stiff as its plates.
+#[test]
+fn the_walker_is_corrected_within_a_window() {
+    let files = ["walker.osim", "walk.mot", "plates.sto", "plates.xml"];
+    let dir = TestDir::with(
+        &files.map(|name| (format!("motion/{name}"), name)).each_ref().map(|(from, to)| (from.as_str(), *to)),
+    );
+    let call = "motion walker.osim walk.mot --plates plates.sto --loads plates.xml";
+    let run = dir.run(&format!("{call} --correct corrected.sto --start 0.5 --end 1.7")).succeeded();
+    run.says(&["contacts and plates agree", "if nothing touched", "cannot show that the stiffness is right"]);
+    let text = dir.text("corrected.sto");
+    assert!(text.contains("corrected to contacts of walker.osim: loaded spheres move"), "{text}");
+    let times: Vec<f64> = text.lines().filter_map(|line| line.split('\t').next()?.parse().ok()).collect();
+    assert!(
+        times[0] >= 0.5 && times.last().is_some_and(|time| *time <= 1.7) && times.len() > 50,
+        "{times:?}"
+    );
+    dir.run("motion walker.osim walk.mot --correct b.sto").usage_error().says(&["--plates"]);
+    dir.run(&format!("{call} --correct corrected.txt")).says(&[".sto"]);
+    dir.run(&format!("{call} --correct b.sto --start 90")).says(&["no row between"]);
+    let fixed =
+        json_object(&dir.run(&format!("{call} --correct b.sto --floor -0.011 --format json")).succeeded());
+    assert_eq!(fixed["consistency"]["floor_up_m"], -0.011);
+}
