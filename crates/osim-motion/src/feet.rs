@@ -1,11 +1,11 @@
 //! The contacts of each foot, and its stances: the times in which it is on the ground.
 
-use std::collections::{BTreeSet, HashMap};
 use std::ops::RangeInclusive;
 
-use osim_model::{ForceId, Model, Side, SphereId};
+use osim_model::{ForceId, Limb, Model, Side};
 
-use crate::states::ContactStates;
+use crate::pair::ContactPair;
+use crate::states::{ContactState, ContactStates};
 
 /// A foot and its contacts.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,17 +25,21 @@ impl Foot {
         let limbs = model.limbs(forces);
         let groups: Vec<(String, Option<Side>, Vec<usize>)> = match limbs.if_known() {
             Some(limbs) => {
-                let by_sphere = reactions_by_sphere(states);
-                let pairs_of = |spheres: &[SphereId]| {
-                    let pairs = spheres.iter().filter_map(|sphere| by_sphere.get(sphere)).flatten();
-                    pairs.copied().collect::<BTreeSet<usize>>().into_iter().collect()
+                let group = |limb: &Limb| {
+                    let pairs = reactions(states, |pair| limb.spheres.contains(&pair.sphere));
+                    (limb.name.clone(), Some(limb.side), pairs)
                 };
-                limbs
-                    .iter()
-                    .map(|limb| (limb.name.clone(), Some(limb.side), pairs_of(&limb.spheres)))
-                    .collect()
+                limbs.iter().map(group).collect()
             }
-            None => group_by_side(states),
+            None => {
+                let names =
+                    [("right", Some(Side::Right)), ("left", Some(Side::Left)), ("all contacts", None)];
+                let group = |(name, side): (&str, Option<Side>)| {
+                    let pairs = reactions(states, |pair| Side::of_name(&pair.body) == side);
+                    (name.to_owned(), side, pairs)
+                };
+                names.map(group).into()
+            }
         };
         let count = |side: Side| groups.iter().filter(|(_, other, _)| *other == Some(side)).count();
         let [right, left] = [Side::Right, Side::Left].map(count);
@@ -54,38 +58,31 @@ impl Foot {
             })
             .collect()
     }
-}
 
-fn filter_pairs(states: &ContactStates, is_wanted: impl Fn(usize) -> bool) -> Vec<usize> {
-    (0..states.pairs.len()).filter(|&index| is_wanted(index)).collect()
-}
-
-/// The contact pairs of each sphere through which the ground pushes it.
-fn reactions_by_sphere(states: &ContactStates) -> HashMap<SphereId, Vec<usize>> {
-    let mut by_sphere: HashMap<SphereId, Vec<usize>> = HashMap::new();
-    for index in filter_pairs(states, |index| is_reaction(states, index)) {
-        if let Some(pair) = states.pairs.get(index) {
-            by_sphere.entry(pair.sphere).or_default().push(index);
-        }
+    /// The states of the foot's contacts in one frame.
+    pub(crate) fn contacts<'s>(
+        &self,
+        states: &'s ContactStates,
+        frame: usize,
+    ) -> impl Iterator<Item = &'s ContactState> {
+        self.pairs.iter().filter_map(move |&pair| states.frame(frame).get(pair))
     }
-    by_sphere
+
+    pub(crate) fn deepest_contact<'s>(
+        &self,
+        states: &'s ContactStates,
+        frame: usize,
+    ) -> Option<&'s ContactState> {
+        self.contacts(states, frame).max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
+    }
 }
 
-/// Whether the ground pushes a sphere through the contact pair `index`.
-fn is_reaction(states: &ContactStates, index: usize) -> bool {
-    states.pairs.get(index).is_some_and(|pair| pair.applies && pair.is_ground)
-}
-
-fn group_by_side(states: &ContactStates) -> Vec<(String, Option<Side>, Vec<usize>)> {
-    let side = |index: usize| states.pairs.get(index).and_then(|pair| Side::of_name(&pair.body));
-    let group = |name: &str, wanted: Option<Side>| {
-        (
-            name.to_owned(),
-            wanted,
-            filter_pairs(states, |index| is_reaction(states, index) && side(index) == wanted),
-        )
-    };
-    vec![group("right", Some(Side::Right)), group("left", Some(Side::Left)), group("all contacts", None)]
+/// Indices of the contact pairs through which the ground pushes spheres, among those that are wanted.
+fn reactions(states: &ContactStates, is_wanted: impl Fn(&ContactPair) -> bool) -> Vec<usize> {
+    let all = states.pairs.iter().enumerate();
+    all.filter(|(_, pair)| pair.applies && pair.is_ground && is_wanted(pair))
+        .map(|(index, _)| index)
+        .collect()
 }
 
 fn bodies_of_pairs(states: &ContactStates, pairs: &[usize]) -> Vec<String> {

@@ -201,7 +201,7 @@ fn frames_beside_plates(
         .iter()
         .enumerate()
         .map(|(frame, plate)| {
-            let deepest = deepest_contact(states, foot, frame)?;
+            let deepest = foot.deepest_contact(states, frame)?;
             Some((plate.as_ref()?.force_n.dot(deepest.normal), deepest))
         })
         .collect();
@@ -225,11 +225,6 @@ fn frames_beside_plates(
         is_beside_in.extend(std::iter::repeat_n(is_beside, run.len()));
     }
     is_beside_in
-}
-
-fn deepest_contact<'s>(states: &'s ContactStates, foot: &Foot, frame: usize) -> Option<&'s ContactState> {
-    let contacts = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
-    contacts.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
 }
 
 #[cfg(test)]

@@ -51,18 +51,13 @@ impl Plate {
     pub fn from_loads(table: &Table, loads: &ExternalLoads) -> Result<Vec<Self>, MotionFault> {
         let mut plates = Vec::new();
         for load in loads.loads.iter().filter(|load| load.applies) {
-            let columns = |prefix: &Option<String>| match prefix {
-                Some(prefix) => columns_with_prefix(table, prefix).map(Some),
-                None => Ok(None),
+            let columns = |prefix: &Option<String>| {
+                prefix.as_deref().map(|prefix| columns_with_prefix(table, prefix)).transpose()
             };
-            if let Some(frame) =
-                [&load.force_frame, &load.point_frame].into_iter().find(|frame| !is_ground(frame))
-            {
-                let text = "only loads in ground are understood";
-                return Err(MotionFault::new(format!(
-                    "load '{}' is expressed in '{frame}': {text}",
-                    load.name
-                )));
+            let mut frames = [&load.force_frame, &load.point_frame].into_iter();
+            if let Some(frame) = frames.find(|frame| !is_ground(frame)) {
+                let text = format!("load '{}' is expressed in '{frame}'", load.name);
+                return Err(MotionFault::new(format!("{text}: only loads in ground are understood")));
             }
             let triples = [columns(&load.force)?, columns(&load.point)?, columns(&load.torque)?];
             let name = load.force.as_deref().unwrap_or(&load.name);
@@ -84,13 +79,9 @@ impl Plate {
             table.check_finite(column)?;
         }
         let at = |columns: Option<[&Column; 3]>, row: usize| {
-            columns.map_or(DVec3::ZERO, |columns| {
-                columns.map(|column| column.values.get(row).copied().unwrap_or(0.0)).into()
-            })
+            columns.map_or(DVec3::ZERO, |columns| columns.map(|column| column.values[row]).into())
         };
-        let has_points = point.is_some_and(|columns| {
-            columns.iter().any(|column| column.values.iter().any(|&value| value != 0.0))
-        });
+        let has_points = point.into_iter().flatten().any(|column| column.values.iter().any(|&at| at != 0.0));
         let wrenches = (0..table.rows())
             .map(|row| {
                 let free = Wrench { moment_n_m: at(torque, row), ..Wrench::default() };
@@ -287,8 +278,7 @@ fn quantity_and_plate(stem: &str) -> Option<(PlateQuantity, String)> {
     }
     let is_moment = lower.contains("torque") || lower.contains("moment");
     let quantity = match lower.rsplit(['_', '.']).next()? {
-        "m" if is_moment || lower.contains("force") => PlateQuantity::Moment,
-        _ if is_moment => PlateQuantity::Moment,
+        end if is_moment || end == "m" && lower.contains("force") => PlateQuantity::Moment,
         "v" if lower.contains("force") => PlateQuantity::Force,
         "p" if lower.contains("force") || lower.contains("cop") => PlateQuantity::CentreOfPressure,
         _ => return None,

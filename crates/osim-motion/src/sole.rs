@@ -90,7 +90,7 @@ impl PressureOnSole {
         let middle_m = mean_point(&spheres_m);
         spheres_m.iter_mut().for_each(|place| *place = difference(*place, middle_m));
         let in_foot = |frame: usize, wrench: &Wrench| {
-            let contacts = foot.foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
+            let contacts = foot.foot.contacts(states, frame);
             let places: Vec<[f64; 2]> = contacts.map(|state| flat(state.centre_m)).collect();
             let on_plane_m = states.frame(frame).get(first)?.on_surface_m(pairs.first()?.radius_m);
             let centre = wrench.centre_of_pressure(normal, on_plane_m, ON_BW * weight_n)?;

@@ -91,6 +91,7 @@ pub struct Summary {
     pub peak_n: f64,
     /// The force of all feet compared with that of all plates.
     pub comparison: Option<Comparison>,
+    pub smallest_radius_m: Option<f64>,
     /// The model's mean force along the normal over whole strides, N.
     pub stride_mean_n: Option<f64>,
     /// The mean normal force of the plates over whole strides, N; it equals the weight of the subject.
@@ -135,6 +136,7 @@ impl Summary {
         Self {
             weight_n,
             peak_n: total.iter().map(along).fold(f64::NEG_INFINITY, f64::max),
+            smallest_radius_m: states.pairs.iter().map(|pair| pair.radius_m).reduce(f64::min),
             stride_mean_n: mean_over(&states.time_s, &modelled, &spans),
             measured_stride_mean_n: plates
                 .and_then(|plates: Vec<Option<f64>>| mean_over(&states.time_s, &plates, &spans)),
@@ -169,11 +171,8 @@ impl FootSummary {
         plates: Option<(&[Option<Wrench>], bool)>,
         weight_n: f64,
     ) -> Self {
-        let wrenches: Vec<Wrench> = (0..states.frames())
-            .map(|frame| {
-                Wrench::from_states(foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair)))
-            })
-            .collect();
+        let wrenches: Vec<Wrench> =
+            (0..states.frames()).map(|frame| Wrench::from_states(foot.contacts(states, frame))).collect();
         let on = comparison_plane(states, foot, weight_n, plates.is_some_and(|(_, has_points)| has_points));
         let normal = on.map_or(DVec3::ZERO, |on| on.normal);
         let forces: Vec<f64> = wrenches.iter().map(|wrench| wrench.force_n.dot(normal)).collect();
@@ -184,12 +183,8 @@ impl FootSummary {
             measured.iter().map(force).collect::<Vec<f64>>()
         });
         let stances = StancePhase::all(&states.time_s, standing.as_deref().unwrap_or(&forces), weight_n);
-        let deepest: Vec<Option<&ContactState>> = (0..states.frames())
-            .map(|frame| {
-                let contacts = foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
-                contacts.max_by(|a, b| a.indentation_m.total_cmp(&b.indentation_m))
-            })
-            .collect();
+        let deepest: Vec<Option<&ContactState>> =
+            (0..states.frames()).map(|frame| foot.deepest_contact(states, frame)).collect();
         let standing_states: Vec<&ContactState> =
             stances.iter().flat_map(StancePhase::frames).filter_map(|frame| *deepest.get(frame)?).collect();
         let depths: Vec<f64> = standing_states.iter().map(|state| state.indentation_m).collect();

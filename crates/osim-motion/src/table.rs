@@ -12,7 +12,7 @@ use osim_model::messages::named;
 /// assert_eq!((table.time_s.as_slice(), table.column("knee_angle_r").unwrap().values.as_slice()), ([0.0, 0.1].as_slice(), [10.0, 12.0].as_slice()));
 /// # Ok::<(), osim_motion::MotionFault>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// The time of each row, s; times rise.
     pub time_s: Vec<f64>,
@@ -44,14 +44,7 @@ impl Table {
     pub(crate) fn from_times(time_s: Vec<f64>) -> Result<Self, MotionFault> {
         let lines: Vec<usize> = (1..=time_s.len()).collect();
         check_rising(&time_s, &lines)?;
-        Ok(Self {
-            time_s,
-            columns: Vec::new(),
-            declared: Some(AngleUnit::Radians),
-            has_version: true,
-            corrected: false,
-            lines,
-        })
+        Ok(Self { time_s, declared: Some(AngleUnit::Radians), has_version: true, lines, ..Self::default() })
     }
 
     /// The first column called `name`.
@@ -77,17 +70,10 @@ impl Table {
     /// # Errors
     /// The first row without a finite number in the column.
     pub(crate) fn check_finite(&self, column: &Column) -> Result<(), MotionFault> {
-        let first_odd = column.values.iter().position(|value| !value.is_finite());
-        match first_odd.and_then(|row| Some((row, *self.lines.get(row)?))) {
-            None => Ok(()),
-            Some((row, line)) => {
-                let value = column.values.get(row).copied().unwrap_or(f64::NAN);
-                Err(MotionFault::at(
-                    line,
-                    format!("column '{}' is {value}, expected a finite number", column.name),
-                ))
-            }
-        }
+        let first_odd = column.values.iter().zip(&self.lines).find(|(value, _)| !value.is_finite());
+        let Some((value, line)) = first_odd else { return Ok(()) };
+        let text = format!("column '{}' is {value}, expected a finite number", column.name);
+        Err(MotionFault::at(*line, text))
     }
 
     /// The time between rows, s, if all steps are equal within one percent; else `None`.
@@ -117,31 +103,22 @@ impl AngleUnit {
     }
 }
 
-struct Header {
-    declared: Option<AngleUnit>,
-    has_version: bool,
-    corrected: bool,
-    /// Index of the line `endheader` in the file, from 0.
-    end: usize,
-}
-
-impl Header {
-    fn read(text: &str) -> Result<Self, MotionFault> {
-        let mut header = Self { declared: None, has_version: false, corrected: false, end: 0 };
+impl Table {
+    /// Reads the header and returns the index of its line `endheader` in the file, from 0.
+    fn read_header(&mut self, text: &str) -> Result<usize, MotionFault> {
         for (index, line) in text.lines().enumerate() {
             let line = line.trim_ascii();
             if line.eq_ignore_ascii_case("endheader") {
-                header.end = index;
-                return Ok(header);
+                return Ok(index);
             }
-            header.read_line(line);
+            self.read_line_of_header(line);
         }
         Err(MotionFault::new(
             "it has no line `endheader`: a motion is a .mot or .sto file of OpenSim, with a header that ends so",
         ))
     }
 
-    fn read_line(&mut self, line: &str) {
+    fn read_line_of_header(&mut self, line: &str) {
         let lower = line.to_ascii_lowercase();
         // `inDegrees=yes`, `inDegrees yes`, and a sentence that OpenSim writes for people.
         let (key, value) = lower.split_once(['=', ' ', '\t']).unwrap_or((lower.as_str(), ""));
@@ -169,17 +146,10 @@ fn check_rising(time_s: &[f64], lines: &[usize]) -> Result<(), MotionFault> {
     if let Some((time, line)) = time_s.iter().zip(lines).find(|(time, _)| !time.is_finite()) {
         return Err(MotionFault::at(*line, format!("its time is {time}, expected a finite number")));
     }
-    for (pair, lines) in time_s.windows(2).zip(lines.windows(2)) {
-        let ([before, now], [_, line]) = (pair, lines) else { continue };
-        if now > before {
-            continue;
-        }
-        return Err(MotionFault::at(
-            *line,
-            format!("its time is {now} s, after {before} s: times must rise"),
-        ));
-    }
-    Ok(())
+    let mut steps = time_s.windows(2).zip(lines.iter().skip(1));
+    let Some((pair, line)) = steps.find(|(pair, _)| pair[1] <= pair[0]) else { return Ok(()) };
+    let text = format!("its time is {} s, after {} s: times must rise", pair[1], pair[0]);
+    Err(MotionFault::at(*line, text))
 }
 
 // Names and numbers below the header.
@@ -195,69 +165,65 @@ impl Table {
     /// or times that do not rise. The error has the line.
     pub fn read(bytes: &[u8]) -> Result<Self, MotionFault> {
         let text = String::from_utf8_lossy(bytes);
-        let header = Header::read(&text)?;
-        read_rows(&text, &header)
+        let mut table = Self::default();
+        let end = table.read_header(&text)?;
+        table.read_rows(&text, end)?;
+        Ok(table)
     }
-}
 
-fn read_rows(text: &str, header: &Header) -> Result<Table, MotionFault> {
-    let mut lines =
-        text.lines().enumerate().skip(header.end + 1).filter(|(_, line)| !line.trim_ascii().is_empty());
-    let Some((above, names)) = lines.next() else {
-        return Err(MotionFault::new(
-            "nothing follows its line `endheader`: the names of its columns are missing",
-        ));
-    };
-    let mut names = split_names(names).into_iter();
-    match names.next() {
-        Some(first) if first.eq_ignore_ascii_case("time") => {}
-        first => {
-            let first = shortened(&first.unwrap_or_default());
-            return Err(MotionFault::at(
-                above + 1,
-                format!("its first column is '{first}', expected 'time'"),
+    /// Reads what follows the line `end`, the last of the header.
+    fn read_rows(&mut self, text: &str, end: usize) -> Result<(), MotionFault> {
+        let mut lines =
+            text.lines().enumerate().skip(end + 1).filter(|(_, line)| !line.trim_ascii().is_empty());
+        let Some((above, names)) = lines.next() else {
+            return Err(MotionFault::new(
+                "nothing follows its line `endheader`: the names of its columns are missing",
             ));
+        };
+        let mut names = split_names(names).into_iter();
+        let first = names.next().unwrap_or_default();
+        if !first.eq_ignore_ascii_case("time") {
+            let text = format!("its first column is '{}', expected 'time'", shortened(&first));
+            return Err(MotionFault::at(above + 1, text));
         }
-    }
-    let mut columns: Vec<Column> = names.map(|name| Column { name, values: Vec::new() }).collect();
-    let (mut time_s, mut numbers) = (Vec::new(), Vec::new());
-    for (index, line) in lines {
-        let number = index + 1;
-        let mut cells = line.split_ascii_whitespace();
-        let time = cells.next().unwrap_or_default();
-        time_s.push(parse_number(time, "time", number)?);
-        let mut count = 1;
-        for column in &mut columns {
-            let Some(cell) = cells.next() else { break };
-            column.values.push(parse_number(cell, &column.name, number)?);
-            count += 1;
+        let mut columns: Vec<Column> = names.map(|name| Column { name, values: Vec::new() }).collect();
+        let (mut time_s, mut numbers) = (Vec::new(), Vec::new());
+        for (index, line) in lines {
+            let number = index + 1;
+            let mut cells = line.split_ascii_whitespace();
+            let time = cells.next().unwrap_or_default();
+            time_s.push(parse_number(time, "time", number)?);
+            let mut count = 1;
+            for column in &mut columns {
+                let Some(cell) = cells.next() else { break };
+                column.values.push(parse_number(cell, &column.name, number)?);
+                count += 1;
+            }
+            count += cells.count();
+            if count != columns.len() + 1 {
+                let expected = columns.len() + 1;
+                let line = above + 1;
+                let text =
+                    format!("it has {count} cells, but there are {expected} names of columns in line {line}");
+                return Err(MotionFault::at(number, text));
+            }
+            numbers.push(number);
         }
-        count += cells.count();
-        if count != columns.len() + 1 {
-            let expected = columns.len() + 1;
-            let line = above + 1;
-            let text =
-                format!("it has {count} cells, but there are {expected} names of columns in line {line}");
-            return Err(MotionFault::at(number, text));
+        if time_s.is_empty() {
+            return Err(MotionFault::new("it has no rows of numbers"));
         }
-        numbers.push(number);
+        check_rising(&time_s, &numbers)?;
+        (self.time_s, self.columns, self.lines) = (time_s, columns, numbers);
+        Ok(())
     }
-    if time_s.is_empty() {
-        return Err(MotionFault::new("it has no rows of numbers"));
-    }
-    check_rising(&time_s, &numbers)?;
-    let &Header { declared, has_version, corrected, .. } = header;
-    Ok(Table { time_s, columns, declared, has_version, corrected, lines: numbers })
 }
 
 /// The names of columns: split at tabs, so that names may have spaces; without tabs, split at spaces.
 fn split_names(line: &str) -> Vec<String> {
     let by_tabs = line.contains('\t');
-    let names: Vec<&str> = match by_tabs {
-        true => line.split('\t').map(str::trim_ascii).filter(|name| !name.is_empty()).collect(),
-        false => line.split_ascii_whitespace().collect(),
-    };
-    names.into_iter().map(str::to_owned).collect()
+    let names =
+        line.split(|letter: char| if by_tabs { letter == '\t' } else { letter.is_ascii_whitespace() });
+    names.map(str::trim_ascii).filter(|name| !name.is_empty()).map(str::to_owned).collect()
 }
 
 fn parse_number(cell: &str, column: &str, line: usize) -> Result<f64, MotionFault> {
@@ -305,10 +271,7 @@ impl Table {
     /// # Ok::<(), osim_motion::MotionFault>(())
     /// ```
     pub fn gaps(&self) -> Vec<Gap> {
-        let steps = self.time_s.windows(2).filter_map(|pair| match pair {
-            [from_s, to_s] => Some(Gap { from_s: *from_s, to_s: *to_s }),
-            _ => None,
-        });
+        let steps = self.time_s.windows(2).map(|pair| Gap { from_s: pair[0], to_s: pair[1] });
         let mut lengths: Vec<f64> = steps.clone().map(|step| step.length_s()).collect();
         let middle = lengths.len() / 2;
         if lengths.is_empty() {
