@@ -48,50 +48,37 @@ impl Formatter for VisibleLetters {
 
 // The JSON contract of what went wrong.
 
-/// One model that could not be done.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct FailureRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// The file, as the caller named it.
-    pub model: String,
-    /// The model's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model_bytes: Option<Vec<u8>>,
-    /// The error of the model.
-    pub error: ErrorRecord,
-}
+records! {
+    /// One model that could not be done.
+    FailureRecord from (failure, dialect): (&Failure, &dyn Dialect) {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// The file, as the caller named it.
+        model: String = failure.model.clone().into_parts().0,
+        /// The model's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        model_bytes: Option<Vec<u8>> = failure.model.clone().into_parts().1,
+        /// The error of the model.
+        error: ErrorRecord = (failure, dialect).into(),
+    }
 
-/// An error of a model or a call.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ErrorRecord {
-    /// Stable short name of the error.
-    pub code: &'static str,
-    /// The message: what is wrong, what was expected, and a way out.
-    pub message: String,
-    /// Line of the place, from 1.
-    pub line: Option<usize>,
-    /// Column of the place in characters, from 1.
-    pub column: Option<usize>,
+    /// An error of a model or a call.
+    ErrorRecord from (failure, dialect): (&Failure, &dyn Dialect) {
+        /// Stable short name of the error.
+        code: &'static str = failure.code,
+        /// The message: what is wrong, what was expected, and a way out.
+        message: String = failure.message.spelled(dialect),
+        /// Line of the place, from 1.
+        line: Option<usize> = failure.line,
+        /// Column of the place in characters, from 1.
+        column: Option<usize> = failure.column,
+    }
 }
 
 impl FailureRecord {
     /// The record of a failure, with texts in the words of `dialect`.
     pub fn new(failure: &Failure, dialect: &dyn Dialect) -> Self {
-        let (model, model_bytes) = failure.model.clone().into_parts();
-        Self {
-            schema_version: SCHEMA_VERSION,
-            model,
-            model_bytes,
-            error: ErrorRecord {
-                code: failure.code,
-                message: failure.message.spelled(dialect),
-                line: failure.line,
-                column: failure.column,
-            },
-        }
+        (failure, dialect).into()
     }
 }
 
@@ -142,55 +129,41 @@ pub struct PlanRecord {
     pub credits: Option<String>,
 }
 
-/// One object that is added or removed.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ObjectRecord {
-    /// Whether the object was `added` or `removed`.
-    pub change: &'static str,
-    /// OpenSim's class, such as `ContactSphere`.
-    pub class: &'static str,
-    /// Name of the object.
-    pub name: String,
-    /// Component path of the object.
-    pub path: String,
-    /// The body that carries the object, or the sphere of the object; null for a floor.
-    pub body: Option<String>,
-    /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]
-    pub location_m: Option<[f64; 3]>,
-    /// Radius of a sphere, m; null for all else.
-    pub radius_m: Option<f64>,
-    /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
-    pub parameters: Option<BTreeMap<&'static str, f64>>,
-}
+records! {
+    /// One object that is added or removed.
+    ObjectRecord from (object, sphere): (&ObjectChange, Option<&NewSphere<'_>>) {
+        /// Whether the object was `added` or `removed`.
+        change: &'static str = object.action.as_str(),
+        /// OpenSim's class, such as `ContactSphere`.
+        class: &'static str = object.class,
+        /// Name of the object.
+        name: String = object.name.clone(),
+        /// Component path of the object.
+        path: String = object.path.clone(),
+        /// The body that carries the object, or the sphere of the object; null for a floor.
+        body: Option<String> = object.body.clone(),
+        /// Centre of a sphere that is added, in the frame of that body, m; null for all else.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<[Option<f64>; 3]>"))]
+        location_m: Option<[f64; 3]> = sphere.map(|sphere| sphere.centre_m),
+        /// Radius of a sphere, m; null for all else.
+        radius_m: Option<f64> = sphere.map(|sphere| sphere.radius_m),
+        /// OpenSim's parameters of a force that `convert` writes, by name and in OpenSim's units; null for all others.
+        parameters: Option<BTreeMap<&'static str, f64>> = parameters_by_name(object),
+    }
 
-/// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
-/// other trial.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct RecordingErrorsRecord {
-    /// Root mean square along the normal of the floor, body weights.
-    pub vertical_rms_bw: f64,
-    /// The same of a model that never touches, body weights.
-    pub null_vertical_rms_bw: f64,
-    /// Root mean square across the normal, body weights.
-    pub horizontal_rms_bw: f64,
-    /// Root mean square of the distance between the centres of pressure, m.
-    pub cop_rms_m: Option<f64>,
-    /// The largest x/R in the recording.
-    pub largest_relative_indentation: f64,
-}
-
-impl From<RecordingErrors> for RecordingErrorsRecord {
-    fn from(errors: RecordingErrors) -> Self {
-        Self {
-            vertical_rms_bw: errors.vertical_rms_bw,
-            null_vertical_rms_bw: errors.null_vertical_rms_bw,
-            horizontal_rms_bw: errors.horizontal_rms_bw,
-            cop_rms_m: errors.cop_rms_m,
-            largest_relative_indentation: errors.largest_relative_indentation,
-        }
+    /// How far the forces of a fit are from those that plates measured: the worst foot of the first trial; vertically also all feet of each
+    /// other trial.
+    RecordingErrorsRecord from errors: RecordingErrors {
+        /// Root mean square along the normal of the floor, body weights.
+        vertical_rms_bw: f64 = errors.vertical_rms_bw,
+        /// The same of a model that never touches, body weights.
+        null_vertical_rms_bw: f64 = errors.null_vertical_rms_bw,
+        /// Root mean square across the normal, body weights.
+        horizontal_rms_bw: f64 = errors.horizontal_rms_bw,
+        /// Root mean square of the distance between the centres of pressure, m.
+        cop_rms_m: Option<f64> = errors.cop_rms_m,
+        /// The largest x/R in the recording.
+        largest_relative_indentation: f64 = errors.largest_relative_indentation,
     }
 }
 
@@ -259,7 +232,7 @@ impl PlanRecord {
             geometry_output_bytes: geometry_output_bytes.flatten(),
             contacts_mass_kg: plan.masses.as_ref().map(|masses| ContactsMass::new(&masses.contacts_mass)),
             target_mass_kg: plan.masses.as_ref().map(|masses| masses.target_mass_kg),
-            objects: ObjectRecord::all(plan),
+            objects: object_records(plan),
             changes: numbers.chain(plan.moves.iter().map(ChangeRecord::from)).collect(),
             errors: plan.errors.map(RecordingErrorsRecord::from),
             floor_up_m: (!plan.floor_up_m.is_empty()).then(|| plan.floor_up_m.clone()),
@@ -270,28 +243,20 @@ impl PlanRecord {
     }
 }
 
-impl ObjectRecord {
-    fn all(plan: &Plan) -> Vec<Self> {
-        let new = plan.new_spheres();
-        let new: HashMap<&str, &NewSphere<'_>> = new.iter().map(|sphere| (sphere.path, sphere)).collect();
-        let record = |object: &ObjectChange| {
-            let is_added = object.action == ObjectAction::Added;
-            let sphere = new.get(object.path.as_str()).filter(|_| is_added);
-            let parameters = object.parameters.iter();
-            let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
-            Self {
-                change: object.action.as_str(),
-                class: object.class,
-                name: object.name.clone(),
-                path: object.path.clone(),
-                body: object.body.clone(),
-                location_m: sphere.map(|sphere| sphere.centre_m),
-                radius_m: sphere.map(|sphere| sphere.radius_m),
-                parameters: (!object.parameters.is_empty()).then_some(parameters),
-            }
-        };
-        plan.objects().iter().map(record).collect()
-    }
+/// The objects that a plan adds or removes.
+fn object_records(plan: &Plan) -> Vec<ObjectRecord> {
+    let new = plan.new_spheres();
+    let new: HashMap<&str, &NewSphere<'_>> = new.iter().map(|sphere| (sphere.path, sphere)).collect();
+    let sphere = |object: &ObjectChange| {
+        new.get(object.path.as_str()).copied().filter(|_| object.action == ObjectAction::Added)
+    };
+    plan.objects().iter().map(|object| (object, sphere(object)).into()).collect()
+}
+
+fn parameters_by_name(object: &ObjectChange) -> Option<BTreeMap<&'static str, f64>> {
+    let parameters = object.parameters.iter();
+    let parameters = parameters.map(|(property, value)| (property.name(), *value)).collect();
+    (!object.parameters.is_empty()).then_some(parameters)
 }
 
 impl From<&NumberChange> for ChangeRecord {

@@ -1,5 +1,6 @@
 //! Table 1 of the paper beside the results of its equations: as text, CSV and a record; and the data that Fig. 1 needs.
 
+use contact_scaling::drop_test::DropError;
 use contact_scaling::table1::{self, Animal, Column, Compared};
 use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::Failure;
@@ -27,48 +28,46 @@ pub struct ReproductionRecord {
     pub fig1: Vec<String>,
 }
 
-/// An animal of Table 1.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct AnimalRecord {
-    /// Name of the animal.
-    pub taxon: &'static str,
-    /// Mass of the body, kg.
-    pub mass_kg: f64,
-    /// Number n of spheres that share the animal's weight.
-    pub sphere_count: f64,
-    /// Radius of the animal's spheres, m.
-    pub radius_m: f64,
-    /// The numbers in the animal's row of the table.
-    pub values: Vec<NumberRecord>,
-}
+records! {
+    /// An animal of Table 1.
+    AnimalRecord from (animal, values): (&Animal, Vec<NumberRecord>) {
+        /// Name of the animal.
+        taxon: &'static str = animal.taxon(),
+        /// Mass of the body, kg.
+        mass_kg: f64 = animal.scale().mass_kg(),
+        /// Number n of spheres that share the animal's weight.
+        sphere_count: f64 = animal.scale().sphere_count(),
+        /// Radius of the animal's spheres, m.
+        radius_m: f64 = animal.scale().radius_m(),
+        /// The numbers in the animal's row of the table.
+        values: Vec<NumberRecord> = values,
+    }
 
-/// A number of Table 1.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct NumberRecord {
-    /// Name of the column; it ends in the unit, which is the paper's.
-    pub name: &'static str,
-    /// Label of the column.
-    #[serde(skip)]
-    pub label: &'static str,
-    /// Unit of the column, for people; empty for a pure number.
-    pub unit: &'static str,
-    /// Number of the equation; empty where it is given, or the result of the drop test.
-    pub equation: &'static str,
-    /// The number as the paper prints it, with all digits.
-    pub printed: &'static str,
-    /// The number as this program computes it.
-    pub computed: f64,
-    /// The computed number minus the printed one.
-    pub difference: f64,
-    /// The difference over the printed number.
-    pub relative_difference: f64,
-    /// Whether the computed number is within half a unit of the last printed digit.
-    pub within_last_digit: bool,
-    /// The number that gives the printed digits, computed from the rounded E* that the paper prints for the human; null where
-    /// the exact one gives them, too.
-    pub computed_from_rounded: Option<f64>,
+    /// A number of Table 1.
+    NumberRecord from compared: &Compared {
+        /// Name of the column; it ends in the unit, which is the paper's.
+        name: &'static str = compared.column.name(),
+        /// Label of the column.
+        #[serde(skip)]
+        label: &'static str = compared.column.label(),
+        /// Unit of the column, for people; empty for a pure number.
+        unit: &'static str = compared.column.unit(),
+        /// Number of the equation; empty where it is given, or the result of the drop test.
+        equation: &'static str = compared.column.equation(),
+        /// The number as the paper prints it, with all digits.
+        printed: &'static str = compared.printed,
+        /// The number as this program computes it.
+        computed: f64 = compared.computed,
+        /// The computed number minus the printed one.
+        difference: f64 = compared.difference(),
+        /// The difference over the printed number.
+        relative_difference: f64 = compared.relative_difference(),
+        /// Whether the computed number is within half a unit of the last printed digit.
+        within_last_digit: bool = compared.is_within_last_digit(),
+        /// The number that gives the printed digits, computed from the rounded E* that the paper prints for the human; null where
+        /// the exact one gives them, too.
+        computed_from_rounded: Option<f64> = compared.from_rounded.filter(|_| compared.is_from_rounded()),
+    }
 }
 
 impl ReproductionRecord {
@@ -77,9 +76,12 @@ impl ReproductionRecord {
     /// # Errors
     /// None with the numbers of the table.
     pub fn new(dialect: &dyn Dialect) -> Result<Self, Failure> {
-        let rows: Result<Vec<AnimalRecord>, Failure> =
-            table1::animals().map(|row| AnimalRecord::new(&row)).collect();
-        let table1 = rows?;
+        let failed = |error: DropError| Failure::outside("Table 1", "out-of-domain", error.to_string());
+        let row = |animal: Animal| -> Result<AnimalRecord, Failure> {
+            let values = animal.compared().map_err(failed)?.iter().map(NumberRecord::from).collect();
+            Ok((&animal, values).into())
+        };
+        let table1 = table1::animals().map(row).collect::<Result<Vec<AnimalRecord>, Failure>>()?;
         let numbers = || table1.iter().flat_map(|animal| &animal.values);
         Ok(Self {
             schema_version: SCHEMA_VERSION,
@@ -95,40 +97,6 @@ impl ReproductionRecord {
         let human = self.table1.first()?;
         let base = human.values.iter().find(|number| number.name == Column::CompositeModulus.name());
         base.map(|number| number.printed)
-    }
-}
-
-impl AnimalRecord {
-    fn new(animal: &Animal) -> Result<Self, Failure> {
-        let failed = |error: contact_scaling::drop_test::DropError| {
-            Failure::outside("Table 1", "out-of-domain", error.to_string())
-        };
-        let scale = animal.scale();
-        Ok(Self {
-            taxon: animal.taxon(),
-            mass_kg: scale.mass_kg(),
-            sphere_count: scale.sphere_count(),
-            radius_m: scale.radius_m(),
-            values: animal.compared().map_err(failed)?.iter().map(NumberRecord::from).collect(),
-        })
-    }
-}
-
-impl From<&Compared> for NumberRecord {
-    fn from(compared: &Compared) -> Self {
-        let column = compared.column;
-        Self {
-            name: column.name(),
-            label: column.label(),
-            unit: column.unit(),
-            equation: column.equation(),
-            printed: compared.printed,
-            computed: compared.computed,
-            difference: compared.difference(),
-            relative_difference: compared.relative_difference(),
-            within_last_digit: compared.is_within_last_digit(),
-            computed_from_rounded: compared.from_rounded.filter(|_| compared.is_from_rounded()),
-        }
     }
 }
 

@@ -92,32 +92,30 @@ pub enum TopicRecord {
     },
 }
 
-/// One way to write an equation.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct FormulaRecord {
-    /// What sets the form apart, such as `for x`; empty for the first form.
-    pub variant: &'static str,
-    /// The formula in Unicode.
-    pub formula: &'static str,
-    /// The formula in ASCII.
-    pub ascii: String,
-    /// Unit of the result; `1` for a pure number, empty where nothing is computed.
-    pub unit: &'static str,
-}
+records! {
+    /// One way to write an equation.
+    FormulaRecord from form: &Form {
+        /// What sets the form apart, such as `for x`; empty for the first form.
+        variant: &'static str = form.variant,
+        /// The formula in Unicode.
+        formula: &'static str = form.formula,
+        /// The formula in ASCII.
+        ascii: String = ascii(form.formula),
+        /// Unit of the result; `1` for a pure number, empty where nothing is computed.
+        unit: &'static str = form.unit,
+    }
 
-/// One symbol of a formula.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct SymbolRecord {
-    /// The symbol in Unicode.
-    pub symbol: &'static str,
-    /// The symbol in ASCII.
-    pub ascii: String,
-    /// Meaning of the symbol.
-    pub meaning: String,
-    /// Unit of the formula's value; `1` for a pure number.
-    pub unit: &'static str,
+    /// One symbol of a formula.
+    SymbolRecord from (symbol, dialect): (&Symbol, &dyn Dialect) {
+        /// The symbol in Unicode.
+        symbol: &'static str = symbol.symbol,
+        /// The symbol in ASCII.
+        ascii: String = ascii(symbol.symbol),
+        /// Meaning of the symbol.
+        meaning: String = Phrase::template(symbol.meaning).spelled(dialect),
+        /// Unit of the formula's value; `1` for a pure number.
+        unit: &'static str = symbol.unit,
+    }
 }
 
 impl TopicRecord {
@@ -136,8 +134,8 @@ impl TopicRecord {
             schema_version: SCHEMA_VERSION,
             label: equation.label,
             title: equation.title,
-            formulas: equation.forms.iter().map(FormulaRecord::new).collect(),
-            symbols: equation.symbols.iter().map(|symbol| SymbolRecord::new(symbol, dialect)).collect(),
+            formulas: equation.forms.iter().map(Into::into).collect(),
+            symbols: equation.symbols.iter().map(|symbol| (symbol, dialect).into()).collect(),
             source: Phrase::template(equation.source).spelled(dialect),
             used: sentence_of_use(equation.label).spelled(dialect),
         }
@@ -180,23 +178,6 @@ impl TopicRecord {
             code: error.code,
             means: error.means().spelled(dialect),
             way_out: error.way_out().spelled(dialect),
-        }
-    }
-}
-
-impl FormulaRecord {
-    fn new(form: &Form) -> Self {
-        Self { variant: form.variant, formula: form.formula, ascii: ascii(form.formula), unit: form.unit }
-    }
-}
-
-impl SymbolRecord {
-    fn new(symbol: &Symbol, dialect: &dyn Dialect) -> Self {
-        Self {
-            symbol: symbol.symbol,
-            ascii: ascii(symbol.symbol),
-            meaning: Phrase::template(symbol.meaning).spelled(dialect),
-            unit: symbol.unit,
         }
     }
 }

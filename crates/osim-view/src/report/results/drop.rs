@@ -138,21 +138,21 @@ pub fn drop_csv(drop: &DropResult) -> Result<String, csv::Error> {
 #[derive(Debug, Clone, Copy)]
 pub struct DropRecord<'d>(&'d DropResult);
 
-/// How far two drops are apart without dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct DropDifferenceRecord {
-    /// Name of the body with which this one is compared.
-    pub other: String,
-    /// The other body's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub other_bytes: Option<Vec<u8>>,
-    /// Dimensionless time t/√(R/g) up to which the drops are compared.
-    pub until_dimensionless_time: f64,
-    /// Largest difference of height over radius.
-    pub height_over_radius: f64,
-    /// Largest difference of force over body weight.
-    pub force_bw: f64,
+records! {
+    /// How far two drops are apart without dimensions.
+    DropDifferenceRecord from compared: &ComparedDrop {
+        /// Name of the body with which this one is compared.
+        other: String = compared.name.clone().into_parts().0,
+        /// The other body's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        other_bytes: Option<Vec<u8>> = compared.name.clone().into_parts().1,
+        /// Dimensionless time t/√(R/g) up to which the drops are compared.
+        until_dimensionless_time: f64 = compared.difference.until,
+        /// Largest difference of height over radius.
+        height_over_radius: f64 = compared.difference.height,
+        /// Largest difference of force over body weight.
+        force_bw: f64 = compared.difference.force,
+    }
 }
 
 /// The motion of a drop for JSON: each [`DropColumn`] under its name.
@@ -162,19 +162,6 @@ pub struct DropSeriesRecord<'d>(&'d DropReport);
 impl<'d> From<&'d DropResult> for DropRecord<'d> {
     fn from(drop: &'d DropResult) -> Self {
         Self(drop)
-    }
-}
-
-impl From<&ComparedDrop> for DropDifferenceRecord {
-    fn from(compared: &ComparedDrop) -> Self {
-        let (other, other_bytes) = compared.name.clone().into_parts();
-        Self {
-            other,
-            other_bytes,
-            until_dimensionless_time: compared.difference.until,
-            height_over_radius: compared.difference.height,
-            force_bw: compared.difference.force,
-        }
     }
 }
 

@@ -6,7 +6,6 @@ use osim_inspect::SCHEMA_VERSION;
 use osim_model::files::FileName;
 use osim_model::messages::{Dialect, Input, four_significant, phrase, readable, shown_path};
 use osim_planning::FitResult;
-use serde::Serialize;
 
 use crate::report::layout::table;
 
@@ -115,103 +114,86 @@ fn restitution(fit: &Fit) -> String {
 
 // The JSON contract of a fit.
 
-/// A fit, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct FitRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// Name of the file of the measurement.
-    pub file: String,
-    /// The file's name in bytes, if it is not UTF-8.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file_bytes: Option<Vec<u8>>,
-    /// Spheres that shared the force.
-    pub sphere_count: f64,
-    /// Radius of the spheres, m.
-    pub radius_m: f64,
-    /// Fitted E* (1), N/m².
-    pub composite_modulus_n_m2: EstimateRecord,
-    /// E₁* (A.4), N/m²: what OpenSim calls stiffness.
-    pub stiffness: EstimateRecord,
-    /// Fitted α (12), s/m.
-    pub dissipation: Option<EstimateRecord>,
-    /// Where contact begins, m.
-    pub onset_m: Option<EstimateRecord>,
-    /// Names of the fitted parameters, in the order of the covariance.
-    pub parameters: Vec<&'static str>,
-    /// Covariance of the parameters.
-    #[cfg_attr(feature = "schemas", schemars(with = "Vec<Vec<Option<f64>>>"))]
-    pub covariance: Vec<Vec<f64>>,
-    /// Why the result must not be taken as it is.
-    pub warnings: Vec<FitWarningRecord>,
-    /// Coefficient of determination R².
-    pub r_squared: f64,
-    /// The number of rows less that of fitted parameters.
-    pub degrees_of_freedom: usize,
-    /// Standard deviation of the residuals, N.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub residual_deviation_n: f64,
-    /// The largest x̂ of the measurement.
-    pub largest_relative_indentation: f64,
-    /// Whether the largest indentation is within the Hertz law.
-    pub within_hertz_limit: bool,
-    /// The largest speed of the measurement, m/s.
-    pub largest_speed_m_s: Option<f64>,
-    /// c_r by (13) at that speed.
-    pub restitution: Option<f64>,
-    /// Whether the largest rate is within the Hunt–Crossley law.
-    pub within_hunt_crossley_limit: Option<bool>,
-    /// Residuals of the fit.
-    pub residuals: ResidualsRecord,
-}
+records! {
+    /// A fit, as the JSON has it.
+    FitRecord from result: &FitResult {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// Name of the file of the measurement.
+        file: String = FileName::from(result.file.as_path()).into_parts().0,
+        /// The file's name in bytes, if it is not UTF-8.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        file_bytes: Option<Vec<u8>> = FileName::from(result.file.as_path()).into_parts().1,
+        /// Spheres that shared the force.
+        sphere_count: f64 = result.sphere_count,
+        /// Radius of the spheres, m.
+        radius_m: f64 = result.radius_m,
+        /// Fitted E* (1), N/m².
+        composite_modulus_n_m2: EstimateRecord = (&result.fit.composite_modulus).into(),
+        /// E₁* (A.4), N/m²: what OpenSim calls stiffness.
+        stiffness: EstimateRecord = (&result.fit.plane_strain_modulus).into(),
+        /// Fitted α (12), s/m.
+        dissipation: Option<EstimateRecord> = result.fit.dissipation.as_ref().map(Into::into),
+        /// Where contact begins, m.
+        onset_m: Option<EstimateRecord> = result.fit.onset_m.as_ref().map(Into::into),
+        /// Names of the fitted parameters, in the order of the covariance.
+        parameters: Vec<&'static str> = result.fit.parameters.iter().map(name).collect(),
+        /// Covariance of the parameters.
+        #[cfg_attr(feature = "schemas", schemars(with = "Vec<Vec<Option<f64>>>"))]
+        covariance: Vec<Vec<f64>> = result.fit.covariance.clone(),
+        /// Why the result must not be taken as it is.
+        warnings: Vec<FitWarningRecord> = result.fit.doubts.iter().map(Into::into).collect(),
+        /// Coefficient of determination R².
+        r_squared: f64 = result.fit.r_squared,
+        /// The number of rows less that of fitted parameters.
+        degrees_of_freedom: usize = result.fit.degrees_of_freedom,
+        /// Standard deviation of the residuals, N.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        residual_deviation_n: f64 = result.fit.residual_deviation_n,
+        /// The largest x̂ of the measurement.
+        largest_relative_indentation: f64 = result.fit.largest_relative_indentation,
+        /// Whether the largest indentation is within the Hertz law.
+        within_hertz_limit: bool = result.fit.within_hertz_limit,
+        /// The largest speed of the measurement, m/s.
+        largest_speed_m_s: Option<f64> = result.fit.largest_speed_m_s,
+        /// c_r by (13) at that speed.
+        restitution: Option<f64> = result.fit.restitution,
+        /// Whether the largest rate is within the Hunt–Crossley law.
+        within_hunt_crossley_limit: Option<bool> = result.fit.within_hunt_crossley_limit,
+        /// Residuals of the fit.
+        residuals: ResidualsRecord = result.into(),
+    }
 
-/// Why a result must not be taken as it is.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct FitWarningRecord {
-    /// Stable short name of the warning.
-    pub code: &'static str,
-    /// What the data do not determine, and what to do.
-    pub message: String,
-}
+    /// Why a result must not be taken as it is.
+    FitWarningRecord from doubt: &Doubt {
+        /// Stable short name of the warning.
+        code: &'static str = doubt.code(),
+        /// What the data do not determine, and what to do.
+        message: String = doubt_in_words(doubt),
+    }
 
-/// A fitted parameter.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct EstimateRecord {
-    /// Fitted value of the parameter.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub value: f64,
-    /// Standard error of the fitted value.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub standard_error: f64,
-    /// Begin of the 95 % confidence interval.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub low_95: f64,
-    /// End of the 95 % interval.
-    #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
-    pub high_95: f64,
-}
+    /// A fitted parameter.
+    EstimateRecord from estimate: &Estimate {
+        /// Fitted value of the parameter.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        value: f64 = estimate.value,
+        /// Standard error of the fitted value.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        standard_error: f64 = estimate.standard_error,
+        /// Begin of the 95 % confidence interval.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        low_95: f64 = estimate.low,
+        /// End of the 95 % interval.
+        #[cfg_attr(feature = "schemas", schemars(with = "Option<f64>"))]
+        high_95: f64 = estimate.high,
+    }
 
-/// Residuals of a fit, row by row.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct ResidualsRecord {
-    /// Line in the file.
-    pub line: Vec<u64>,
-    /// Measured less fitted force, N.
-    pub force_n: Vec<f64>,
-}
-
-impl From<&Estimate> for EstimateRecord {
-    fn from(estimate: &Estimate) -> Self {
-        Self {
-            value: estimate.value,
-            standard_error: estimate.standard_error,
-            low_95: estimate.low,
-            high_95: estimate.high,
-        }
+    /// Residuals of a fit, row by row.
+    ResidualsRecord from result: &FitResult {
+        /// Line in the file.
+        line: Vec<u64> = result.lines.clone(),
+        /// Measured less fitted force, N.
+        force_n: Vec<f64> = result.fit.residuals_n.clone(),
     }
 }
 
@@ -220,39 +202,5 @@ fn name(parameter: &Parameter) -> &'static str {
         Parameter::CompositeModulus => "composite_modulus_n_m2",
         Parameter::Dissipation => "dissipation",
         Parameter::Onset => "onset_m",
-    }
-}
-
-fn warning(doubt: &Doubt) -> FitWarningRecord {
-    FitWarningRecord { code: doubt.code(), message: doubt_in_words(doubt) }
-}
-
-impl From<&FitResult> for FitRecord {
-    fn from(result: &FitResult) -> Self {
-        let fit = &result.fit;
-        let (file, file_bytes) = FileName::from(result.file.as_path()).into_parts();
-        Self {
-            schema_version: SCHEMA_VERSION,
-            file,
-            file_bytes,
-            sphere_count: result.sphere_count,
-            radius_m: result.radius_m,
-            composite_modulus_n_m2: (&fit.composite_modulus).into(),
-            stiffness: (&fit.plane_strain_modulus).into(),
-            dissipation: fit.dissipation.as_ref().map(Into::into),
-            onset_m: fit.onset_m.as_ref().map(Into::into),
-            parameters: fit.parameters.iter().map(name).collect(),
-            covariance: fit.covariance.clone(),
-            warnings: fit.doubts.iter().map(warning).collect(),
-            r_squared: fit.r_squared,
-            degrees_of_freedom: fit.degrees_of_freedom,
-            residual_deviation_n: fit.residual_deviation_n,
-            largest_relative_indentation: fit.largest_relative_indentation,
-            within_hertz_limit: fit.within_hertz_limit,
-            largest_speed_m_s: fit.largest_speed_m_s,
-            restitution: fit.restitution,
-            within_hunt_crossley_limit: fit.within_hunt_crossley_limit,
-            residuals: ResidualsRecord { line: result.lines.clone(), force_n: fit.residuals_n.clone() },
-        }
     }
 }

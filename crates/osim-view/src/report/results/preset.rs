@@ -11,83 +11,51 @@ use serde::Serialize;
 
 use crate::report::layout::{WIDTH, filled, table};
 
-/// A preset, as the JSON has it.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct PresetRecord {
-    /// Version of this JSON, which rises when a field changes its meaning or goes away.
-    pub schema_version: u32,
-    /// Name of the preset.
-    pub name: String,
-    /// Where the numbers of the preset are published.
-    pub source: String,
-    /// The mass that the contact was made for, kg.
-    pub mass_kg: f64,
-    /// Spheres that share the weight.
-    pub spheres: f64,
-    /// Radius of the preset's spheres, m.
-    pub radius_m: f64,
-    /// Gravity that the contacts are made for, m/s².
-    pub gravity_m_s2: f64,
-    /// OpenSim's `stiffness`, E₁* in N/m².
-    pub stiffness: f64,
-    /// OpenSim's `dissipation`, s/m.
-    pub dissipation: f64,
-    /// OpenSim's `constant_contact_force`, m².
-    pub constant_contact_force: Option<f64>,
-    /// OpenSim's `hertz_smoothing`, 1/m.
-    pub hertz_smoothing: Option<f64>,
-    /// OpenSim's `hunt_crossley_smoothing`, s/m.
-    pub hunt_crossley_smoothing: Option<f64>,
-    /// The preset's contacts without dimensions.
-    pub dimensionless: DimensionlessRecord,
-}
+records! {
+    /// A preset, as the JSON has it.
+    PresetRecord from preset: &Preset {
+        /// Version of this JSON, which rises when a field changes its meaning or goes away.
+        schema_version: u32 = SCHEMA_VERSION,
+        /// Name of the preset.
+        name: String = preset.name.to_string(),
+        /// Where the numbers of the preset are published.
+        source: String = preset.source.to_string(),
+        /// The mass that the contact was made for, kg.
+        mass_kg: f64 = preset.scale.mass_kg(),
+        /// Spheres that share the weight.
+        spheres: f64 = preset.scale.sphere_count(),
+        /// Radius of the preset's spheres, m.
+        radius_m: f64 = preset.scale.radius_m(),
+        /// Gravity that the contacts are made for, m/s².
+        gravity_m_s2: f64 = preset.scale.gravity_m_s2(),
+        /// OpenSim's `stiffness`, E₁* in N/m².
+        stiffness: f64 = preset.contact.plane_strain_modulus(),
+        /// OpenSim's `dissipation`, s/m.
+        dissipation: f64 = preset.contact.dissipation(),
+        /// OpenSim's `constant_contact_force`, m².
+        constant_contact_force: Option<f64> = preset.contact.smoothing().map(|smoothing| smoothing.constant_contact_force),
+        /// OpenSim's `hertz_smoothing`, 1/m.
+        hertz_smoothing: Option<f64> = preset.contact.smoothing().map(|smoothing| smoothing.hertz_smoothing),
+        /// OpenSim's `hunt_crossley_smoothing`, s/m.
+        hunt_crossley_smoothing: Option<f64> = preset.contact.smoothing().map(|smoothing| smoothing.hunt_crossley_smoothing),
+        /// The preset's contacts without dimensions.
+        dimensionless: DimensionlessRecord = (&DimensionlessContact::of(&preset.contact, &preset.scale)).into(),
+    }
 
-/// A contact without dimensions.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(deny_unknown_fields))]
-pub struct DimensionlessRecord {
-    /// E* R² n / (M g).
-    pub modulus: f64,
-    /// x̂ of a sphere under its share of the body weight, by the Hertz law (11).
-    pub relative_indentation: f64,
-    /// Dimensionless dissipation α √(g R).
-    pub dissipation: f64,
-    /// √cf / R (C.2).
-    pub constant_indentation: Option<f64>,
-    /// Dimensionless Hertz smoothing bd R.
-    pub hertz_smoothing: Option<f64>,
-    /// Dimensionless Hunt–Crossley smoothing bv √(g R).
-    pub hunt_crossley_smoothing: Option<f64>,
-}
-
-impl From<&Preset> for PresetRecord {
-    fn from(preset: &Preset) -> Self {
-        let (scale, contact) = (&preset.scale, &preset.contact);
-        let smoothing = contact.smoothing();
-        let dimensionless = DimensionlessContact::of(contact, scale);
-        Self {
-            schema_version: SCHEMA_VERSION,
-            name: preset.name.to_string(),
-            source: preset.source.to_string(),
-            mass_kg: scale.mass_kg(),
-            spheres: scale.sphere_count(),
-            radius_m: scale.radius_m(),
-            gravity_m_s2: scale.gravity_m_s2(),
-            stiffness: contact.plane_strain_modulus(),
-            dissipation: contact.dissipation(),
-            constant_contact_force: smoothing.map(|s| s.constant_contact_force),
-            hertz_smoothing: smoothing.map(|s| s.hertz_smoothing),
-            hunt_crossley_smoothing: smoothing.map(|s| s.hunt_crossley_smoothing),
-            dimensionless: DimensionlessRecord {
-                modulus: dimensionless.modulus(),
-                relative_indentation: dimensionless.relative_indentation(),
-                dissipation: dimensionless.dissipation(),
-                constant_indentation: dimensionless.constant_indentation(),
-                hertz_smoothing: dimensionless.hertz_smoothing(),
-                hunt_crossley_smoothing: dimensionless.hunt_crossley_smoothing(),
-            },
-        }
+    /// A contact without dimensions.
+    DimensionlessRecord from contact: &DimensionlessContact {
+        /// E* R² n / (M g).
+        modulus: f64 = contact.modulus(),
+        /// x̂ of a sphere under its share of the body weight, by the Hertz law (11).
+        relative_indentation: f64 = contact.relative_indentation(),
+        /// Dimensionless dissipation α √(g R).
+        dissipation: f64 = contact.dissipation(),
+        /// √cf / R (C.2).
+        constant_indentation: Option<f64> = contact.constant_indentation(),
+        /// Dimensionless Hertz smoothing bd R.
+        hertz_smoothing: Option<f64> = contact.hertz_smoothing(),
+        /// Dimensionless Hunt–Crossley smoothing bv √(g R).
+        hunt_crossley_smoothing: Option<f64> = contact.hunt_crossley_smoothing(),
     }
 }
 
