@@ -15,6 +15,7 @@ function results = fit(varargin)
 %     fit: What to fit [default: stiffness, dissipation and height]. Takes 'stiffness' or 'dissipation'
 %         or 'height' or a cell array of these.
 %     unbounded: Let spheres go deeper than their radius. Takes true or false.
+%     height_in: What a fitted height moves [default: 'floor']. Takes 'floor' or 'spheres'.
 %     belt: Speed of a treadmill's belt towards -x, m/s; slip is relative to it. Takes a number.
 %     belt_column: Speed of a treadmill's belt from this column of each motion. Takes a text.
 %     start: Leave out what the motion has before this time, s. Takes a number.

@@ -1,70 +1,14 @@
 //! Fits contact parameters and the height of the floor, so that the forces of a model are like those that plates measured.
 //!
-//! The unknowns are a factor for all stiffnesses, the dissipation, and for each trial the distance by which the floor moves up. The fit
-//! makes the differences between model and plates small: in the force along the normal of each foot, divided by body weight. The search
-//! tries some heights, each with its best stiffness, and then runs Levenberg–Marquardt from the best of them.
+//! The unknowns are a factor for all stiffnesses, the dissipation, and for each trial the distance by which the floor moves up.
+//! Instead of the floor of the first trial, all spheres may move down in their bodies. The fit makes the differences between model
+//! and plates small: in the force along the normal of each foot, divided by body weight. The search tries some heights, each with its
+//! best stiffness, and then runs Levenberg–Marquardt from the best of them.
 
 use contact_scaling::Law;
 use rmpfit::{MPConfig, MPFitter, MPPar, MPResult, MPSuccess};
 
-use crate::{ContactStates, Foot, MeasuredForces, ON_BW, Wrench};
-
-/// The data of one trial for a fit: the contacts of each foot in the frames in which the plates measured the force under it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FitTrial {
-    pub feet: Vec<FootForces>,
-    pub weight_n: f64,
-    /// The number of frames that were left out because a foot probably stands beside the plates.
-    pub beside: usize,
-    /// Names of feet that are left out because the plates measured no force under them.
-    pub without_force: Vec<String>,
-}
-
-/// The contacts of one foot, and the force that plates measured under it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct FootForces {
-    pub name: String,
-    /// The contact law and the radius (m) of each sphere of the foot.
-    pub laws: Vec<(Law, f64)>,
-    /// The measured force along the normal in each frame, N.
-    pub measured_n: Vec<f64>,
-    /// Indentation (m) and its rate (m/s) of each sphere, frame by frame.
-    pub contacts: Vec<(f64, f64)>,
-}
-
-impl FitTrial {
-    /// The data of a trial in the frames in which the force under a foot is known.
-    pub fn of(states: &ContactStates, feet: &[Foot], measured: &MeasuredForces, weight_n: f64) -> Self {
-        let one = |(foot, plates): (&Foot, &Vec<Option<Wrench>>)| FootForces::of(states, foot, plates);
-        let feet = feet.iter().zip(&measured.feet).map(one);
-        let has_force = |foot: &FootForces| foot.measured_n.iter().any(|&force_n| force_n > ON_BW * weight_n);
-        // A foot without a measured force cannot be fitted.
-        let (feet, others): (Vec<_>, Vec<_>) = feet.partition(has_force);
-        let without_force = others.into_iter().map(|foot| foot.name).collect();
-        Self { feet, weight_n, beside: measured.beside.iter().sum(), without_force }
-    }
-}
-
-impl FootForces {
-    /// The forces of `foot` in the frames in which its measured force is known.
-    fn of(states: &ContactStates, foot: &Foot, plates: &[Option<Wrench>]) -> Self {
-        let laws = foot.pairs.iter().filter_map(|&pair| states.pairs.get(pair));
-        let laws = laws.map(|pair| (pair.law, pair.radius_m)).collect();
-        let (mut measured_n, mut contacts) = (Vec::new(), Vec::new());
-        for (frame, plate) in plates.iter().enumerate() {
-            let own = || foot.pairs.iter().filter_map(|&pair| states.frame(frame).get(pair));
-            let Some((plate, first)) = plate.as_ref().zip(own().next()) else { continue };
-            measured_n.push(plate.force_n.dot(first.normal));
-            contacts.extend(own().map(|state| (state.indentation_m, state.rate_m_s)));
-        }
-        Self { name: foot.name.clone(), laws, measured_n, contacts }
-    }
-
-    /// Each frame with its measured force, N, and its contacts.
-    fn frames(&self) -> impl Iterator<Item = (f64, &[(f64, f64)])> {
-        self.measured_n.iter().copied().zip(self.contacts.chunks(self.laws.len().max(1)))
-    }
-}
+pub use crate::fit_trial::{FitTrial, FootForces};
 
 /// What is fitted, and its bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,6 +17,8 @@ pub struct FitBounds {
     pub dissipation: bool,
     /// The height of the floor, in each trial by its own distance.
     pub height: bool,
+    /// Whether all spheres move in their bodies in place of the floor of the first trial; the height must be fitted.
+    pub spheres_move: bool,
     /// The largest allowed x/R in frames with a force; `None` for no bound.
     pub most_relative_indentation: Option<f64>,
 }
@@ -91,8 +37,10 @@ pub enum FitError {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedParameter {
     pub value: f64,
-    /// Two standard errors below and above the value; neighbouring frames, which are alike, count as fewer.
-    pub range: (f64, f64),
+    /// The lowest and highest value at which a fit of the other parameters is nearly as good (rms within 5 %, or 0.005 body
+    /// weights).
+    pub nearly_as_good: (f64, f64),
+    pub at_bound: bool,
 }
 
 /// The differences between the fitted forces and the forces of the plates.
@@ -104,14 +52,26 @@ pub struct FitErrors {
     pub largest_relative_indentation: f64,
 }
 
+/// A fit of one part of the data, tested on the other part.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeldOut {
+    /// The fitted part of the data, in words.
+    pub fitted: String,
+    pub tested: String,
+    /// The root mean square error on the tested part, in body weights.
+    pub vertical_rms_bw: f64,
+}
+
 /// The result of a fit: contact parameters with which the forces of a model are like those of the plates.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct MotionFit {
     /// The factor of all stiffnesses; `None` if it was not fitted.
     pub stiffness_factor: Option<FittedParameter>,
     /// The dissipation, s/m; `None` if it was not fitted.
     pub dissipation: Option<FittedParameter>,
-    /// The distance by which the floor moves up in each trial, m; empty if no floor height was fitted.
+    /// The distance by which all spheres move down in their bodies, m; `None` if it was not fitted.
+    pub spheres_down_m: Option<FittedParameter>,
+    /// The distance by which the floor moves up in each trial, m, without the first if spheres move; empty if no height was fitted.
     pub floor_up_m: Vec<FittedParameter>,
     /// Correlation of the stiffness and the height of the first trial, if both were fitted.
     pub stiffness_height_correlation: Option<f64>,
@@ -119,6 +79,8 @@ pub struct MotionFit {
     pub after: FitErrors,
     /// The root mean square error of each trial, in body weights.
     pub trials_rms_bw: Vec<f64>,
+    /// Fits of one part of the data, tested on the other part: one foot against the others, or one half against the other.
+    pub held_out: Vec<HeldOut>,
     /// The number of frames that were left out because a foot probably stands beside the plates.
     pub beside: usize,
 }
@@ -133,16 +95,72 @@ const LARGEST_STIFFNESS_FACTOR: f64 = 1e4;
 const MOST_DISSIPATION_S_M: f64 = 10.0;
 /// The largest height of the floor above the first touch of a sphere, if x/R has no bound, m.
 const MOST_RISE_WITHOUT_BOUND_M: f64 = 0.25;
+/// The largest distance by which spheres move up or down in their bodies, and by which floors of other trials then differ from the
+/// first, m.
+const MOST_SHIFT_OF_SPHERES_M: f64 = 0.25;
+/// The penalty per radius of depth beyond the bound, for one sphere, in body weights.
+const TOO_DEEP_BW: f64 = 200.0;
+/// A fit is nearly as good as the best one if its error is at most this many times larger, or at most `NEARLY_BEST_BW` larger.
+const NEARLY_BEST_FACTOR: f64 = 1.05;
+const NEARLY_BEST_BW: f64 = 0.005;
+/// In the search for the end of a range, the largest number of doublings of the step, before it is halved, and of halvings.
+const MOST_DOUBLINGS: usize = 4;
+const HALVINGS: usize = 6;
+/// The first step of a height in this search, m.
+const HEIGHT_STEP_M: f64 = 0.002;
+/// The largest number of frames per foot, roughly, for this search.
+const MOST_FRAMES: usize = 400;
 
-/// The places of the unknowns: the logarithm of the stiffness factor, the dissipation, and then a height for each trial.
+/// The places of the unknowns: the logarithm of the stiffness factor, the dissipation (not a number where each sphere keeps its own),
+/// the distance by which spheres move down, and then a height of the floor for each trial.
 const STIFFNESS: usize = 0;
 const DISSIPATION: usize = 1;
-const HEIGHTS: usize = 2;
+const SPHERES: usize = 2;
+const FLOORS: usize = 3;
+
+/// Calls `take` with contact force and measured force (body weights), foot by foot and frame by frame, for these unknowns.
+fn forces(trials: &[FitTrial], vector: &[f64], mut take: impl FnMut(f64, f64)) {
+    let factor = vector[STIFFNESS].exp();
+    for (trial, &up_m) in trials.iter().zip(&vector[FLOORS..]) {
+        for foot in &trial.feet {
+            let law = |(law, _): &(Law, f64)| law.with_dissipation(vector[DISSIPATION]).unwrap_or(*law);
+            let laws: Vec<Law> = foot.laws.iter().map(law).collect();
+            for (measured_n, contacts) in foot.frames([up_m, vector[SPHERES]]) {
+                let sum: f64 = contacts.zip(&laws).map(|((x, rate), law)| law.force(x, rate)).sum();
+                take(factor * sum / trial.weight_n, measured_n / trial.weight_n);
+            }
+        }
+    }
+}
+
+/// x/R of the spheres, foot by foot and frame by frame; of none in frames in which the plates measured no force.
+fn loaded_depths(trials: &[FitTrial], vector: &[f64]) -> impl Iterator<Item = impl Iterator<Item = f64>> {
+    let moved = trials.iter().zip(&vector[FLOORS..]);
+    let feet = moved.flat_map(|(trial, up_m)| trial.feet.iter().map(move |foot| (foot, trial, *up_m)));
+    let frames =
+        feet.flat_map(move |(foot, trial, up_m)| foot.loaded([up_m, vector[SPHERES]], trial.weight_n));
+    frames.map(|spheres| spheres.map(|(x, radius_m)| x / radius_m))
+}
+
+fn errors(trials: &[FitTrial], vector: &[f64]) -> FitErrors {
+    let (mut square, mut count) = (0.0, 0.0_f64);
+    forces(trials, vector, |force, measured| {
+        square += (force - measured).powi(2);
+        count += 1.0;
+    });
+    FitErrors {
+        vertical_rms_bw: (square / count.max(1.0)).sqrt(),
+        largest_relative_indentation: loaded_depths(trials, vector)
+            .flatten()
+            .fold(f64::NEG_INFINITY, f64::max),
+    }
+}
 
 struct FitProblem<'t> {
     trials: &'t [FitTrial],
-    /// Whether all spheres have the fitted dissipation instead of their own.
-    one_dissipation: bool,
+    bounds: FitBounds,
+    /// The lowest and highest floor of each trial, m, if spheres stay.
+    floors_m: Vec<(f64, f64)>,
     config: MPConfig,
     /// For each unknown its limits, and whether it is fixed.
     settings: Vec<MPPar>,
@@ -150,81 +168,54 @@ struct FitProblem<'t> {
 
 impl<'t> FitProblem<'t> {
     fn new(trials: &'t [FitTrial], bounds: &FitBounds) -> Result<Self, FitError> {
-        let &FitBounds { stiffness, dissipation, height, .. } = bounds;
+        let &FitBounds { stiffness, dissipation, height, spheres_move, .. } = bounds;
         let setting = |is_wanted: bool, (low, high): (f64, f64), step: f64| MPPar {
             fixed: !is_wanted,
-            limited_low: true,
-            limited_up: true,
+            limited_low: is_wanted,
+            limited_up: is_wanted,
             limit_low: low,
             limit_up: high,
             step,
             ..MPPar::new()
         };
+        let limits = trials.iter().map(|trial| height_limits(trial, bounds));
+        let floors_m = limits.collect::<Result<Vec<(f64, f64)>, FitError>>()?;
         let largest = LARGEST_STIFFNESS_FACTOR.ln();
+        let shift = (-MOST_SHIFT_OF_SPHERES_M, MOST_SHIFT_OF_SPHERES_M);
         let mut settings = vec![
             setting(stiffness, (-largest, largest), 1e-6),
             setting(dissipation, (0.0, MOST_DISSIPATION_S_M), 1e-6),
+            setting(spheres_move, shift, 1e-8),
         ];
-        for trial in trials {
-            // A fixed floor stays where it is, whatever would be allowed.
-            let limits = if height { height_limits(trial, bounds)? } else { (-1.0, 1.0) };
-            settings.push(setting(height, limits, 1e-8));
-        }
+        // If spheres move, the floor of the first trial stays.
+        settings.extend(floors_m.iter().enumerate().map(|(trial, &limits)| match spheres_move {
+            true => setting(trial > 0, shift, 1e-8),
+            false => setting(height, limits, 1e-8),
+        }));
         let config = MPConfig { ftol: 1e-12, xtol: 1e-10, gtol: 1e-12, max_iter: 100, ..MPConfig::new() };
-        Ok(Self { trials, one_dissipation: dissipation, config, settings })
+        Ok(Self { trials, bounds: *bounds, floors_m, config, settings })
     }
 
-    /// Calls `take` with trial, foot, contact force and measured force (body weights) of each frame, for these unknowns.
-    fn forces(&self, vector: &[f64], mut take: impl FnMut(usize, f64, f64)) {
-        for (number, trial) in self.trials.iter().enumerate() {
-            let (factor, up_m) = (vector[STIFFNESS].exp(), vector[HEIGHTS + number]);
-            for foot in &trial.feet {
-                let other = |law: &Law| {
-                    law.with_dissipation(vector[DISSIPATION]).ok().filter(|_| self.one_dissipation)
-                };
-                let laws: Vec<Law> = foot.laws.iter().map(|(law, _)| other(law).unwrap_or(*law)).collect();
-                for (measured_n, contacts) in foot.frames() {
-                    let each = contacts.iter().zip(&laws);
-                    let sum: f64 = each.map(|((x, rate), law)| law.force(x + up_m, *rate)).sum();
-                    take(number, factor * sum / trial.weight_n, measured_n / trial.weight_n);
-                }
-            }
-        }
-    }
-
-    /// The errors for these unknowns, and the error of each trial.
-    fn errors(&self, vector: &[f64]) -> (FitErrors, Vec<f64>) {
-        let mut sums = vec![(0.0, 0.0); self.trials.len()];
-        self.forces(vector, |trial, force, measured| {
-            sums[trial].0 += (force - measured).powi(2);
-            sums[trial].1 += 1.0;
-        });
-        let rms = |square: f64, count: f64| (square / count.max(1.0)).sqrt();
-        let mut deepest = f64::NEG_INFINITY;
-        for (trial, up_m) in self.trials.iter().zip(&vector[HEIGHTS..]) {
-            for_loaded(trial, |x, radius_m| deepest = deepest.max((x + up_m) / radius_m));
-        }
-        let (square, count) = sums.iter().fold((0.0, 0.0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
-        let errors = FitErrors { vertical_rms_bw: rms(square, count), largest_relative_indentation: deepest };
-        (errors, sums.into_iter().map(|(square, count)| rms(square, count)).collect())
+    /// The problem with its best unknowns and their covariance.
+    fn solve(trials: &'t [FitTrial], bounds: &FitBounds) -> Result<(Self, Vec<f64>, Vec<f64>), FitError> {
+        let mut problem = Self::new(trials, bounds)?;
+        let mut vector = problem.first_guess()?;
+        let covariance = problem.improve(&mut vector).ok_or(FitError::NotConverged)?;
+        Ok((problem, vector, covariance))
     }
 
     /// The best of some heights and dissipations, each with its best stiffness.
     fn first_guess(&self) -> Result<Vec<f64>, FitError> {
-        let (stiffness, dissipation, heights) =
-            (&self.settings[STIFFNESS], &self.settings[DISSIPATION], &self.settings[HEIGHTS..]);
-        let tries_heights = heights.iter().any(|one| !one.fixed);
+        let FitBounds { stiffness, dissipation, height, spheres_move, .. } = self.bounds;
         let mut best: Option<(f64, Vec<f64>)> = None;
-        for alpha in if dissipation.fixed { vec![0.0] } else { DISSIPATIONS.to_vec() } {
-            for step in 0..if tries_heights { FIRST_HEIGHTS } else { 1 } {
+        for alpha in if dissipation { DISSIPATIONS.to_vec() } else { vec![f64::NAN] } {
+            for step in 0..if height { FIRST_HEIGHTS } else { 1 } {
                 let part = (step as f64 + 0.5) / FIRST_HEIGHTS as f64;
-                let height = |one: &MPPar| {
-                    if one.fixed { 0.0 } else { one.limit_low + part * (one.limit_up - one.limit_low) }
-                };
-                let mut vector: Vec<f64> =
-                    [0.0, alpha].into_iter().chain(heights.iter().map(height)).collect();
+                let up_m = |(low, high): &(f64, f64)| if height { low + part * (high - low) } else { 0.0 };
+                let mut vector = vec![0.0, alpha, 0.0];
+                vector.extend(self.floors_m.iter().map(up_m));
                 let (mut model_squared, mut product, mut plates_squared) = (0.0, 0.0, 0.0);
-                self.forces(&vector, |_, force, measured| {
+                forces(self.trials, &vector, |force, measured| {
                     model_squared += force * force;
                     product += force * measured;
                     plates_squared += measured * measured;
@@ -232,9 +223,9 @@ impl<'t> FitProblem<'t> {
                 if !(model_squared > 0.0 && product > 0.0) {
                     continue;
                 }
-                if !stiffness.fixed {
-                    let best = f64::ln(product / model_squared);
-                    vector[STIFFNESS] = best.clamp(stiffness.limit_low, stiffness.limit_up);
+                if stiffness {
+                    let largest = LARGEST_STIFFNESS_FACTOR.ln();
+                    vector[STIFFNESS] = f64::ln(product / model_squared).clamp(-largest, largest);
                 }
                 let factor = vector[STIFFNESS].exp();
                 let square = factor * factor * model_squared - 2.0 * factor * product + plates_squared;
@@ -243,29 +234,107 @@ impl<'t> FitProblem<'t> {
                 }
             }
         }
-        best.map(|(_, vector)| vector).ok_or(FitError::NoContact)
-    }
-}
-
-/// Calls `take` with indentation and radius (m) of each sphere in the frames in which the plates measured a force.
-fn for_loaded(trial: &FitTrial, mut take: impl FnMut(f64, f64)) {
-    for foot in &trial.feet {
-        for (_, contacts) in foot.frames().filter(|(measured_n, _)| *measured_n > ON_BW * trial.weight_n) {
-            contacts.iter().zip(&foot.laws).for_each(|(&(x, _), &(_, radius_m))| take(x, radius_m));
+        let (_, mut vector) = best.ok_or(FitError::NoContact)?;
+        if spheres_move {
+            vector[SPHERES] = vector[FLOORS];
+            let first_m = vector[FLOORS];
+            vector[FLOORS..].iter_mut().for_each(|up_m| *up_m -= first_m);
         }
+        Ok(vector)
+    }
+
+    /// Makes the differences small and returns the covariance of the unknowns; `None` if the search does not converge.
+    fn improve(&mut self, vector: &mut [f64]) -> Option<Vec<f64>> {
+        // The solver refuses a start beyond a limit.
+        for (value, one) in vector.iter_mut().zip(&self.settings).filter(|(_, one)| !one.fixed) {
+            *value = value.max(one.limit_low).min(one.limit_up);
+        }
+        if self.settings.iter().all(|one| one.fixed) {
+            return Some(Vec::new());
+        }
+        let status = self.mpfit(vector).ok()?;
+        (!matches!(status.success, MPSuccess::NotDone)).then_some(status.covar)
+    }
+
+    /// The differences between model and plates, divided by body weight. If spheres move and have a bound, the penalties for those that
+    /// are too deep follow: how deep they go depends on the direction of their bodies.
+    fn deviates(&self, vector: &[f64]) -> Vec<f64> {
+        let mut deviates = Vec::new();
+        forces(self.trials, vector, |force, measured| deviates.push(force - measured));
+        if let Some(most) = self.most_depth() {
+            let excess = |depth: f64| (depth - most).max(0.0).powi(2);
+            let penalties = loaded_depths(self.trials, vector)
+                .map(|depths| TOO_DEEP_BW * depths.map(excess).sum::<f64>().sqrt());
+            deviates.extend(penalties);
+        }
+        deviates
+    }
+
+    fn most_depth(&self) -> Option<f64> {
+        self.bounds.most_relative_indentation.filter(|_| self.bounds.spheres_move)
+    }
+
+    fn frames(&self) -> usize {
+        self.trials.iter().flat_map(|trial| &trial.feet).map(|foot| foot.measured_n.len()).sum()
+    }
+
+    fn rms_bw(&self, vector: &[f64]) -> f64 {
+        let square: f64 = self.deviates(vector).iter().map(|one| one * one).sum();
+        (square / self.frames().max(1) as f64).sqrt()
+    }
+
+    /// The range of an unknown in which a fit of the others is nearly as good as the best one.
+    fn nearly_as_good(&mut self, best: &[f64], place: usize, step: f64) -> (f64, f64) {
+        let rms_bw = self.rms_bw(best);
+        let most_bw = (rms_bw * NEARLY_BEST_FACTOR).max(rms_bw + NEARLY_BEST_BW);
+        let (low, high) = match &self.settings[place] {
+            _ if place == STIFFNESS => (f64::NEG_INFINITY, f64::INFINITY),
+            one => (one.limit_low, one.limit_up),
+        };
+        self.hold(place, true);
+        let ends = [-step, step].map(|mut step| {
+            let mut is_near = |at: f64| {
+                let mut vector = best.to_vec();
+                vector[place] = at.clamp(low, high);
+                self.improve(&mut vector).is_some() && self.rms_bw(&vector) <= most_bw
+            };
+            let mut inside = best[place];
+            for _ in 0..MOST_DOUBLINGS {
+                if !is_near(inside + step) {
+                    break;
+                }
+                inside += step;
+                step *= 2.0;
+            }
+            for _ in 0..HALVINGS {
+                step /= 2.0;
+                if is_near(inside + step) {
+                    inside += step;
+                }
+            }
+            inside.clamp(low, high)
+        });
+        self.hold(place, false);
+        ends.into()
+    }
+
+    /// Keeps an unknown at its value, or frees it.
+    fn hold(&mut self, place: usize, is_fixed: bool) {
+        let one = &mut self.settings[place];
+        (one.fixed, one.limited_low, one.limited_up) = (is_fixed, !is_fixed, !is_fixed);
     }
 }
 
 /// The limits of a floor's height: at least one sphere touches it, and no sphere is deeper than allowed.
 fn height_limits(trial: &FitTrial, bounds: &FitBounds) -> Result<(f64, f64), FitError> {
     let (mut least_m, mut most_m) = (f64::INFINITY, f64::INFINITY);
-    for_loaded(trial, |x, radius_m| {
+    for (x, radius_m) in trial.feet.iter().flat_map(|foot| foot.loaded([0.0; 2], trial.weight_n)).flatten() {
         // This sphere just touches if the floor goes up by -x.
         least_m = least_m.min(-x);
         if let Some(most) = bounds.most_relative_indentation {
             most_m = most_m.min(most * radius_m - x);
         }
-    });
+    }
     if least_m.is_infinite() {
         return Err(FitError::NoForce);
     }
@@ -273,76 +342,100 @@ fn height_limits(trial: &FitTrial, bounds: &FitBounds) -> Result<(f64, f64), Fit
     Ok((least_m.min(most_m - 1e-6), most_m))
 }
 
-/// The effective number of independent differences: fewer than frames, because differences of neighbouring frames are correlated.
-fn independent_count(deviates: &[f64]) -> f64 {
-    let square: f64 = deviates.iter().map(|one| one * one).sum();
-    let shifted: f64 = deviates.windows(2).filter_map(|pair| Some(pair.first()? * pair.get(1)?)).sum();
-    let alike = if square > 0.0 { (shifted / square).clamp(0.0, 0.999) } else { 0.0 };
-    deviates.len() as f64 * (1.0 - alike) / (1.0 + alike)
-}
-
 /// Fits the unknowns to all `trials` together.
 ///
 /// # Errors
 /// Nothing to fit, or no fit.
 pub fn fit_motion(trials: &[FitTrial], bounds: &FitBounds) -> Result<MotionFit, FitError> {
-    let &FitBounds { stiffness, dissipation, height, .. } = bounds;
-    if trials.iter().all(|trial| trial.feet.is_empty()) {
-        return Err(FitError::NoForce);
-    }
-    let mut problem = FitProblem::new(trials, bounds)?;
-    let mut vector = problem.first_guess()?;
-    // The solver refuses a start beyond a limit.
-    for (value, one) in vector.iter_mut().zip(&problem.settings) {
-        *value = value.max(one.limit_low).min(one.limit_up);
-    }
-    let status = problem.mpfit(&mut vector).map_err(|_| FitError::NotConverged)?;
-    if matches!(status.success, MPSuccess::NotDone) {
-        return Err(FitError::NotConverged);
-    }
-    let mut deviates = vec![0.0; problem.number_of_points()];
-    drop(problem.eval(&vector, &mut deviates));
-    let square: f64 = deviates.iter().map(|one| one * one).sum();
-    let fitted = problem.settings.iter().filter(|one| !one.fixed).count();
-    // The covariance of mpfit assumes deviates with a variance of 1.
-    let scale = square / (independent_count(&deviates) - fitted as f64).max(1.0);
-    let covariance = |i: usize, j: usize| status.covar.get(i * vector.len() + j).copied().unwrap_or(f64::NAN);
-    let parameter = |place: usize, map: fn(f64) -> f64| {
-        let (value, one) = (vector[place], &problem.settings[place]);
-        let error = 2.0 * (scale * covariance(place, place)).sqrt();
-        FittedParameter {
-            value: map(value),
-            range: (map((value - error).max(one.limit_low)), map((value + error).min(one.limit_up))),
-        }
+    let (problem, best, covariance) = FitProblem::solve(trials, bounds)?;
+    let thin = |foot: &FootForces| {
+        let frames = foot.measured_n.len();
+        foot.in_frames((0..frames).step_by(frames.div_ceil(MOST_FRAMES).max(1)))
+    };
+    let thin_trial = |trial: &FitTrial| trial.with_feet(trial.feet.iter().map(thin).collect());
+    let thinned: Vec<FitTrial> = trials.iter().map(thin_trial).collect();
+    let mut thinned = FitProblem { trials: &thinned, ..FitProblem::new(trials, bounds)? };
+    let mut parameter = |place: usize, step: f64, map: fn(f64) -> f64| {
+        let (value, one) = (best[place], &problem.settings[place]);
+        let near = 1e-6 * (one.limit_up - one.limit_low);
+        (!one.fixed).then(|| {
+            let (low, high) = thinned.nearly_as_good(&best, place, step);
+            let at_bound = value - one.limit_low <= near || one.limit_up - value <= near;
+            FittedParameter { value: map(value), nearly_as_good: (map(low), map(high)), at_bound }
+        })
     };
     let same = |value: f64| value;
-    let correlation = covariance(STIFFNESS, HEIGHTS)
-        / (covariance(STIFFNESS, STIFFNESS) * covariance(HEIGHTS, HEIGHTS)).sqrt();
-    let (after, trials_rms_bw) = problem.errors(&vector);
-    let unchanged = FitProblem { one_dissipation: false, ..FitProblem::new(trials, bounds)? };
+    let height = if bounds.spheres_move { SPHERES } else { FLOORS };
+    let covariance = |i: usize, j: usize| covariance[i * best.len() + j];
+    let correlation = || {
+        covariance(STIFFNESS, height) / (covariance(STIFFNESS, STIFFNESS) * covariance(height, height)).sqrt()
+    };
+    let rms_of_trial = |(number, trial): (usize, &FitTrial)| {
+        let vector = [&best[..FLOORS], &best[FLOORS + number..]].concat();
+        errors(std::slice::from_ref(trial), &vector).vertical_rms_bw
+    };
+    let mut unchanged = vec![0.0; best.len()];
+    unchanged[DISSIPATION] = f64::NAN;
     Ok(MotionFit {
-        stiffness_factor: stiffness.then(|| parameter(STIFFNESS, f64::exp)),
-        dissipation: dissipation.then(|| parameter(DISSIPATION, same)),
-        floor_up_m: (HEIGHTS..vector.len()).filter(|_| height).map(|place| parameter(place, same)).collect(),
-        stiffness_height_correlation: (stiffness && height).then_some(correlation),
-        before: unchanged.errors(&vec![0.0; vector.len()]).0,
-        after,
-        trials_rms_bw,
+        stiffness_factor: parameter(STIFFNESS, 1.0, f64::exp),
+        dissipation: parameter(DISSIPATION, 0.5, same),
+        spheres_down_m: parameter(SPHERES, HEIGHT_STEP_M, same),
+        floor_up_m: (FLOORS..best.len()).filter_map(|place| parameter(place, HEIGHT_STEP_M, same)).collect(),
+        stiffness_height_correlation: (bounds.stiffness && bounds.height).then(correlation),
+        before: errors(trials, &unchanged),
+        after: errors(trials, &best),
+        trials_rms_bw: trials.iter().enumerate().map(rms_of_trial).collect(),
+        held_out: test_on_held_out(trials, bounds),
         beside: trials.iter().map(|trial| trial.beside).sum(),
     })
 }
 
+/// Fits each foot and tests the fit on the others; with only one foot, fits each half of the data and tests the fit on the other
+/// half.
+fn test_on_held_out(trials: &[FitTrial], bounds: &FitBounds) -> Vec<HeldOut> {
+    let feet = trials.iter().map(|trial| trial.feet.len()).min().unwrap_or(0);
+    let names = |part: &[FitTrial], half: &str| match part {
+        [first, ..] if feet > 1 => {
+            first.feet.iter().map(|foot| foot.name.as_str()).collect::<Vec<&str>>().join(" and the ")
+        }
+        _ => format!("{half} half"),
+    };
+    let part = |number: usize, is_fitted: bool| -> Vec<FitTrial> {
+        let one = |(index, foot): (usize, &FootForces)| {
+            let (frames, middle) = (foot.measured_n.len(), foot.measured_n.len() / 2);
+            match feet > 1 {
+                true => ((index == number) == is_fitted).then(|| foot.clone()),
+                false if (number == 0) == is_fitted => Some(foot.in_frames(0..middle)),
+                false => Some(foot.in_frames(middle..frames)),
+            }
+        };
+        let each = trials.iter();
+        each.map(|trial| trial.with_feet(trial.feet.iter().enumerate().filter_map(one).collect())).collect()
+    };
+    let halves = ["first", "second"];
+    let test = |number: usize| {
+        let (fitted, tested) = (part(number, true), part(number, false));
+        // Every fit passes a test on a foot in the air.
+        let has_force = |trial: &FitTrial| trial.feet.iter().any(|foot| foot.has_force(trial.weight_n));
+        let (_, best, _) =
+            FitProblem::solve(&fitted, bounds).ok().filter(|_| tested.iter().any(has_force))?;
+        Some(HeldOut {
+            fitted: names(&fitted, halves[number % 2]),
+            tested: names(&tested, halves[1 - number % 2]),
+            vertical_rms_bw: errors(&tested, &best).vertical_rms_bw,
+        })
+    };
+    (0..feet.max(2)).filter_map(test).collect()
+}
+
 impl MPFitter for FitProblem<'_> {
     fn eval(&mut self, vector: &[f64], deviates: &mut [f64]) -> MPResult<()> {
-        let mut places = deviates.iter_mut();
-        self.forces(vector, |_, force, measured| {
-            places.by_ref().take(1).for_each(|place| *place = force - measured);
-        });
+        deviates.copy_from_slice(&self.deviates(vector));
         Ok(())
     }
 
     fn number_of_points(&self) -> usize {
-        self.trials.iter().flat_map(|trial| &trial.feet).map(|foot| foot.measured_n.len()).sum()
+        self.frames() * if self.most_depth().is_some() { 2 } else { 1 }
     }
 
     fn config(&self) -> &MPConfig {

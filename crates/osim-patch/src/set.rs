@@ -52,6 +52,8 @@ pub struct Set {
     pub assignments: Vec<(Property, Assignment)>,
     /// New centres of spheres for level feet, in their own frames, m; `None` if they stay.
     pub level: Option<Vec<(SphereId, [f64; 3])>>,
+    /// Fitted centres of spheres, in their own frames, m.
+    pub centres: Vec<(SphereId, [f64; 3])>,
     /// Half-spaces with their new places in their frames, m.
     pub planes: Vec<(HalfSpace, [f64; 3])>,
     /// Text of the note about the recordings, if the values were fitted to recordings; `None` if the caller gave the values.
@@ -137,6 +139,10 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         plan.move_sphere(sphere, location_m, ChangedBy::Level)?;
     }
     let is_level = !plan.moves.is_empty();
+    for &(sphere, location_m) in &wanted.centres {
+        users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Fit)?;
+        plan.move_sphere(sphere, location_m, ChangedBy::Fit)?;
+    }
     for (plane, location_m) in &wanted.planes {
         plan.move_half_space(plane, *location_m, ChangedBy::Fit)?;
     }

@@ -31,6 +31,7 @@ function shape = shapes(result)
             shape.changes{1}.line = 'number';
             shape.changes{1}.inserted = 'truth';
             shape.errors.vertical_rms_bw = 'number';
+            shape.errors.held_out_vertical_rms_bw = 'number';
             shape.errors.null_vertical_rms_bw = 'number';
             shape.errors.horizontal_rms_bw = 'number';
             shape.errors.cop_rms_m = 'number';

@@ -94,6 +94,7 @@ inputs! {
     Gravity = "gravity", "gravity";
     Grid = "grid", "values along an axis";
     Height = "height", "height of the drop";
+    HeightIn = "height_in", "what a fitted height moves";
     HeightRatio = "height_ratio", "ratio of the heights";
     HertzSmoothing = "hertz_smoothing", "Hertz smoothing";
     HuntCrossleySmoothing = "hunt_crossley_smoothing", "Hunt-Crossley smoothing";

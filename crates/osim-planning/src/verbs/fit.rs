@@ -1,18 +1,19 @@
 //! The verb `fit` with recordings: fits contacts to recorded gaits.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use osim_inspect::{ContactsOrigin, InspectOptions};
+use osim_inspect::{ContactsOrigin, Figure, InspectOptions};
 use osim_model::files::{FileName, Files, OpenModel};
-use osim_model::messages::{Input, Phrase, Verb, phrase, shortest};
-use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected};
+use osim_model::messages::{Input, Phrase, Verb, phrase, shortest, shown};
+use osim_model::{Assignment, Fault, HalfSpace, Mass, MassSource, Model, Property, Selected, SphereId};
 use osim_motion::fit::{FitBounds, FitError, FitTrial, FootForces, MotionFit, fit_motion};
 use osim_motion::{
     Belt, ContactStates, Foot, MeasuredForces, Recording, RecordingOptions, StatesError, Summary, Table,
 };
 use osim_patch::{Plan, RecordingErrors, Set, set};
 use osim_requests::options::InspectionOptions;
-use osim_requests::{FitRequest, FittedChoice, MotionRequest, RequestError, RequestFault};
+use osim_requests::{FitRequest, FittedChoice, HeightChoice, MotionRequest, RequestError, RequestFault};
 
 use super::fit_remarks::remarks;
 use crate::consistency::MotionRemark;
@@ -78,8 +79,14 @@ pub(crate) fn prepare(request: FitRequest, files: &dyn Files) -> Result<Prepared
         stiffness: is_wanted(FittedChoice::Stiffness),
         dissipation: is_wanted(FittedChoice::Dissipation),
         height: is_wanted(FittedChoice::Height),
+        spheres_move: request.height_in == HeightChoice::Spheres,
         most_relative_indentation: (!request.unbounded).then_some(1.0),
     };
+    if bounds.spheres_move && !bounds.height {
+        let fit_it = Input::Fit.with_value("height");
+        let why = phrase!["no height is fitted: leave out {}, or add {}"; Input::HeightIn, fit_it];
+        return Err(RequestFault::refused(Input::HeightIn, why).into());
+    }
     let FitRequest { masses, choice, output, answers, set_files, .. } = request;
     let inspection = InspectionOptions { masses, choice, set_files, answers, ..InspectionOptions::default() };
     let planner = FitPlanner { trials, bounds, options: InspectOptions::from(&inspection) };
@@ -113,19 +120,23 @@ impl FitPlanner {
         Ok((recording, states, feet))
     }
 
-    /// The contacts of a model along one recording.
+    /// The contacts of a model along one recording. `first` is the first recording of the fit.
     fn trial_states(
         &self,
         trial: &TrialInput,
         model: &Model,
         selected: &Selected,
         weight_n: f64,
+        first: Option<&TrialStates>,
     ) -> Result<TrialStates, Fault> {
-        let (_, states, feet) = self.follow_trial(trial, model, selected)?;
+        let (recording, states, feet) = self.follow_trial(trial, model, selected)?;
         let measured = MeasuredForces::of(&trial.plates.plates, &feet, &states, weight_n);
         let summary = Summary::of(&states, &feet, Some(&measured), weight_n);
-        let trial = FitTrial::of(&states, &feet, &measured, weight_n);
-        Ok(TrialStates { summary, trial, planes: states.planes, measured })
+        let (parts, can_move) = ((feet.as_slice(), &measured), self.bounds.spheres_move);
+        let first = first.map(|first| &first.trial);
+        let fitted = FitTrial::of(model, &recording, &states, parts, weight_n, can_move, first)
+            .map_err(|error| fault_of_states(&trial.name, error))?;
+        Ok(TrialStates { summary, trial: fitted, planes: states.planes, measured })
     }
 
     /// The new values of parameters and places of spheres after a fit.
@@ -150,8 +161,8 @@ impl FitPlanner {
             assignments.push((Property::Dissipation, assignment));
         }
         let mut wanted = Set::new(assignments);
-        // Each trial has a floor of its own. The model gets the floor of the first trial.
-        if let Some(up) = fit.floor_up_m.first() {
+        // Each trial has a floor of its own. The model gets the floor of the first trial, unless spheres move instead.
+        if let Some(up) = fit.floor_up_m.first().filter(|_| fit.spheres_down_m.is_none()) {
             let up_m = (up.value * 1e6).round() / 1e6;
             summary.push(format!("floor_up={}", shortest(up_m)));
             for plane in states_of_trials.first().into_iter().flat_map(|first| &first.planes) {
@@ -165,6 +176,10 @@ impl FitPlanner {
                 wanted.planes.push((plane.clone(), plane.location_moved_up(up_m).ok_or_else(none)?));
             }
         }
+        if let Some(down) = fit.spheres_down_m {
+            wanted.centres = fitted_centres(model, states_of_trials, down.value)?;
+            summary.push("spheres".to_owned());
+        }
         wanted.fitted = Some(summary.join(" "));
         // Contacts are made for the body whose gait they were fitted to.
         wanted.made_for_kg = Some(mass_kg);
@@ -174,6 +189,16 @@ impl FitPlanner {
             ContactsOrigin::find(model, &selected.forces, &self.options.masses, &self.options.stance);
         wanted.contacts_mass = origin.ok().map(|origin| origin.mass).or_else(noted);
         Ok(wanted)
+    }
+
+    /// A remark with the dimensionless numbers of the fitted contact, which do not change when it is rescaled.
+    fn remark_on_dimensionless_numbers(&self, changed: &Model) -> Option<Phrase> {
+        let inspected = self.options.inspect(FileName::from(Path::new("model")), changed, None);
+        let sphere = inspected.figures.spheres().next()?;
+        let depth = sphere.value(Figure::Indentation)?;
+        let (stiffness, name) = (sphere.value(Figure::DimensionlessStiffness)?, shown(&sphere.sphere));
+        let text = format!("in dimensionless form, at body weight on one limb: x/R {depth:.2} by Hertz");
+        Some(format!("{text}, k R n/F {stiffness:.2} ({name}); rescaling keeps both at other sizes").into())
     }
 }
 
@@ -195,8 +220,11 @@ impl Planner for FitPlanner {
         let selected = self.options.selection.apply(model)?;
         let (mass_kg, gravity_m_s2) = mass_and_gravity(&self.options.masses, model)?;
         let weight_n = mass_kg * gravity_m_s2;
-        let follow = |trial| self.trial_states(trial, model, &selected, weight_n);
-        let states_of_trials = self.trials.iter().map(follow).collect::<Result<Vec<TrialStates>, _>>()?;
+        let mut states_of_trials: Vec<TrialStates> = Vec::new();
+        for trial in &self.trials {
+            let states = self.trial_states(trial, model, &selected, weight_n, states_of_trials.first())?;
+            states_of_trials.push(states);
+        }
         let trials: Vec<FitTrial> = states_of_trials.iter().map(|one| one.trial.clone()).collect();
         let uses = || states_of_trials.iter().flat_map(|one| &one.measured.uses);
         let plate_of_no_foot = uses().find(|one| one.by.is_none()).map(|one| &one.plate);
@@ -211,7 +239,9 @@ impl Planner for FitPlanner {
         let after = Summary::of(&states, &feet, Some(&first.measured), weight_n);
         let errors = recording_errors(&fit, &trials, &after)?;
         plan.errors = Some(errors);
-        plan.floor_up_m = fit.floor_up_m.iter().map(|up| up.value).collect();
+        // If spheres move, the floor of the first recording stays.
+        let first_m = fit.spheres_down_m.map(|_| 0.0);
+        plan.floor_up_m = first_m.into_iter().chain(fit.floor_up_m.iter().map(|up| up.value)).collect();
         let others = match wanted.planes.is_empty() {
             true => Vec::new(),
             false => other_forces_on(model, &selected, &first.planes),
@@ -225,6 +255,7 @@ impl Planner for FitPlanner {
         let null = format!("a model that never touches has an error of {null_bw:.3} body weights (rms)");
         plan.remarks.push(null.into());
         plan.remarks.extend(remarks(&fit, &trials, (&first.summary, &after), &self.bounds, &others));
+        plan.remarks.extend(self.remark_on_dimensionless_numbers(&changed));
         Ok(plan)
     }
 }
@@ -271,7 +302,6 @@ fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Re
     let feet = || after.feet.iter().filter_map(|foot| foot.comparison.as_ref());
     let largest = |a: f64, b: f64| if a.is_nan() || a > b { a } else { b };
     let worst = |of: fn(&osim_motion::Comparison) -> f64| feet().map(of).fold(0.0, largest);
-    let null_rms_bw = null_rms_bw(trials);
     let others = fit.trials_rms_bw.iter().skip(1).copied().fold(0.0, largest);
     let vertical_rms_bw = largest(worst(|one| one.normal_rms_n) / after.weight_n, others);
     let horizontal_rms_bw = worst(|one| one.horizontal_rms_n) / after.weight_n;
@@ -280,11 +310,34 @@ fn recording_errors(fit: &MotionFit, trials: &[FitTrial], after: &Summary) -> Re
     }
     Ok(RecordingErrors {
         vertical_rms_bw,
-        null_vertical_rms_bw: null_rms_bw,
+        held_out_vertical_rms_bw: fit.held_out.iter().map(|one| one.vertical_rms_bw).reduce(f64::max),
+        null_vertical_rms_bw: null_rms_bw(trials),
         horizontal_rms_bw,
         cop_rms_m: feet().filter_map(|one| one.cop_rms_m).reduce(f64::max),
         largest_relative_indentation: fit.after.largest_relative_indentation,
     })
+}
+
+/// The new centres of all fitted spheres in their own frames, m, rounded to micrometres.
+fn fitted_centres(
+    model: &Model,
+    trials: &[TrialStates],
+    down_m: f64,
+) -> Result<Vec<(SphereId, [f64; 3])>, Fault> {
+    let is_fitted =
+        |id: &SphereId| trials.iter().flat_map(|one| &one.trial.feet).any(|foot| foot.spheres.contains(id));
+    let directions: BTreeMap<_, _> =
+        trials.iter().take(1).flat_map(|first| first.trial.down.iter().copied()).collect();
+    let mut centres = Vec::new();
+    for (id, down) in directions.into_iter().filter(|(id, _)| is_fitted(id)) {
+        let Some(sphere) = model.sphere(id) else { continue };
+        let by_m = model.rotation_of(sphere)?.inverse().to_body(down_m * down);
+        let rounded = |metres: f64| (metres * 1e6).round() / 1e6;
+        // A coordinate that does not change keeps all its digits.
+        let moved = |at_m: f64, by_m: f64| if rounded(by_m) == 0.0 { at_m } else { rounded(at_m + by_m) };
+        centres.push((id, std::array::from_fn(|axis| moved(sphere.location_m[axis], by_m[axis]))));
+    }
+    Ok(centres)
 }
 
 /// The change of stiffness: a new value if all forces have the same stiffness, else a factor.

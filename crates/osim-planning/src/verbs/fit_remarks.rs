@@ -1,12 +1,13 @@
 //! Remarks on a fit to recordings.
 
 use osim_model::messages::{Input, Phrase, phrase, shown};
-use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, MotionFit};
+use osim_motion::fit::{FitBounds, FitTrial, FittedParameter, HeldOut, MotionFit};
 use osim_motion::{FootSummary, Summary};
 
-/// The recordings do not determine the stiffness if the largest of the range is more than this many times the smallest.
+/// The recordings do not determine the stiffness if the largest stiffness that fits nearly as well is more than this many times the
+/// smallest.
 const WIDE_STIFFNESS_RATIO: f64 = 3.0;
-/// The recordings do not determine the dissipation if its range is wider than this, s/m.
+/// The recordings do not determine the dissipation if the dissipations that fit nearly as well differ by more than this, s/m.
 const WIDE_DISSIPATION_S_M: f64 = 1.0;
 /// The recordings do not determine stiffness and height separately if the correlation of the two is larger than this.
 const STRONG_CORRELATION: f64 = 0.95;
@@ -25,15 +26,31 @@ pub(super) fn remarks(
         let (number, text) = (trial + 1, "the error of all its feet is");
         remarks.push(format!("trial {number}: {text} {rms_bw:.3} body weights (rms)").into());
     }
-    remarks.extend(remark_if_worse(fit));
-    let trials = fit.trials_rms_bw.len();
-    remarks.extend(fit.floor_up_m.iter().enumerate().map(|(trial, up)| remark_on_floor(trial, trials, up)));
+    remarks.extend(remark_if_worse(fit, bounds));
+    for HeldOut { fitted, tested, vertical_rms_bw } in &fit.held_out {
+        let text = format!("held out: fitted to the {fitted}, the error at the {tested} is");
+        remarks.push(format!("{text} {vertical_rms_bw:.3} body weights (rms)").into());
+    }
+    // If spheres move, the floor of the first trial stays, and heights of floors begin with the second trial.
+    let first = 1 + usize::from(fit.spheres_down_m.is_some());
+    for (number, up) in (first..).zip(&fit.floor_up_m) {
+        let of_trial =
+            if fit.trials_rms_bw.len() > 1 { format!(" of trial {number}") } else { String::new() };
+        let height = height_in_words(up, ["down", "up"], bound_in_words(up));
+        remarks.push(format!("the floor{of_trial} goes {height}").into());
+    }
     remarks.extend(remark_on_other_forces(others));
+    remarks.extend(fit.spheres_down_m.map(|down| {
+        let height = height_in_words(&down, ["up", "down"], " in their bodies, and the floor stays");
+        Phrase::from(format!("all spheres go {height}"))
+    }));
     remarks.extend(fit.stiffness_factor.as_ref().map(remark_on_stiffness));
     remarks.extend(fit.stiffness_height_correlation.and_then(remark_on_correlation));
     remarks.extend(fit.dissipation.as_ref().map(remark_on_dissipation));
+    remarks.extend(remark_on_scatter(before));
     let is_deep = fit.after.largest_relative_indentation > 0.999;
-    if bounds.most_relative_indentation.is_some() && is_deep {
+    if bounds.most_relative_indentation.is_some() && (is_deep || fit.floor_up_m.iter().any(|up| up.at_bound))
+    {
         remarks.push(phrase![
             "a sphere is as deep as its radius, which is the bound: ",
             Input::Unbounded,
@@ -72,11 +89,14 @@ fn remarks_on_feet_without_force(trials: &[FitTrial]) -> Vec<Phrase> {
 }
 
 /// A remark if the errors of the fitted model, compared with the plates, are larger than those of the original model.
-fn remark_if_worse(fit: &MotionFit) -> Option<Phrase> {
+fn remark_if_worse(fit: &MotionFit, bounds: &FitBounds) -> Option<Phrase> {
     let (after, before) = (fit.after.vertical_rms_bw, fit.before.vertical_rms_bw);
     let depth = fit.before.largest_relative_indentation;
     let text = "the fitted model is further from the measured force than the model as it is";
-    let text = format!("{text} ({after:.3} body weights, {before:.3} before; x/R up to {depth:.2} before)");
+    let mut text = format!("{text} ({after:.3} body weights, {before:.3} before)");
+    if bounds.most_relative_indentation.is_some() && depth > 1.0 {
+        text.push_str(&format!(": its spheres are up to x/R {depth:.2} deep, deeper than the bound allows"));
+    }
     (after > before).then(|| text.into())
 }
 
@@ -93,20 +113,24 @@ fn remark_on_correlation(correlation: f64) -> Option<Phrase> {
     (correlation.abs() > STRONG_CORRELATION).then(|| format!("{text} (correlation {correlation:.2})").into())
 }
 
-fn remark_on_floor(trial: usize, trials: usize, up: &FittedParameter) -> Phrase {
-    let way = if up.value < 0.0 { "down" } else { "up" };
-    let of_trial = if trials > 1 { format!(" of trial {}", trial + 1) } else { String::new() };
-    let mut range = [up.range.0, up.range.1].map(|metres| 1e3 * metres * f64::copysign(1.0, up.value));
-    range.sort_by(f64::total_cmp);
-    let ([low, high], mm) = (range, 1e3 * up.value.abs());
-    let range = format!("{low:.1} to {high:.1} mm within two standard errors");
-    format!("the floor{of_trial} goes {way} by {mm:.1} mm; {range}").into()
+fn bound_in_words(one: &FittedParameter) -> &'static str {
+    if one.at_bound { ", the bound of the search" } else { "" }
+}
+
+/// A height in its direction, one of two `ways`, and the range of heights.
+fn height_in_words(height: &FittedParameter, ways: [&str; 2], more: &str) -> String {
+    let (low_m, high_m) = height.nearly_as_good;
+    let (way, low_m, high_m) =
+        if height.value < 0.0 { (ways[0], -high_m, -low_m) } else { (ways[1], low_m, high_m) };
+    // Adding 0 removes the sign of a negative zero.
+    let [value, low, high] = [height.value.abs(), low_m, high_m].map(|m| (1e4 * m).round() / 10.0 + 0.0);
+    format!("{way} by {value:.1} mm{more}; {low:.1} to {high:.1} mm fit nearly as well")
 }
 
 fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
-    let (low, high) = factor.range;
-    let range = format!("{low:.2} to {high:.2} times within two standard errors");
-    let text = format!("stiffness: {:.3} times that of the model; {range}", factor.value);
+    let ((low, high), bound) = (factor.nearly_as_good, bound_in_words(factor));
+    let range = format!("{low:.2} to {high:.2} times fit nearly as well");
+    let text = format!("stiffness: {:.3} times that of the model{bound}; {range}", factor.value);
     if high / low > WIDE_STIFFNESS_RATIO {
         let advice = Input::Fit.with_value("height");
         return phrase![text, ": it is not determined. Keep the published one with ", advice];
@@ -115,8 +139,18 @@ fn remark_on_stiffness(factor: &FittedParameter) -> Phrase {
 }
 
 fn remark_on_dissipation(dissipation: &FittedParameter) -> Phrase {
-    let (low, high) = dissipation.range;
+    let (low, high) = dissipation.nearly_as_good;
     let undetermined = if high - low > WIDE_DISSIPATION_S_M { ": it is not determined" } else { "" };
-    let range = format!("{low:.2} to {high:.2} s/m within two standard errors{undetermined}");
+    let range = format!("{low:.2} to {high:.2} s/m fit nearly as well{undetermined}");
     format!("dissipation: {:.2} s/m; {range}", dissipation.value).into()
+}
+
+/// A remark if the height of a foot in stance varies by more than the radius of the spheres.
+fn remark_on_scatter(before: &Summary) -> Option<Phrase> {
+    let widest = before.feet.iter().filter_map(|foot| foot.stance_scatter_m).reduce(f64::max)?;
+    let radius_m = before.smallest_radius_m?;
+    let (scatter, radius) = (1e3 * widest, 1e3 * radius_m);
+    let text = format!("in the recording, the height of the feet in stance varies by {scatter:.0} mm");
+    let text = format!("{text}, more than the radius ({radius:.0} mm): the stiffness cannot be determined");
+    (widest > radius_m).then(|| text.into())
 }

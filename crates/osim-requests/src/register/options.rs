@@ -366,6 +366,7 @@ pub(super) fn entry_of(field: Field<'_>, verb: Verb) -> Option<Entry> {
         Fit = choice(FittedChoice::WORDS).list_if(true).called("WHAT"), "What to fit; may be repeated [default: stiffness, dissipation \
                                                                 and height]";
         Unbounded = flag(), "Let spheres go deeper than their radius";
+        HeightIn = choice(HeightChoice::WORDS).called("WHAT"), "What a fitted height moves";
     }
     COLUMNS => {
         IndentationColumn = value("NAME"), "Column of the indentation";

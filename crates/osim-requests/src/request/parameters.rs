@@ -35,6 +35,7 @@ fields! {
         loads: Vec<PathBuf> as "path::List",
         fit: Vec<FittedChoice>,
         unbounded: bool,
+        height_in: HeightChoice,
         belt: Option<Signed>,
         belt_column: Option<String>,
         start: Option<Signed>,
@@ -55,7 +56,7 @@ fields! {
     } where
         Required("file"), RequiredUnless("radius", "motion"), Needs("motion", "plates"),
         Needs("plates", "motion"), Needs("loads", "motion"), Needs("fit", "motion"),
-        Needs("unbounded", "motion"), Needs("belt", "motion"),
+        Needs("unbounded", "motion"), Needs("height_in", "motion"), Needs("belt", "motion"),
         Needs("belt_column", "motion"), Needs("start", "motion"), Needs("end", "motion"), Excludes("belt", "belt_column"), Needs("angles", "motion"),
         Needs("low_pass", "motion"), Needs("output", "motion"), Needs("output_dir", "motion"),
         Needs("in_place", "motion"), Needs("report", "motion"), Needs("summary", "motion"),
@@ -91,6 +92,12 @@ choices! {
         Stiffness = "stiffness", "All stiffnesses, by one factor";
         Dissipation = "dissipation", "The dissipation of all forces";
         Height = "height", "How high the floor is";
+    }
+
+    /// The object that a fitted height moves.
+    HeightChoice: Floor {
+        Floor = "floor", "The floor, along its normal: spheres stay on the sole";
+        Spheres = "spheres", "All spheres, in their bodies: the floor stays";
     }
 
     /// Unit of a length.

@@ -61,6 +61,8 @@ pub enum RadiusChangeReason {
     Assignment,
     /// The bottoms of a foot are made level: the centre changes, not the radius.
     Level,
+    /// A fit moves spheres: the centre changes, not the radius.
+    Fit,
 }
 
 impl RadiusChangeReason {
@@ -71,6 +73,7 @@ impl RadiusChangeReason {
             Self::ContactStiffness => phrase!["leave out ", Input::ContactStiffness],
             Self::Assignment => "set no radius".into(),
             Self::Level => phrase!["leave out ", Input::Level],
+            Self::Fit => phrase!["fit what moves no sphere, such as ", Input::Fit.with_value("height")],
         }
     }
 }
