@@ -49,7 +49,7 @@ fn as_markdown(text: &str) -> String {
     let words = pieces.collect::<String>();
     let words = words.split(' ').map(|word| {
         match word.split_once("docs/").and_then(|(before, page)| Some((before, page.split_once(".md")?))) {
-            Some((before, (page, after))) => format!("{before}[{page}]({DOCS}{page}.md){after}"),
+            Some((before, (page, after))) => format!("{before}[{page}]({DOCS_MARK}{page}.md){after}"),
             None => word.to_owned(),
         }
     });
@@ -57,7 +57,7 @@ fn as_markdown(text: &str) -> String {
 }
 
 /// The start of links to other pages, which `generated_parts_of_the_docs_are_up_to_date` replaces by a relative path.
-const DOCS: &str = "docs:";
+const DOCS_MARK: &str = "docs:";
 
 /// A table in Markdown. No blanks are beside its bars, because bars between blanks would count as words of the page.
 fn markdown_table(header: &[&str], rows: impl Iterator<Item = Vec<String>>) -> String {
@@ -118,7 +118,7 @@ fn published_models_table() -> Option<String> {
         kinds.into_iter().for_each(|kind| models_by_code.entry(kind).or_default().push(name.clone()));
     }
     let rows = models_by_code.into_iter().map(|((severity, code), models)| {
-        let names_of_few = if models.len() <= MOST_NAMED { models.join(", ") } else { String::new() };
+        let names_of_few = if models.len() <= MOST_NAMED_RECORDS { models.join(", ") } else { String::new() };
         vec![format!("`{code}`"), severity.0.as_str().to_owned(), models.len().to_string(), names_of_few]
     });
     let with_warnings =
@@ -131,7 +131,7 @@ fn published_models_table() -> Option<String> {
 }
 
 /// Most models that a row of the table names.
-const MOST_NAMED: usize = 3;
+const MOST_NAMED_RECORDS: usize = 3;
 
 /// The findings of a published model; `None` if it has no contacts.
 fn check_published(path: &Path) -> Option<CheckResult> {
@@ -201,25 +201,26 @@ fn exit_statuses_table() -> String {
 
 /// All generated parts of docs/: the page, the name and the text of each.
 fn parts_of_pages() -> Vec<(&'static str, &'static str, String)> {
-    const FINDINGS: &str = "reference/findings.md";
-    const ERRORS: &str = "reference/errors.md";
-    const JSON: &str = "reference/json.md";
+    const FINDINGS_PAGE: &str = "reference/findings.md";
+    const ERRORS_PAGE: &str = "reference/errors.md";
+    const JSON_PAGE: &str = "reference/json.md";
     let published = published_models_table().map(|text| ("check.md", "published", text));
     let others = vec![
-        (FINDINGS, "findings-error", findings_table(Severity::Error)),
-        (FINDINGS, "findings-warning", findings_table(Severity::Warning)),
-        (FINDINGS, "findings-remark", findings_table(Severity::Remark)),
+        (FINDINGS_PAGE, "findings-error", findings_table(Severity::Error)),
+        (FINDINGS_PAGE, "findings-warning", findings_table(Severity::Warning)),
+        (FINDINGS_PAGE, "findings-remark", findings_table(Severity::Remark)),
         ("check.md", "limits", limits_table()),
-        (JSON, "figures", figures_table()),
-        (JSON, "design-figures", design_figures_table()),
-        (ERRORS, "exit-statuses", exit_statuses_table()),
-        (ERRORS, "errors-file", errors_table(ErrorGroup::File)),
-        (ERRORS, "errors-model", errors_table(ErrorGroup::Model)),
-        (ERRORS, "errors-question", errors_table(ErrorGroup::Question)),
-        (ERRORS, "errors-request", errors_table(ErrorGroup::Request)),
+        (JSON_PAGE, "figures", figures_table()),
+        (JSON_PAGE, "design-figures", design_figures_table()),
+        (ERRORS_PAGE, "exit-statuses", exit_statuses_table()),
+        (ERRORS_PAGE, "errors-file", errors_table(ErrorGroup::File)),
+        (ERRORS_PAGE, "errors-model", errors_table(ErrorGroup::Model)),
+        (ERRORS_PAGE, "errors-question", errors_table(ErrorGroup::Question)),
+        (ERRORS_PAGE, "errors-request", errors_table(ErrorGroup::Request)),
     ];
-    let records =
-        records::PARTS.iter().map(|(part, schemas)| (JSON, *part, records::table_of_records(schemas)));
+    let records = records::PARTS_OF_JSON_PAGE
+        .iter()
+        .map(|(part, schemas)| (JSON_PAGE, *part, records::table_of_records(schemas)));
     others.into_iter().chain(records).chain(published).collect()
 }
 
@@ -243,9 +244,12 @@ fn generated_parts_of_the_docs_are_up_to_date() {
         let path = page_path(name);
         let current = std::fs::read_to_string(&path).unwrap();
         let to_docs = "../".repeat(name.matches('/').count());
-        let new =
-            with_part_replaced(&current, part, &text.replace(&format!("]({DOCS}"), &format!("]({to_docs}")))
-                .unwrap_or_else(|| panic!("{name} has no marks of {part}"));
+        let new = with_part_replaced(
+            &current,
+            part,
+            &text.replace(&format!("]({DOCS_MARK}"), &format!("]({to_docs}")),
+        )
+        .unwrap_or_else(|| panic!("{name} has no marks of {part}"));
         if update && new != current {
             std::fs::write(&path, new).unwrap();
         } else if new != current {
@@ -260,7 +264,7 @@ fn generated_parts_of_the_docs_are_up_to_date() {
 }
 
 #[test]
-fn a_changed_part_is_detected() {
+fn a_changed_part_of_a_generated_page_is_detected() {
     let page = "before\n<!-- begin x -->\n\nold\n<!-- end x -->\nafter\n";
     assert_eq!(
         with_part_replaced(page, "x", "old").as_deref(),

@@ -19,7 +19,7 @@ use schemars::{JsonSchema, Schema};
 use serde_json::Value;
 
 /// Most letters in a line of a schema that can be broken.
-const WIDTH: usize = 140;
+const LINE_WIDTH: usize = 140;
 
 /// Every schema by its path below `schemas/`.
 fn schemas() -> BTreeMap<String, String> {
@@ -50,7 +50,7 @@ fn schemas() -> BTreeMap<String, String> {
     requests
         .chain(others)
         .map(|(name, schema)| {
-            let text = json_text(&serde_json::to_value(schema).unwrap(), 0, WIDTH);
+            let text = json_text(&serde_json::to_value(schema).unwrap(), 0, LINE_WIDTH);
             (format!("{name}.schema.json"), format!("{text}\n"))
         })
         .collect()
@@ -76,7 +76,7 @@ fn json_text(value: &Value, indent: usize, room: usize) -> String {
     }
     let inner = indent + 2;
     let lines = joined(",\n", &|name, part| {
-        let room = WIDTH.saturating_sub(inner + name.len() + 1);
+        let room = LINE_WIDTH.saturating_sub(inner + name.len() + 1);
         format!("{:inner$}{name}{}", "", json_text(part, inner, room))
     });
     format!("{begin}\n{lines}\n{:indent$}{end}", "")

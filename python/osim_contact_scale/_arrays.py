@@ -68,7 +68,7 @@ def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = N
         An argument is not a real number.
     """
     labels = common_labels(arguments)
-    arrays = {key: _floats(key, value) for key, value in arguments.items()}
+    arrays = {key: _floats_of_argument(key, value) for key, value in arguments.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     except ValueError:
@@ -78,7 +78,7 @@ def call(name: str, arguments: Mapping[str, Any], nan: str, rule: str | None = N
     if labels is not None:
         labels.check_shape(shape)
     valid = _valid_indices(arrays, shape) if _propagates(nan) else None
-    values = np.empty(shape) if 0 in shape else _values(name, rule, arrays, shape, valid, labels)
+    values = np.empty(shape) if 0 in shape else _values_of_equation(name, rule, arrays, shape, valid, labels)
     if labels is not None:
         return labels.attach(values)
     return values if shape else float(values)
@@ -96,11 +96,11 @@ def call_of_list(
     """
     inputs = dict(arguments) if height is None else {**arguments, "height": height}
     labels = common_labels(inputs)
-    arrays = {key: np.atleast_1d(_floats(key, value)) for key, value in inputs.items()}
+    arrays = {key: np.atleast_1d(_floats_of_argument(key, value)) for key, value in inputs.items()}
     for key, array in arrays.items():
         if array.ndim > 1:
             raise RequestError("usage", f"{key} has the shape {array.shape}, expected one list", keywords=(key,))
-    weight = _floats("load", load)
+    weight = _floats_of_argument("load", load)
     if weight.size != 1:
         raise RequestError("usage", f"load has the shape {weight.shape}, expected one number", keywords=("load",))
     # A sum has no value if one of its terms has none.
@@ -150,7 +150,7 @@ def _valid_indices(arrays: Mapping[str, NDArray[np.float64]], shape: tuple[int, 
     return np.repeat(valid, 2) if valid.size == 1 else valid
 
 
-def _values(
+def _values_of_equation(
     name: str,
     rule: str | None,
     arrays: Mapping[str, NDArray[np.float64]],
@@ -182,7 +182,7 @@ def _with_original_index(refusal: tuple[Any, ...], valid: NDArray[np.intp] | Non
     return refusal if valid is None or index is None else (name, int(valid[index]), message)
 
 
-def _floats(name: str, value: Any) -> NDArray[np.float64]:
+def _floats_of_argument(name: str, value: Any) -> NDArray[np.float64]:
     """Real numbers of any kind as float64."""
     if np.ma.is_masked(value):
         message = f"{name} has masked elements, which no equation has a value for: leave them out, or fill them, first"

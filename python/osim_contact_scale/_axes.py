@@ -35,7 +35,7 @@ def group_panels(rows: Sequence[Row], looks: Sequence[_native.PanelLook]) -> lis
     return [Panel(name, panel_rows, look) for (name, panel_rows), look in zip(groups, looks)]
 
 
-def draw(panel: Panel, axes: Any) -> None:
+def draw_panel(panel: Panel, axes: Any) -> None:
     """Draws a panel on axes of matplotlib."""
     (x_log, x_limits), (y_log, y_limits), is_inverted, lengths = panel.look
     if x_log:
@@ -93,7 +93,7 @@ def _draw_curves(axes: Any, rows: Sequence[Row], lengths: Sequence[int]) -> None
         if name not in looks:
             number = len(looks) - 1
             looks[name] = {"color": f"C{number % 10}", "linestyle": _DASHES[number % 4], "label": _escaped(name)}
-        axes.plot(*_coordinates(curve), **looks[name])
+        axes.plot(*_xs_and_ys(curve), **looks[name])
 
 
 def _split_curves(rows: Sequence[Row], lengths: Sequence[int]) -> Iterator[Sequence[Row]]:
@@ -105,14 +105,14 @@ def _split_curves(rows: Sequence[Row], lengths: Sequence[int]) -> Iterator[Seque
         begin += length
 
 
-def _coordinates(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
+def _xs_and_ys(rows: Sequence[Row]) -> tuple[list[float], list[float]]:
     return [row["x"] for row in rows], [row["y"] for row in rows]
 
 
 def _draw_points(axes: Any, rows: Sequence[Row], with_text: bool) -> None:
     """Draws points with their names: in the legend, or beside each point."""
     for name, point_rows in itertools.groupby(rows, key=lambda row: str(row["name"])):
-        places = _coordinates(list(point_rows))
+        places = _xs_and_ys(list(point_rows))
         if with_text:
             axes.plot(*places, "D", color="0.3", markersize=4)
             axes.annotate(_escaped(name), (places[0][0], places[1][0]), fontsize="x-small")
@@ -131,7 +131,7 @@ def _draw_line(axes: Any, row: Row) -> None:
 def _draw_outlines(axes: Any, rows: Sequence[Row]) -> None:
     """Draws the shapes of bones."""
     for _, corners in itertools.groupby(rows, key=lambda row: str(row["name"])):
-        axes.fill(*_coordinates(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
+        axes.fill(*_xs_and_ys(list(corners)), facecolor="0.7", edgecolor="0.4", alpha=0.3)
 
 
 def _draw_spheres(axes: Any, rows: Sequence[Row]) -> None:

@@ -32,10 +32,10 @@ def _with_apostrophe(text: str) -> str:
 def from_cell(cell: str) -> str:
     """The text of a cell that the program wrote, by the rule of `from_cell` in crates/osim-planning/src/sheet/cell.rs."""
     text = cell[1:] if cell.startswith("'") and _is_formula(cell[1:]) else cell
-    return re.sub(r"\\u\{(\+?[0-9a-fA-F]+)\}", _unescaped, text)
+    return re.sub(r"\\u\{(\+?[0-9a-fA-F]+)\}", _letter_of_escape, text)
 
 
-def _unescaped(escape: re.Match[str]) -> str:
+def _letter_of_escape(escape: re.Match[str]) -> str:
     number = int(escape[1], 16)
     if number > 0x10FFFF or 0xD800 <= number < 0xE000:
         return escape[0]

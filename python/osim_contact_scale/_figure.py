@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, overload
 
 from . import _native
 from ._errors import RequestError
-from ._frames import require, to_frame
+from ._frames import require_package, to_frame
 from ._keywords import expand_home
 from ._named_values import NamedValues, clipped, repr_line
 from ._text import printable
@@ -155,10 +155,10 @@ class Figure(NamedValues):
         >>> axes.set_title("My contact")
         >>> left = ocs.plot("fig4").plot(panel="A")
         """
-        require("matplotlib", "plot", "plot()")
+        require_package("matplotlib", "plot", "plot()")
         import numpy as np
 
-        from ._axes import draw
+        from ._axes import draw_panel
 
         panels = self._panels()
         chosen = panels if panel is None else [_find_panel(panels, panel)]
@@ -168,7 +168,7 @@ class Figure(NamedValues):
             message = f"{len(targets)} axes for {len(chosen)} panels: give one for each, or choose one panel of {names}"
             raise RequestError("usage", message, keywords=("ax", "panel"))
         for one, axes in zip(chosen, targets):
-            draw(one, axes)
+            draw_panel(one, axes)
         return targets[0] if len(targets) == 1 else np.array(targets, dtype=object)
 
     def _create_axes(self, count: int) -> Sequence[Any]:

@@ -34,7 +34,7 @@ class MissingPackage(ContactScaleError, ImportError):
         return type(self), self._arguments
 
 
-def require(package: str, extra: str, what: str) -> None:
+def require_package(package: str, extra: str, what: str) -> None:
     """Raises an error if a package is not installed.
 
     Raises
@@ -54,7 +54,7 @@ def to_frame(make: Callable[[], Any], units: Mapping[str, str] | None = None) ->
     MissingPackage
         pandas is not installed.
     """
-    require("pandas", "pandas", "frame()")
+    require_package("pandas", "pandas", "frame()")
     frame: pd.DataFrame = make()
     named_units = {str(name): unit_from_name(str(name)) for name in frame.columns}
     frame.attrs["units"] = {**{name: unit for name, unit in named_units.items() if unit is not None}, **(units or {})}

@@ -26,7 +26,7 @@ def html_table(columns: Sequence[str], rows: Iterable[Sequence[Any]], where: str
     html_rows: list[str] = []
     left_out = used = 0
     for row in rows:
-        cells = "" if left_out else "".join(f"<td>{_cell(value)}</td>" for value in row)
+        cells = "" if left_out else "".join(f"<td>{_html_cell(value)}</td>" for value in row)
         used += len(cells)
         if left_out or (used > room and html_rows):
             left_out += 1
@@ -40,7 +40,7 @@ def _more_rows(count: int, where: str) -> str:
     return paragraph(f"… and {count} more" + (f": {where}" if where else ""))
 
 
-def _cell(value: Any) -> str:
+def _html_cell(value: Any) -> str:
     return "" if value is None else escaped(f"{value:.8g}" if isinstance(value, float) else value)
 
 

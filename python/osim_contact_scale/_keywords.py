@@ -132,9 +132,9 @@ def to_model(source: Source, memory: Memory) -> Any:
         It is not a model.
     """
     if isinstance(source, (bytes, bytearray, memoryview)):
-        return _remember(UNNAMED, bytes(source), memory)
+        return _remember_bytes(UNNAMED, bytes(source), memory)
     if hasattr(source, "to_bytes") and hasattr(source, "path"):  # A result is used as its new model.
-        return _remember(source.path, source.to_bytes(), memory)
+        return _remember_bytes(source.path, source.to_bytes(), memory)
     if is_path(source):
         if os.fspath(source) == "-":
             message = "a Python program has no model on its standard input: give a path, bytes or an opensim.Model"
@@ -145,10 +145,10 @@ def to_model(source: Source, memory: Memory) -> Any:
         if not isinstance(data, bytes):
             kind = type(source).__name__
             raise TypeError(f'a {kind} reads text: open the model as bytes, open(path, "rb"), or give its path')
-        return _remember(name if isinstance(name, str) else UNNAMED, data, memory)
+        return _remember_bytes(name if isinstance(name, str) else UNNAMED, data, memory)
     if _live.is_model(source):
         name, data = _live.to_bytes(source)
-        return _remember(name or UNNAMED, data, memory)
+        return _remember_bytes(name or UNNAMED, data, memory)
     raise TypeError(
         f"expected the path of a model, its bytes, a Result or an opensim.Model, not {type(source).__name__}"
     )
@@ -185,14 +185,14 @@ def _file_name(path: Any, memory: Memory) -> Any:
         return path
     if PurePath(path) in map(PurePath, memory):
         try:
-            return _remember(path, Path(path).read_bytes(), memory)
+            return _remember_bytes(path, Path(path).read_bytes(), memory)
         except OSError as error:
             raise ModelError("unreadable", f"cannot be read: {error.strerror}", path=path) from error
     memory.files.add(PurePath(path))
     return path
 
 
-def _remember(name: str, data: bytes, memory: Memory) -> str:
+def _remember_bytes(name: str, data: bytes, memory: Memory) -> str:
     """Puts `data` into memory under a name that no other model, file or file of a folder in the request has."""
 
     def is_taken(name: str) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from ._errors import ContactScaleError
-from ._live_objects import exchange, find_component
+from ._live_objects import exchange_objects, find_component
 from ._live_print import model_to_xml
 
 
@@ -36,7 +36,7 @@ def to_bytes(model: Any) -> tuple[str | None, bytes]:
     return file, model_to_xml(opensim, model, file)
 
 
-def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:
+def apply_record(record: dict[str, Any], masses: dict[str, float], new: bytes, model: Any) -> None:
     """Applies the changes of a plan, and the credits with its note, to a live model, which then equals the file `new`.
 
     `masses` are those of the bodies that the plan was made for, in kg by their component paths.
@@ -56,7 +56,7 @@ def apply(record: dict[str, Any], masses: dict[str, float], new: bytes, model: A
     added = {change["path"] for change in record["objects"] if change["change"] == "added"}
     edits = [_setter_of(opensim, model, change) for change in record["changes"] if change["path"] not in added]
     if record["objects"]:
-        edits += exchange(opensim, model, record["objects"], new)
+        edits += exchange_objects(opensim, model, record["objects"], new)
     for edit in edits:
         edit()
     credit = record["credits"]

@@ -14,7 +14,7 @@ from ._errors import ContactScaleError
 _SETS = {"/forceset": "updForceSet", "/contactgeometryset": "updContactGeometrySet"}
 
 
-def exchange(opensim: Any, model: Any, objects: list[dict[str, Any]], new: bytes) -> list[Callable[[], object]]:
+def exchange_objects(opensim: Any, model: Any, objects: list[dict[str, Any]], new: bytes) -> list[Callable[[], object]]:
     """Functions that remove and add whole objects. New objects are clones of those that OpenSim reads in `new`.
 
     Raises

@@ -18,7 +18,7 @@ MOVES = ("path", "sphere", "old_x", "old_y", "old_z", "new_x", "new_y", "new_z",
 OBJECTS = ("change", "class", "name", "path", "body", "location_m", "radius_m", "parameters")
 
 
-def changes(record: dict[str, Any]) -> Table:
+def table_of_changes(record: dict[str, Any]) -> Table:
     """A row for each number that changes."""
     return table(_change_rows(record), CHANGES)
 
@@ -45,7 +45,7 @@ def grouped_changes(record: dict[str, Any]) -> list[dict[str, Any]]:
     return list(groups.values())
 
 
-def moves(record: dict[str, Any]) -> Table:
+def table_of_moves(record: dict[str, Any]) -> Table:
     """A row for each sphere that moves."""
     return table(move_rows(record), MOVES)
 
@@ -64,6 +64,6 @@ def move_rows(record: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def objects(record: dict[str, Any]) -> Table:
+def table_of_objects(record: dict[str, Any]) -> Table:
     """A row for each object that is added or removed."""
     return table(record["objects"], OBJECTS)

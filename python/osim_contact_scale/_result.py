@@ -122,15 +122,15 @@ class Result(NamedValues):
 
     @property
     def changes(self) -> Table:
-        return _plan_tables.changes(self.record)
+        return _plan_tables.table_of_changes(self.record)
 
     @property
     def moves(self) -> Table:
-        return _plan_tables.moves(self.record)
+        return _plan_tables.table_of_moves(self.record)
 
     @property
     def objects(self) -> Table:
-        return _plan_tables.objects(self.record)
+        return _plan_tables.table_of_objects(self.record)
 
     @property
     def remarks(self) -> tuple[str, ...]:
@@ -260,7 +260,7 @@ class Result(NamedValues):
         ContactScaleError
             This is another model than the plan is for, or it was changed since. Nothing was changed then.
         """
-        _live.apply(self.record, self._planned.masses(), self.to_bytes(), model)
+        _live.apply_record(self.record, self._planned.masses(), self.to_bytes(), model)
 
     def report(self, output: str | os.PathLike[str], *, force: bool = False) -> Path:
         """Writes a web page about this change: tables, plots, and findings before and after.

@@ -64,7 +64,7 @@ def to_known_table(data: Any) -> Any:
         if hasattr(type(data), "collect") and hasattr(type(data), "columns"):
             raise TypeError(f"a {type(data).__name__} has no rows yet: collect() makes a table of it")
         return data
-    missing = [name for name in _readers(data) if importlib.util.find_spec(name) is None]
+    missing = [name for name in _reading_libraries(data) if importlib.util.find_spec(name) is None]
     if missing:
         kind = f"{type(data).__module__.split('.')[0]}.{type(data).__name__}"
         needed = " and ".join(missing)
@@ -83,7 +83,7 @@ def to_known_table(data: Any) -> Any:
         return pd.api.interchange.from_dataframe(data)
 
 
-def _readers(data: Any) -> tuple[str, ...]:
+def _reading_libraries(data: Any) -> tuple[str, ...]:
     """The libraries that read a table of another library."""
     return ("pandas", "pyarrow") if hasattr(data, "__arrow_c_stream__") else ("pandas",)
 
@@ -252,14 +252,14 @@ def models_csv(rows: Sequence[Mapping[str, Any]]) -> bytes:
     return to_csv(renamed, _text_in_column)
 
 
-def option_name(name: str) -> str:
+def column_option(name: str) -> str:
     """The option that has the name of a column, which may be written as in the command or like a keyword."""
     return name.strip().rstrip("_").lower().replace("-", "_").lstrip("_")
 
 
 def _text_in_column(name: str, value: Any) -> str:
     """The text of a cell in a table of models."""
-    field = option_name(name)
+    field = column_option(name)
     if field not in ROW_OPTIONS:
         # The column is the user's own, or Rust refuses it by its name.
         return str(value)

@@ -77,7 +77,7 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     if keywords.get("motion") is not None:
         tables: dict[str, bytes] = {}
         tables_by_name = {
-            name: _recordings(name, keywords[name], tables)
+            name: _fields_of_recordings(name, keywords[name], tables)
             for name in ("motion", "plates")
             if keywords.get(name) is not None
         }
@@ -93,7 +93,7 @@ def fit(measured: Any, keywords: Mapping[str, Any]) -> Fit | Result:
     return Fit(record, text)
 
 
-def _recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[Any]:
+def _fields_of_recordings(field: str, recordings: Any, tables: dict[str, bytes]) -> list[Any]:
     """Names of recordings for a request; the data of those that are tables go into `tables`."""
     several = (
         recordings

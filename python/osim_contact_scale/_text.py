@@ -8,7 +8,7 @@ _SHORT = {"\n": r"\n", "\r": r"\r", "\t": r"\t"}
 
 def printable(text: str) -> str:
     """The text with control characters and invisible characters written as their numbers."""
-    return "".join(letter if letter.isprintable() else _escape(letter) for letter in text)
+    return "".join(letter if letter.isprintable() else _escaped_letter(letter) for letter in text)
 
 
 def clipped(text: str, max_length: int = MAX_LENGTH) -> str:
@@ -20,5 +20,5 @@ def clipped(text: str, max_length: int = MAX_LENGTH) -> str:
     return text[: max_length - end - len(left_out)] + left_out + text[-end:]
 
 
-def _escape(letter: str) -> str:
+def _escaped_letter(letter: str) -> str:
     return _SHORT.get(letter, f"\\u{{{ord(letter):x}}}")

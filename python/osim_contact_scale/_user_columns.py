@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from ._errors import RequestError, warn
 from ._kinds import kind_of
 from ._option_names import ROW_OPTIONS, RUN_OPTIONS
-from ._rows import option_name
+from ._rows import column_option
 from ._tables import all_columns, polars_table, table
 from ._text import printable
 
@@ -47,7 +47,7 @@ def user_columns(names: Sequence[str], keep: Any) -> UserColumns:
             raise _keep_error(f"the result has a column {name!r} itself: rename yours, or let its name begin with #")
     marked = {name for name in names if name.startswith("#")}
     return UserColumns(
-        frozenset(kept | marked), frozenset(name for name in kept - marked if option_name(name) not in ROW_OPTIONS)
+        frozenset(kept | marked), frozenset(name for name in kept - marked if column_option(name) not in ROW_OPTIONS)
     )
 
 
@@ -56,7 +56,7 @@ def _columns_to_keep(names: Sequence[str], keep: Any) -> set[str]:
         return set()
     if keep is True:
         user_names = {
-            name for name in names if not name.startswith("#") and option_name(name) not in ROW_OPTIONS | RUN_OPTIONS
+            name for name in names if not name.startswith("#") and column_option(name) not in ROW_OPTIONS | RUN_OPTIONS
         }
         for name in sorted(user_names):
             _warn_if_misspelt(name)
@@ -65,7 +65,7 @@ def _columns_to_keep(names: Sequence[str], keep: Any) -> set[str]:
         raise TypeError(f"keep: expected True, or the names of columns, not {type(keep).__name__}")
     kept = {keep} if isinstance(keep, str) else {str(name) for name in keep}
     for name in sorted(kept.difference(names)):
-        raise _keep_error(f"the table has no column {name!r}{_suggestion(name, names)}")
+        raise _keep_error(f"the table has no column {name!r}{_suggestion_of_name(name, names)}")
     return kept
 
 
@@ -73,7 +73,7 @@ def _keep_error(message: str) -> RequestError:
     return RequestError("usage", f"keep: {message}", keywords=("keep",))
 
 
-def _suggestion(name: str, names: Iterable[str]) -> str:
+def _suggestion_of_name(name: str, names: Iterable[str]) -> str:
     import difflib
 
     matches = difflib.get_close_matches(name, list(names), 1, 0.85)
@@ -82,7 +82,7 @@ def _suggestion(name: str, names: Iterable[str]) -> str:
 
 def _warn_if_misspelt(name: str) -> None:
     """Gives a warning if the name of a user's column is nearly that of an option: it may be misspelt."""
-    suggestion = _suggestion(option_name(name), ROW_OPTIONS)
+    suggestion = _suggestion_of_name(column_option(name), ROW_OPTIONS)
     if suggestion:
         warn(f"the column {printable(name)!r} is kept as yours, because it is not an option{suggestion}")
 

@@ -5,16 +5,16 @@ use serde_json::Value;
 use crate::support::{TestDir, corpus_folder};
 
 const HUMAN: &str = "feet/human_40000.osim";
-const TABLE: &str = "contact_tables/own.csv";
+const TABLE_OF_PLACES: &str = "contact_tables/own.csv";
 /// XML of a contact force between a ball and the floor.
-const BALL: &str = "\
+const BALL_CONTACT: &str = "\
     <SmoothSphereHalfSpaceForce name=\"ball_ground\">\
     <socket_sphere>/contactgeometryset/ball</socket_sphere>\
     <socket_half_space>/contactgeometryset/floor</socket_half_space>\
     <stiffness>100000</stiffness></SmoothSphereHalfSpaceForce>";
 
 fn bare_human() -> TestDir {
-    TestDir::with(&[(HUMAN, "bare.osim"), (TABLE, "own.csv")])
+    TestDir::with(&[(HUMAN, "bare.osim"), (TABLE_OF_PLACES, "own.csv")])
 }
 
 /// The human after `add` of contacts at the places of the table, made for 62 kg.
@@ -35,7 +35,7 @@ fn human_with_contacts_and_ball() -> TestDir {
                   <location>0 0 0</location><radius>0.11</radius></ContactSphere>";
     let mut text = dir.text("with.osim");
     for (set, inside) in
-        [("BodySet", body), ("JointSet", joint), ("ContactGeometrySet", sphere), ("ForceSet", BALL)]
+        [("BodySet", body), ("JointSet", joint), ("ContactGeometrySet", sphere), ("ForceSet", BALL_CONTACT)]
     {
         let start = text.find(&format!("<{set}")).unwrap();
         let at = start + text[start..].find("<objects>").unwrap() + "<objects>".len();
@@ -72,7 +72,7 @@ fn a_constant_contact_force_of_0_is_not_copied_from_a_reference() {
 }
 
 #[test]
-fn contacts_of_other_bodies_stay() {
+fn add_keeps_contacts_of_other_bodies() {
     let dir = human_with_contacts_and_ball();
     let call = "add with.osim --from falisse2022 --contacts own.csv --spheres 2 -o out.osim";
     dir.run(call).failed().wrote_nothing().says(&["has contacts already", "--replace"]);
@@ -141,7 +141,7 @@ fn add_refuses_to_rewrite_names_that_are_not_utf_8() {
 fn known_contacts_on_a_reference_of_another_mass_need_its_mass() {
     let dir = TestDir::with(&[
         (HUMAN, "bare.osim"),
-        (TABLE, "own.csv"),
+        (TABLE_OF_PLACES, "own.csv"),
         ("check/contacts_of_another_mass.osim", "known.osim"),
         ("table1/human_62kg_smooth_sphere.osim", "human.osim"),
     ]);
@@ -224,8 +224,11 @@ fn planes_that_new_contacts_do_not_touch_are_named() {
 
 #[test]
 fn a_class_newer_than_the_document_is_named() {
-    let dir =
-        TestDir::with(&[("feet/human_30000.osim", "old.osim"), (HUMAN, "new.osim"), (TABLE, "own.csv")]);
+    let dir = TestDir::with(&[
+        ("feet/human_30000.osim", "old.osim"),
+        (HUMAN, "new.osim"),
+        (TABLE_OF_PLACES, "own.csv"),
+    ]);
     let text = |model: &str, more: &str| {
         let call = format!("add {model} --from falisse2022 --contacts own.csv --dry-run {more}");
         dir.run(&call).succeeded().out()

@@ -178,7 +178,7 @@ fn add_asks_about_places_in_another_unit() {
     }
 }
 
-/// The foot is 0.25 m long.
+/// The program asks about a pad that is thicker than the foot is long, which is 0.25 m.
 #[test]
 fn add_asks_about_a_sole_far_below_the_bones() {
     let dir = human_with_meshes();

@@ -8,9 +8,9 @@ use serde_json::Value;
 use crate::support::TestDir;
 
 pub(crate) const HUMAN: &str = "feet/human_40000.osim";
-const TABLE: &str = "contact_tables/own.csv";
+const TABLE_OF_PLACES: &str = "contact_tables/own.csv";
 /// Heel and ball of both feet in the frame of their body, m, as `fixtures/contact_tables/make_contact_tables.py` writes them.
-const PLACES: [(&str, [f64; 3]); 4] = [
+const PLACES_IN_TABLE: [(&str, [f64; 3]); 4] = [
     ("ball_l", [0.16, 0.005, -0.02]),
     ("ball_r", [0.16, 0.005, 0.02]),
     ("heel_l", [0.02, 0.01, 0.005]),
@@ -24,7 +24,7 @@ const PRODUCT_TOLERANCE: f64 = 1e-14;
 pub(crate) fn human_with_meshes() -> TestDir {
     let meshes = ["l_human_foot", "l_human_toes", "r_human_foot", "r_human_toes"];
     let meshes = meshes.map(|mesh| (format!("feet/Geometry/{mesh}.vtp"), format!("Geometry/{mesh}.vtp")));
-    let mut all = vec![(HUMAN, "human.osim"), (TABLE, "own.csv")];
+    let mut all = vec![(HUMAN, "human.osim"), (TABLE_OF_PLACES, "own.csv")];
     all.extend(meshes.iter().map(|(from, to)| (from.as_str(), to.as_str())));
     TestDir::with(&all)
 }
@@ -34,7 +34,7 @@ pub(crate) fn inspect_model(dir: &TestDir, model: &str) -> Value {
     serde_json::from_str(&dir.run(&format!("inspect {model} --format json")).succeeded().out()).unwrap()
 }
 
-/// Centres and radii by name, m.
+/// The centre and radius of each sphere of an inspected model by its name, m.
 pub(crate) fn spheres_by_name(inspection: &Value) -> BTreeMap<String, ([f64; 3], f64)> {
     let place_and_radius = |sphere: &Value| {
         let at: Vec<f64> =
@@ -62,8 +62,8 @@ fn assert_close(value: f64, expected: f64) {
 fn assert_spheres_at_table_places(inspection: &Value, tolerance: f64) {
     let spheres = spheres_by_name(inspection);
     let names: Vec<&str> = spheres.keys().map(String::as_str).collect();
-    assert_eq!(names, PLACES.map(|(name, _)| name));
-    for (name, expected) in PLACES {
+    assert_eq!(names, PLACES_IN_TABLE.map(|(name, _)| name));
+    for (name, expected) in PLACES_IN_TABLE {
         let (place, _) = spheres[name];
         let distance = place.iter().zip(expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(distance <= tolerance, "{name}: {place:?}");
@@ -303,7 +303,7 @@ fn add_asks_which_contact_of_a_mixed_reference_to_use() {
 }
 
 #[test]
-fn missing_options_are_named() {
+fn add_names_missing_options() {
     let dir = human_with_meshes();
     let table = "add human.osim --contacts own.csv";
     assert_refused(

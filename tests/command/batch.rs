@@ -4,15 +4,15 @@ use serde_json::Value;
 
 use crate::support::TestDir;
 
-const MANIFEST: &str = include_str!("../../fixtures/libraries/table1.csv");
+const MANIFEST_TEXT: &str = include_str!("../../fixtures/libraries/table1.csv");
 /// The path of the manifest in the project.
-const TABLE_1: &str = "fixtures/libraries/table1.csv";
+const MANIFEST_OF_TABLE_1: &str = "fixtures/libraries/table1.csv";
 /// Numbers that the paper prints in Table 1, in the order of the rows of the manifest.
-const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
+const PRINTED_TABLE_1: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
 /// A folder with the animals of Table 1, which all have the contacts of the 62 kg human.
 fn unscaled_animals() -> TestDir {
-    let names: Vec<&str> = MANIFEST.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
+    let names: Vec<&str> = MANIFEST_TEXT.lines().skip(1).map(|row| row.split(',').nth(1).unwrap()).collect();
     let dir = TestDir::new();
     // As in the project: the manifest in one folder of fixtures, its models in another.
     let models: Vec<String> = names.iter().map(|name| name.replacen("..", "fixtures", 1)).collect();
@@ -40,21 +40,21 @@ fn common_value(dir: &TestDir, model: &str, property: &str) -> f64 {
 #[test]
 fn the_documented_command_works_from_the_project_folder() {
     let output = std::process::Command::new(env!("CARGO_BIN_EXE_osim-contact-scale"))
-        .args(["batch", TABLE_1, "--dry-run", "--format", "lines"])
+        .args(["batch", MANIFEST_OF_TABLE_1, "--dry-run", "--format", "lines"])
         .current_dir(crate::support::root())
         .output()
         .unwrap();
     let (out, err) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{out}{err}");
-    assert_eq!(out.lines().count(), MANIFEST.lines().count() - 1, "{out}{err}");
+    assert_eq!(out.lines().count(), MANIFEST_TEXT.lines().count() - 1, "{out}{err}");
 }
 
 #[test]
 fn a_manifest_reproduces_table_1_of_the_paper() {
     let dir = unscaled_animals();
-    dir.write(TABLE_1, MANIFEST);
+    dir.write(MANIFEST_OF_TABLE_1, MANIFEST_TEXT);
     dir.run("batch fixtures/libraries/table1.csv --quiet").succeeded();
-    for (row, printed) in MANIFEST.lines().skip(1).zip(PRINTED.lines().skip(2)) {
+    for (row, printed) in MANIFEST_TEXT.lines().skip(1).zip(PRINTED_TABLE_1.lines().skip(2)) {
         let output = &format!("fixtures/libraries/{}", row.rsplit(',').next().unwrap());
         let printed: Vec<&str> = printed.split(',').collect();
         for (property, unit, printed) in [("stiffness", 1e6, printed[5]), ("dissipation", 1.0, printed[7])] {
@@ -68,14 +68,14 @@ fn a_manifest_reproduces_table_1_of_the_paper() {
 #[test]
 fn spreadsheets_of_other_countries_give_the_same_models() {
     let plain = unscaled_animals();
-    plain.write(TABLE_1, MANIFEST);
+    plain.write(MANIFEST_OF_TABLE_1, MANIFEST_TEXT);
     plain.run("batch fixtures/libraries/table1.csv --quiet").succeeded();
     let european =
-        format!("\u{feff}{}", MANIFEST.replace(',', ";").replace("0.0", "0,0").replace('\n', "\r\n"));
-    let tabs = MANIFEST.replace(',', "\t").replace("37.80", "37,80");
+        format!("\u{feff}{}", MANIFEST_TEXT.replace(',', ";").replace("0.0", "0,0").replace('\n', "\r\n"));
+    let tabs = MANIFEST_TEXT.replace(',', "\t").replace("37.80", "37,80");
     for manifest in [european, tabs] {
         let dir = unscaled_animals();
-        dir.write(TABLE_1, manifest);
+        dir.write(MANIFEST_OF_TABLE_1, manifest);
         dir.run("batch fixtures/libraries/table1.csv --quiet").succeeded();
         for name in plain.files().keys().filter(|name| name.starts_with("fixtures/libraries/table1/")) {
             assert_eq!(dir.read(name), plain.read(name), "{name}");

@@ -3,7 +3,7 @@
 use crate::cases::{check_json, codes_of_severity, dir_of_case, finding_with_code};
 use crate::support::TestDir;
 
-const TABLE: &str = "name,body,x,y,z,radius\nheel_r,calcn_r,0,0,0,0.03\n";
+const TABLE_OF_PLACES: &str = "name,body,x,y,z,radius\nheel_r,calcn_r,0,0,0,0.03\n";
 
 fn dir_of_shapes(models: &[&str]) -> TestDir {
     let files: Vec<_> = models.iter().map(|name| (format!("shapes/{name}"), *name)).collect();
@@ -69,7 +69,7 @@ fn shapes_that_press_nothing_cause_a_warning() {
 #[test]
 fn contacts_of_another_class_are_named_and_not_doubled() {
     let dir = dir_of_shapes(&["elastic_foundation.osim"]);
-    dir.write("table.csv", TABLE);
+    dir.write("table.csv", TABLE_OF_PLACES);
     let report = check_json(&dir, "elastic_foundation.osim");
     let found = finding_with_code(&report, "not-hertz")["message"].as_str().unwrap();
     assert_eq!(found, "these feet have ElasticFoundationForce, which this program does not scale: mesh");

@@ -18,7 +18,7 @@ fn of_finding(finding: &Value) -> (String, String, String) {
 }
 
 /// A published model of the corpus; `None` after reporting that the test is skipped.
-fn published(test: &str, name: &str) -> Option<String> {
+fn text_of_published_model(test: &str, name: &str) -> Option<String> {
     Some(std::fs::read_to_string(corpus_folder(test)?.join(format!("{name}.osim"))).unwrap())
 }
 
@@ -45,9 +45,10 @@ fn a_frame_whose_translation_opensim_cannot_read_is_an_error() {
 
 #[test]
 fn a_flag_that_opensim_cannot_read_is_an_error() {
-    let Some(text) =
-        published("a_flag_that_opensim_cannot_read_is_an_error", "v40000_human_12_hunt_crossley")
-    else {
+    let Some(text) = text_of_published_model(
+        "a_flag_that_opensim_cannot_read_is_an_error",
+        "v40000_human_12_hunt_crossley",
+    ) else {
         return;
     };
     let dir = TestDir::new();
@@ -100,7 +101,9 @@ fn sockets_that_lead_nowhere_are_errors_and_the_command_connects_them() {
 
 #[test]
 fn a_body_without_a_joint_is_an_error_and_no_mass_is_compared() {
-    let Some(text) = published("a_body_without_a_joint_is_an_error", "v40000_falisse_2022_human") else {
+    let Some(text) =
+        text_of_published_model("a_body_without_a_joint_is_an_error", "v40000_falisse_2022_human")
+    else {
         return;
     };
     let start = text.find("<Body name=\"calcn_r\">").unwrap();

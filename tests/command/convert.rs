@@ -2,7 +2,7 @@
 
 use crate::support::TestDir;
 
-const HUNT: (&str, &str) = ("table1/human_62kg_hunt_crossley.osim", "hunt.osim");
+const HUNT_CROSSLEY_MODEL: (&str, &str) = ("table1/human_62kg_hunt_crossley.osim", "hunt.osim");
 
 /// Writes `bare.osim`, a human without contacts, and `with.osim`, the human after `add`.
 fn write_human_with_contacts(dir: &TestDir) {
@@ -13,7 +13,7 @@ fn write_human_with_contacts(dir: &TestDir) {
 
 /// A model that has one more force, with a half-space but without a sphere.
 fn model_with_force_without_sphere() -> TestDir {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let text = dir.text("hunt.osim");
     let set = "<HuntCrossleyForce::ContactParameters><geometry>floor</geometry></HuntCrossleyForce::ContactParameters>";
     let force = format!(
@@ -42,7 +42,7 @@ fn a_force_without_a_moving_sphere_stays_and_is_named() {
 
 #[test]
 fn a_force_without_a_half_space_is_refused_with_a_way_out() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let text = dir.text("hunt.osim");
     dir.write("kick.osim", text.replacen("<geometry>floor s1_r<", "<geometry>s1_r<", 1));
     dir.run("convert kick.osim --to smooth -o out.osim")
@@ -116,7 +116,7 @@ fn parse_json(run: &crate::support::CommandRun) -> serde_json::Value {
 
 #[test]
 fn convert_reports_the_smoothing_parameters() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     // (C.2), (C.5), (C.10) from 1e-5 m2, 300 1/m and 50 s/m at 0.032 m, which is this human's radius.
     let remark = "remark: smoothing of 12 forces: constant_contact_force 0.00001 m2, hertz_smoothing 300 1/m, hunt_crossley_smoothing 50 s/m";
     let defaults = "about 90 times the force of a HuntCrossleyForce at 0.1 mm";
@@ -154,7 +154,7 @@ fn convert_reports_the_smoothing_parameters() {
 
 #[test]
 fn convert_warns_if_the_body_would_float() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let floats = "convert hunt.osim --to smooth --constant-contact-force 1e-2 -o floats.osim";
     dir.run(floats).succeeded().says(&["[floats]", "[force-before-contact]", "--constant-contact-force"]);
     // `check` reports the same about the result.
@@ -171,7 +171,7 @@ fn convert_warns_if_the_body_would_float() {
 
 #[test]
 fn convert_refuses_options_without_effect() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     for option in ["--constant-contact-force 1e-6", "--hertz-smoothing 5", "--hunt-crossley-smoothing 5"] {
         let name = option.split(' ').next().unwrap();
         dir.run(&format!("convert hunt.osim --to hunt-crossley {option} -o out.osim"))
@@ -191,7 +191,7 @@ fn convert_refuses_options_without_effect() {
 
 #[test]
 fn convert_reports_names_with_the_old_class() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let text = dir.text("hunt.osim").replace("\"contact_s1_r\"", "\"HuntCrossleyForce_s1_r\"");
     dir.write("named.osim", text);
     dir.run("convert named.osim --to smooth -o out.osim").succeeded().says(&[
@@ -201,7 +201,7 @@ fn convert_reports_names_with_the_old_class() {
 
 #[test]
 fn convert_and_remove_name_a_class_they_cannot_change() {
-    let dir = TestDir::with(&[HUNT]);
+    let dir = TestDir::with(&[HUNT_CROSSLEY_MODEL]);
     let other = "<ElasticFoundationForce name=\"plate\"/>";
     let text = dir.text("hunt.osim");
     let (before, rest) = text.split_once("<HuntCrossleyForce ").unwrap();

@@ -2,7 +2,7 @@
 
 use crate::support::{HUMAN, TestDir, fixture};
 
-const FORCE_SET_AND_GEOMETRY_SET: [(&str, &str); 3] = [
+const STANDALONE_SETS: [(&str, &str); 3] = [
     ("format/standalone_ForceSet.xml", "forces.xml"),
     ("format/standalone_ContactGeometrySet.xml", "geometry.xml"),
     ("format/standalone_model_without_contacts.osim", "bones.osim"),
@@ -24,7 +24,7 @@ fn no_output_is_an_input_of_the_same_run() {
 
 #[test]
 fn the_files_of_a_standalone_pair_do_not_overwrite_each_other() {
-    let dir = TestDir::with(&FORCE_SET_AND_GEOMETRY_SET);
+    let dir = TestDir::with(&STANDALONE_SETS);
     let pair = "forces.xml --geometry geometry.xml --model bones.osim --target-mass 500";
     dir.run(&format!("{pair} -o x.xml --geometry-output x.xml --force")).usage_error().wrote_nothing();
     dir.run(&format!("{pair} -o geometry.xml --force")).usage_error().wrote_nothing();
@@ -34,7 +34,7 @@ fn the_files_of_a_standalone_pair_do_not_overwrite_each_other() {
 
 #[test]
 fn a_geometry_that_was_scaled_without_its_forces_is_not_scaled_again() {
-    let dir = TestDir::with(&FORCE_SET_AND_GEOMETRY_SET);
+    let dir = TestDir::with(&STANDALONE_SETS);
     let pair = "forces.xml --geometry geometry.xml --model bones.osim";
     dir.run(&format!("{pair} --target-mass 500 -o forces2.xml --geometry-output geometry2.xml")).succeeded();
     let mixed = "forces.xml --geometry geometry2.xml --model bones.osim --target-mass 300 -d out";

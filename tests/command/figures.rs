@@ -21,7 +21,7 @@ fn inspect_published(folder: &Path, model: &str) -> Value {
     inspect_model(&dir, "")
 }
 
-/// The computed numbers of one sphere.
+/// The figures of the sphere called `name` in the JSON of `inspect`.
 #[track_caller]
 fn sphere_figures<'v>(inspection: &'v Value, name: &str) -> &'v Value {
     let limbs = inspection["figures"]["limbs"].as_array().unwrap();

@@ -16,7 +16,7 @@ pub(crate) fn json_lines<T: serde::de::DeserializeOwned>(run: &CommandRun) -> Ve
         .collect()
 }
 
-const SMOOTH: [&str; 9] = [
+const SMOOTH_PARAMETERS: [&str; 9] = [
     "constant_contact_force",
     "dissipation",
     "dynamic_friction",
@@ -102,8 +102,8 @@ fn inspect_reports_spheres_forces_and_bodies() {
         assert_eq!(force.path, format!("/forceset/{}", force.name));
         assert_eq!(force.spheres.len(), 1);
         assert!(line(force.line).contains(&format!("name=\"{}\"", force.name)));
-        assert_eq!(force.parameters.keys().collect::<Vec<_>>(), SMOOTH);
-        assert_eq!(force.origin.keys().collect::<Vec<_>>(), SMOOTH);
+        assert_eq!(force.parameters.keys().collect::<Vec<_>>(), SMOOTH_PARAMETERS);
+        assert_eq!(force.origin.keys().collect::<Vec<_>>(), SMOOTH_PARAMETERS);
         // The real OpenSim rests at 0.3533 with these numbers (Table 1 prints 0.353).
         let dimensionless = force.dimensionless.as_ref().unwrap();
         assert!((dimensionless["relative_indentation"].unwrap() - 0.3533).abs() < 5e-5);

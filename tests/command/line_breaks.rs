@@ -19,7 +19,7 @@ fn longest_line(text: &str) -> usize {
     text.lines().map(|line| line.chars().count()).max().unwrap_or_default()
 }
 
-fn words(text: &str) -> Vec<&str> {
+fn words_of_text(text: &str) -> Vec<&str> {
     text.split_whitespace().collect()
 }
 
@@ -43,7 +43,7 @@ fn sentences_wrap_at_the_terminal_width() {
     ] {
         let (whole, narrow) = (output_in_pipes(&dir, arguments), output_in_terminal(&dir, 60, arguments));
         for (whole, narrow) in [(whole.0, narrow.0), (whole.1, narrow.1)] {
-            assert_eq!(words(&whole), words(&narrow), "{arguments}");
+            assert_eq!(words_of_text(&whole), words_of_text(&narrow), "{arguments}");
             let is_text = |line: &&str| !line.starts_with("$ ") && !line.trim_start().contains("   ");
             let text: String = narrow.lines().filter(is_text).map(|line| format!("{line}\n")).collect();
             assert!(longest_line(&text) <= 60, "{arguments}:\n{text}");

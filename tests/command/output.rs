@@ -2,8 +2,8 @@
 
 use crate::support::{HUMAN, TestDir};
 
-const MOUSE: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
-const VERBS: [&str; 23] = [
+const MOUSE_MODEL: (&str, &str) = ("table1/mouse_hunt_crossley.osim", "mouse.osim");
+const CALLS_OF_ALL_VERBS: [&str; 23] = [
     "",
     "rescale",
     "transfer",
@@ -28,7 +28,7 @@ const VERBS: [&str; 23] = [
     "completions",
     "man",
 ];
-const TWO_FEET: (&str, &str) = ("format/v30000_two_feet.osim", "feet.osim");
+const TWO_FEET_MODEL: (&str, &str) = ("format/v30000_two_feet.osim", "feet.osim");
 
 #[test]
 fn rescale_prints_a_table_of_changes() {
@@ -63,7 +63,7 @@ fn rescale_prints_json() {
 
 #[test]
 fn rescale_prints_partial_changes() {
-    let dir = TestDir::with(&[TWO_FEET]);
+    let dir = TestDir::with(&[TWO_FEET_MODEL]);
     dir.run("feet.osim --target-mass 424 --select *_r --dry-run")
         .succeeded()
         .matches_snapshot("rescale_select");
@@ -92,7 +92,7 @@ fn rescale_reports_disagreeing_masses_and_contacts_at_the_target() {
 
 #[test]
 fn transfer_prints_a_table_of_changes() {
-    let dir = TestDir::with(&[HUMAN, MOUSE]);
+    let dir = TestDir::with(&[HUMAN, MOUSE_MODEL]);
     dir.run("transfer mouse.osim --from human.osim --reference-spheres 6 --stance-limbs 2 --dry-run")
         .succeeded()
         .matches_snapshot("transfer_same");
@@ -107,7 +107,7 @@ fn transfer_prints_a_table_of_changes() {
 
 #[test]
 fn set_prints_a_table_of_changes() {
-    let dir = TestDir::with(&[TWO_FEET]);
+    let dir = TestDir::with(&[TWO_FEET_MODEL]);
     dir.run("set feet.osim stiffness=x2 dissipation=1.5 --dry-run")
         .succeeded()
         .wrote_nothing()
@@ -129,7 +129,8 @@ fn design_prints_a_sheet_without_a_model() {
 
 #[test]
 fn inspect_prints_tables_json_and_csv() {
-    let dir = TestDir::with(&[MOUSE, TWO_FEET, ("format/three_materials.osim", "materials.osim")]);
+    let dir =
+        TestDir::with(&[MOUSE_MODEL, TWO_FEET_MODEL, ("format/three_materials.osim", "materials.osim")]);
     dir.run("inspect mouse.osim").succeeded().wrote_nothing().matches_snapshot("inspect");
     dir.run("inspect feet.osim materials.osim").succeeded().matches_snapshot("inspect_several");
     dir.run("inspect feet.osim materials.osim --full").succeeded().matches_snapshot("inspect_several_full");
@@ -166,7 +167,7 @@ fn inspect_reports_faults_and_continues() {
 
 #[test]
 fn a_model_without_a_verb_is_inspected_with_a_hint() {
-    let dir = TestDir::with(&[TWO_FEET]);
+    let dir = TestDir::with(&[TWO_FEET_MODEL]);
     dir.run("feet.osim").succeeded().wrote_nothing().matches_snapshot("model_alone");
 }
 
@@ -198,7 +199,7 @@ fn explain_prints_topics() {
 #[test]
 fn help_of_every_verb_is_printed() {
     let dir = TestDir::new();
-    for verb in VERBS {
+    for verb in CALLS_OF_ALL_VERBS {
         let name =
             if verb.is_empty() { "help".to_owned() } else { format!("help_{}", verb.replace('-', "_")) };
         let run = dir.run(format!("{verb} -h").trim()).succeeded().matches_snapshot(&name);
@@ -238,7 +239,7 @@ fn help_lists_only_options_of_the_verb_and_rare_ones_only_in_the_long_form() {
     dir.run("transfer human.osim --from falisse2022 --contacts-mass 62")
         .usage_error()
         .says(&["has no effect here"]);
-    for verb in VERBS {
+    for verb in CALLS_OF_ALL_VERBS {
         let (short, long) = (options_in_help(verb, "-h"), options_in_help(verb, "--help"));
         assert!(short.iter().all(|option| long.contains(option)), "{verb}: {short:?} {long:?}");
     }
@@ -252,7 +253,7 @@ fn help_lists_only_options_of_the_verb_and_rare_ones_only_in_the_long_form() {
 fn help_fits_a_screen() {
     let dir = TestDir::new();
     let mut too_long = Vec::new();
-    for verb in VERBS {
+    for verb in CALLS_OF_ALL_VERBS {
         let text = dir.run(format!("{verb} -h").trim()).succeeded().out();
         let widest = text.lines().map(|line| line.chars().count()).max().unwrap();
         if text.lines().count() > 60 || widest > 100 {

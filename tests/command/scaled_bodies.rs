@@ -4,7 +4,7 @@ use serde_json::Value;
 
 use crate::support::TestDir;
 
-const FILES: &[(&str, &str)] = &[
+const GENERIC_AND_SCALED_FILES: &[(&str, &str)] = &[
     ("scale_tool/generic_smooth.osim", "generic.osim"),
     ("scale_tool/scaled_smooth.osim", "scaled.osim"),
     ("scale_tool/applied_scale_set.xml", "set.xml"),
@@ -20,7 +20,7 @@ fn finding_codes(report: &Value) -> Vec<&str> {
 
 #[test]
 fn check_from_the_generic_model_proposes_the_correcting_command() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     let check = check_json(&dir, "scaled.osim --from generic.osim");
     let first = &check["findings"][0];
     assert_eq!((&first["code"], &first["severity"]), (&"spheres-left-behind".into(), &"error".into()));
@@ -44,7 +44,7 @@ fn check_from_the_generic_model_proposes_the_correcting_command() {
 
 #[test]
 fn check_reads_the_scale_set_with_the_generic_model() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     let check = check_json(&dir, "scaled.osim --from generic.osim --body-scale-file set.xml");
     let command = check["findings"][0]["command"].as_str().unwrap();
     assert!(command.contains("--body-scale-file set.xml"), "{command}");
@@ -74,7 +74,7 @@ fn check_proposes_no_command_if_places_may_be_wrong() {
 
 #[test]
 fn the_scale_set_alone_moves_spheres_and_scales_contacts() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     let call = "scaled.osim --body-scale-file set.xml --contacts-mass 62 --target-mass 52";
     dir.run(&format!("{call} -o moved.osim")).succeeded();
     let inspection: Value =
@@ -98,7 +98,7 @@ fn the_scale_set_alone_moves_spheres_and_scales_contacts() {
 
 #[test]
 fn one_scale_set_moves_spheres_only_once() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     let call = "--body-scale-file set.xml --target-mass 52";
     dir.run(&format!("scaled.osim {call} --contacts-mass 62 -o once.osim")).succeeded();
     // Also after another change, and with --force.
@@ -115,7 +115,7 @@ fn one_scale_set_moves_spheres_only_once() {
 
 #[test]
 fn spheres_follow_their_bodies_by_the_note_as_by_the_scale_set() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     dir.run("note generic.osim --contacts-mass 62 -o noted.osim").succeeded().wrote(&["noted.osim"]);
     // What the Scale Tool does: it copies the credits, and leaves the spheres.
     let credits = |text: &str| {
@@ -151,7 +151,7 @@ fn spheres_follow_their_bodies_by_the_note_as_by_the_scale_set() {
 
 #[test]
 fn the_scale_set_alone_needs_the_contacts_mass() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(GENERIC_AND_SCALED_FILES);
     dir.run("scaled.osim --body-scale-file set.xml --target-mass 52")
         .failed()
         .wrote_nothing()

@@ -9,25 +9,25 @@ use serde_json::Value;
 
 use super::root;
 
-const FAILURE: &str = "failure";
-const CHANGE: &str = "results/change";
-const INSPECTION: &str = "results/inspection";
-const SUMMARY: &str = "results/summary-line";
+const FAILURE_SCHEMA: &str = "failure";
+const CHANGE_SCHEMA: &str = "results/change";
+const INSPECTION_SCHEMA: &str = "results/inspection";
+const SUMMARY_LINE_SCHEMA: &str = "results/summary-line";
 
 /// The schemas of the JSON that each verb prints.
-const RESULTS: [(&str, &[&str]); 15] = [
-    ("rescale", &[CHANGE]),
-    ("transfer", &[CHANGE]),
-    ("design", &[CHANGE, "results/design"]),
-    ("set", &[CHANGE]),
-    ("batch", &[CHANGE]),
+const CALLS_OF_SCHEMAS: [(&str, &[&str]); 15] = [
+    ("rescale", &[CHANGE_SCHEMA]),
+    ("transfer", &[CHANGE_SCHEMA]),
+    ("design", &[CHANGE_SCHEMA, "results/design"]),
+    ("set", &[CHANGE_SCHEMA]),
+    ("batch", &[CHANGE_SCHEMA]),
     ("sweep", &["results/sweep"]),
-    ("inspect", &[INSPECTION]),
+    ("inspect", &[INSPECTION_SCHEMA]),
     ("check", &["results/check"]),
     ("drop-test", &["results/drop-test"]),
     ("motion", &["results/motion"]),
     ("plot", &[]),
-    ("fit", &[CHANGE, "results/fit"]),
+    ("fit", &[CHANGE_SCHEMA, "results/fit"]),
     ("reproduce", &["results/reproduction"]),
     ("presets", &["results/preset"]),
     ("explain", &["results/explanation"]),
@@ -36,23 +36,24 @@ const RESULTS: [(&str, &[&str]); 15] = [
 /// Validates the lines of standard output that are complete JSON objects. A stopped call may leave half a line.
 #[track_caller]
 pub(crate) fn validate_stdout(arguments: &str, stdout: &[u8]) {
-    let verb = arguments.split_whitespace().find(|word| RESULTS.iter().any(|(verb, _)| verb == word));
-    let all: Vec<&str> = RESULTS.iter().flat_map(|(_, schemas)| *schemas).copied().collect();
+    let verb =
+        arguments.split_whitespace().find(|word| CALLS_OF_SCHEMAS.iter().any(|(verb, _)| verb == word));
+    let all: Vec<&str> = CALLS_OF_SCHEMAS.iter().flat_map(|(_, schemas)| *schemas).copied().collect();
     let allowed: Vec<&str> = match verb {
-        Some(verb) => RESULTS
+        Some(verb) => CALLS_OF_SCHEMAS
             .iter()
             .filter(|(name, _)| *name == verb)
             .flat_map(|(_, schemas)| *schemas)
             .copied()
             .collect(),
         None if arguments.starts_with("request") => all,
-        None => vec![CHANGE, INSPECTION],
+        None => vec![CHANGE_SCHEMA, INSPECTION_SCHEMA],
     };
     // An object over several lines is an example in a text, and no result.
     for line in json_lines(stdout).filter(|line| line.ends_with(b"}")) {
         let value = parse_json(line);
         match value.get("error") {
-            Some(_) => assert_matches_one_schema(&value, &[FAILURE]),
+            Some(_) => assert_matches_one_schema(&value, &[FAILURE_SCHEMA]),
             None => assert_matches_one_schema(&value, &allowed),
         }
     }
@@ -62,7 +63,8 @@ pub(crate) fn validate_stdout(arguments: &str, stdout: &[u8]) {
 #[track_caller]
 pub(crate) fn validate_file(name: &str, bytes: &[u8]) {
     if name.ends_with(".ndjson") {
-        json_lines(bytes).for_each(|line| assert_matches_one_schema(&parse_json(line), &[SUMMARY]));
+        json_lines(bytes)
+            .for_each(|line| assert_matches_one_schema(&parse_json(line), &[SUMMARY_LINE_SCHEMA]));
     }
 }
 
@@ -78,10 +80,10 @@ fn parse_json(line: &[u8]) -> Value {
 
 #[track_caller]
 fn assert_matches_one_schema(value: &Value, schemas: &[&str]) {
-    let fulfilled = schemas.iter().any(|name| validator(name).is_valid(value));
+    let fulfilled = schemas.iter().any(|name| schema_validator(name).is_valid(value));
     let why = || {
         let errors = |name: &&str| {
-            let schemas = validator(name).iter_errors(value);
+            let schemas = schema_validator(name).iter_errors(value);
             schemas.map(|error| format!("{name}{}: {error}", error.instance_path())).collect::<Vec<_>>()
         };
         schemas.iter().flat_map(errors).collect::<Vec<_>>().join("\n")
@@ -106,10 +108,14 @@ pub(crate) fn assert_uniform_lists(value: &Value) {
     }
 }
 
-fn validator(name: &str) -> &'static Validator {
+fn schema_validator(name: &str) -> &'static Validator {
     static ALL: OnceLock<HashMap<String, Validator>> = OnceLock::new();
     let all = ALL.get_or_init(|| {
-        let names = RESULTS.iter().flat_map(|(_, names)| *names).copied().chain([FAILURE, SUMMARY]);
+        let names = CALLS_OF_SCHEMAS
+            .iter()
+            .flat_map(|(_, names)| *names)
+            .copied()
+            .chain([FAILURE_SCHEMA, SUMMARY_LINE_SCHEMA]);
         names
             .map(|name| (name.to_owned(), read_schema(&root().join(format!("schemas/{name}.schema.json")))))
             .collect()

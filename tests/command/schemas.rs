@@ -11,43 +11,43 @@ fn changed_result(call: &str, change: impl FnOnce(&mut Value)) -> Vec<u8> {
     format!("{value}\n").into_bytes()
 }
 
-const INSPECT: &str = "inspect human.osim --format json";
+const INSPECT_CALL: &str = "inspect human.osim --format json";
 
 #[test]
-fn a_valid_result_passes() {
-    schema_validation::validate_stdout(INSPECT, &changed_result(INSPECT, |_| {}));
+fn the_schema_accepts_a_valid_result() {
+    schema_validation::validate_stdout(INSPECT_CALL, &changed_result(INSPECT_CALL, |_| {}));
 }
 
 #[test]
 #[should_panic(expected = "Additional properties are not allowed ('mass' was unexpected)")]
-fn an_unknown_field_is_refused() {
+fn the_schema_refuses_an_unknown_field() {
     schema_validation::validate_stdout(
-        INSPECT,
-        &changed_result(INSPECT, |inspection| inspection["mass"] = json!(62)),
+        INSPECT_CALL,
+        &changed_result(INSPECT_CALL, |inspection| inspection["mass"] = json!(62)),
     );
 }
 
 #[test]
 #[should_panic(expected = "\"gravity_m_s2\" is a required property")]
-fn a_missing_field_is_refused() {
-    let incomplete = changed_result(INSPECT, |inspection| {
+fn the_schema_refuses_a_missing_field() {
+    let incomplete = changed_result(INSPECT_CALL, |inspection| {
         inspection.as_object_mut().unwrap().remove("gravity_m_s2");
     });
-    schema_validation::validate_stdout(INSPECT, &incomplete);
+    schema_validation::validate_stdout(INSPECT_CALL, &incomplete);
 }
 
 #[test]
 #[should_panic(expected = "/spheres/0/name")]
 fn a_value_of_another_type_is_refused() {
     schema_validation::validate_stdout(
-        INSPECT,
-        &changed_result(INSPECT, |inspection| inspection["spheres"][0]["name"] = json!(1)),
+        INSPECT_CALL,
+        &changed_result(INSPECT_CALL, |inspection| inspection["spheres"][0]["name"] = json!(1)),
     );
 }
 
 #[test]
 #[should_panic(expected = "fulfils none of [\"failure\"]")]
-fn a_wrong_failure_is_refused() {
+fn the_schema_refuses_a_wrong_failure() {
     schema_validation::validate_stdout("inspect", b"{\"error\": \"no\"}\n");
 }
 
@@ -74,12 +74,13 @@ mod names_that_are_not_utf_8 {
     use super::*;
     use crate::support::fixture;
 
-    const NAME: &[u8] = b"m\xE4use.osim";
+    const NAME_IN_LATIN_1: &[u8] = b"m\xE4use.osim";
 
     /// A folder with a human whose file name is in Latin-1; `None` if the system refuses such names.
     fn dir_with_latin1_name() -> Option<TestDir> {
         let dir = TestDir::with_human();
-        let copy = std::fs::copy(dir.path("human.osim"), dir.path("").join(OsStr::from_bytes(NAME)));
+        let copy =
+            std::fs::copy(dir.path("human.osim"), dir.path("").join(OsStr::from_bytes(NAME_IN_LATIN_1)));
         if copy.is_err() {
             crate::support::report_skip("names that are no UTF-8", "this system has no such names");
         }
@@ -89,7 +90,7 @@ mod names_that_are_not_utf_8 {
     fn first_line(dir: &TestDir, words: &[&str]) -> Value {
         let mut command = dir.command("");
         let argument = |word: &&str| match *word {
-            "NAME" => OsStr::from_bytes(NAME).to_owned(),
+            "NAME" => OsStr::from_bytes(NAME_IN_LATIN_1).to_owned(),
             word => word.into(),
         };
         let output = command.args(words.iter().map(argument)).output().unwrap();
@@ -113,7 +114,7 @@ mod names_that_are_not_utf_8 {
         ] {
             let line = first_line(&dir, words);
             assert_eq!(line["model"], "m\u{FFFD}use.osim", "{words:?}");
-            assert_eq!(line["model_bytes"], json!(NAME), "{words:?}");
+            assert_eq!(line["model_bytes"], json!(NAME_IN_LATIN_1), "{words:?}");
         }
         // Names that are text have none.
         let line = first_line(&dir, &["inspect", "human.osim", "--format", "json"]);
@@ -124,10 +125,10 @@ mod names_that_are_not_utf_8 {
     fn paths_that_are_not_unicode_have_their_bytes_in_a_json_summary() {
         let Some(dir) = dir_with_latin1_name() else { return };
         let words = ["--target-mass", "5", "-d", "out", "--summary", "done.ndjson"];
-        let status = dir.command("").arg(OsStr::from_bytes(NAME)).args(words).status().unwrap();
+        let status = dir.command("").arg(OsStr::from_bytes(NAME_IN_LATIN_1)).args(words).status().unwrap();
         assert!(status.success());
         let line: Value = serde_json::from_str(&dir.text("done.ndjson")).unwrap();
-        assert_eq!(line["model_bytes"], json!(NAME));
+        assert_eq!(line["model_bytes"], json!(NAME_IN_LATIN_1));
         let output: Vec<u8> = serde_json::from_value(line["output_bytes"].clone()).unwrap();
         let output = PathBuf::from(OsStr::from_bytes(&output));
         assert!(dir.path("").join(output).is_file(), "{line}");
@@ -136,8 +137,10 @@ mod names_that_are_not_utf_8 {
     #[test]
     fn paths_that_are_not_unicode_stay_in_remedies() {
         let Some(dir) = dir_with_latin1_name() else { return };
-        std::fs::write(dir.path("").join(OsStr::from_bytes(NAME)), fixture("check/sunk_in.osim")).unwrap();
-        let request = json!({"verb": "check", "models": [{"bytes": NAME}], "format": "json"}).to_string();
+        std::fs::write(dir.path("").join(OsStr::from_bytes(NAME_IN_LATIN_1)), fixture("check/sunk_in.osim"))
+            .unwrap();
+        let request =
+            json!({"verb": "check", "models": [{"bytes": NAME_IN_LATIN_1}], "format": "json"}).to_string();
         let check: Value =
             serde_json::from_str(&dir.run_with_stdin("request -", request.as_bytes()).out()).unwrap();
         let remedy = check["findings"][0]["command"].as_str().unwrap();
@@ -147,9 +150,10 @@ mod names_that_are_not_utf_8 {
     #[test]
     fn a_request_can_name_a_path_by_its_bytes() {
         let Some(dir) = dir_with_latin1_name() else { return };
-        let request = json!({"verb": "inspect", "models": [{"bytes": NAME}], "format": "json"}).to_string();
+        let request =
+            json!({"verb": "inspect", "models": [{"bytes": NAME_IN_LATIN_1}], "format": "json"}).to_string();
         let inspection = dir.run_with_stdin("request -", request.as_bytes()).succeeded();
         let inspection: Value = serde_json::from_str(&inspection.out()).unwrap();
-        assert_eq!(inspection["model_bytes"], json!(NAME));
+        assert_eq!(inspection["model_bytes"], json!(NAME_IN_LATIN_1));
     }
 }

@@ -5,14 +5,14 @@ use serde_json::Value;
 use crate::html::Html;
 use crate::support::TestDir;
 
-const FILES: &[(&str, &str)] = &[
+const MODELS_TO_COMPARE: &[(&str, &str)] = &[
     ("follows_size/generic.osim", "generic.osim"),
     ("follows_size/scaled.osim", "scaled.osim"),
     ("follows_size/generic.omoco", "generic.omoco"),
     ("follows_size/scaled.omoco", "scaled.omoco"),
 ];
 
-const ALL: &str =
+const CALL_FOR_ALL_ROWS: &str =
     "check scaled.osim --from generic.osim --moco-setup scaled.omoco --from-moco-setup generic.omoco";
 
 fn similarity_of(dir: &TestDir, call: &str) -> Value {
@@ -27,9 +27,9 @@ fn kind_row<'v>(list: &'v Value, name: &str) -> &'v Value {
 /// The child has 20 kg and the original adult 62 kg. The bounds are from `make_follows_size.py`.
 #[test]
 fn each_kind_of_quantity_has_a_factor_and_a_verdict() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(MODELS_TO_COMPARE);
     let before = dir.text("scaled.osim");
-    let list = similarity_of(&dir, ALL);
+    let list = similarity_of(&dir, CALL_FOR_ALL_ROWS);
     assert!((list["mass_ratio"].as_f64().unwrap() - 20.0 / 62.0).abs() < 1e-12);
     let verdicts = [
         ("max_isometric_force", "left"),
@@ -55,13 +55,13 @@ fn each_kind_of_quantity_has_a_factor_and_a_verdict() {
 
 #[test]
 fn the_list_has_one_line_for_each_kind() {
-    let dir = TestDir::with(FILES);
-    for call in [ALL, "inspect generic.osim --target-mass 20"] {
+    let dir = TestDir::with(MODELS_TO_COMPARE);
+    for call in [CALL_FOR_ALL_ROWS, "inspect generic.osim --target-mass 20"] {
         let text = dir.run(call).out();
         let (_, list) = text.split_once("What else follows size:\n").unwrap();
         assert!(list.lines().all(|line| line.chars().count() <= 80), "{list}");
     }
-    let text = dir.run(ALL).out();
+    let text = dir.run(CALL_FOR_ALL_ROWS).out();
     let (_, list) = text.split_once("What else follows size:\n").unwrap();
     assert!(
         list.contains("one choice among several") || list.contains("one\n    choice among several"),
@@ -74,7 +74,7 @@ fn the_list_has_one_line_for_each_kind() {
 
 #[test]
 fn a_mass_or_a_setup_alone_gives_factors_without_verdicts() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(MODELS_TO_COMPARE);
     // M = 1/2 of 62 kg: forces 0.5, lengths 0.5^(1/3) = 0.7937, times 0.5^(1/6) = 0.8909.
     let list = similarity_of(&dir, "inspect generic.osim --target-mass 31");
     for (name, factor) in
@@ -92,7 +92,7 @@ fn a_mass_or_a_setup_alone_gives_factors_without_verdicts() {
 
 #[test]
 fn a_setup_needs_the_original_and_a_problem() {
-    let dir = TestDir::with(FILES);
+    let dir = TestDir::with(MODELS_TO_COMPARE);
     dir.run("check scaled.osim --moco-setup scaled.omoco").usage_error();
     dir.run("check scaled.osim --from generic.osim --from-moco-setup scaled.omoco").usage_error();
     let wrong_setup_call = "check scaled.osim --from generic.osim --moco-setup generic.osim";
@@ -101,8 +101,8 @@ fn a_setup_needs_the_original_and_a_problem() {
 
 #[test]
 fn the_report_page_shows_the_list() {
-    let dir = TestDir::with(FILES);
-    dir.run(&format!("{ALL} --report page.html"));
+    let dir = TestDir::with(MODELS_TO_COMPARE);
+    dir.run(&format!("{CALL_FOR_ALL_ROWS} --report page.html"));
     let page = Html::parse_and_check(&dir.text("page.html"));
     assert!(page.text.contains("What else follows size"), "{}", page.text);
     assert!(page.text.contains("optimal fiber length"), "{}", page.text);

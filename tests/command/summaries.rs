@@ -76,12 +76,12 @@ fn values_that_differ_between_forces_are_empty() {
     assert_eq!(twice["unequal_factors"], "");
 }
 
-const TABLE: &str = "#subject,model,#sex,target-mass,output\nS01,human.osim,\"f, adult\",70,a.osim\nS02,human.osim,,80,b.osim\n";
+const TABLE_OF_SUBJECTS: &str = "#subject,model,#sex,target-mass,output\nS01,human.osim,\"f, adult\",70,a.osim\nS02,human.osim,,80,b.osim\n";
 
 #[test]
 fn columns_of_the_user_are_in_the_summary() {
     let dir = TestDir::with_human();
-    dir.write("m.csv", TABLE);
+    dir.write("m.csv", TABLE_OF_SUBJECTS);
     dir.run("batch m.csv --summary s.csv --quiet").succeeded();
     let first = dir.text("s.csv");
     let lines_of_summary = summary_lines(&first);
@@ -94,14 +94,14 @@ fn columns_of_the_user_are_in_the_summary() {
     let json: Value = serde_json::from_str(dir.text("s.ndjson").lines().next().unwrap()).unwrap();
     assert_eq!(json["columns"], json!({"#subject": "S01", "#sex": "f, adult"}));
     // After a correction in the user's columns no model is written again, but the summary of the resumed run has it.
-    dir.write("m.csv", TABLE.replace("S02", "S03"));
+    dir.write("m.csv", TABLE_OF_SUBJECTS.replace("S02", "S03"));
     for summary in ["s.csv", "s.ndjson"] {
         dir.run(&format!("batch m.csv --summary {summary} --resume")).succeeded().wrote(&[summary]);
         assert!(dir.text(summary).contains("S03") && !dir.text(summary).contains("S02"));
     }
     // A failed row keeps its columns, too.
     dir.write("broken.osim", "<OpenSimDocument");
-    dir.write("m.csv", TABLE.replace("S02,human.osim", "S02,broken.osim"));
+    dir.write("m.csv", TABLE_OF_SUBJECTS.replace("S02,human.osim", "S02,broken.osim"));
     dir.run("batch m.csv --summary s.csv --force").failed();
     let lines_of_summary = summary_lines(&dir.text("s.csv"));
     assert_eq!(

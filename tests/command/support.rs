@@ -173,7 +173,7 @@ fn split_arguments(arguments: &str) -> Vec<String> {
     }
 }
 
-/// The result of a run.
+/// What a run of the command printed, and its exit status.
 pub(crate) struct CommandRun {
     call: String,
     folder: PathBuf,
@@ -293,8 +293,8 @@ pub(crate) fn assert_snapshot(name: &str, text: &str) {
 
 /// The text with fixed names in place of temporary names, which end in six random letters.
 fn without_temporary_names(text: &str) -> String {
-    const START: &str = "/.osim-contact-scale-";
-    let mut parts = text.split(START);
+    const START_OF_TEMPORARY_NAMES: &str = "/.osim-contact-scale-";
+    let mut parts = text.split(START_OF_TEMPORARY_NAMES);
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
         out.push_str("/[TEMPORARY]");

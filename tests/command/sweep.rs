@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::support::{TestDir, fixture};
 
-const EMU: (&str, &str) = ("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim");
+const EMU_MODEL: (&str, &str) = ("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim");
 
 /// Rows of a manifest, as column to cell.
 fn manifest_rows(dir: &TestDir, name: &str) -> Vec<BTreeMap<String, String>> {
@@ -36,7 +36,7 @@ fn common_value(dir: &TestDir, model: &str, property: &str) -> f64 {
 
 #[test]
 fn a_grid_has_one_file_per_point_and_the_manifest_lists_its_values() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let run = dir.run("sweep emu.osim --grid stiffness=x0.1,x1,x10 --grid dissipation=0.5,1,2").succeeded();
     assert_eq!(run.changed.len(), 10);
     let rows = manifest_rows(&dir, "emu.sweep/emu_sweep.csv");
@@ -59,12 +59,12 @@ fn a_grid_has_one_file_per_point_and_the_manifest_lists_its_values() {
     dir.run(&format!("sweep emu.osim --grid stiffness=x1 --grid dissipation={own_value} -d own --no-note"))
         .succeeded();
     let file = format!("own/emu_1_stiffness-x1_dissipation-{own_value}.osim");
-    assert_eq!(dir.read(&file), fixture(EMU.0));
+    assert_eq!(dir.read(&file), fixture(EMU_MODEL.0));
 }
 
 #[test]
 fn a_grid_of_indentations_equals_a_design_for_each() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     dir.run("sweep emu.osim --grid indentation=0.05,0.16 --grid restitution=0.8,0.9 -d out --no-note")
         .succeeded();
     for (index, x, restitution) in
@@ -86,7 +86,7 @@ fn a_grid_of_indentations_equals_a_design_for_each() {
 
 #[test]
 fn a_grid_may_combine_masses_properties_and_designs() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     dir.run("sweep emu.osim --grid target-mass=5,500 --no-note -d out").succeeded();
     dir.run("emu.osim --target-mass 500 --no-note -o one.osim").succeeded();
     assert_eq!(dir.read("out/emu_2_target-mass-500.osim"), dir.read("one.osim"));
@@ -109,7 +109,7 @@ fn a_grid_may_combine_masses_properties_and_designs() {
 /// project. The last expected value has OpenSim's own smoothing.
 #[test]
 fn a_ladder_lists_indentations_by_both_laws() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     dir.run("set emu.osim constant_contact_force=1e-5 hertz_smoothing=300 hunt_crossley_smoothing=50 -o default.osim").succeeded();
     for (model, expected) in [
         ("emu", [1.246_087_627_370_075, 0.436_229_094_854_055_8, 0.135_612_394_666_728_9]),
@@ -130,7 +130,7 @@ fn a_ladder_lists_indentations_by_both_laws() {
 /// (11) of the emu is 0.3533 at its own stiffness, and 100^(2/3) times that at a hundredth: a whole radius and more.
 #[test]
 fn new_faults_of_a_point_are_in_the_manifest_and_counted() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let run = dir.run("sweep emu.osim --grid stiffness=x0.001,x0.01,x1 -d out").succeeded();
     run.says(&["2 of 3 models have errors or warnings that the original model does not have"]);
     let worse: Vec<String> =
@@ -153,7 +153,7 @@ fn spheres_of_several_kinds_have_a_value_each() {
 
 #[test]
 fn the_largest_counts_are_accepted_and_larger_ones_refused() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let ladder = |steps: &str| format!("sweep emu.osim --ladder {steps} --indentation 0.16 --dry-run");
     dir.run(&ladder("100000")).succeeded().says(&["100000 models"]);
     for steps in ["1", "100001", "1e9", "1000000000", "99999999999999999999"] {
@@ -176,7 +176,7 @@ fn the_largest_counts_are_accepted_and_larger_ones_refused() {
 
 #[test]
 fn a_ladder_goes_from_soft_to_the_designed_contact() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let call = "sweep emu.osim --ladder 4 --indentation 0.16 --restitution 0.9 -d out";
     dir.run(call).succeeded().wrote(&[
         "out/emu_ladder-1-of-4.osim",
@@ -204,7 +204,7 @@ fn a_ladder_goes_from_soft_to_the_designed_contact() {
 
 #[test]
 fn a_sweep_reports_its_size_first_and_many_models_need_yes() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let many = "sweep emu.osim --grid stiffness=x0.1..x10/101 --grid dissipation=0.1..10/100";
     dir.run(many).usage_error().wrote_nothing().says(&["more than 10,000", "--yes"]);
     dir.run("sweep emu.osim --grid stiffness=x0.1..x10/9 --dry-run")
@@ -225,7 +225,7 @@ fn a_sweep_reports_its_size_first_and_many_models_need_yes() {
 
 #[test]
 fn wrong_calls_are_refused_before_anything_is_written() {
-    let dir = TestDir::with(&[EMU, ("bad/no_contacts.osim", "bare.osim")]);
+    let dir = TestDir::with(&[EMU_MODEL, ("bad/no_contacts.osim", "bare.osim")]);
     for (arguments, says) in [
         ("emu.osim", "--grid"),
         ("emu.osim --grid stifness=x2", "there is no property"),
@@ -265,7 +265,7 @@ fn wrong_calls_are_refused_before_anything_is_written() {
 
 #[test]
 fn folders_of_sweeps_are_skipped_with_a_remark() {
-    let dir = TestDir::with(&[(EMU.0, "lib/emu.osim")]);
+    let dir = TestDir::with(&[(EMU_MODEL.0, "lib/emu.osim")]);
     dir.run("sweep lib/emu.osim --grid stiffness=x1,x2").succeeded();
     let run =
         dir.run("lib --target-mass 5 -d out").succeeded().says(&["folders of sweeps (*.sweep) skipped: 1"]);
@@ -290,7 +290,7 @@ fn a_model_is_not_written_where_its_included_files_are_missing() {
 
 #[test]
 fn file_names_sort_in_the_order_of_the_points() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     dir.run("sweep emu.osim --grid stiffness=x10,x9 --grid dissipation=0.1..5/6 -d out --no-note")
         .succeeded();
     let rows = manifest_rows(&dir, "out/emu_sweep.csv");
@@ -304,7 +304,7 @@ fn file_names_sort_in_the_order_of_the_points() {
 
 #[test]
 fn a_point_writes_one_model_and_its_row() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let call = "sweep emu.osim --grid stiffness=x1,x2 --grid dissipation=1..2/6 -d out";
     let json = |words: &str| -> Value {
         serde_json::from_str(&dir.run(&format!("{call} {words} --format json")).succeeded().out()).unwrap()
@@ -341,7 +341,7 @@ fn a_point_writes_one_model_and_its_row() {
 
 #[test]
 fn points_and_shares_out_of_range_are_refused() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let call = "sweep emu.osim --grid stiffness=x1,x2,x3 --grid dissipation=1,2 -d out";
     for (words, says) in [
         ("--point 0", "--point 0: the points of the grid are counted from 1 to 6"),
@@ -366,7 +366,7 @@ fn points_and_shares_out_of_range_are_refused() {
 /// The factor x1 and the unchanged stiffness give two variants with the same contacts. A remark names them.
 #[test]
 fn points_with_the_same_contacts_are_named() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let own_value = common_value(&dir, "emu.osim", "stiffness");
     let call = format!("sweep emu.osim --grid stiffness=x1,{own_value},x2 -d out");
     dir.run(&call)
@@ -379,7 +379,7 @@ fn points_with_the_same_contacts_are_named() {
 /// Models of an earlier sweep stay in the folder. A remark names them, because a loop over all files would use them, too.
 #[test]
 fn models_of_another_sweep_in_the_folder_are_named() {
-    let dir = TestDir::with(&[EMU]);
+    let dir = TestDir::with(&[EMU_MODEL]);
     let errors_of = |call: &str| dir.run(call).succeeded().err();
     assert!(!errors_of("sweep emu.osim --grid stiffness=x1,x2 -d out").contains("another sweep"));
     let err = errors_of("sweep emu.osim --grid stiffness=x1,x3 -d out --force");

@@ -9,7 +9,7 @@ const TRANSFER_FROM_ITSELF: &str = "transfer human.osim --from human.osim --refe
 /// A reference gravity of 9.81/4 m/s², so that γ = 4 and γ^-1/2 = 1/2.
 const OPTION_FOR_QUARTER_GRAVITY: &str = "--reference-gravity 2.4525";
 /// The relative rounding error of 9.81 divided by 2.4525.
-const TOLERANCE: f64 = 4e-16;
+const RELATIVE_TOLERANCE: f64 = 4e-16;
 
 /// The planned new values of each force, by property: E₁*, α, bv.
 #[track_caller]
@@ -32,7 +32,10 @@ fn assert_scaled_to_fourfold_gravity(report: &str) {
             planned.iter().filter(|(name, _)| name == property).map(|(_, value)| *value).collect();
         assert_eq!(values.len(), 12, "{property}: {planned:?}");
         for value in values {
-            assert!((value / expected - 1.0).abs() <= TOLERANCE, "{property}: {value}, not {expected}");
+            assert!(
+                (value / expected - 1.0).abs() <= RELATIVE_TOLERANCE,
+                "{property}: {value}, not {expected}"
+            );
         }
     }
     assert_eq!(planned.len(), 36, "{planned:?}");
@@ -238,7 +241,7 @@ fn standard_input_cannot_be_model_and_reference() {
 /// the cube root of 37.8/62 (Python's decimal), and the lowest points stay.
 #[test]
 fn level_spheres_get_the_radius_of_a_preset_and_stay_on_the_sole() {
-    const RADIUS: f64 = 0.027_134_178_757_483_97;
+    const RADIUS_OF_NEW_MASS: f64 = 0.027_134_178_757_483_97;
     let dir = TestDir::with(&[("table1/emu_10_spheres_smooth_sphere.osim", "emu.osim")]);
     let call = "transfer emu.osim --from falisse2022 --radius isometric --level --dry-run";
     let report: Value =
@@ -248,14 +251,14 @@ fn level_spheres_get_the_radius_of_a_preset_and_stay_on_the_sole() {
         |property: &'static str| changes.iter().filter(move |change| change["property"] == property);
     assert_eq!((values_of("radius").count(), values_of("location").count()), (20, 20));
     for change in values_of("radius") {
-        assert!((change["to"].as_f64().unwrap() / RADIUS - 1.0).abs() < 1e-15, "{change}");
+        assert!((change["to"].as_f64().unwrap() / RADIUS_OF_NEW_MASS - 1.0).abs() < 1e-15, "{change}");
         assert_eq!((&change["from"], &change["equation"]), (&json!(0.015), &json!("8")));
     }
     for change in values_of("location") {
         let (from, to) = (change["from"].as_array().unwrap(), change["to"].as_array().unwrap());
         assert_eq!((&from[0], &from[2]), (&to[0], &to[2]));
         let (from, to) = (from[1].as_f64().unwrap(), to[1].as_f64().unwrap());
-        assert!((from - 0.015 - (to - RADIUS)).abs() < 1e-15, "the bottom stays: {change}");
+        assert!((from - 0.015 - (to - RADIUS_OF_NEW_MASS)).abs() < 1e-15, "the bottom stays: {change}");
     }
     dir.run(call).succeeded().matches_snapshot("transfer_level_preset");
     // A second transfer changes nothing.

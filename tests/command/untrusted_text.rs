@@ -56,7 +56,7 @@ fn assert_no_formula(table: &[u8], call: &str) {
 }
 
 /// Calls of every verb that reads a model, in every form.
-const CALLS: [&str; 27] = [
+const CALLS_THAT_PRINT_NAMES: [&str; 27] = [
     "inspect MODEL",
     "inspect MODEL --format json",
     "inspect MODEL --format csv",
@@ -90,7 +90,7 @@ const CALLS: [&str; 27] = [
 fn names_in_a_model_cannot_control_a_terminal_or_spreadsheet() {
     let dir = TestDir::with_human();
     dir.write("nasty.osim", human_with_names(NASTY_NAME, NASTY_LINE));
-    for call in CALLS {
+    for call in CALLS_THAT_PRINT_NAMES {
         let call = call.replace("MODEL", "nasty.osim");
         let run = dir.run(&call);
         // A check says that OpenSim refuses such names.
@@ -134,7 +134,7 @@ fn a_diff_in_a_pipe_cannot_control_a_terminal() {
 fn a_very_long_name_is_shortened() {
     let dir = TestDir::with_human();
     dir.write("long.osim", human_with_names(&"n".repeat(100_000), ""));
-    for call in CALLS {
+    for call in CALLS_THAT_PRINT_NAMES {
         let call = call.replace("MODEL", "long.osim");
         let run = dir.run(&call);
         assert!(run.stderr.len() < 20_000, "{call}: {} bytes on standard error", run.stderr.len());
@@ -146,9 +146,10 @@ fn a_very_long_name_is_shortened() {
 #[cfg(unix)]
 #[test]
 fn names_of_files_cannot_control_a_terminal_or_spreadsheet() {
-    const NAMES: [&str; 2] = ["=a\u{1b}[2J\nerror: fake\u{202e}.osim", "@b\twarning: fake\u{9b}.osim"];
+    const NASTY_FILE_NAMES: [&str; 2] =
+        ["=a\u{1b}[2J\nerror: fake\u{202e}.osim", "@b\twarning: fake\u{9b}.osim"];
     let dir = TestDir::with_human();
-    for name in NAMES {
+    for name in NASTY_FILE_NAMES {
         dir.write(name, fixture(HUMAN.0));
         dir.write(&format!("broken{name}"), "<OpenSimDocument Version=\"40000\"><Model");
     }

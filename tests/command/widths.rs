@@ -4,7 +4,7 @@ use crate::support::{HUMAN, TestDir, assert_snapshot};
 use crate::terminal::terminal_output;
 
 /// Calls whose outputs people read most.
-const OUTPUTS: [(&str, &str); 16] = [
+const CALLS_MOST_READ: [(&str, &str); 16] = [
     ("good", "check good.osim"),
     ("scaled", "check scaled.osim --from generic.osim"),
     ("broken", "check broken.osim"),
@@ -29,7 +29,7 @@ const OUTPUTS: [(&str, &str); 16] = [
     ("reproduce", "reproduce"),
 ];
 
-fn models() -> TestDir {
+fn folder_of_models() -> TestDir {
     TestDir::with(&[
         HUMAN,
         ("check/within_limits.osim", "good.osim"),
@@ -53,8 +53,8 @@ fn models() -> TestDir {
 
 #[test]
 fn outputs_fit_terminals_of_60_80_and_120_columns() {
-    let dir = models();
-    for (name, call) in OUTPUTS {
+    let dir = folder_of_models();
+    for (name, call) in CALLS_MOST_READ {
         let mut all = format!("$ osim-contact-scale {call}\n");
         for columns in [60, 80, 120] {
             let (out, _) = terminal_output(dir.command(call), columns);
@@ -77,7 +77,7 @@ fn outputs_fit_terminals_of_60_80_and_120_columns() {
 
 #[test]
 fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
-    let dir = models();
+    let dir = folder_of_models();
     let printed = dir.run("check scaled.osim --from generic.osim").failed().out();
     let command = printed.lines().find_map(|line| line.strip_prefix("$ osim-contact-scale ")).unwrap();
     dir.run(&format!("{command} -o by_command.osim")).succeeded();
@@ -98,7 +98,7 @@ fn fix_does_what_check_prints_and_ends_with_the_status_of_the_result() {
 
 #[test]
 fn fix_without_a_command_or_with_a_wrong_call_writes_nothing() {
-    let dir = models();
+    let dir = folder_of_models();
     dir.run("check good.osim --fix -o new.osim").succeeded().wrote_nothing().says(&["nothing to correct"]);
     dir.run("check good.osim -o new.osim").usage_error().says(&["-o needs --fix"]);
     dir.run("check good.osim broken.osim --fix -o new.osim").exited_with(2).wrote_nothing();

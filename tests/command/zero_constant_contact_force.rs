@@ -2,8 +2,8 @@
 
 use crate::support::{CommandRun, HUMAN, TestDir, fixture};
 
-const CODE: &str = "zero-constant-contact-force";
-const FOOT: &str = "format/zero_dissipation.osim";
+const FINDING_CODE: &str = "zero-constant-contact-force";
+const FOOT_MODEL: &str = "format/zero_dissipation.osim";
 
 /// The text of a fixture, with `from` replaced by `to`.
 fn fixture_with_replacement(name: &str, from: &str, to: &str) -> String {
@@ -24,25 +24,25 @@ fn every_verb_finds_a_zero_in_every_notation() {
     let zero = "<constant_contact_force>0</constant_contact_force>";
     let value = "<constant_contact_force>1.5e-05</constant_contact_force>";
     let smoothing = "<hertz_smoothing>111</hertz_smoothing>";
-    let dir = TestDir::with(&[(FOOT, "element.osim")]);
+    let dir = TestDir::with(&[(FOOT_MODEL, "element.osim")]);
     let defaults =
         fixture_with_replacement("format/defaults_smooth.osim", smoothing, &format!("{smoothing}{zero}"));
     dir.write("defaults.osim", defaults.replace(value, ""));
-    dir.write("underflow.osim", fixture_with_replacement(FOOT, zero, &zero.replace('0', "1e-400")));
-    dir.write("minus.osim", fixture_with_replacement(FOOT, zero, &zero.replace('0', "-0")));
+    dir.write("underflow.osim", fixture_with_replacement(FOOT_MODEL, zero, &zero.replace('0', "1e-400")));
+    dir.write("minus.osim", fixture_with_replacement(FOOT_MODEL, zero, &zero.replace('0', "-0")));
     let off = "<appliesForce>false</appliesForce>";
     dir.write(
         "off.osim",
         fixture_with_replacement("format/applies_force_false.osim", off, &format!("{off}{zero}")),
     );
     for model in ["element.osim", "defaults.osim", "underflow.osim", "minus.osim", "off.osim"] {
-        dir.run(&format!("inspect {model}")).says(&[CODE]);
-        dir.run(&format!("check {model}")).says(&[CODE]);
+        dir.run(&format!("inspect {model}")).says(&[FINDING_CODE]);
+        dir.run(&format!("check {model}")).says(&[FINDING_CODE]);
         dir.run(&format!("rescale {model} --target-mass 80 --contacts-mass 70 --dry-run"))
             .succeeded()
-            .says(&[CODE]);
+            .says(&[FINDING_CODE]);
         let transfer = format!("transfer {model} --from falisse2022 --only stiffness --spheres 1 --dry-run");
-        dir.run(&transfer).succeeded().says(&[CODE]);
+        dir.run(&transfer).succeeded().says(&[FINDING_CODE]);
     }
 }
 
@@ -54,13 +54,13 @@ fn a_zero_in_a_force_outside_the_selection_is_found() {
     let zero = "<constant_contact_force>0</constant_contact_force>";
     dir.write("human.osim", format!("{before}{zero}<transition_velocity>{after}"));
     for call in ["check human.osim --select *_s2_*", "inspect human.osim --select *_s2_*"] {
-        dir.run(call).says(&[CODE, "contact_s1_r"]);
+        dir.run(call).says(&[FINDING_CODE, "contact_s1_r"]);
     }
 }
 
 #[test]
 fn no_call_writes_a_zero_constant_contact_force() {
-    let dir = TestDir::with(&[HUMAN, (FOOT, "zero.osim")]);
+    let dir = TestDir::with(&[HUMAN, (FOOT_MODEL, "zero.osim")]);
     dir.write(
         "presets.toml",
         "[[preset]]\nname = \"lab\"\nsource = \"us\"\nmass_kg = 70\nspheres = 6\nradius_m = 0.03\n\
@@ -98,16 +98,16 @@ fn no_call_writes_a_zero_constant_contact_force() {
 
 #[test]
 fn rescale_keeps_a_zero_and_reports_it_once() {
-    let dir = TestDir::with(&[(FOOT, "zero.osim")]);
+    let dir = TestDir::with(&[(FOOT_MODEL, "zero.osim")]);
     let run = dir.run("rescale zero.osim --target-mass 80 -o new.osim").succeeded();
     let output = format!("{}{}", run.out(), run.err());
-    assert_eq!(output.matches(CODE).count(), 1, "said once for its one force: {output}");
+    assert_eq!(output.matches(FINDING_CODE).count(), 1, "said once for its one force: {output}");
     assert!(dir.text("new.osim").contains("<constant_contact_force>0</constant_contact_force>"));
     // What stays is not written: setting the value that is there changes no byte.
     dir.run("set zero.osim constant_contact_force=0 --dry-run")
         .succeeded()
-        .says(&["nothing-to-change", CODE]);
+        .says(&["nothing-to-change", FINDING_CODE]);
     // The way out.
     dir.run("design zero.osim --constant-indentation 0.05 -o fixed.osim").succeeded();
-    assert!(!dir.run("check fixed.osim").out().contains(CODE));
+    assert!(!dir.run("check fixed.osim").out().contains(FINDING_CODE));
 }

@@ -28,11 +28,11 @@ fn move_knee(dir: &TestDir) {
     );
 }
 
-fn remarks(report: &Value) -> String {
+fn remarks_of_report(report: &Value) -> String {
     report["remarks"].to_string()
 }
 
-fn findings(report: &Value) -> String {
+fn findings_of_report(report: &Value) -> String {
     report["findings"].to_string()
 }
 
@@ -49,11 +49,11 @@ fn a_moved_joint_of_a_body_without_spheres_is_only_a_warning() {
     // A factor of -0 along x: SCONE's femurs against Falisse's.
     move_knee(&dir);
     let report = dry_run_plan(&dir, "");
-    assert!(finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings(&report));
+    assert!(finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings_of_report(&report));
     assert!(
-        findings(&report).contains("joint tibia_r_joint is at x = 0.00000 m on femur_r"),
+        findings_of_report(&report).contains("joint tibia_r_joint is at x = 0.00000 m on femur_r"),
         "{}",
-        findings(&report)
+        findings_of_report(&report)
     );
     // The meshes still give the factors of the feet.
     assert_close_place(&planned_value(&report, "heel_r", "location"), SCALED_HEEL_PLACE);
@@ -157,7 +157,7 @@ fn the_last_body_gets_the_factors_of_its_parent() {
     let report = dry_run_plan(&dir, "");
     for (body, foot) in [("toes_r", "calcn_r"), ("toes_l", "calcn_l")] {
         let remark = format!("{body} takes the factors of {foot}, its parent body: 1.0200, 0.9000, 0.9500");
-        assert!(remarks(&report).contains(&remark), "{}", remarks(&report));
+        assert!(remarks_of_report(&report).contains(&remark), "{}", remarks_of_report(&report));
     }
     assert_close(&planned_value(&report, "toe_r", "radius"), 0.030_573_048_163_784_02);
     let inspection =
@@ -198,7 +198,7 @@ fn different_factors_left_and_right_are_refused() {
         "0.1853 -0.0108 -0.0019",
     );
     let report = dry_run_plan(&scaled_copy, "");
-    assert!(!finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings(&report));
+    assert!(!finding_codes(&report).contains(&"not-a-scaled-copy"), "{}", findings_of_report(&report));
     assert_close_place(&planned_value(&report, "heel_l", "location"), [-0.0109, -0.036, -0.00475]);
     assert_close_place(&planned_value(&report, "heel_r", "location"), SCALED_HEEL_PLACE);
 }
@@ -212,7 +212,7 @@ fn disagreeing_sources_are_reported_with_both_values() {
         set_mesh_factors(&dir, "scaled.osim", body, "1.212 0.9 0.969");
     }
     let report = dry_run_plan(&dir, "");
-    let text = findings(&report);
+    let text = findings_of_report(&report);
     for body in ["calcn_r", "calcn_l"] {
         assert!(text.contains(&format!("body {body}: mesh gives 1.19")), "{text}");
     }
@@ -239,7 +239,7 @@ fn a_mesh_of_another_animal_with_the_same_name_is_refused() {
         if asks {
             assert_refused(&dir, CALL_OF_TRANSFER, &words);
         } else {
-            assert!(findings(&dry_run_plan(&dir, "")).contains("the first was used"));
+            assert!(findings_of_report(&dry_run_plan(&dir, "")).contains("the first was used"));
         }
     }
 }
@@ -311,9 +311,9 @@ fn published_models_that_are_not_copies_get_factors() {
         assert_eq!(foot["sources"][0], "mesh");
         let remark = format!("body {body}: mesh gives 1.264");
         assert!(
-            findings(&moco).contains(&remark) && findings(&moco).contains("1.094"),
+            findings_of_report(&moco).contains(&remark) && findings_of_report(&moco).contains("1.094"),
             "{}",
-            findings(&moco)
+            findings_of_report(&moco)
         );
     }
     // SCONE's one-piece foot shows foot.vtp at its full size, among other bones.

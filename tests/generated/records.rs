@@ -6,7 +6,7 @@ use osim_inspect::Figure;
 use serde_json::{Map, Value};
 
 /// Parts of docs/reference/json.md, each with the schemas whose records it lists.
-pub(crate) const PARTS: &[(&str, &[&str])] = &[
+pub(crate) const PARTS_OF_JSON_PAGE: &[(&str, &[&str])] = &[
     ("records-shared", &["failure", "finding"]),
     ("records-inspect", &["results/inspection"]),
     ("records-check", &["results/check"]),

@@ -55,7 +55,7 @@ fn rows_of_a_manifest_equal_the_command() {
 }
 
 #[test]
-fn wrong_rows_equal_the_command() {
+fn wrong_rows_in_memory_fail_as_in_the_command() {
     let dir = TestDir::with_human();
     dir.write(
         "rows.csv",

@@ -45,7 +45,7 @@ fn a_drop_test_of_a_user_preset_equals_the_command() {
 }
 
 #[test]
-fn fit_equals_the_command() {
+fn fit_in_memory_equals_the_command() {
     let dir =
         TestDir::with(&[("measured/heel_pad_european.csv", "pad.csv"), ("measured/bad_cell.csv", "bad.csv")]);
     let files = files_in_memory(&dir);
@@ -61,10 +61,13 @@ fn fit_equals_the_command() {
     });
     let words = "fit pad.csv --radius 0.01 --indentation-column Eindringtiefe --indentation-unit mm \
                  --force-column Kraft --force-unit kN --time-column Zeit";
-    let fit_equals_the_command = run_fit(&request, &files).unwrap();
-    assert_eq!(fit_text(&fit_equals_the_command, &CommandLine, None), dir.run(words).succeeded().out());
+    let fit_in_memory_equals_the_command = run_fit(&request, &files).unwrap();
     assert_eq!(
-        line(&FitRecord::from(&fit_equals_the_command)),
+        fit_text(&fit_in_memory_equals_the_command, &CommandLine, None),
+        dir.run(words).succeeded().out()
+    );
+    assert_eq!(
+        line(&FitRecord::from(&fit_in_memory_equals_the_command)),
         dir.run(&format!("{words} --format json")).succeeded().out()
     );
 
@@ -90,23 +93,23 @@ fn a_design_sheet_equals_the_command() {
 }
 
 #[test]
-fn presets_equal_the_command() {
+fn presets_in_memory_equal_the_command() {
     let dir = TestDir::with(&[("presets/lab.toml", "lab.toml")]);
-    let presets_equal_the_command =
+    let presets_in_memory_equal_the_command =
         find_presets(&request!(Presets, {"verb": "presets", "presets": "lab.toml"}), &files_in_memory(&dir))
             .unwrap();
     let texts: Vec<String> =
-        presets_equal_the_command.iter().map(|preset| preset_text(preset, None)).collect();
+        presets_in_memory_equal_the_command.iter().map(|preset| preset_text(preset, None)).collect();
     // The command names the preset of unlike spheres, too.
     let out = dir.run("presets --presets lab.toml").succeeded().out();
     assert_eq!(Some(texts.join("\n").as_str()), out.split("\nmoco-2d-gait\n").next());
     let lines: String =
-        presets_equal_the_command.iter().map(|preset| line(&PresetRecord::from(preset))).collect();
+        presets_in_memory_equal_the_command.iter().map(|preset| line(&PresetRecord::from(preset))).collect();
     assert_eq!(lines, dir.run("presets --presets lab.toml --format json").succeeded().out());
 }
 
 #[test]
-fn reproduce_equals_the_command() {
+fn reproduce_in_memory_equals_the_command() {
     let dir = TestDir::new();
     let _ = request!(Reproduce, {"verb": "reproduce"});
     let record = ReproductionRecord::new(&CommandLine).unwrap();
@@ -116,7 +119,7 @@ fn reproduce_equals_the_command() {
 }
 
 #[test]
-fn explain_equals_the_command() {
+fn explain_in_memory_equals_the_command() {
     let dir = TestDir::new();
     for (words, json) in [
         ("explain --ascii", json!({"verb": "explain", "ascii": true})),

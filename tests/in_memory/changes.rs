@@ -81,7 +81,7 @@ fn rescale_of_a_standalone_force_set_equals_the_command() {
 }
 
 #[test]
-fn transfer_equals_the_command() {
+fn transfer_in_memory_equals_the_command() {
     let dir = TestDir::with(&[
         HUMAN,
         ("table1/mouse_smooth_sphere.osim", "mouse.osim"),
@@ -138,7 +138,7 @@ fn design_of_a_model_equals_the_command() {
 }
 
 #[test]
-fn set_equals_the_command() {
+fn set_in_memory_equals_the_command() {
     let dir = TestDir::with_human();
     assert_same_change(
         &dir,
@@ -153,7 +153,7 @@ fn set_equals_the_command() {
 }
 
 #[test]
-fn add_equals_the_command() {
+fn add_in_memory_equals_the_command() {
     let dir = TestDir::with(&[
         ("feet/human_40000.osim", "human.osim"),
         ("feet/Geometry/r_human_foot.vtp", "bones/r_human_foot.vtp"),

@@ -17,7 +17,7 @@ fn engine_with_files(dir: &TestDir) -> Engine {
 }
 
 #[track_caller]
-fn ask(engine: &mut Engine, question: &Value) -> Value {
+fn ask_engine(engine: &mut Engine, question: &Value) -> Value {
     let answer: Value = serde_json::from_str(&engine.call(&question.to_string())).unwrap();
     assert!(answer.get("ok").is_some(), "{question}: {answer}");
     answer["ok"].clone()
@@ -42,8 +42,8 @@ fn assert_same_text(written: &Value, expected: &str, what: &str) {
 #[track_caller]
 fn assert_same_change(dir: &TestDir, request: &Value) {
     let mut engine = engine_with_files(dir);
-    let answer = ask(&mut engine, &json!({ "do": "change", "request": request }));
-    let diff = ask(&mut engine, &json!({ "do": "diff" }));
+    let answer = ask_engine(&mut engine, &json!({ "do": "change", "request": request }));
+    let diff = ask_engine(&mut engine, &json!({ "do": "diff" }));
     let written: Vec<(String, Vec<u8>)> = answer["results"]
         .as_array()
         .unwrap()
@@ -51,9 +51,9 @@ fn assert_same_change(dir: &TestDir, request: &Value) {
         .enumerate()
         .map(|(index, written)| (written["name"].as_str().unwrap().to_owned(), engine.result(index).unwrap()))
         .collect();
-    let report = ask(&mut engine, &json!({ "do": "report", "request": request }));
+    let report = ask_engine(&mut engine, &json!({ "do": "report", "request": request }));
 
-    let spelled = ask(&mut engine, &json!({ "do": "spell", "request": request }));
+    let spelled = ask_engine(&mut engine, &json!({ "do": "spell", "request": request }));
     let command =
         spelled["command"].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap().to_owned();
     let run = dir.run(&format!("{command} --dry-run --quiet --diff")).succeeded();
@@ -61,15 +61,15 @@ fn assert_same_change(dir: &TestDir, request: &Value) {
     let page = report["name"].as_str().unwrap();
     let mut with_report = request.clone();
     with_report["report"] = page.into();
-    let spelled = ask(&mut engine, &json!({ "do": "spell", "request": with_report }));
+    let spelled = ask_engine(&mut engine, &json!({ "do": "spell", "request": with_report }));
     dir.run(spelled["command"].as_str().unwrap().strip_prefix("osim-contact-scale ").unwrap()).succeeded();
     assert_same_text(&report["html"], &dir.text(page), &command);
     for (name, bytes) in &written {
         assert!(dir.read(name) == *bytes, "{command}: {name}");
     }
     // A kept result is a new file.
-    ask(&mut engine, &json!({ "do": "change", "request": request, "parts": ["changes"] }));
-    let kept = ask(&mut engine, &json!({ "do": "keep" }));
+    ask_engine(&mut engine, &json!({ "do": "change", "request": request, "parts": ["changes"] }));
+    let kept = ask_engine(&mut engine, &json!({ "do": "keep" }));
     assert_eq!(kept["names"].as_array().unwrap().len(), written.len(), "{command}");
     assert_eq!(engine.bytes(kept["model"].as_str().unwrap()).unwrap(), written[0].1, "{command}");
 }
@@ -136,15 +136,15 @@ fn a_report_without_changes_equals_the_command() {
     let dir = TestDir::with(&[("table1/human_62kg_smooth_sphere.osim", "models/human.osim")]);
     let request = json!({"verb": "set", "models": "models/human.osim", "set": {"stiffness": "x1"}});
     let mut engine = engine_with_files(&dir);
-    let answer = ask(&mut engine, &json!({ "do": "change", "request": request }));
+    let answer = ask_engine(&mut engine, &json!({ "do": "change", "request": request }));
     assert_eq!(answer["unchanged"], true);
-    let report = ask(&mut engine, &json!({ "do": "report", "request": request }));
+    let report = ask_engine(&mut engine, &json!({ "do": "report", "request": request }));
     dir.run("set models/human.osim stiffness=x1 --report models/human.report.html").succeeded();
     assert_same_text(&report["html"], &dir.text("models/human.report.html"), "set stiffness=x1");
     // It gives no new file.
-    ask(&mut engine, &json!({ "do": "change", "request": request }));
+    ask_engine(&mut engine, &json!({ "do": "change", "request": request }));
     assert_eq!(
-        ask(&mut engine, &json!({ "do": "keep" })),
+        ask_engine(&mut engine, &json!({ "do": "keep" })),
         json!({"model": "models/human.osim", "names": []})
     );
     assert!(engine.bytes("models/human.scaled.osim").is_none());
@@ -153,7 +153,7 @@ fn a_report_without_changes_equals_the_command() {
 #[test]
 fn the_answer_to_look_equals_inspect_and_check() {
     let dir = TestDir::with_human();
-    let inspection = ask(&mut engine_with_files(&dir), &json!({"do": "look", "model": "human.osim"}));
+    let inspection = ask_engine(&mut engine_with_files(&dir), &json!({"do": "look", "model": "human.osim"}));
     let inspected: Value =
         serde_json::from_str(&dir.run("inspect human.osim --format json").succeeded().out()).unwrap();
     assert_eq!(inspection["inspection"]["forces"], inspected["forces"]);
@@ -181,7 +181,8 @@ fn quick_sections_equal_those_of_the_whole_answer() {
     let mut engine = engine_with_files(&TestDir::with_human());
     let request = json!({"verb": "rescale", "models": "human.osim", "target_mass": 500});
     let mut sections = |parts: &Value| {
-        ask(&mut engine, &json!({"do": "change", "request": request, "parts": parts}))["sections"].clone()
+        ask_engine(&mut engine, &json!({"do": "change", "request": request, "parts": parts}))["sections"]
+            .clone()
     };
     let quick = sections(&json!(["changes", "plots", "state"]));
     let all = sections(&json!(["changes", "plots", "state", "figures"]));
@@ -190,7 +191,7 @@ fn quick_sections_equal_those_of_the_whole_answer() {
     assert_eq!(quick.as_array().unwrap()[..], all.as_array().unwrap()[..3]);
     assert_eq!(sections(&json!(["changes"])), json!([quick[0]]));
     // Without `parts` the answer has no section that only a slider needs.
-    let whole = ask(&mut engine, &json!({"do": "change", "request": request}));
+    let whole = ask_engine(&mut engine, &json!({"do": "change", "request": request}));
     assert!(whole["sections"].as_array().unwrap().iter().all(|one| one["id"] != "state"));
 }
 
@@ -202,7 +203,7 @@ fn a_scaled_model_is_compared_with_its_original() {
     ]);
     let mut engine = engine_with_files(&dir);
     let inspection = json!({"do": "look", "model": "scaled.osim", "fields": {"from": "generic.osim"}, "parts": ["findings"]});
-    let from_engine = ask(&mut engine, &inspection);
+    let from_engine = ask_engine(&mut engine, &inspection);
     let from_command: Value =
         serde_json::from_str(&dir.run("check scaled.osim --from generic.osim --format json").out()).unwrap();
     let field_of_findings = |findings: &Value, field: &str| -> Vec<String> {
@@ -214,13 +215,13 @@ fn a_scaled_model_is_compared_with_its_original() {
     );
     let remedy = &from_engine["findings"][0]["remedy"]["request"];
     assert_eq!((&remedy["verb"], &remedy["follow_bodies"]), (&json!("transfer"), &json!(true)), "{remedy}");
-    ask(&mut engine, &json!({"do": "change", "request": remedy, "parts": ["changes"]}));
+    ask_engine(&mut engine, &json!({"do": "change", "request": remedy, "parts": ["changes"]}));
 }
 
 #[test]
 fn a_report_of_a_model_equals_the_command() {
     let dir = TestDir::with_human();
-    let report = ask(
+    let report = ask_engine(
         &mut engine_with_files(&dir),
         &json!({"do": "report", "request": {"verb": "inspect", "models": "human.osim"}}),
     );
@@ -233,7 +234,7 @@ fn a_report_of_a_model_equals_the_command() {
 fn a_remedy_removes_its_finding() {
     let dir = TestDir::with(&[("check/floats.osim", "floats.osim")]);
     let mut engine = engine_with_files(&dir);
-    let inspection = ask(&mut engine, &json!({"do": "look", "model": "floats.osim"}));
+    let inspection = ask_engine(&mut engine, &json!({"do": "look", "model": "floats.osim"}));
     let finding = inspection["findings"]
         .as_array()
         .unwrap()
@@ -241,9 +242,12 @@ fn a_remedy_removes_its_finding() {
         .find(|finding| !finding["remedy"].is_null())
         .unwrap()
         .clone();
-    ask(&mut engine, &json!({"do": "change", "request": finding["remedy"]["request"], "parts": ["changes"]}));
-    let kept = ask(&mut engine, &json!({"do": "keep"}));
-    let after = ask(&mut engine, &json!({"do": "look", "model": kept["model"]}));
+    ask_engine(
+        &mut engine,
+        &json!({"do": "change", "request": finding["remedy"]["request"], "parts": ["changes"]}),
+    );
+    let kept = ask_engine(&mut engine, &json!({"do": "keep"}));
+    let after = ask_engine(&mut engine, &json!({"do": "look", "model": kept["model"]}));
     let remaining = after["findings"].as_array().unwrap();
     assert!(remaining.iter().all(|one| one["code"] != finding["code"]), "{remaining:?}");
 }
@@ -275,13 +279,13 @@ fn a_broken_file_is_located_and_stays_available() {
         (&from_command["error"]["line"], &from_command["error"]["column"], &from_command["error"]["code"])
     );
     assert!(error["excerpt"]["marked"].as_str().is_some_and(|marked| !marked.is_empty()), "{error}");
-    ask(&mut engine, &json!({"do": "look", "model": "human.osim"}));
+    ask_engine(&mut engine, &json!({"do": "look", "model": "human.osim"}));
 }
 
 #[test]
 fn design_calculates_without_a_model() {
     let request = json!({"verb": "design", "mass": 62, "spheres": 6, "radius": 0.032, "indentation": 0.2});
-    let answer = ask(&mut Engine::new(), &json!({"do": "calculate", "request": request}));
+    let answer = ask_engine(&mut Engine::new(), &json!({"do": "calculate", "request": request}));
     let dir = TestDir::new();
     let words = "design --mass 62 --spheres 6 --radius 0.032 --indentation 0.2";
     assert_eq!(answer["text"], dir.run(words).succeeded().out());
@@ -291,18 +295,18 @@ fn design_calculates_without_a_model() {
 }
 
 #[test]
-fn presets_and_explanations_are_answered() {
+fn the_engine_answers_about_presets_and_topics() {
     let mut engine = Engine::new();
     engine.set_today(TODAY);
-    let presets = ask(&mut engine, &json!({"do": "presets"}));
+    let presets = ask_engine(&mut engine, &json!({"do": "presets"}));
     assert!(presets.as_array().unwrap().iter().any(|preset| preset["name"] == "falisse2022"), "{presets}");
-    let explanation = ask(&mut engine, &json!({"do": "explain", "topic": "C.5"}));
+    let explanation = ask_engine(&mut engine, &json!({"do": "explain", "topic": "C.5"}));
     assert!(explanation["text"].as_str().unwrap().contains("C.5"), "{explanation}");
     ask_for_error(&mut engine, &json!({"do": "explain", "topic": "nothing of this name"}));
 }
 
 #[test]
-fn unknown_questions_are_refused() {
+fn unknown_questions_to_the_engine_are_refused() {
     let mut engine = Engine::new();
     engine.set_today(TODAY);
     for question in [

@@ -76,7 +76,7 @@ impl Changed {
         Ok(Self { opened, plan, results })
     }
 
-    /// Names of the changed files.
+    /// Names of the files that the change wrote.
     pub(crate) fn names(&self) -> Vec<String> {
         self.results.iter().map(|file| file.name.display().to_string()).collect()
     }

@@ -39,7 +39,7 @@ fn assert_same_output(dir: &TestDir, words: &str, json: &Value) {
 }
 
 #[test]
-fn inspect_equals_the_command() {
+fn inspect_in_memory_equals_the_command() {
     let dir = TestDir::with(&[HUMAN, ("table1/horse_hunt_crossley.osim", "horse.osim")]);
     assert_same_output(
         &dir,

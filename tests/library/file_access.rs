@@ -15,7 +15,7 @@ use crate::model_folder::{
 use crate::support::{HUMAN, TestDir, fixture};
 
 /// One byte more than the largest file that the program reads, as in `docs/reference/errors.md`.
-const TOO_LARGE: u64 = 2 * 1024 * 1024 * 1024 + 1;
+const TOO_MANY_BYTES: u64 = 2 * 1024 * 1024 * 1024 + 1;
 
 /// Runs a call that must end within 20 s and with at most 3 GB of memory.
 #[track_caller]
@@ -194,7 +194,7 @@ fn a_pipe_in_the_arguments_is_read() {
 fn a_file_over_2_gib_is_refused() {
     let dir = TestDir::with_human();
     // A file of zeros that takes no room on the disk.
-    let large = |name: &str| File::create(dir.path(name)).unwrap().set_len(TOO_LARGE).unwrap();
+    let large = |name: &str| File::create(dir.path(name)).unwrap().set_len(TOO_MANY_BYTES).unwrap();
     large("large.osim");
     assert_refused_soon(
         &dir,

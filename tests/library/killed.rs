@@ -15,27 +15,27 @@ struct Run {
     models: usize,
     /// Whether the models are changed in place.
     in_place: bool,
-    /// Calls that run before this call.
+    /// Calls whose results this run needs, so that they run before it.
     before: &'static [&'static str],
 }
 
 /// A delay that is longer than any run takes.
-const NO_KILL: Duration = Duration::from_secs(600);
+const LONGER_THAN_ANY_RUN: Duration = Duration::from_secs(600);
 
-const INTO_FOLDER: Run = Run {
+const RUN_INTO_FOLDER: Run = Run {
     call: "lib --target-mass 500 -d out --summary done.csv --jobs 2",
     models: 40,
     in_place: false,
     before: &[],
 };
 /// A batch by a table with a row and a mass for each model.
-const BATCH: Run = Run {
+const BATCH_RUN: Run = Run {
     call: "batch masses.csv --summary notes/done.ndjson --format json --jobs 2",
     models: 40,
     in_place: false,
     before: &[],
 };
-const IN_PLACE: Run = Run {
+const RUN_IN_PLACE: Run = Run {
     call: "lib --target-mass 500 --in-place --summary done.csv --jobs 2",
     models: 12,
     in_place: true,
@@ -43,66 +43,66 @@ const IN_PLACE: Run = Run {
 };
 
 /// A sweep that writes variants of one model, and their table.
-const SWEEP: Run = Run {
+const SWEEP_RUN: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2",
     models: 40,
     in_place: false,
     before: &[],
 };
 
-/// The second of two shares of the sweep [`SWEEP`].
-const SHARE: Run = Run {
+/// The second of two shares of the sweep [`SWEEP_RUN`].
+const RUN_OF_SHARE: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --shard 2/2",
     models: 20,
-    ..SWEEP
+    ..SWEEP_RUN
 };
 
 /// The call that finishes the sweep after one of its shares.
-const END_OF_SHARES: Run = Run {
+const RUN_THAT_ENDS_SHARES: Run = Run {
     call: "sweep lib/odd/model01.osim --grid stiffness=x0.1..x10/20 --grid dissipation=1,2 -d out --jobs 2 --resume",
-    before: &[SHARE.call],
-    ..SWEEP
+    before: &[RUN_OF_SHARE.call],
+    ..SWEEP_RUN
 };
 
 #[test]
-fn killed_during_a_sweep() {
-    SWEEP.kill(15);
+fn a_killed_sweep_is_resumed() {
+    SWEEP_RUN.kill(15);
 }
 
 #[test]
-fn killed_during_a_share_of_a_sweep() {
-    SHARE.kill(10);
+fn a_killed_share_of_a_sweep_is_resumed() {
+    RUN_OF_SHARE.kill(10);
 }
 
 #[test]
-fn killed_while_shares_become_the_whole_sweep() {
-    END_OF_SHARES.kill(10);
+fn a_run_killed_while_shares_become_the_whole_sweep_is_resumed() {
+    RUN_THAT_ENDS_SHARES.kill(10);
 }
 
 #[test]
-fn killed_while_writing_into_a_folder() {
-    INTO_FOLDER.kill(20);
+fn a_run_killed_while_writing_into_a_folder_is_resumed() {
+    RUN_INTO_FOLDER.kill(20);
 }
 
 #[test]
-fn killed_during_a_batch_with_a_json_summary() {
-    BATCH.kill(15);
+fn a_killed_batch_with_a_json_summary_is_resumed() {
+    BATCH_RUN.kill(15);
 }
 
 #[test]
-fn killed_while_changing_models_in_place() {
-    IN_PLACE.kill(15);
+fn a_run_killed_while_changing_models_in_place_is_resumed() {
+    RUN_IN_PLACE.kill(15);
 }
 
 #[test]
 #[ignore = "slow, dev/thorough has it: cargo test --test library -- --ignored"]
-fn killed_a_thousand_times() {
-    INTO_FOLDER.kill(400);
-    BATCH.kill(300);
-    IN_PLACE.kill(300);
-    SWEEP.kill(300);
-    SHARE.kill(100);
-    END_OF_SHARES.kill(100);
+fn a_run_killed_a_thousand_times_is_resumed() {
+    RUN_INTO_FOLDER.kill(400);
+    BATCH_RUN.kill(300);
+    RUN_IN_PLACE.kill(300);
+    SWEEP_RUN.kill(300);
+    RUN_OF_SHARE.kill(100);
+    RUN_THAT_ENDS_SHARES.kill(100);
 }
 
 /// System calls by which a run changes the disk, grouped by their effect.
@@ -116,22 +116,27 @@ const SYSTEM_CALLS: [(&str, &[&str]); 4] = [
 /// strace kills the run at the start of a system call, so that every step on the disk is reached. `KILLS=2000` for more.
 #[test]
 #[ignore = "slow, dev/thorough has it: cargo test --test library -- --ignored"]
-fn killed_at_each_kind_of_system_call() {
+fn runs_killed_at_each_kind_of_system_call_are_resumed() {
     kill_at_calls(std::env::var("KILLS").map_or(300, |kills| kills.parse().unwrap()));
 }
 
 /// Kills a few runs of every kind at system calls; every test run does this.
 #[test]
-fn killed_at_some_system_calls() {
+fn runs_killed_at_some_system_calls_are_resumed() {
     kill_at_calls(20);
 }
 
 fn kill_at_calls(wanted: usize) {
     let mut kills_by_kind: BTreeMap<&str, usize> = BTreeMap::new();
     // Only in place are old files replaced, and put on the disk first.
-    for (run, share) in
-        [(IN_PLACE, 3), (INTO_FOLDER, 1), (BATCH, 1), (SWEEP, 1), (SHARE, 1), (END_OF_SHARES, 1)]
-    {
+    for (run, share) in [
+        (RUN_IN_PLACE, 3),
+        (RUN_INTO_FOLDER, 1),
+        (BATCH_RUN, 1),
+        (SWEEP_RUN, 1),
+        (RUN_OF_SHARE, 1),
+        (RUN_THAT_ENDS_SHARES, 1),
+    ] {
         let Some(calls_by_name) = run.system_calls() else {
             return report_skip(
                 "killed at each kind of system call",
@@ -181,7 +186,7 @@ impl Run {
         Some(most_by_call)
     }
 
-    /// The call with `--resume`.
+    /// The call of this run, continued with `--resume`.
     fn resuming_call(&self) -> String {
         if self.call.ends_with(" --resume") {
             self.call.to_owned()
@@ -252,7 +257,7 @@ impl Run {
                 if !self.is_killed(
                     &dir,
                     &call,
-                    if remaining_kills > 0 { random.random_duration(duration) } else { NO_KILL },
+                    if remaining_kills > 0 { random.random_duration(duration) } else { LONGER_THAN_ANY_RUN },
                 ) {
                     duration = duration * 4 / 5;
                     break;
@@ -293,7 +298,7 @@ impl Run {
             .map(|_| {
                 let dir = self.prepare();
                 let begin = Instant::now();
-                assert!(!self.is_killed(&dir, self.call, NO_KILL));
+                assert!(!self.is_killed(&dir, self.call, LONGER_THAN_ANY_RUN));
                 (begin.elapsed(), dir.files())
             })
             .collect();

@@ -5,7 +5,7 @@ use std::process::Child;
 use crate::model_folder::{feed_pipe, make_pipe, model_bytes, start, wait_for_output};
 use crate::support::{TestDir, fixture, report_skip};
 
-const MODELS: usize = 1500;
+const MODELS_IN_FOLDER: usize = 1500;
 const CALL: &str =
     "lib last.osim --target-mass 500 -d out --summary done.csv --format lines --quiet --jobs 1";
 
@@ -31,7 +31,7 @@ fn peak_memory_of_run(dir: &TestDir, arguments: &str) -> Option<usize> {
 #[test]
 fn a_resumed_run_needs_no_more_memory_than_the_first() {
     let dir = TestDir::new();
-    for number in 0..MODELS {
+    for number in 0..MODELS_IN_FOLDER {
         dir.write(&format!("lib/model{number:04}.osim"), fixture("format/v40000.osim"));
     }
     let (Some(first), Some(resumed)) =
@@ -40,5 +40,5 @@ fn a_resumed_run_needs_no_more_memory_than_the_first() {
         return report_skip("memory of --resume", "the system does not say how much memory a process had");
     };
     // 512 bytes each: far more than the places, far less than the records.
-    assert!(resumed < first + MODELS / 2, "{first} KiB, with --resume {resumed} KiB");
+    assert!(resumed < first + MODELS_IN_FOLDER / 2, "{first} KiB, with --resume {resumed} KiB");
 }

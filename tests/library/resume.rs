@@ -5,7 +5,7 @@ use crate::support::{CommandRun, TestDir};
 
 const CALL: &str = "lib --target-mass 500 -d out --summary done.csv";
 
-fn resume(dir: &TestDir) -> CommandRun {
+fn resume_run(dir: &TestDir) -> CommandRun {
     dir.run(&format!("{CALL} --resume"))
 }
 
@@ -20,7 +20,7 @@ fn finished_run() -> TestDir {
 fn a_resumed_run_skips_unchanged_models() {
     let dir = finished_run();
     let before = dir.files();
-    resume(&dir).succeeded().wrote_nothing().says(&["5 models: 5 done before"]);
+    resume_run(&dir).succeeded().wrote_nothing().says(&["5 models: 5 done before"]);
     assert!(dir.files() == before);
 }
 
@@ -28,7 +28,7 @@ fn a_resumed_run_skips_unchanged_models() {
 fn a_changed_model_is_written_again() {
     let dir = finished_run();
     dir.write("lib/odd/model03.osim", model_bytes(8));
-    resume(&dir)
+    resume_run(&dir)
         .succeeded()
         .wrote(&["done.csv", "out/odd/model03.osim"])
         .says(&["1 written", "4 done before"]);
@@ -74,7 +74,7 @@ fn a_missing_output_is_written_again() {
     let dir = finished_run();
     let files_before = dir.files();
     std::fs::remove_file(dir.path("out/even/model02.osim")).unwrap();
-    resume(&dir).succeeded().wrote(&["out/even/model02.osim"]).says(&["1 written", "4 done before"]);
+    resume_run(&dir).succeeded().wrote(&["out/even/model02.osim"]).says(&["1 written", "4 done before"]);
     assert!(dir.files() == files_before);
 }
 
@@ -82,7 +82,7 @@ fn a_missing_output_is_written_again() {
 fn a_resumed_run_keeps_an_edited_output() {
     let dir = finished_run();
     dir.write("out/even/model02.osim", "my work");
-    resume(&dir).failed().says(&[
+    resume_run(&dir).failed().says(&[
         "out/even/model02.osim is not what an earlier run wrote",
         "4 done before",
         "1 failed",
@@ -90,7 +90,7 @@ fn a_resumed_run_keeps_an_edited_output() {
     assert_eq!(dir.read("out/even/model02.osim"), b"my work");
     // Also if the model was changed.
     dir.write("lib/even/model02.osim", model_bytes(9));
-    resume(&dir).failed().says(&["not what an earlier run wrote"]);
+    resume_run(&dir).failed().says(&["not what an earlier run wrote"]);
     assert_eq!(dir.read("out/even/model02.osim"), b"my work");
     dir.run(&format!("{CALL} --resume --force")).succeeded().says(&["1 written", "4 done before"]);
 }
@@ -104,7 +104,7 @@ fn models_that_failed_are_tried_again() {
     assert_eq!(column_by_model(&summary, "status")["model01.osim"], "failed");
     assert_eq!(column_by_model(&summary, "error_code")["model01.osim"], "malformed-xml");
     dir.write("lib/odd/model01.osim", model_bytes(1));
-    resume(&dir).succeeded().says(&["1 written", "2 done before"]);
+    resume_run(&dir).succeeded().says(&["1 written", "2 done before"]);
     let undisturbed = folder_with_models(3);
     undisturbed.run(CALL).succeeded();
     assert!(dir.files() == undisturbed.files());
@@ -116,7 +116,7 @@ fn an_output_of_the_run_before_the_last_is_replaced() {
     let dir = finished_run();
     let old = dir.read("out/odd/model01.osim");
     dir.write("lib/odd/model01.osim", model_bytes(11));
-    resume(&dir).succeeded();
+    resume_run(&dir).succeeded();
     // The state after the kill: the whole summary of the first run, one line of the second, the output not yet replaced.
     let (new_summary, first_summary) = (dir.text("done.csv"), folder_with_models(5));
     first_summary.run(CALL).succeeded();
@@ -199,7 +199,7 @@ fn a_truncated_or_reformatted_summary_is_refused() {
         &first_summary.replace("written", "writ"),
     ] {
         dir.write("done.csv", damaged);
-        resume(&dir).usage_error().wrote_nothing().says(&["cannot continue with done.csv"]);
+        resume_run(&dir).usage_error().wrote_nothing().says(&["cannot continue with done.csv"]);
     }
 }
 
@@ -220,7 +220,10 @@ fn a_summary_saved_by_a_spreadsheet_with_commas_is_refused() {
         ];
         for saved in saved {
             dir.write(name, &saved);
-            resume(&dir).usage_error().wrote_nothing().says(&["cannot continue with done.csv", "summary"]);
+            resume_run(&dir)
+                .usage_error()
+                .wrote_nothing()
+                .says(&["cannot continue with done.csv", "summary"]);
         }
     }
 }
@@ -309,7 +312,7 @@ fn rows_of_a_manifest_may_change_their_order() {
 
 /// A model is recognised if its path, its output or the folder of the call is spelled in another way.
 #[test]
-fn models_are_recognised_by_any_path_and_from_any_folder() {
+fn models_done_before_are_found_by_any_path_and_from_any_folder() {
     let dir = finished_run();
     let root = dir.path("").display().to_string();
     let root = root.trim_end_matches('/');
@@ -328,7 +331,7 @@ fn models_are_recognised_by_any_path_and_from_any_folder() {
     let run = dir.command(call).current_dir(&outside).output().unwrap();
     let text = String::from_utf8_lossy(&run.stderr).into_owned();
     assert!(run.status.success() && text.contains("5 done before"), "{text}");
-    resume(&dir).succeeded().says(&["5 done before"]);
+    resume_run(&dir).succeeded().says(&["5 done before"]);
 }
 
 #[cfg(unix)]
@@ -365,7 +368,7 @@ fn summary_lines_of_models_outside_the_run_stay() {
     dir.run("lib/even/model02.osim --target-mass 500 -d new --summary done.csv --resume").failed();
     let text = dir.text("done.csv");
     assert!(lines(&before)[..5].iter().all(|line| text.contains(line.as_str())), "{text}");
-    resume(&dir).succeeded().wrote(&["done.csv"]).says(&["5 done before"]);
+    resume_run(&dir).succeeded().wrote(&["done.csv"]).says(&["5 done before"]);
 }
 
 #[test]

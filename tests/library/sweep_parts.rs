@@ -5,8 +5,8 @@ use std::fs::File;
 use crate::model_folder::{start, wait_for_output};
 use crate::support::TestDir;
 use crate::sweep_resume::{
-    BUSY, CALL, FIFTH_MODEL, TABLE, assert_undisturbed, dir_with_emu, replace_by_heavier_model,
-    replace_by_model_of_mass,
+    CALL, EXIT_OF_BUSY_SWEEP, FIFTH_VARIANT, SWEEP_TABLE, assert_undisturbed, dir_with_emu,
+    replace_by_heavier_model, replace_by_model_of_mass,
 };
 
 /// Runs all `parts` in parallel.
@@ -51,7 +51,7 @@ fn parallel_shares_and_a_last_call_make_the_whole_sweep() {
     for count in [1, 2, 4] {
         let dir = dir_with_emu();
         run_in_parallel(&dir, share_options(count));
-        assert!(!dir.has(TABLE));
+        assert!(!dir.has(SWEEP_TABLE));
         finish_sweep(&dir, "0 models written, 6 done before");
     }
 }
@@ -64,7 +64,7 @@ fn parallel_points_and_a_last_call_make_the_whole_sweep() {
         (1..=6).map(|point| rows_and_header(&dir, &format!("out/emu_sweep.point-{point}.csv"))).collect();
     finish_sweep(&dir, "0 models written, 6 done before");
     // Each row is that of its part, with the number of its point.
-    let (rows, header) = rows_and_header(&dir, TABLE);
+    let (rows, header) = rows_and_header(&dir, SWEEP_TABLE);
     assert_eq!(parts.iter().flat_map(|(rows, _)| rows.clone()).collect::<Vec<_>>(), rows);
     assert!(parts.iter().all(|(_, first)| *first == header));
     for (index, row) in (1..).zip(&rows) {
@@ -128,7 +128,7 @@ fn parts_of_another_model_are_replaced() {
     replace_by_model_of_mass(&dir, 60);
     dir.run(&format!("{CALL} --point 5 --resume"))
         .succeeded()
-        .wrote(&[FIFTH_MODEL, "out/emu_sweep.point-5.csv"]);
+        .wrote(&[FIFTH_VARIANT, "out/emu_sweep.point-5.csv"]);
     finish_sweep(&dir, "5 models written, 1 done before");
 }
 
@@ -156,7 +156,7 @@ fn models_of_a_killed_part_are_recognised() {
     }
     replace_by_heavier_model(&dir);
     let (fifth_model, says) =
-        (dir.path(FIFTH_MODEL), ["5 of 6 models written", "not what an earlier run wrote"]);
+        (dir.path(FIFTH_VARIANT), ["5 of 6 models written", "not what an earlier run wrote"]);
     dir.run(&format!("{CALL} --resume")).failed().says(&says);
     // The tables of the parts stay until the sweep is finished.
     assert!(dir.has(&format!("{part}.partial")) && dir.has("out/emu_sweep.shard-2-of-2.csv"));
@@ -175,18 +175,18 @@ fn the_whole_sweep_and_its_parts_refuse_to_run_at_the_same_time() {
     };
     let part = lock_file("out/emu_sweep.shard-1-of-2.csv.partial");
     for option in ["", "--resume", "--force"] {
-        let refused = dir.run(&format!("{CALL} {option}")).exited_with(BUSY).wrote_nothing();
+        let refused = dir.run(&format!("{CALL} {option}")).exited_with(EXIT_OF_BUSY_SWEEP).wrote_nothing();
         refused.says(&["shard-1-of-2.csv is being written by another run", "wait"]);
     }
     dir.run(&format!("{CALL} --shard 1/2 --resume"))
-        .exited_with(BUSY)
+        .exited_with(EXIT_OF_BUSY_SWEEP)
         .wrote_nothing()
         .says(&["by another run"]);
     dir.run(&format!("{CALL} --shard 2/2 --resume")).succeeded();
     drop(part);
     let other = lock_file("out/emu_sweep.csv.partial");
     for part in ["--shard 1/2", "--point 1", "--shard 2/2 --resume"] {
-        let refused = dir.run(&format!("{CALL} {part}")).exited_with(BUSY).wrote_nothing();
+        let refused = dir.run(&format!("{CALL} {part}")).exited_with(EXIT_OF_BUSY_SWEEP).wrote_nothing();
         refused.says(&["emu_sweep.csv is being written by another run", "wait"]);
     }
     drop(other);

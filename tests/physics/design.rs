@@ -6,7 +6,7 @@ use crate::support::{CommandRun, HUMAN, TestDir};
 use crate::{assert_close, changed_lines, changes_in_json, json_object};
 
 /// The numbers of Table 1, typed from the paper.
-const PRINTED: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
+const PRINTED_TABLE_1: &str = include_str!("../../crates/contact-scaling/src/table1/printed.csv");
 
 /// The values that `design` without a model computes, by name.
 #[track_caller]
@@ -35,7 +35,7 @@ fn assert_refused(arguments: &str) -> CommandRun {
 fn equation_11_gives_the_moduli_of_table_1() {
     // Paper, Table 1: M, n, R, E* and E1* as printed, at the indentation of the text (0.3533). The printed mouse E*,
     // 0.0916, comes from a rounded 0.354 MPa; exact is 0.0915.
-    for line in PRINTED.lines().skip(2) {
+    for line in PRINTED_TABLE_1.lines().skip(2) {
         let cells: Vec<&str> = line.split(',').collect();
         let [taxon, mass, spheres, radius, composite, stiffness, ..] = cells[..] else { panic!("{line}") };
         let [composite, stiffness] = [if taxon == "mouse" { "0.0915" } else { composite }, stiffness]

@@ -7,7 +7,7 @@ use crate::{assert_close, json_object};
 
 /// Rows of Table 1: fixture, stance limbs, M, n, R, and k in kN/m as OpenSim 4.6 computes it (theory.md; the paper prints k with
 /// three digits: 13.4, 54.5, 0.218, 10.5, 26.2, 151, 207).
-const TABLE_1: [(&str, u32, f64, f64, f64, f64); 7] = [
+const DROPS_OF_TABLE_1: [(&str, u32, f64, f64, f64, f64); 7] = [
     ("human_62kg", 1, 62.0, 6.0, 0.032, 13.450),
     ("human_500kg", 1, 500.0, 6.0, 0.0637, 54.487),
     ("mouse", 2, 0.0209, 2.0, 0.002, 0.218),
@@ -74,7 +74,7 @@ fn drop_test(dir: &TestDir, arguments: &str) -> DropJson {
 
 fn table_1_animals(class: &str) -> TestDir {
     let dir = TestDir::new();
-    for (name, ..) in TABLE_1 {
+    for (name, ..) in DROPS_OF_TABLE_1 {
         dir.write(&format!("{name}.osim"), fixture(&format!("table1/{name}_{class}.osim")));
     }
     dir
@@ -83,7 +83,7 @@ fn table_1_animals(class: &str) -> TestDir {
 #[test]
 fn every_animal_gives_the_numbers_of_table_1() {
     let dir = table_1_animals("hunt_crossley");
-    for (name, limbs, mass, count, radius, stiffness) in TABLE_1 {
+    for (name, limbs, mass, count, radius, stiffness) in DROPS_OF_TABLE_1 {
         let drop = drop_test(&dir, &format!("{name}.osim --stance-limbs {limbs}"));
         assert_eq!((drop.schema_version, &drop.model), (1, &format!("{name}.osim")));
         assert_eq!((drop.mass_kg, drop.sphere_count, drop.gravity_m_s2), (mass, count, 9.81), "{name}");
@@ -114,7 +114,7 @@ fn every_animal_gives_the_numbers_of_table_1() {
 #[test]
 fn smoothed_contacts_rest_higher_than_by_the_hertz_law() {
     let dir = table_1_animals("smooth_sphere");
-    for (name, limbs, ..) in TABLE_1 {
+    for (name, limbs, ..) in DROPS_OF_TABLE_1 {
         let drop = drop_test(&dir, &format!("{name}.osim --stance-limbs {limbs}"));
         // theory.md: the real OpenSim rests at 0.3396 in all seven.
         assert!((drop.final_relative_indentation - 0.3396).abs() < 1e-4, "{name}: {drop:?}");
@@ -139,7 +139,7 @@ fn scaled_animals_fall_alike_but_an_unscaled_one_does_not() {
                  gravity_m_s2 = 9.81\nstiffness = 1e6\ndissipation = 2\n{smoothing}"
             ),
         );
-        for (name, limbs, ..) in TABLE_1 {
+        for (name, limbs, ..) in DROPS_OF_TABLE_1 {
             let arguments =
                 format!("{name}.osim --stance-limbs {limbs} --presets human.toml --compare human");
             let compare = drop_test(&dir, &arguments).compare.unwrap();

@@ -4,11 +4,11 @@ use crate::support::{CommandRun, TestDir};
 use crate::{assert_close, json_object, number};
 
 /// Number of spheres in the curve. The constants below are its R, E*, α and onset of contact.
-const COUNT: f64 = 6.0;
-const RADIUS: f64 = 0.032;
-const MODULUS: f64 = 4e5;
-const DISSIPATION: f64 = 0.8;
-const ONSET: f64 = 0.0005;
+const SPHERE_COUNT: f64 = 6.0;
+const RADIUS_M: f64 = 0.032;
+const MODULUS_N_M2: f64 = 4e5;
+const DISSIPATION_S_M: f64 = 0.8;
+const ONSET_M: f64 = 0.0005;
 
 /// A curve by (1) with (12): time, indentation, speed and force in SI_UNITS units, while the spheres go in and out again within 0.2 s.
 fn measured_curve() -> Vec<[f64; 4]> {
@@ -18,9 +18,9 @@ fn measured_curve() -> Vec<[f64; 4]> {
             let time = 0.005 * f64::from(step);
             let indentation = 0.0002 + 0.0045 * (half * time).sin().powi(2);
             let speed = 0.0045 * half * (2.0 * half * time).sin();
-            let depth = (indentation - ONSET).max(0.0);
-            let elastic = COUNT * 4.0 / 3.0 * RADIUS.sqrt() * MODULUS * depth.powf(1.5);
-            [time, indentation, speed, elastic * (1.0 + 1.5 * DISSIPATION * speed)]
+            let depth = (indentation - ONSET_M).max(0.0);
+            let elastic = SPHERE_COUNT * 4.0 / 3.0 * RADIUS_M.sqrt() * MODULUS_N_M2 * depth.powf(1.5);
+            [time, indentation, speed, elastic * (1.0 + 1.5 * DISSIPATION_S_M * speed)]
         })
         .collect()
 }
@@ -36,12 +36,12 @@ fn curve_as_csv(header: &str, units: [f64; 4], between: &str, decimal: &str) -> 
     text
 }
 
-const HEADER: &str = "time,indentation,speed,force";
+const HEADER_OF_MEASUREMENT: &str = "time,indentation,speed,force";
 const SI_UNITS: [f64; 4] = [1.0; 4];
 
 fn dir_with_curve() -> TestDir {
     let dir = TestDir::new();
-    dir.write("curve.csv", curve_as_csv(HEADER, SI_UNITS, ",", "."));
+    dir.write("curve.csv", curve_as_csv(HEADER_OF_MEASUREMENT, SI_UNITS, ",", "."));
     dir
 }
 
@@ -49,11 +49,11 @@ fn dir_with_curve() -> TestDir {
 fn assert_true_parameters(run: &CommandRun) {
     let fit = json_object(run);
     let value = |name: &str| number(&fit[name], "value");
-    assert_close(value("composite_modulus_n_m2"), MODULUS, 1e-9, "E*");
+    assert_close(value("composite_modulus_n_m2"), MODULUS_N_M2, 1e-9, "E*");
     // (A.4): 2^(3/2) · 4e5 = 8e5 √2.
     assert_close(value("stiffness"), 8e5 * std::f64::consts::SQRT_2, 1e-9, "E1*");
-    assert_close(value("dissipation"), DISSIPATION, 1e-8, "dissipation");
-    assert_close(value("onset_m"), ONSET, 1e-8, "onset");
+    assert_close(value("dissipation"), DISSIPATION_S_M, 1e-8, "dissipation");
+    assert_close(value("onset_m"), ONSET_M, 1e-8, "onset");
     assert_close(number(&fit, "r_squared"), 1.0, 1e-12, "R²");
     // The deepest row: (0.0047 − 0.0005)/0.032; the fastest: 0.0045 π/0.2.
     assert_close(number(&fit, "largest_relative_indentation"), 0.131_25, 1e-7, "x̂");
@@ -61,7 +61,7 @@ fn assert_true_parameters(run: &CommandRun) {
     // (13): 1 − α ẋ.
     assert_close(
         number(&fit, "restitution"),
-        1.0 - DISSIPATION * 0.0045 * std::f64::consts::PI / 0.2,
+        1.0 - DISSIPATION_S_M * 0.0045 * std::f64::consts::PI / 0.2,
         1e-8,
         "c_r",
     );
@@ -71,17 +71,17 @@ fn assert_true_parameters(run: &CommandRun) {
     );
 }
 
-const OPTIONS: &str = "--radius 0.032 --spheres 6 --onset fit --speed-column speed --format json";
+const OPTIONS_OF_FIT: &str = "--radius 0.032 --spheres 6 --onset fit --speed-column speed --format json";
 
 #[test]
 fn fit_recovers_the_parameters_of_a_curve() {
     let dir = dir_with_curve();
-    let run = dir.run(&format!("fit curve.csv {OPTIONS}")).succeeded().wrote_nothing();
+    let run = dir.run(&format!("fit curve.csv {OPTIONS_OF_FIT}")).succeeded().wrote_nothing();
     assert_true_parameters(&run);
     let fit = json_object(&run);
     assert_eq!(fit["schema_version"], 1);
     assert_eq!(fit["file"], "curve.csv");
-    assert_eq!((number(&fit, "sphere_count"), number(&fit, "radius_m")), (COUNT, RADIUS));
+    assert_eq!((number(&fit, "sphere_count"), number(&fit, "radius_m")), (SPHERE_COUNT, RADIUS_M));
     assert_eq!(fit["parameters"], serde_json::json!(["composite_modulus_n_m2", "dissipation", "onset_m"]));
     assert_eq!(fit["degrees_of_freedom"], 38);
     let covariance = fit["covariance"].as_array().unwrap();
@@ -91,8 +91,11 @@ fn fit_recovers_the_parameters_of_a_curve() {
     assert_eq!(lines, (2..=42).collect::<Vec<_>>());
     // From standard input too.
     assert_true_parameters(
-        &dir.run_with_stdin(&format!("fit - {OPTIONS}"), &std::fs::read(dir.path("curve.csv")).unwrap())
-            .succeeded(),
+        &dir.run_with_stdin(
+            &format!("fit - {OPTIONS_OF_FIT}"),
+            &std::fs::read(dir.path("curve.csv")).unwrap(),
+        )
+        .succeeded(),
     );
 }
 
@@ -106,25 +109,26 @@ fn units_delimiters_and_decimal_commas_change_nothing() {
     let text = curve_as_csv(names, [1e-3, 1e-3, 1e-3, 1e3], ";", ",").replace('\n', "\r\n");
     dir.write("eu.csv", [b"\xEF\xBB\xBF".as_slice(), text.as_bytes()].concat());
     assert_true_parameters(&dir.run(&format!("fit eu.csv {columns}")).succeeded());
-    dir.write("tabs.tsv", curve_as_csv(HEADER, SI_UNITS, "\t", "."));
-    assert_true_parameters(&dir.run(&format!("fit tabs.tsv {OPTIONS}")).succeeded());
-    dir.write("comma_tabs.tsv", curve_as_csv(HEADER, SI_UNITS, "\t", ","));
-    assert_true_parameters(&dir.run(&format!("fit comma_tabs.tsv {OPTIONS}")).succeeded());
-    dir.write("micro.csv", curve_as_csv(HEADER, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
+    dir.write("tabs.tsv", curve_as_csv(HEADER_OF_MEASUREMENT, SI_UNITS, "\t", "."));
+    assert_true_parameters(&dir.run(&format!("fit tabs.tsv {OPTIONS_OF_FIT}")).succeeded());
+    dir.write("comma_tabs.tsv", curve_as_csv(HEADER_OF_MEASUREMENT, SI_UNITS, "\t", ","));
+    assert_true_parameters(&dir.run(&format!("fit comma_tabs.tsv {OPTIONS_OF_FIT}")).succeeded());
+    dir.write("micro.csv", curve_as_csv(HEADER_OF_MEASUREMENT, [1.0, 1e-6, 1.0, 1e-3], ",", "."));
     assert_true_parameters(
-        &dir.run(&format!("fit micro.csv {OPTIONS} --indentation-unit um --force-unit mN")).succeeded(),
+        &dir.run(&format!("fit micro.csv {OPTIONS_OF_FIT} --indentation-unit um --force-unit mN"))
+            .succeeded(),
     );
 }
 
 #[test]
 fn fit_derives_speed_from_time() {
     let dir = TestDir::new();
-    dir.write("curve.csv", curve_as_csv(HEADER, [1e-3, 1.0, 1.0, 1.0], ",", "."));
+    dir.write("curve.csv", curve_as_csv(HEADER_OF_MEASUREMENT, [1e-3, 1.0, 1.0, 1.0], ",", "."));
     let options = "--radius 0.032 --spheres 6 --onset 0.0005 --time-column time --time-unit ms --format json";
     let fit = json_object(&dir.run(&format!("fit curve.csv {options}")).succeeded());
     // Differences of 5 ms: sin(2π/40)/(2π/40) = 0.9959 of the speed, so α comes out 0.4 % high.
-    assert_close(number(&fit["dissipation"], "value"), DISSIPATION, 6e-3, "dissipation");
-    assert_close(number(&fit["composite_modulus_n_m2"], "value"), MODULUS, 1e-3, "E*");
+    assert_close(number(&fit["dissipation"], "value"), DISSIPATION_S_M, 6e-3, "dissipation");
+    assert_close(number(&fit["composite_modulus_n_m2"], "value"), MODULUS_N_M2, 1e-3, "E*");
     assert!(fit["onset_m"].is_null(), "it was given");
 }
 
@@ -137,7 +141,7 @@ fn without_speed_the_branches_give_bounds_of_the_modulus() {
     };
     let modulus = |branch: &str| number(&fit(branch)["composite_modulus_n_m2"], "value");
     // Going in, dissipation adds to the force; coming out it takes away.
-    assert!(modulus("loading") > MODULUS && MODULUS > modulus("unloading"));
+    assert!(modulus("loading") > MODULUS_N_M2 && MODULUS_N_M2 > modulus("unloading"));
     let both = fit("both");
     assert!(
         both["dissipation"].is_null()
@@ -209,7 +213,7 @@ fn fit_output_matches_its_snapshots() {
     let mut text = "depth_mm;force_N\n".to_owned();
     for (step, error) in (1..).zip(scatter) {
         let depth = 0.4 * f64::from(step);
-        let force = 6.0 * 4.0 / 3.0 * RADIUS.sqrt() * MODULUS * (depth * 1e-3).powf(1.5) + error;
+        let force = 6.0 * 4.0 / 3.0 * RADIUS_M.sqrt() * MODULUS_N_M2 * (depth * 1e-3).powf(1.5) + error;
         text.push_str(&format!("{depth:.1};{force:.2}\n").replace('.', ","));
     }
     dir.write("heel.csv", text);

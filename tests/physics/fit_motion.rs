@@ -5,7 +5,7 @@ use serde_json::Value;
 use crate::support::{TestDir, corpus_folder};
 use crate::{assert_close, json_object};
 
-const FILES: [(&str, &str); 4] = [
+const FILES_OF_RECORDING: [(&str, &str); 4] = [
     ("motion/walker.osim", "walker.osim"),
     ("motion/walk.mot", "walk.mot"),
     ("motion/plates.sto", "plates.sto"),
@@ -38,7 +38,7 @@ fn floor_rise_m(plan: &Value) -> f64 {
 /// `make_motion.py` computed the plates with E1* 4e6 N/m² (the model has 8e6), α 1.5 s/m (the model has 0.5) and an 11 mm lower floor.
 #[test]
 fn fit_recovers_known_contacts_from_a_recording() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let plan = json_object(
         &dir.run(&format!("{FIT_CALL} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
     );
@@ -75,7 +75,7 @@ fn fit_recovers_known_contacts_from_a_recording() {
 /// The fit begins with a stiffness and dissipation that are ten times too large or too small.
 #[test]
 fn a_start_that_is_wrong_by_ten_times_leads_to_the_same_fit() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     for factor in ["x10", "x0.1"] {
         dir.run(&format!("set walker.osim stiffness={factor} dissipation={factor} -o wrong.osim --force --yes wrong-afterwards")).succeeded();
         let call = FIT_CALL.replace("walker.osim", "wrong.osim");
@@ -88,7 +88,7 @@ fn a_start_that_is_wrong_by_ten_times_leads_to_the_same_fit() {
 
 #[test]
 fn only_the_named_quantities_are_fitted() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let plan = json_object(&dir.run(&format!("{FIT_CALL} --fit height --dry-run --format json")).succeeded());
     let properties: Vec<&str> = plan["changes"]
         .as_array()
@@ -108,7 +108,7 @@ fn only_the_named_quantities_are_fitted() {
 /// Spheres keep their different dissipations if only the floor is fitted.
 #[test]
 fn dissipations_that_differ_between_spheres_stay_if_only_the_floor_is_fitted() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let unequal = dir.text("walker.osim").replacen("<dissipation>0.5", "<dissipation>4", 1);
     dir.write("own.osim", &unequal);
     dir.run("motion own.osim walk.mot -o own.sto").succeeded().wrote(&["own.sto", "own.xml"]);
@@ -141,7 +141,7 @@ fn new_centre(plan: &Value, sphere: &str) -> [f64; 3] {
 /// With `--height-in spheres` the floor stays, and the spheres go up in the feet by as much as the floor would go down.
 #[test]
 fn the_height_can_be_fitted_by_moving_the_spheres() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let call = format!("{FIT_CALL} --height-in spheres");
     let plan = json_object(
         &dir.run(&format!("{call} -o fitted.osim --format json")).succeeded().wrote(&["fitted.osim"]),
@@ -162,7 +162,7 @@ fn the_height_can_be_fitted_by_moving_the_spheres() {
 /// If the floor is too far away, the spheres move by the largest allowed distance.
 #[test]
 fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let text = dir.text("walk.mot");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
@@ -183,7 +183,7 @@ fn spheres_go_down_by_a_quarter_of_a_metre_at_most() {
 /// Only the horizontal error depends on the slip against a belt: feet with friction that step in place slip over it.
 #[test]
 fn the_speed_of_a_belt_counts_in_a_fit() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run("set walker.osim static_friction=0.8 dynamic_friction=0.8 -o rough.osim --yes wrong-afterwards")
         .succeeded();
     let error = |options: &str| {
@@ -207,7 +207,7 @@ fn the_speed_of_a_belt_counts_in_a_fit() {
 /// Two recordings of one body have the same contacts. The second recording is the second half of the walk.
 #[test]
 fn several_trials_share_their_contacts() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let text = dir.text("walk.mot");
     let (head, rows) = text
         .split_once("pelvis_tilt")
@@ -232,7 +232,7 @@ fn several_trials_share_their_contacts() {
 
 #[test]
 fn options_of_a_curve_and_of_a_recording_are_not_mixed() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run(&format!("{FIT_CALL} --radius 0.01")).usage_error().says(&["--radius"]);
     dir.run("fit walker.osim --motion walk.mot").usage_error().says(&["--plates"]);
     dir.run("fit walker.osim --plates plates.sto --radius 0.01").usage_error().says(&["--motion"]);
@@ -308,7 +308,7 @@ fn fit_of_a_measured_gait_reaches_the_documented_error() {
 /// In a table of models, each row is a body with its own recording.
 #[test]
 fn a_table_has_a_recording_for_each_model() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.write(
         "table.csv",
         "model,verb,motion,plates,loads,fit,output\n\
@@ -326,7 +326,7 @@ fn a_table_has_a_recording_for_each_model() {
 /// The default pose of an ankle does not matter, because down is the direction to the floor while the foot is on the floor.
 #[test]
 fn the_default_pose_of_an_ankle_does_not_matter() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let text = dir.text("walker.osim");
     let at = text.find("name=\"ankle_r\"").or_else(|| text.find("ankle_r")).unwrap();
     let turned =
@@ -345,7 +345,7 @@ fn the_default_pose_of_an_ankle_does_not_matter() {
 /// Two trials of one body with floors at heights that differ by 20 mm share the contacts but not the floor, also if spheres move.
 #[test]
 fn each_trial_has_a_floor_of_its_own() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let text = dir.text("walk.mot");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
@@ -377,7 +377,7 @@ fn each_trial_has_a_floor_of_its_own() {
 /// If no plate measured the right foot, a remark says that the foot does not count, and the left foot gives the contacts.
 #[test]
 fn a_foot_that_no_plate_measured_is_left_out() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let text = dir.text("plates.sto");
     let (head, rows) = text.split_once("endheader\n").unwrap();
     let (names, rows) = rows.split_once('\n').unwrap();
@@ -400,7 +400,7 @@ fn a_foot_that_no_plate_measured_is_left_out() {
 
 #[test]
 fn a_moved_floor_of_other_spheres_is_reported() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let plan = json_object(
         &dir.run(&format!("{FIT_CALL} --select contact_heel_r --dry-run --format json")).succeeded(),
     );
@@ -410,7 +410,7 @@ fn a_moved_floor_of_other_spheres_is_reported() {
 
 #[test]
 fn fit_of_a_motion_refuses_options_without_effect() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run(&format!("{FIT_CALL} --fit stiffness --height-in spheres"))
         .usage_error()
         .says(&["no height is fitted", "--height-in"]);

@@ -4,7 +4,7 @@
 use crate::support::{TestDir, fixture};
 use crate::{assert_close, json_object};
 
-const FILES: [(&str, &str); 4] = [
+const FILES_OF_RECORDING: [(&str, &str); 4] = [
     ("motion/walker.osim", "walker.osim"),
     ("motion/walk.mot", "walk.mot"),
     ("motion/plates.sto", "plates.sto"),
@@ -30,7 +30,7 @@ fn first_row_of(csv: &str, sphere: &str) -> Vec<(String, String)> {
 /// below the ankle) are 22.7 mm deep, the heel (0.05 m behind) goes in and the ball (0.12 m ahead) comes out.
 #[test]
 fn the_first_frame_agrees_with_a_hand_calculation() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let csv = dir.run("motion walker.osim walk.mot --format csv").succeeded().wrote_nothing().out();
     let number = |row: &[(String, String)], name: &str| -> f64 {
         row.iter().find(|(column, _)| column == name).unwrap().1.parse().unwrap()
@@ -54,7 +54,7 @@ fn the_first_frame_agrees_with_a_hand_calculation() {
 /// Missing rows of plates are interpolated, and the program reports them.
 #[test]
 fn missing_rows_of_plates_are_reported_once() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let table = dir.text("plates.sto");
     let without = |missing: &[(f64, f64)]| {
         let is_kept = |line: &&str| match line.split('\t').next().and_then(|cell| cell.parse::<f64>().ok()) {
@@ -85,7 +85,7 @@ fn missing_rows_of_plates_are_reported_once() {
 
 #[test]
 fn motion_compares_feet_with_plates() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let run = dir.run(CALL_WITH_PLATES).succeeded().wrote_nothing();
     insta::assert_snapshot!("motion", run.out());
     let motion =
@@ -113,7 +113,7 @@ const PLATES_PEAK_N: f64 = 1_048.392_9;
 /// The program can read the written file as ground reactions, and the forces agree with the model.
 #[test]
 fn written_reactions_agree_with_the_model() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let run = dir.run("motion walker.osim walk.mot -o made.sto").succeeded();
     assert_eq!(run.changed, ["made.sto", "made.xml"]);
     let second_run =
@@ -133,7 +133,7 @@ fn written_reactions_agree_with_the_model() {
 
 #[test]
 fn wrong_recordings_are_refused_with_a_reason() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let head = "version=1\nendheader\ntime\tankle_r\n";
     let rows = |values: [f64; 6]| -> String {
         values.iter().enumerate().map(|(row, value)| format!("0.{row}\t{value}\n")).collect()
@@ -168,7 +168,7 @@ fn wrong_recordings_are_refused_with_a_reason() {
 /// Plates without pressure points and sides belong to no foot, so the program compares no foot.
 #[test]
 fn a_plate_without_a_foot_counts_only_in_the_total() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run("motion walker.osim walk.mot -o own.sto").succeeded();
     let text = dir.text("own.sto").replace("_r_", "_1_").replace("_l_", "_2_").replace("_p", "_unknown_");
     dir.write("forces.sto", text);
@@ -189,7 +189,7 @@ fn a_plate_without_a_foot_counts_only_in_the_total() {
 /// A step beside the plates (7.6 body weights in the model, no force in the plates) does not count as an error of the contacts.
 #[test]
 fn a_step_beside_the_plates_is_not_compared() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run("motion walker.osim walk.mot -o own.sto").succeeded().wrote(&["own.sto", "own.xml"]);
     let text = dir.text("own.sto");
     let (head, rows) = text.split_once("endheader\n").unwrap();
@@ -214,7 +214,7 @@ fn a_step_beside_the_plates_is_not_compared() {
 /// The seventh verdict is good also for a floor that is too high, a warning for forces in kN, and unknown if the recording cannot be read.
 #[test]
 fn check_judges_contacts_by_a_recording() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let recording = "--motion walk.mot --plates plates.sto";
     let motion_verdict = |model: &str, more: &str| {
         let motion =
@@ -246,7 +246,7 @@ fn check_judges_contacts_by_a_recording() {
 
 #[test]
 fn a_motion_plot_shows_model_and_plates() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run("plot motion walker.osim --motion walk.mot --plates plates.sto -o walk.svg --data walk.csv")
         .succeeded()
         .wrote(&["walk.csv", "walk.svg"]);
@@ -264,7 +264,7 @@ fn a_motion_plot_shows_model_and_plates() {
 /// The page of `check` shows the recording: a text, the feet, and a figure with a curve for each foot.
 #[test]
 fn the_report_of_a_check_shows_the_recording() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let call =
         "check walker.osim --motion walk.mot --plates plates.sto --loads plates.xml --report page.html";
     dir.run(call);
@@ -285,7 +285,7 @@ fn the_report_of_a_check_shows_the_recording() {
 /// The page of a fit shows the new contacts beside the plates.
 #[test]
 fn the_report_of_a_fit_shows_the_recording() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let call = "fit walker.osim --motion walk.mot --plates plates.sto --loads plates.xml -o fitted.osim --report page.html";
     dir.run(call).succeeded();
     let page = dir.text("page.html").replace('\n', " ");
@@ -301,7 +301,7 @@ fn the_report_of_a_fit_shows_the_recording() {
 /// The message names the option that figures do not have, not the kind of figure, although `motion` is also a verb.
 #[test]
 fn an_option_that_a_plot_lacks_is_named() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     dir.run("plot motion walker.osim --motion walk.mot --belt 1 -o a.svg").usage_error().says(&["--belt"]);
     dir.run("plot feet walker.osim --belt 1").usage_error().says(&["--belt"]);
 }
@@ -309,7 +309,7 @@ fn an_option_that_a_plot_lacks_is_named() {
 /// A model with values that are not finite is refused, because JSON has no such numbers and its schema promises numbers.
 #[test]
 fn a_model_whose_motion_overflows_is_refused() {
-    let dir = TestDir::with(&FILES);
+    let dir = TestDir::with(&FILES_OF_RECORDING);
     let walker = dir.text("walker.osim");
     for (old, new) in [
         ("<radius>0.035", "<radius>5e-324"),

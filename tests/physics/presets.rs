@@ -3,7 +3,7 @@
 use crate::support::{HUMAN, TestDir};
 use crate::{assert_close, changes_in_json, json_object, number};
 
-const LAB: &str = "# Presets of the lab
+const PRESETS_OF_LAB: &str = "# Presets of the lab
 [[preset]]
 name = \"lab_heel\"
 source = \"pendulum tests, mean of eight heels\"
@@ -16,7 +16,7 @@ dissipation = 1.0
 ";
 
 fn write_lab_presets(dir: &TestDir) {
-    dir.write("lab.toml", LAB);
+    dir.write("lab.toml", PRESETS_OF_LAB);
 }
 
 #[test]
@@ -99,8 +99,8 @@ fn transfer_accepts_a_user_preset() {
 fn mistakes_in_a_preset_file_are_located() {
     let dir = TestDir::new();
     let lab_with = |from: &str, to: &str| {
-        assert!(LAB.contains(from), "{from}");
-        LAB.replacen(from, to, 1)
+        assert!(PRESETS_OF_LAB.contains(from), "{from}");
+        PRESETS_OF_LAB.replacen(from, to, 1)
     };
     for (text, words) in [
         (lab_with("stiffness =", "stifness ="), ["lab.toml:9:1: ", "unknown field `stifness`"]),
@@ -109,13 +109,13 @@ fn mistakes_in_a_preset_file_are_located() {
             lab_with("name = \"lab_heel\"", "name = \"falisse2022\""),
             ["lab.toml:3:8: ", "'falisse2022' is taken"],
         ),
-        (format!("{LAB}\n{LAB}"), ["lab.toml:14:8: ", "'lab_heel' is taken"]),
+        (format!("{PRESETS_OF_LAB}\n{PRESETS_OF_LAB}"), ["lab.toml:14:8: ", "'lab_heel' is taken"]),
         (lab_with("1.5e6", "1,5e6"), ["lab.toml:9:14: ", "expected newline"]),
         (lab_with("mass_kg = 70\n", ""), ["lab.toml:2:1: ", "missing field `mass_kg`"]),
         (lab_with("mass_kg = 70", "mass_kg = -70"), ["lab.toml:3:8: preset 'lab_heel'", "mass is -70"]),
         (lab_with("spheres = 4", "spheres = 0"), ["lab.toml:3:8: preset 'lab_heel'", "sphere count is 0"]),
         (
-            format!("{LAB}hertz_smoothing = 300\n"),
+            format!("{PRESETS_OF_LAB}hertz_smoothing = 300\n"),
             ["lab.toml:3:8: preset 'lab_heel'", "come together or not at all"],
         ),
         (lab_with("[[preset]]", "[preset]"), ["lab.toml:2:1: ", "expected a sequence"]),
@@ -134,6 +134,6 @@ fn presets_output_matches_its_snapshots() {
     let dir = TestDir::new();
     write_lab_presets(&dir);
     dir.run("presets --presets lab.toml").matches_snapshot("physics_presets");
-    dir.write("bad.toml", LAB.replace("stiffness", "stifness"));
+    dir.write("bad.toml", PRESETS_OF_LAB.replace("stiffness", "stifness"));
     dir.run("presets --presets bad.toml").matches_snapshot("physics_presets_unknown_key");
 }

@@ -8,7 +8,7 @@ const COLOUR_OF_MODEL_LAW: &str = "#222222";
 const COLOUR_OF_MOUSE: &str = "#0072B2";
 const COLOUR_OF_GIRAFFE: &str = "#D55E00";
 
-/// The figure that `plot ARGUMENTS` draws.
+/// The SVG that `plot` draws with these arguments.
 #[track_caller]
 fn plot_svg(dir: &TestDir, arguments: &str) -> Svg {
     dir.run(&format!("plot {arguments} -o figure.svg --force")).succeeded().wrote(&["figure.svg"]);

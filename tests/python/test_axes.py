@@ -6,7 +6,7 @@ import pickle
 import osim_contact_scale as ocs
 import pytest
 from conftest import FIXTURES, HUMAN
-from osim_contact_scale._axes import draw
+from osim_contact_scale._axes import draw_panel
 
 matplotlib = pytest.importorskip("matplotlib", reason="matplotlib is not installed")
 matplotlib.use("Agg")
@@ -124,7 +124,7 @@ def test_a_limit_of_a_heat_map_is_a_line_in_it_and_on_its_bar():
     panel = figure_of("sweep of two")._panels()[0]
     limit = {**panel.rows[-1], "kind": "limit", "name": "at most 2.5", "x": None, "y": None, "value": 2.5}
     _, axes = pyplot.subplots()
-    draw(panel._replace(rows=[*panel.rows, limit]), axes)
+    draw_panel(panel._replace(rows=[*panel.rows, limit]), axes)
     assert "at most 2.5" in [text.get_text() for text in axes.get_legend().get_texts()]
     bar = axes.figure.axes[-1]
     assert [list(line.get_ydata()) for line in bar.lines] == [[2.5, 2.5]]

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from osim_contact_scale.simulate._root import root
+from osim_contact_scale.simulate._root import find_root
 
 
 @pytest.mark.parametrize(
@@ -18,17 +18,17 @@ from osim_contact_scale.simulate._root import root
 )
 def test_a_crossing_is_found_from_either_end(function, left, right, crossing):
     for ends in ((left, right), (right, left)):
-        assert root(function, *ends, close=1e-14) == pytest.approx(crossing, rel=1e-9)
+        assert find_root(function, *ends, close=1e-14) == pytest.approx(crossing, rel=1e-9)
 
 
 def test_an_end_may_be_the_crossing():
-    assert root(math.sin, 0.0, 1.0, close=0.0) == 0.0
-    assert root(lambda x: x - 1, 0.0, 1.0, close=0.0) == 1.0
+    assert find_root(math.sin, 0.0, 1.0, close=0.0) == 0.0
+    assert find_root(lambda x: x - 1, 0.0, 1.0, close=0.0) == 1.0
 
 
 def test_no_crossing_is_an_error():
     with pytest.raises(ValueError, match="same sign"):
-        root(math.exp, 0.0, 1.0, close=0.0)
+        find_root(math.exp, 0.0, 1.0, close=0.0)
 
 
 def test_it_needs_few_calls():
@@ -39,5 +39,5 @@ def test_it_needs_few_calls():
         calls.append(x)
         return 1.5 - math.sqrt(x)
 
-    assert root(function, 1.0, 4.0, close=1e-12) == pytest.approx(2.25, rel=1e-12)
+    assert find_root(function, 1.0, 4.0, close=1e-12) == pytest.approx(2.25, rel=1e-12)
     assert len(calls) < 15

@@ -28,7 +28,7 @@ impl Default for Paper {
 }
 
 /// The smallest useful distance between the two vertical edges of a plot, in points for letters of 7 points.
-const LEAST_PLOT_PT: f64 = 60.0;
+const LEAST_PLOT_WIDTH_PT: f64 = 60.0;
 
 impl Paper {
     /// The width in mm of a figure with the default width `default`.
@@ -52,7 +52,7 @@ impl Paper {
     /// # Errors
     /// [`PlotError::TooNarrow`].
     pub(crate) fn check(self, default: Width, beside_pt: f64) -> Result<(), PlotError> {
-        let least_mm = (beside_pt + LEAST_PLOT_PT) * self.enlargement() / 72.0 * 25.4;
+        let least_mm = (beside_pt + LEAST_PLOT_WIDTH_PT) * self.enlargement() / 72.0 * 25.4;
         let width_mm = self.width_mm(default);
         if width_mm.is_finite() && self.text_pt > 0.0 && width_mm >= least_mm {
             return Ok(());
@@ -105,14 +105,14 @@ fn rounded_to_thousandth(mm: f64) -> f64 {
 /// Joins consecutive lines with the same colour and width to one path. The library draws each dash as an element, and these
 /// elements would be most of the document.
 fn join_polylines(body: &str) -> String {
-    const POINTS: &str = " points=\"";
+    const POINTS_ATTRIBUTE: &str = " points=\"";
     let mut out = String::with_capacity(body.len());
     let mut run: (&str, Vec<&str>) = ("", Vec::new());
     for line in body.lines() {
         let parts = line
             .strip_prefix("<polyline")
             .and_then(|rest| rest.strip_suffix("\"/>"))
-            .and_then(|rest| rest.split_once(POINTS));
+            .and_then(|rest| rest.split_once(POINTS_ATTRIBUTE));
         match parts {
             Some((look, points)) if look == run.0 => run.1.push(points),
             Some((look, points)) => {

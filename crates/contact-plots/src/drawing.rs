@@ -24,7 +24,7 @@ pub struct Datum {
     /// The element of the figure to which the number belongs: `curve`, `point`, `limit`, `cell`, `outline`, `sphere`, or
     /// `level`.
     pub kind: &'static str,
-    /// The name of this element.
+    /// The name of the curve, limit, block or other element to which the number belongs.
     pub name: String,
     /// The quantity on the horizontal axis, with its unit.
     pub x_axis: String,
@@ -152,7 +152,7 @@ impl Datum {
         }
     }
 
-    fn at(self, (x, y): (f64, f64)) -> Self {
+    fn at_point(self, (x, y): (f64, f64)) -> Self {
         Self { x: Some(x), y: Some(y), ..self }
     }
 
@@ -171,9 +171,9 @@ fn data_of_panels(figure: &Figure) -> Vec<Datum> {
         };
         let row = |kind, label: &str| Datum::new(kind, &name, label, (&panel.x.label, &panel.y.label));
         for curve in &panel.curves {
-            data.extend(curve.points.iter().map(|&point| row("curve", &curve.label).at(point)));
+            data.extend(curve.points.iter().map(|&point| row("curve", &curve.label).at_point(point)));
         }
-        data.extend(panel.marks.iter().map(|mark| row("point", &mark.label).at(mark.at)));
+        data.extend(panel.marks.iter().map(|mark| row("point", &mark.label).at_point(mark.at)));
         data.extend(panel.limits.iter().map(|limit| match limit.direction {
             Direction::Vertical => Datum { x: Some(limit.at), ..row("limit", &limit.label) },
             Direction::Horizontal => Datum { y: Some(limit.at), ..row("limit", &limit.label) },
@@ -187,10 +187,10 @@ fn data_of_cells(map: &HeatMap) -> Vec<Datum> {
     let mut data = Vec::new();
     for (values, &y) in map.values.iter().zip(&map.y) {
         for (value, &x) in values.iter().zip(&map.x) {
-            data.push(row("cell", "").at((x, y)).with(&map.value_axis.label, *value));
+            data.push(row("cell", "").at_point((x, y)).with(&map.value_axis.label, *value));
         }
     }
-    data.extend(map.mark.iter().map(|(label, at)| row("point", label).at(*at)));
+    data.extend(map.mark.iter().map(|(label, at)| row("point", label).at_point(*at)));
     let limit = map.limit.iter();
     data.extend(limit.map(|limit| row("limit", &limit.label).with(&map.value_axis.label, Some(limit.at))));
     data
@@ -205,15 +205,17 @@ fn data_of_scene(scene: &Scene) -> Vec<Datum> {
             for (index, outline) in view.outlines.iter().enumerate() {
                 // Outlines have no names; their numbers keep their corners apart.
                 let name = format!("outline {}", index + 1);
-                data.extend(outline.points.iter().map(|&point| row("outline", &name).at(point)));
+                data.extend(outline.points.iter().map(|&point| row("outline", &name).at_point(point)));
             }
             let radius = |label: &str| {
                 label.rsplit_once('(').map_or("radius".to_owned(), |(_, unit)| format!("radius ({unit}"))
             };
             data.extend(view.balls.iter().map(|ball| {
-                row("sphere", &ball.name).at(ball.centre).with(&radius(&view.x_label), Some(ball.radius))
+                row("sphere", &ball.name)
+                    .at_point(ball.centre)
+                    .with(&radius(&view.x_label), Some(ball.radius))
             }));
-            data.extend(view.spots.iter().map(|spot| row("point", &spot.name).at(spot.at)));
+            data.extend(view.spots.iter().map(|spot| row("point", &spot.name).at_point(spot.at)));
             let levels = view.levels.iter();
             data.extend(levels.map(|level| Datum { y: Some(level.at), ..row("level", &level.name) }));
         }

@@ -10,7 +10,7 @@ pub enum PlotError {
     /// There is nothing to draw: the named part of the figure is missing.
     #[error("nothing to draw: {0}")]
     Empty(&'static str),
-    /// More curves than can be distinguished.
+    /// A panel has more curves than a reader can distinguish by colour and dash.
     #[error("{count} curves cannot be distinguished, expected at most {most}")]
     TooMany {
         /// Number of curves in the panel.
@@ -21,14 +21,14 @@ pub enum PlotError {
     /// A logarithmic axis, by its label, has a value that is not above 0.
     #[error("the axis '{0}' is logarithmic, expected values above 0")]
     NotPositive(String),
-    /// More names than curves.
+    /// The caller gave more names than the figure has curves.
     #[error(
         "{wanted} names were given, and the figure has {} to name{}",
         counted_curves(.curves.len()),
         quoted_names(.curves)
     )]
     Names {
-        /// Number of the given names.
+        /// Number of names that the caller gave for the curves.
         wanted: usize,
         /// Names of the curves in the figure.
         curves: Vec<String>,
@@ -54,7 +54,7 @@ pub enum PlotError {
         "{width_mm} mm are too narrow for letters of {text_pt} pt, expected a width of at least {least_mm:.0} mm"
     )]
     TooNarrow {
-        /// The wanted width, mm.
+        /// The width of the figure that the caller wants, mm.
         width_mm: f64,
         /// The size of the letters, points.
         text_pt: f64,
@@ -71,10 +71,10 @@ pub enum PlotError {
         width: u32,
         /// Number of pixels from top to bottom.
         height: u32,
-        /// Largest allowed number of pixels.
+        /// Largest number of pixels that a picture may have.
         most: u64,
     },
-    /// An error of the plotting library.
+    /// The plotting library reports this error.
     #[error("the figure could not be drawn: {0}")]
     Drawing(String),
     /// The PNG or the PDF could not be made.

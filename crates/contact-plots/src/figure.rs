@@ -22,7 +22,7 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// A curve with a name.
+    /// A curve through `points`, with the name `label` in the legend.
     pub fn new(label: impl Into<String>, points: Vec<Point>, look: Look) -> Self {
         Self { label: label.into(), points, look }
     }
@@ -91,7 +91,7 @@ pub struct Panel {
     pub y: Axis,
     /// Curves of the panel, the first at the bottom.
     pub curves: Vec<Curve>,
-    /// Areas between curves and 0.
+    /// Shaded areas between curves and the line at 0.
     pub areas: Vec<Area>,
     /// Limits and thresholds of the panel.
     pub limits: Vec<Limit>,
@@ -133,7 +133,7 @@ pub enum Width {
     /// One column of a journal, 90 mm.
     #[default]
     Column,
-    /// The whole page, 190 mm.
+    /// The width of a journal's whole page, 190 mm.
     Page,
 }
 
@@ -182,8 +182,8 @@ impl Figure {
 // What a panel covers: from where to where its axes go, and what is between them.
 
 /// Number of ticks along a horizontal axis, roughly.
-const X_TICKS: usize = 7;
-const Y_TICKS: usize = 6;
+const X_TICK_COUNT: usize = 7;
+const Y_TICK_COUNT: usize = 6;
 
 /// The ends of a panel's axes as positions (logarithms on a logarithmic axis), and their ticks.
 #[derive(Debug, Clone, PartialEq)]
@@ -203,7 +203,7 @@ impl<'p> Frame<'p> {
         let shown = panel.points().filter(|(_, (x, _))| within(*x)).map(|(_, (_, y))| y);
         let across = panel.limits.iter().filter(|limit| limit.direction == Direction::Horizontal);
         let y = panel.y.span(shown.chain(across.map(|limit| limit.at)), true);
-        Self { panel, x, y, x_ticks: panel.x.ticks(x, X_TICKS), y_ticks: panel.y.ticks(y, Y_TICKS) }
+        Self { panel, x, y, x_ticks: panel.x.ticks(x, X_TICK_COUNT), y_ticks: panel.y.ticks(y, Y_TICK_COUNT) }
     }
 
     /// Position of a point in the panel: values, or their logarithms on a logarithmic axis.
@@ -246,7 +246,7 @@ fn clip_window((left, right): Span, (low, high): Span) -> Window {
     Window::new(left, right, low, high)
 }
 
-fn corner((x, y): Point) -> line_clipping::Point {
+fn clipping_point((x, y): Point) -> line_clipping::Point {
     line_clipping::Point::new(x, y)
 }
 
@@ -255,7 +255,9 @@ pub(crate) fn clip_polyline(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point
     let window = clip_window(x, y);
     let mut parts: Vec<Vec<Point>> = Vec::new();
     for pair in points.windows(2) {
-        let Some(inside) = clip_line(LineSegment::new(corner(pair[0]), corner(pair[1])), window) else {
+        let Some(inside) =
+            clip_line(LineSegment::new(clipping_point(pair[0]), clipping_point(pair[1])), window)
+        else {
             continue;
         };
         let (from, to) = ((inside.p1.x, inside.p1.y), (inside.p2.x, inside.p2.y));
@@ -273,7 +275,7 @@ pub(crate) fn clip_polyline(points: &[Point], x: Span, y: Span) -> Vec<Vec<Point
 
 /// The part of an area that is between `x.0` and `x.1`, `y.0` and `y.1`; `None` if no part is.
 pub(crate) fn clip_area(corners: &[Point], x: Span, y: Span) -> Option<Vec<Point>> {
-    let corners: Vec<line_clipping::Point> = corners.iter().copied().map(corner).collect();
+    let corners: Vec<line_clipping::Point> = corners.iter().copied().map(clipping_point).collect();
     if corners.len() < 3 {
         return None;
     }

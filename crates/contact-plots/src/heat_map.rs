@@ -8,7 +8,7 @@ use plotters::style::{Color, RGBColor};
 use crate::axis::{Axis, Scale, Ticks};
 use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable};
 use crate::legend::{Legend, Sample, core_stroke, draw_cross, rim_stroke};
-use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT, draw_axes};
+use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT, draw_axes};
 use crate::style::{INK, TEXT_PT, stroke, text, units};
 use crate::{PlotError, Point, Width};
 
@@ -16,7 +16,7 @@ const PLOT_HEIGHT_PT: f64 = 140.0;
 const COLOUR_BAR_WIDTH_PT: f64 = 9.0;
 const COLOUR_BAR_GAP_PT: f64 = 9.0;
 const RIGHT_MARGIN_PT: f64 = 6.0;
-const SLICES: u32 = 64;
+const COLOUR_BAR_SLICES: u32 = 64;
 /// Number of ticks along an axis and along the colour bar, roughly.
 const TICKS_PER_AXIS: usize = 7;
 /// The colour of a cell without a value.
@@ -34,7 +34,7 @@ pub struct HeatLimit {
 /// A heat map: a quantity over two parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeatMap {
-    /// Title above the map.
+    /// Title above the heat map.
     pub title: String,
     /// Description of the map in full sentences.
     pub description: String,
@@ -116,9 +116,12 @@ impl HeatLayout {
         let span = value_span(map)?;
         let bar_ticks = map.value_axis.ticks(span, TICKS_PER_AXIS);
         let y_ticks = map.y_axis.ticks((first_edge(&y_edges), last_edge(&y_edges)), TICKS_PER_AXIS);
-        let beside_pt = NAME_PT + 3.0 * TICK_PT + y_ticks.width_pt().max(8.0);
-        let bar_room_pt =
-            COLOUR_BAR_GAP_PT + COLOUR_BAR_WIDTH_PT + 3.0 * TICK_PT + bar_ticks.width_pt() + NAME_PT;
+        let beside_pt = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + y_ticks.width_pt().max(8.0);
+        let bar_room_pt = COLOUR_BAR_GAP_PT
+            + COLOUR_BAR_WIDTH_PT
+            + 3.0 * TICK_LENGTH_PT
+            + bar_ticks.width_pt()
+            + AXIS_NAME_DISTANCE_PT;
         let legend = Legend::new(legend_entries(map, span), width_pt - 2.0 * MARGIN_PT - beside_pt);
         let title = Title::new(&map.title, width_pt);
         Ok(Self { width_pt, title, x_edges, y_edges, span, beside_pt, bar_room_pt, bar_ticks, legend })
@@ -129,7 +132,7 @@ impl HeatLayout {
     }
 
     fn legend_top(&self) -> f64 {
-        self.top() + PLOT_HEIGHT_PT + BELOW_PT
+        self.top() + PLOT_HEIGHT_PT + TICK_LABELS_HEIGHT_PT
     }
 
     /// The ticks of an axis that ends with the outer edges of its cells.
@@ -143,7 +146,7 @@ impl HeatLayout {
     fn draw_cells(&self, root: &Area<'_>, map: &HeatMap) -> Result<(), PlotError> {
         let (left, top) = (units(MARGIN_PT), units(self.top()));
         let width = units(self.width_pt - 2.0 * MARGIN_PT - self.bar_room_pt);
-        let area = root.clone().shrink((left, top), (width, units(PLOT_HEIGHT_PT + BELOW_PT)));
+        let area = root.clone().shrink((left, top), (width, units(PLOT_HEIGHT_PT + TICK_LABELS_HEIGHT_PT)));
         let (x_ticks, y_ticks) =
             (Self::ticks(&map.x_axis, &self.x_edges), Self::ticks(&map.y_axis, &self.y_edges));
         let scale =
@@ -151,7 +154,7 @@ impl HeatLayout {
         let mut chart = ChartBuilder::on(&area)
             .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
-            .set_label_area_size(LabelAreaPosition::Bottom, units(BELOW_PT))
+            .set_label_area_size(LabelAreaPosition::Bottom, units(TICK_LABELS_HEIGHT_PT))
             .build_cartesian_2d(scale(&self.x_edges, &x_ticks), scale(&self.y_edges, &y_ticks))
             .map_err(PlotError::drawing)?;
         chart.draw_series(self.cells(map)).map_err(PlotError::drawing)?;
@@ -226,11 +229,11 @@ impl HeatLayout {
             )
             .build_cartesian_2d(Scale::new((0.0, 1.0), vec![]), Scale::new((low, high), self.bar_ticks.at()))
             .map_err(PlotError::drawing)?;
-        let at = |slice: u32| low + (high - low) * f64::from(slice) / f64::from(SLICES);
-        let slices = (0..SLICES).map(|slice| {
+        let at = |slice: u32| low + (high - low) * f64::from(slice) / f64::from(COLOUR_BAR_SLICES);
+        let slices = (0..COLOUR_BAR_SLICES).map(|slice| {
             let middle = 0.5 * (at(slice) + at(slice + 1));
             let colour = ViridisRGB.get_color_normalized(middle, low, high);
-            Rectangle::new([(0.0, at(slice)), (1.0, at((slice + 2).min(SLICES)))], colour.filled())
+            Rectangle::new([(0.0, at(slice)), (1.0, at((slice + 2).min(COLOUR_BAR_SLICES)))], colour.filled())
         });
         chart.draw_series(slices).map_err(PlotError::drawing)?;
         let limit = map.limit.as_ref().map(|limit| map.value_axis.place(limit.at));
@@ -244,7 +247,7 @@ impl HeatLayout {
             .configure_mesh()
             .disable_mesh()
             .axis_style(stroke(INK, 0.6))
-            .set_all_tick_mark_size(units(TICK_PT))
+            .set_all_tick_mark_size(units(TICK_LENGTH_PT))
             .label_style(text(TEXT_PT))
             .axis_desc_style(text(TEXT_PT))
             .y_desc(printable(&map.value_axis.label))

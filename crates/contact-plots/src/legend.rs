@@ -9,12 +9,12 @@ use plotters::style::{Color, RGBColor, ShapeStyle};
 use crate::document::printable;
 use crate::error::PlotError;
 use crate::figure::{Direction, Figure, Frame, Limit, Panel};
-use crate::style::{LIMIT, Look, SHADE, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
+use crate::style::{LIMIT, Look, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, float, stroke, text, units};
 use crate::text_width::{lines, width_with_reserve_pt};
 
-const ROW_PT: f64 = 10.0;
+const ENTRY_ROW_PT: f64 = 10.0;
 /// Distance between lines of one name, pt.
-const LINE_PT: f64 = 8.2;
+const NAME_LINE_PT: f64 = 8.2;
 pub(crate) const SAMPLE_PT: f64 = 18.0;
 const ENTRY_GAP_PT: f64 = 4.0;
 
@@ -113,10 +113,10 @@ impl Legend {
             if index > 0 && index % self.rows() == 0 {
                 (left, top) = (left + self.column_pt, top_pt + ENTRY_GAP_PT);
             }
-            sample(index, left, top + 0.5 * ROW_PT)?;
+            sample(index, left, top + 0.5 * ENTRY_ROW_PT)?;
             for (row, line) in lines.iter().enumerate() {
                 let style = text(TEXT_PT).pos(Pos::new(HPos::Left, VPos::Center));
-                let middle = top + 0.5 * ROW_PT + LINE_PT * float(row);
+                let middle = top + 0.5 * ENTRY_ROW_PT + NAME_LINE_PT * float(row);
                 let at = (units(left + SAMPLE_PT + ENTRY_GAP_PT), units(middle));
                 area.draw_text(line, &style, at).map_err(PlotError::drawing)?;
             }
@@ -128,7 +128,7 @@ impl Legend {
 
 /// Height of an entry whose name has these lines, pt.
 fn height_pt(lines: &[String]) -> f64 {
-    ROW_PT + LINE_PT * float(lines.len().saturating_sub(1))
+    ENTRY_ROW_PT + NAME_LINE_PT * float(lines.len().saturating_sub(1))
 }
 
 fn draw_legend_sample(
@@ -146,9 +146,10 @@ fn draw_legend_sample(
                 area.draw(&DashedPathElement::new(line, units(dash), units(gap), look.stroke()))
             }
         },
-        Sample::Shade => {
-            area.draw(&Rectangle::new([at(0.0, -3.0), at(SAMPLE_PT, 3.0)], SHADE.mix(SHADE_OPACITY).filled()))
-        }
+        Sample::Shade => area.draw(&Rectangle::new(
+            [at(0.0, -3.0), at(SAMPLE_PT, 3.0)],
+            SHADE_COLOUR.mix(SHADE_OPACITY).filled(),
+        )),
         Sample::Dot(look) => {
             let (r, g, b) = look.colour;
             area.draw(&Circle::new(at(SAMPLE_PT / 2.0, 0.0), units(2.2), RGBColor(r, g, b).filled()))

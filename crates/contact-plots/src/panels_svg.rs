@@ -12,16 +12,16 @@ use crate::document::{Area, MARGIN_PT, Paper, Sheet, Title, document, printable}
 use crate::error::PlotError;
 use crate::figure::{self, Direction, Figure, Frame, Limit, Panel};
 use crate::legend::{LIMIT_ROW_PT, Legend, limit_rows};
-use crate::style::{INK, LIMIT, SHADE, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
+use crate::style::{INK, LIMIT, SHADE_COLOUR, SHADE_OPACITY, TEXT_PT, TITLE_PT, float, stroke, text, units};
 use crate::text_width::cut;
 
 /// Height of the row with a panel's title, pt.
 const PANEL_TITLE_PT: f64 = 13.0;
 /// Room below a panel for the tick labels and the axis label, pt.
-pub(crate) const BELOW_PT: f64 = 22.5;
+pub(crate) const TICK_LABELS_HEIGHT_PT: f64 = 22.5;
 /// Distance from the axis label beside a panel to its tick labels, pt.
-pub(crate) const NAME_PT: f64 = 10.0;
-pub(crate) const TICK_PT: f64 = 2.2;
+pub(crate) const AXIS_NAME_DISTANCE_PT: f64 = 10.0;
+pub(crate) const TICK_LENGTH_PT: f64 = 2.2;
 /// Room on the right for half of the last tick label, pt.
 const RIGHT_MARGIN_PT: f64 = 5.0;
 const PANEL_GAP_PT: f64 = 8.0;
@@ -69,7 +69,7 @@ struct Layout {
     panel_pt: (f64, f64),
     /// Room for tick labels and the axis label left of each panel, pt.
     beside_pt: f64,
-    /// Room for the panel's title, pt.
+    /// Height of the room for the panel's title, pt.
     title_pt: f64,
     /// Room for the names of limits above a panel, pt.
     limits_pt: f64,
@@ -81,8 +81,9 @@ impl Layout {
     fn of(figure: &Figure, width: f64) -> Self {
         let frames: Vec<Frame<'_>> = figure.panels.iter().map(Frame::of).collect();
         let room = width - 2.0 * MARGIN_PT;
-        let beside_pt =
-            NAME_PT + 3.0 * TICK_PT + frames.iter().map(|frame| frame.y_ticks.width_pt()).fold(8.0, f64::max);
+        let beside_pt = AXIS_NAME_DISTANCE_PT
+            + 3.0 * TICK_LENGTH_PT
+            + frames.iter().map(|frame| frame.y_ticks.width_pt()).fold(8.0, f64::max);
         let panel_width = |columns: usize| (room - PANEL_GAP_PT * float(columns - 1)) / float(columns);
         let wanted = figure.columns.clamp(1, figure.panels.len());
         let is_wide = |&columns: &usize| panel_width(columns) - beside_pt >= SIDE_BY_SIDE_PT;
@@ -100,7 +101,7 @@ impl Layout {
             title: Title::new(&figure.title, width),
             columns,
             rows: figure.panels.len().div_ceil(columns),
-            panel_pt: (panel_width, title_pt + limits_pt + plot_height + BELOW_PT),
+            panel_pt: (panel_width, title_pt + limits_pt + plot_height + TICK_LABELS_HEIGHT_PT),
             beside_pt,
             title_pt,
             limits_pt,
@@ -128,7 +129,7 @@ impl Layout {
             .margin_top(units(self.title_pt + self.limits_pt))
             .margin_right(units(RIGHT_MARGIN_PT))
             .set_label_area_size(LabelAreaPosition::Left, units(self.beside_pt))
-            .set_label_area_size(LabelAreaPosition::Bottom, units(BELOW_PT))
+            .set_label_area_size(LabelAreaPosition::Bottom, units(TICK_LABELS_HEIGHT_PT))
             .build_cartesian_2d(
                 Scale::new(frame.x, frame.x_ticks.at()),
                 Scale::new(frame.y, frame.y_ticks.at()),
@@ -191,7 +192,7 @@ pub(crate) fn draw_axes(
         .configure_mesh()
         .disable_mesh()
         .axis_style(stroke(INK, 0.6))
-        .set_all_tick_mark_size(units(TICK_PT))
+        .set_all_tick_mark_size(units(TICK_LENGTH_PT))
         .label_style(text(TEXT_PT))
         .axis_desc_style(text(TEXT_PT))
         .x_desc(printable(&x_axis.label))
@@ -200,7 +201,7 @@ pub(crate) fn draw_axes(
         .y_label_formatter(&|at| y_ticks.label(*at).to_owned())
         .draw()
         .map_err(PlotError::drawing)?;
-    let tick = units(0.55 * TICK_PT);
+    let tick = units(0.55 * TICK_LENGTH_PT);
     let along_x = x_ticks.minor.iter().map(|&at| {
         let (x, y) = chart.backend_coord(&(at, bottom));
         vec![(x, y), (x, y + tick)]
@@ -221,7 +222,7 @@ fn draw_areas(chart: &mut Chart<'_, '_>, panel: &Panel, frame: &Frame<'_>) -> Re
         let mut outline = area.points.clone();
         outline.extend([(last.0, 0.0), (first.0, 0.0)]);
         if let Some(inside) = figure::clip_area(&frame.places(&outline), frame.x, frame.y) {
-            let shade = Polygon::new(inside, SHADE.mix(SHADE_OPACITY).filled());
+            let shade = Polygon::new(inside, SHADE_COLOUR.mix(SHADE_OPACITY).filled());
             chart.draw_series([shade]).map_err(PlotError::drawing)?;
         }
     }

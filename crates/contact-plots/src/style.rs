@@ -14,12 +14,12 @@ pub(crate) const TEXT_PT: f64 = 7.0;
 pub(crate) const TITLE_PT: f64 = 8.0;
 /// Fonts for the texts: Arial, or a font of the same metrics: Helvetica on macOS, Liberation Sans or Arimo (also used for PNG) on
 /// Linux.
-pub(crate) const FAMILY: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
+pub(crate) const FONT_FAMILIES: &str = "Arial, Helvetica, 'Liberation Sans', Arimo, sans-serif";
 
 pub(crate) const INK: RGBColor = RGBColor(0x22, 0x22, 0x22);
 pub(crate) const LIMIT: RGBColor = RGBColor(0x66, 0x66, 0x66);
 /// The colour of a shaded area.
-pub(crate) const SHADE: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+pub(crate) const SHADE_COLOUR: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 pub(crate) const SHADE_OPACITY: f64 = 0.28;
 
 /// Converts points to drawing units.
@@ -36,7 +36,7 @@ pub(crate) fn float(count: usize) -> f64 {
 pub(crate) fn text<'a>(size_pt: f64) -> TextStyle<'a> {
     // The library divides every font size by 1.24 when it writes SVG.
     let size = size_pt * UNITS_PER_PT * 1.24;
-    let font: FontDesc<'a> = FontDesc::new(FontFamily::Name(FAMILY), size, FontStyle::Normal);
+    let font: FontDesc<'a> = FontDesc::new(FontFamily::Name(FONT_FAMILIES), size, FontStyle::Normal);
     TextStyle::from(font.into_font()).color(&INK).transform(FontTransform::None)
 }
 

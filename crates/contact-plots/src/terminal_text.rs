@@ -52,7 +52,7 @@ pub fn text(panel: &Panel, columns: usize, rows: usize) -> Result<String, PlotEr
         .into_iter()
         .map(|(at, label)| (rounded_index(place((at, y.0)).0) / DOTS_ACROSS, label))
         .collect();
-    lines.into_iter().for_each(|(from, to)| dots.line(from, to));
+    lines.into_iter().for_each(|(from, to)| dots.draw_line(from, to));
 
     let mut text = format!("{}\n", panel.y.label);
     for (row, letters) in dots.lines().enumerate() {
@@ -102,16 +102,16 @@ impl BrailleDots {
         Self { columns, letters: vec![0; columns * rows] }
     }
 
-    fn line(&mut self, from: Point, to: Point) {
+    fn draw_line(&mut self, from: Point, to: Point) {
         let (dx, dy) = (to.0 - from.0, to.1 - from.1);
         let steps = rounded_index(dx.abs().max(dy.abs())).max(1);
         for step in 0..=steps {
             let part = float(step) / float(steps);
-            self.set(rounded_index(from.0 + part * dx), rounded_index(from.1 + part * dy));
+            self.set_dot(rounded_index(from.0 + part * dx), rounded_index(from.1 + part * dy));
         }
     }
 
-    fn set(&mut self, x: usize, y: usize) {
+    fn set_dot(&mut self, x: usize, y: usize) {
         if let Some(letter) = self.letters.get_mut(y / DOTS_DOWN * self.columns + x / DOTS_ACROSS) {
             *letter |= DOT_BITS[y % DOTS_DOWN][x % DOTS_ACROSS];
         }

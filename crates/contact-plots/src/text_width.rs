@@ -40,8 +40,8 @@ fn letter_width(letter: char) -> f64 {
 
 /// The built-in font, which is read when the first text is measured.
 fn face() -> Option<&'static Face<'static>> {
-    static FACE: OnceLock<Option<Face<'static>>> = OnceLock::new();
-    FACE.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
+    static PARSED_FONT: OnceLock<Option<Face<'static>>> = OnceLock::new();
+    PARSED_FONT.get_or_init(|| Face::parse(FONT, 0).ok()).as_ref()
 }
 
 /// The text, cut and ended with an ellipsis if it is wider than `most_pt`.

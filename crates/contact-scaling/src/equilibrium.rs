@@ -130,7 +130,7 @@ fn highest_bottom_m(spheres: &[RaisedSpheres]) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct RaisedSpheres {
-    /// The spheres at this height.
+    /// The spheres whose lowest points are at this height.
     pub spheres: Spheres,
     /// Height of their bottoms above the bottom of the lowest sphere, m.
     pub height_m: f64,

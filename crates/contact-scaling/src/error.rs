@@ -46,7 +46,7 @@ pub(crate) fn require(
     if ok { Ok(value) } else { Err(DomainError::OutOfRange { quantity, value, expected }) }
 }
 
-/// `value`, if it is finite.
+/// Returns `value` if it is finite, else an error with the name of the quantity.
 pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64, DomainError> {
     require(value.is_finite(), quantity, value, "a finite number")
 }

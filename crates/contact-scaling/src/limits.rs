@@ -5,7 +5,7 @@ use std::fmt;
 /// Relative amount by which a figure may exceed a limit because of rounding, without unit.
 const LAST_BITS: f64 = 1e-9;
 
-/// The allowed side of a limit.
+/// The side of a limit on which values are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Bound {
     /// A figure must not be above the limit.
@@ -28,11 +28,11 @@ pub enum Bound {
 pub struct Limit {
     /// Value of the limit, without unit.
     pub value: f64,
-    /// The allowed side of the limit.
+    /// The side of the limit on which values are allowed.
     pub bound: Bound,
     /// The quantity that is limited, in a few words.
     pub what: &'static str,
-    /// Source of the limit.
+    /// The publication that gives the limit.
     pub source: &'static str,
 }
 

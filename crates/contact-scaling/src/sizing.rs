@@ -52,9 +52,9 @@ pub enum SizingError {
     /// More than three quantities are given, and they contradict each other.
     #[error("the {quantity} is given as {given}, but {follows} follows from the other quantities")]
     Contradictory {
-        /// The quantity that contradicts the others.
+        /// Name of the given quantity that contradicts the others.
         quantity: &'static str,
-        /// The value that the caller gave.
+        /// The value that the caller gave for this quantity.
         given: f64,
         /// The value that follows from the first three known quantities.
         follows: f64,

@@ -11,7 +11,7 @@ use osim_requests::{Request, RequestFault, VerbEntry, VerbGroup, verb_entry};
 use osim_view::report::ExitStatus;
 use osim_view::report::layout::break_long_lines;
 
-use crate::session::{Language, WORDS};
+use crate::session::{COMMAND_LINE_WORDS, Language};
 
 /// Source of the equations, as a literal text.
 macro_rules! equations {
@@ -24,12 +24,12 @@ const PROGRAM_NAME: &str = env!("CARGO_PKG_NAME");
 
 const USAGE: &str = concat!("osim-contact-scale [OPTIONS] [MODEL]...\n", "       osim-contact-scale <VERB>");
 
-const ABOUT: &str = "Makes the contact parameters of OpenSim models right at every body size";
+const ABOUT_PROGRAM: &str = "Makes the contact parameters of OpenSim models right at every body size";
 
-const DETAILS: &str = "Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else. \
+const DETAILS_OF_HELP: &str = "Rescales the contacts of MODEL from the mass they were made for to --target-mass; with a verb, does something else. \
                        MODEL alone is inspected.";
 
-/// The call that the user typed.
+/// What the user asked for on the command line: a request, or a verb that only the command has.
 pub(crate) enum Call {
     Own(OwnVerb),
     Request(Request),
@@ -56,7 +56,7 @@ On macOS and Linux (NAME is osim-contact-scale):
   to read one   NAME man transfer > page.1; man ./page.1
   to keep all   NAME man -d ~/.local/share/man/man1, then: man NAME-transfer";
 
-/// Verbs of the command alone.
+/// Verbs that only the command has, such as `completions`, and no other front end.
 #[derive(Debug, Subcommand)]
 pub(crate) enum OwnVerb {
     /// Do what a request says: a verb with its options, as JSON
@@ -110,9 +110,9 @@ impl OwnVerb {
     }
 }
 
-/// The names of all verbs.
+/// The names of all verbs of the command, those of requests first.
 pub(crate) fn verb_names() -> impl Iterator<Item = &'static str> {
-    Verb::ALL.iter().map(|verb| verb.name()).chain(OWN_VERBS)
+    Verb::ALL.iter().map(|verb| verb.name()).chain(VERBS_OF_COMMAND_ALONE)
 }
 
 // The parser: most calls need one verb, and no texts of help.
@@ -149,14 +149,15 @@ fn command_listing_verbs(has_options: impl Fn(Verb) -> bool) -> Command {
         let command = Command::new(verb.name()).about(about);
         let command = match details {
             "" => command,
-            details => command.long_about(format!("{about}\n\n{}", Phrase::template(details).spelled(WORDS))),
+            details => command
+                .long_about(format!("{about}\n\n{}", Phrase::template(details).spelled(COMMAND_LINE_WORDS))),
         };
         if has_options(verb) { with_options(command, verb) } else { command }
     });
     let command = command_without_verbs().subcommands(verbs);
     with_options(OwnVerb::augment_subcommands(command).mut_subcommands(with_quiet), Verb::Rescale)
-        .about(ABOUT)
-        .long_about(format!("{ABOUT}.\n\n{DETAILS}"))
+        .about(ABOUT_PROGRAM)
+        .long_about(format!("{ABOUT_PROGRAM}.\n\n{DETAILS_OF_HELP}"))
         .after_help(concat!("More options with --help. ", equations!()))
         .after_long_help(exit_statuses())
 }
@@ -198,7 +199,7 @@ fn exit_statuses() -> String {
     format!("Exit status:\n{lines}\n{}", equations!())
 }
 
-/// The call that the user typed.
+/// The call that the user typed, read from the options and values that the parser found.
 ///
 /// # Errors
 /// The outer error comes from clap; the inner error is about options that do not go together.
@@ -269,18 +270,18 @@ pub(crate) fn usage_line(error: &clap::Error) -> String {
 // The verbs in groups, as the help of the program lists them; clap has one list for all.
 
 /// Examples of the most frequent calls, each with a description.
-const EXAMPLES: [(&str, &str); 3] = [
+const EXAMPLES_OF_HELP: [(&str, &str); 3] = [
     ("check SCALED.osim --from GENERIC.osim", "say what to correct after scaling"),
     ("MODEL.osim --target-mass 80", "make its contacts right for 80 kg"),
     ("add MODEL.osim --from OTHER.osim", "give it the contacts of another model"),
 ];
 
 /// The names of the command's own verbs, in their order.
-const OWN_VERBS: [&str; 5] = ["request", "completions", "man", "help", "version"];
+const VERBS_OF_COMMAND_ALONE: [&str; 5] = ["request", "completions", "man", "help", "version"];
 
 /// The verbs of a group, in the order of the help.
 fn verbs_of(group: VerbGroup) -> impl Iterator<Item = &'static str> {
-    let own: &[&str] = if group == VerbGroup::More { &OWN_VERBS } else { &[] };
+    let own: &[&str] = if group == VerbGroup::More { &VERBS_OF_COMMAND_ALONE } else { &[] };
     group.verbs().map(Verb::name).chain(own.iter().copied())
 }
 
@@ -296,14 +297,14 @@ fn with_grouped_help(command: Command, columns: Option<usize>) -> Command {
     let width = columns.map_or(LONGEST_LINE, |columns| columns.min(LONGEST_LINE));
     let header = *Styles::styled().get_header();
     let name = command.get_name();
-    let lines: Vec<String> = EXAMPLES
+    let lines: Vec<String> = EXAMPLES_OF_HELP
         .iter()
         .map(|(words, what)| format!("  {:<57}  {what}\n", format!("{name} {words}")))
         .collect();
     let examples: String = if lines.iter().all(|line| line.trim_ascii_end().len() <= width) {
         lines.concat()
     } else {
-        EXAMPLES.iter().map(|(words, what)| format!("  {name} {words}\n      {what}\n")).collect()
+        EXAMPLES_OF_HELP.iter().map(|(words, what)| format!("  {name} {words}\n      {what}\n")).collect()
     };
     let line = |verb: &str| {
         let about = command.find_subcommand(verb).and_then(Command::get_about);

@@ -20,14 +20,15 @@ use osim_requests::{PlotKind, RequestFault};
 
 use crate::args::{Call, bare_command, command, is_quiet, typed_call, usage_line, verb_names};
 use crate::exit::{Exit, exit_of, text_of};
-use crate::session::{Session, WORDS};
+use crate::session::{COMMAND_LINE_WORDS, Session};
 use crate::suggestions::{suggest, suggested_axis, suggested_figure};
 use crate::terminal::{Terminal, without_closed_pipe};
 
 /// Runs the command with the arguments of the command line.
 pub fn main() -> ExitCode {
     exit::outlive_size_limit();
-    let mut session = Session { terminal: Terminal::new(), words: WORDS, start: SystemTime::now() };
+    let mut session =
+        Session { terminal: Terminal::new(), words: COMMAND_LINE_WORDS, start: SystemTime::now() };
     let exit = match call_of_arguments(session.terminal.columns()) {
         Ok((call, is_quiet)) => {
             if is_quiet {
@@ -91,7 +92,8 @@ fn suggestion_for_call() -> Option<String> {
     let after_kind = after_verb + usize::from(is_plot && words.get(1).is_some_and(is_kind));
     let words = words.get(after_kind..)?;
     let plain = words.iter().position(is_option).unwrap_or(words.len());
-    suggest(words.get(..plain)?, false, WORDS).filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
+    suggest(words.get(..plain)?, false, COMMAND_LINE_WORDS)
+        .filter(|_| plain > 0 && (after_verb == 0 || plain > 1))
 }
 
 /// Prints help and version on standard output; prints all other errors of clap as one line on standard error.
@@ -119,8 +121,8 @@ fn print_clap_error(error: &clap::Error, terminal: &mut Terminal) -> Exit {
                     .filter(|kind| *kind == ErrorKind::UnknownArgument)
                     .and_then(|_| suggestion_for_call())
             };
-            let of_figure = || suggested_figure(&words, WORDS);
-            let meant = suggested_axis(&words, WORDS).or_else(of_figure).or_else(of_words);
+            let of_figure = || suggested_figure(&words, COMMAND_LINE_WORDS);
+            let meant = suggested_axis(&words, COMMAND_LINE_WORDS).or_else(of_figure).or_else(of_words);
             let text = meant.unwrap_or_else(|| usage_line(error));
             terminal.error_line(&format!("{text} (see --help)"));
             Exit::Usage

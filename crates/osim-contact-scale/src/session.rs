@@ -21,7 +21,7 @@ use osim_view::report::layout::Colour;
 use crate::exit::{self, Exit, ExitError, exit_of_cause};
 use crate::terminal::Terminal;
 
-/// One call of the program.
+/// One call of the command: its terminal, and the spelling of options in messages.
 pub(crate) struct Session {
     /// Standard output and error of the call.
     pub terminal: Terminal,
@@ -62,7 +62,7 @@ impl Session {
         anyhow::anyhow!(fault.spelled(self.words))
     }
 
-    /// Makes the error for refused files.
+    /// The error of the command for a file that could not be read or written.
     pub(crate) fn file_error(&self, fault: &LibraryFault) -> anyhow::Error {
         ExitError { text: fault.spelled(self.words), exit: exit_of_cause(fault.cause) }.into()
     }
@@ -78,7 +78,7 @@ impl Session {
 // that send one.
 
 /// Spells options in messages as a user types them.
-pub(crate) static WORDS: Words = &CommandLine;
+pub(crate) static COMMAND_LINE_WORDS: Words = &CommandLine;
 
 /// The language of the caller whose request the messages are about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -10,7 +10,7 @@ use osim_requests::{AxisName, Kilograms, PlotKind, no_fig1};
 use crate::args::verb_names;
 
 /// Verbs of other programs, each with what to say instead of `did you mean`.
-const VERBS_ELSEWHERE: [(&str, &str); 5] = [
+const VERBS_OF_OTHER_PROGRAMS: [(&str, &str); 5] = [
     ("info", "the contacts of a model are shown by 'inspect'"),
     ("validate", "a model is checked by 'check'"),
     ("lint", "a model is checked by 'check'"),
@@ -23,7 +23,7 @@ const VERBS_ELSEWHERE: [(&str, &str); 5] = [
 pub(crate) fn suggest(words: &[PathBuf], may_be_mass: bool, terms: Words) -> Option<String> {
     let first = words.first()?;
     let is_known = |word: &Path| word.exists() || word.as_os_str() == "-";
-    if let Some((_, text)) = VERBS_ELSEWHERE.iter().find(|(verb, _)| first.as_os_str() == *verb)
+    if let Some((_, text)) = VERBS_OF_OTHER_PROGRAMS.iter().find(|(verb, _)| first.as_os_str() == *verb)
         && !is_known(first)
     {
         return Some(format!("'{}' is neither a verb nor a file: {text}", first.display()));

@@ -42,7 +42,7 @@ impl Terminal {
     }
 
     /// Breaks no lines from now on, because a program reads the text for people.
-    pub(crate) fn never_break(&mut self) {
+    pub(crate) fn never_break_lines(&mut self) {
         (self.out, self.err) = (None, None);
     }
 

@@ -6,7 +6,7 @@ use osim_model::feet::{ContactPlane, DefaultPose, Movements, STEEPEST_FLOOR_RAD}
 use osim_model::{DVec3, ForceId, Model, Orientation, Side, Sphere, SphereId};
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum PlaneKind {
+pub(crate) enum PlaneJudgement {
     /// Nothing is wrong: a level floor, a plane that need not be a floor, such as the net of a goal, or a plane whose tilt is not known.
     Fine,
     /// A floor that slopes against level ground by this angle, degrees.
@@ -21,7 +21,7 @@ pub(crate) enum PlaneKind {
 
 pub(crate) struct JudgedPlane {
     pub(crate) plane: ContactPlane,
-    pub(crate) kind: PlaneKind,
+    pub(crate) kind: PlaneJudgement,
 }
 
 /// All planes that moving spheres press on by forces that are switched on, with the judgement of each.
@@ -35,7 +35,7 @@ impl Floors {
             return Self(Vec::new());
         }
         let judge = PlaneJudge::new(PosedTrees::of(model, &pose), &planes);
-        let kinds: Vec<PlaneKind> = planes.iter().map(|plane| judge.kind(plane)).collect();
+        let kinds: Vec<PlaneJudgement> = planes.iter().map(|plane| judge.judge_plane(plane)).collect();
         let judged = planes.into_iter().zip(kinds);
         Self(judged.map(|(plane, kind)| JudgedPlane { plane, kind }).collect())
     }
@@ -75,13 +75,13 @@ impl<'m> PlaneJudge<'m> {
         Self { with_floor, trees_with_floor, has_limbs, trees }
     }
 
-    fn kind(&self, plane: &ContactPlane) -> PlaneKind {
+    fn judge_plane(&self, plane: &ContactPlane) -> PlaneJudgement {
         if !self.without_floor(spheres_bound_to(&self.trees, plane)).is_empty() {
-            return PlaneKind::OnLimb;
+            return PlaneJudgement::OnLimb;
         }
         match Tilt::of(self.trees.model, plane) {
-            None | Some(Tilt::Level) => PlaneKind::Fine,
-            Some(Tilt::Slope(degrees)) => PlaneKind::Slope(degrees),
+            None | Some(Tilt::Level) => PlaneJudgement::Fine,
+            Some(Tilt::Slope(degrees)) => PlaneJudgement::Slope(degrees),
             Some(Tilt::Steep(degrees)) => self.kind_of_steep(plane, degrees),
         }
     }
@@ -93,14 +93,14 @@ impl<'m> PlaneJudge<'m> {
 
     /// The kind of a steep plane. It is fine as a wall: hands lean on a wall while the feet of the same body have a floor, or a ball meets
     /// a net while other bodies have a floor.
-    fn kind_of_steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneKind {
+    fn kind_of_steep(&self, plane: &ContactPlane, degrees: f64) -> PlaneJudgement {
         let standing = self.spheres_standing_on(plane);
         if standing.is_empty() {
-            PlaneKind::Fine
+            PlaneJudgement::Fine
         } else if self.is_gravity_to_blame(plane, &standing) {
-            PlaneKind::GravityMisaligned(degrees)
+            PlaneJudgement::GravityMisaligned(degrees)
         } else {
-            PlaneKind::Steep(degrees)
+            PlaneJudgement::Steep(degrees)
         }
     }
 
@@ -237,7 +237,8 @@ impl<'m> PosedTrees<'m> {
     fn limb_spheres(&self, plane: &ContactPlane) -> Vec<SphereId> {
         let is_limb = |sphere: &Sphere, body: &str| {
             let has_side = Side::of_name(body).or_else(|| Side::of_name(&sphere.name)).is_some();
-            self.movements.can_move(body) && (has_side || self.tree(body).is_some_and(|tree| tree.count > 1))
+            self.movements.can_move(body)
+                && (has_side || self.tree_of_body(body).is_some_and(|tree| tree.count > 1))
         };
         let is_on_limb = |id: &SphereId| {
             let Some(sphere) = self.model.sphere(*id) else { return false };
@@ -253,19 +254,19 @@ impl<'m> PosedTrees<'m> {
 
     /// Whether the sphere is at the height of the feet of its tree at the default pose.
     fn is_low(&self, sphere: SphereId) -> bool {
-        let height = self.centre(sphere).map(|centre| centre.dot(self.model.up()));
-        let heights = self.body_of(sphere).and_then(|body| self.tree(body)?.heights_m);
+        let height = self.centre_of_sphere(sphere).map(|centre| centre.dot(self.model.up()));
+        let heights = self.body_of(sphere).and_then(|body| self.tree_of_body(body)?.heights_m);
         height.zip(heights).is_some_and(|(height, [low, high])| height <= low + FOOT_HEIGHT * (high - low))
     }
 
     /// The vector from the middle of the `spheres` to the centre of mass of their tree, in ground, at the default pose, m.
     fn towards_body(&self, spheres: &[SphereId]) -> Option<DVec3> {
-        let tree = self.tree(self.body_of(*spheres.first()?)?)?;
-        let centres = spheres.iter().filter_map(|&sphere| Some((1.0, self.centre(sphere)?)));
+        let tree = self.tree_of_body(self.body_of(*spheres.first()?)?)?;
+        let centres = spheres.iter().filter_map(|&sphere| Some((1.0, self.centre_of_sphere(sphere)?)));
         Some(weighted_mean(tree.bodies.iter().copied())? - weighted_mean(centres)?)
     }
 
-    fn tree(&self, body: &str) -> Option<&BodyTree> {
+    fn tree_of_body(&self, body: &str) -> Option<&BodyTree> {
         self.trees.get(self.movements.top(body))
     }
 
@@ -273,7 +274,7 @@ impl<'m> PosedTrees<'m> {
         self.model.sphere(sphere)?.body.as_deref()
     }
 
-    fn centre(&self, sphere: SphereId) -> Option<DVec3> {
+    fn centre_of_sphere(&self, sphere: SphereId) -> Option<DVec3> {
         let body = self.body_of(sphere)?;
         Some(self.pose.placement(body).ok()?.point(self.model.centre_m(sphere)?))
     }

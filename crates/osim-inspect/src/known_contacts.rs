@@ -74,7 +74,7 @@ impl KnownContacts {
     }
 
     fn find_like(
-        contacts: &[SetContact],
+        contacts: &[ContactOfSet],
         count: Option<f64>,
         mass_kg: Option<f64>,
         entries: impl IntoIterator<Item = &'static Entry> + Clone,
@@ -127,7 +127,7 @@ impl KnownContacts {
 }
 
 /// The contact of one parameter set of a model, and the number of spheres with this contact.
-struct SetContact {
+struct ContactOfSet {
     spheres: usize,
     /// Root mean square of the radii of the spheres.
     radius_m: f64,
@@ -139,20 +139,20 @@ struct SetContact {
 }
 
 /// The contact of each parameter set of `forces`; `None` if a value cannot be read, or there are no spheres.
-fn contacts_of_sets(model: &Model, forces: &[ForceId]) -> Option<Vec<SetContact>> {
+fn contacts_of_sets(model: &Model, forces: &[ForceId]) -> Option<Vec<ContactOfSet>> {
     let loaded = loaded_spheres(model, forces).ok().filter(|loaded| !loaded.is_empty())?;
     // The spheres of a set follow each other.
     let sets = loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set));
     sets.map(|spheres| contact_of_set(model, spheres)).collect()
 }
 
-fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<SetContact> {
+fn contact_of_set(model: &Model, spheres: &[LoadedSphere]) -> Option<ContactOfSet> {
     let LoadedSphere { contact, force, set, .. } = spheres.first()?;
     let force = model.force(*force)?;
     let value = |property| force.value(*set, property).map(|value| value.number);
     let count = spheres.len() as f64;
     let squares: f64 = spheres.iter().map(|sphere| sphere.radius_m * sphere.radius_m).sum();
-    Some(SetContact {
+    Some(ContactOfSet {
         spheres: spheres.len(),
         radius_m: (squares / count).sqrt(),
         composite_modulus: contact.composite_modulus(),
@@ -188,7 +188,8 @@ impl ComparedNumbers {
         friction: true,
     };
 
-    /// The numbers on which a finding depends; `None` if it does not depend only on these numbers and the weight.
+    /// The numbers of a model that must be near the published ones, so that its finding was published with them: the numbers on which the
+    /// finding depends, besides the weight. `None` if it also depends on anything else.
     fn for_finding(code: FindingCode) -> Option<Self> {
         let radii = Self {
             tolerance: SIMILAR_VALUE,
@@ -220,7 +221,7 @@ impl Entry {
     /// `isometric`, the radii follow the mass, too.
     fn is_of(
         &self,
-        contacts: &[SetContact],
+        contacts: &[ContactOfSet],
         count: Option<f64>,
         (mass, isometric): (f64, bool),
         likeness: &ComparedNumbers,
@@ -251,7 +252,7 @@ impl Entry {
     /// Whether `contact` has the published values, scaled to `mass` times the published mass and `share` times as many spheres.
     fn has_values(
         &self,
-        contact: &SetContact,
+        contact: &ContactOfSet,
         published: &PublishedContact,
         [mass, share]: [f64; 2],
         likeness: &ComparedNumbers,
@@ -277,7 +278,7 @@ impl Entry {
     }
 
     /// Whether the friction is the published one. The coefficients do not depend on size; the two speeds may stay, or follow the radius.
-    fn has_friction(&self, contact: &SetContact, radius: f64, likeness: &ComparedNumbers) -> bool {
+    fn has_friction(&self, contact: &ContactOfSet, radius: f64, likeness: &ComparedNumbers) -> bool {
         let close = |value, expected| likeness.is_close(value, expected);
         let [r#static, dynamic, viscous] = self.friction;
         let velocity = self.transition_velocity;
@@ -294,7 +295,7 @@ impl Entry {
 #[serde(deny_unknown_fields)]
 struct Entry {
     pub name: String,
-    /// How people cite the publication.
+    /// The name of the contacts in messages, such as `Falisse et al. (2022)`.
     pub title: String,
     /// Where the contacts were published, and which findings about them are accepted.
     pub source: String,
@@ -305,7 +306,7 @@ struct Entry {
     /// Coefficients of static, dynamic and viscous friction.
     pub friction: [f64; 3],
     pub transition_velocity: f64,
-    /// The different contacts on one limb.
+    /// The published contacts of one limb; equal contacts are one entry.
     pub contacts: Vec<PublishedContact>,
     severity: BTreeMap<String, TableSeverity>,
 }

@@ -244,7 +244,7 @@ impl MassMismatch {
     /// The answer ` with ...` to add to the mass of the contacts on the command line, if the program would ask about that mass; else empty.
     fn answer_to_question(&self) -> Phrase {
         match implausible_mass(Input::Mass, self.contacts_mass.kg, Some(self.body_kg)) {
-            Some(doubt) => phrase![" with ", &doubt.question().answer()],
+            Some(doubt) => phrase![" with ", &doubt.question().answer_option()],
             None => Phrase::default(),
         }
     }

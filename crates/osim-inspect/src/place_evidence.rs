@@ -113,7 +113,7 @@ struct PublishedLayout {
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     name: String,
     title: String,
-    /// Publication and licence of the layout.
+    /// The publication of the layout, with its licence.
     #[cfg_attr(not(test), expect(dead_code, reason = "for readers of the table"))]
     source: String,
     /// For each published size of the bones, the factors of each body's meshes; names of bodies are without their side.

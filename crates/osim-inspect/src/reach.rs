@@ -189,7 +189,7 @@ impl BodyBones {
         Self { anatomy, bodies, farthest }
     }
 
-    fn bone(&self, body: &str) -> Option<&BodyBone> {
+    fn bone_of_body(&self, body: &str) -> Option<&BodyBone> {
         let bone = self.bodies.get(body)?;
         Some(bone.get_or_init(|| BodyBone {
             size: common_factors(&self.anatomy, body),
@@ -200,7 +200,7 @@ impl BodyBones {
 
     /// The scale factors of the meshes of `body`; `None` without meshes, or if the factors of the meshes differ.
     pub(crate) fn size(&self, body: &str) -> Option<[f64; 3]> {
-        self.bone(body)?.size
+        self.bone_of_body(body)?.size
     }
 
     /// The length of `body` over the length of OpenSim's calcaneus, as the joint to the toes shows it.
@@ -258,11 +258,11 @@ impl BodyBones {
 
     /// Whether `body` belongs to a foot, by its name or its meshes.
     pub(crate) fn is_foot(&self, body: &str) -> bool {
-        self.bone(body).is_some_and(|bone| bone.is_foot)
+        self.bone_of_body(body).is_some_and(|bone| bone.is_foot)
     }
 
     fn standard_foot(&self, body: &str) -> Option<StandardFoot> {
-        self.bone(body)?.standard_foot
+        self.bone_of_body(body)?.standard_foot
     }
 }
 

@@ -123,15 +123,15 @@ struct InspectedModel<'k> {
 impl InspectedModel<'_> {
     /// The largest value of a figure among the chosen spheres.
     fn largest(&self, figure: Figure) -> Option<f64> {
-        self.values(figure).reduce(f64::max)
+        self.values_of_figure(figure).reduce(f64::max)
     }
 
     /// The smallest value of a figure among the chosen spheres.
     fn smallest(&self, figure: Figure) -> Option<f64> {
-        self.values(figure).reduce(f64::min)
+        self.values_of_figure(figure).reduce(f64::min)
     }
 
-    fn values(&self, figure: Figure) -> impl Iterator<Item = f64> {
+    fn values_of_figure(&self, figure: Figure) -> impl Iterator<Item = f64> {
         let spheres = self.inspection.figures.spheres();
         spheres.filter_map(move |sphere: &SphereFigures| sphere.value(figure))
     }
@@ -155,10 +155,10 @@ pub(crate) fn answer_all(
     findings: &[FindingWithRemedy],
 ) -> Vec<Verdict> {
     let inspected = InspectedModel { model, inspection: inspected };
-    VerdictOn::OF_EVERY_MODEL.into_iter().map(|on| answer(on, &inspected, findings)).collect()
+    VerdictOn::OF_EVERY_MODEL.into_iter().map(|on| answer_question(on, &inspected, findings)).collect()
 }
 
-fn answer(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
+fn answer_question(on: VerdictOn, inspected: &InspectedModel<'_>, findings: &[FindingWithRemedy]) -> Verdict {
     let mut deciding: Vec<&FindingWithRemedy> =
         findings.iter().filter(|found| found.rule.verdict == Some(on)).collect();
     // Of two that are equally bad, the mass comes first, because the depth follows from it.
@@ -272,18 +272,18 @@ fn describe_sides(inspected: &InspectedModel<'_>) -> Result<Phrase, Phrase> {
         limbs.iter().filter(|limb| limb.side == side).map(|limb| limb.spheres.len()).sum()
     };
     Ok(match (count_on("right"), count_on("left")) {
-        (0, some) | (some, 0) => format!("there is one side only ({})", spheres(some)),
-        (right, left) if right == left => format!("left and right agree ({} each)", spheres(right)),
+        (0, some) | (some, 0) => format!("there is one side only ({})", counted_spheres(some)),
+        (right, left) if right == left => format!("left and right agree ({} each)", counted_spheres(right)),
         (right, left) => format!(
             "the contacts that both sides have agree ({} on the right, {} on the left)",
-            spheres(right),
-            spheres(left)
+            counted_spheres(right),
+            counted_spheres(left)
         ),
     }
     .into())
 }
 
-fn spheres(count: usize) -> String {
+fn counted_spheres(count: usize) -> String {
     counted(count, "sphere")
 }
 

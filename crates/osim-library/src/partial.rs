@@ -125,10 +125,10 @@ fn truncate_to(file: &mut File, length: u64) -> std::io::Result<()> {
 
 /// The length of the whole lines in the first `length` bytes of a file.
 pub(crate) fn end_of_lines(file: &mut File, length: u64) -> std::io::Result<u64> {
-    const BLOCK_BYTES: u64 = 1 << 16;
+    const READ_BLOCK_BYTES: u64 = 1 << 16;
     let mut end = length;
     while end > 0 {
-        let start = end.saturating_sub(BLOCK_BYTES);
+        let start = end.saturating_sub(READ_BLOCK_BYTES);
         file.seek(SeekFrom::Start(start))?;
         let mut block = Vec::new();
         Read::by_ref(file).take(end - start).read_to_end(&mut block)?;

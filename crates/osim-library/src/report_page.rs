@@ -22,7 +22,7 @@ use crate::run::{ChangedModel, Record, Run};
 use crate::{Disk, LibraryFault, PendingFile, WriteMode, folder_of, make_folder_of, reason, resolved};
 
 /// A report page names this program as its generator within this number of first bytes.
-const HEAD_BYTES: usize = 1024;
+const SEARCHED_HEAD_BYTES: usize = 1024;
 
 /// Which existing files a new report page may replace.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -118,7 +118,8 @@ impl ReportPage {
 
 /// Whether this program wrote the page at `path`.
 fn is_report_page(path: &Path) -> bool {
-    read_head(path, HEAD_BYTES).is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
+    read_head(path, SEARCHED_HEAD_BYTES)
+        .is_ok_and(|head| memchr::memmem::find(&head, GENERATOR.as_bytes()).is_some())
 }
 
 fn check_name(path: &Path) -> Result<(), LibraryFault> {
@@ -133,7 +134,7 @@ fn check_name(path: &Path) -> Result<(), LibraryFault> {
 }
 
 /// Number of bytes that are copied at once.
-const CHUNK_BYTES: usize = 1 << 16;
+const COPIED_CHUNK_BYTES: usize = 1 << 16;
 
 /// Text that is kept in a file without a name until the text before it on the page is complete.
 struct NamelessFile(BufWriter<File>);
@@ -159,7 +160,7 @@ impl DeferredText for NamelessFile {
         self.0.flush()?;
         let file = self.0.get_mut();
         file.seek(SeekFrom::Start(0))?;
-        let mut chunk = vec![0; CHUNK_BYTES];
+        let mut chunk = vec![0; COPIED_CHUNK_BYTES];
         loop {
             let read = file.read(&mut chunk)?;
             match chunk.get(..read) {

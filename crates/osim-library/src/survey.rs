@@ -18,7 +18,7 @@ use crate::report_page::{MayReplace, ReportPage, Words};
 use crate::run::{ModelToFix, PathConflicts};
 use crate::source::MemoryFirst;
 use crate::workers::{thread_count, work_in_order};
-use crate::{Disk, LibraryFault, LoadedModel, OutputFolders, Source, Sources, sha256};
+use crate::{Disk, LibraryFault, LoadedModel, ModelSource, OutputFolders, Sources, sha256};
 
 /// Models that one call inspects or checks, with the options of the call.
 pub struct Survey<'s> {
@@ -120,7 +120,7 @@ impl Survey<'_> {
         Ok(first_error)
     }
 
-    /// Begins the text about the models.
+    /// An empty text, to which the text about each model is added.
     pub fn begin_text(&self) -> SurveyText {
         let mut text = SurveyText {
             words: self.words,
@@ -152,7 +152,7 @@ impl Survey<'_> {
 
     fn survey_model(
         &self,
-        source: &Source,
+        source: &ModelSource,
         folders: Option<&OutputFolders>,
         with_page: bool,
     ) -> (SurveyedModel, Option<Entry>) {
@@ -170,7 +170,7 @@ impl Survey<'_> {
 
     fn inspect_and_check(
         &self,
-        source: &Source,
+        source: &ModelSource,
         folders: Option<&OutputFolders>,
         with_page: bool,
     ) -> Result<(SurveyedModel, Option<Entry>), Failure> {

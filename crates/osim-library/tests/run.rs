@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use osim_library::run::{
-    ChangedModel, CheckedRows, Counts, ModelDetail, Record, RowReader, Run, RunFrontEnd, RunRequest, Status,
+    ChangedModel, CheckedRows, ModelDetail, OutcomeCounts, Record, RowReader, Run, RunFrontEnd, RunRequest,
+    Status,
 };
 use osim_library::{LibraryFault, sha256};
 use osim_model::messages::{Call, Dialect, Example, FieldNames, Input};
@@ -71,10 +72,10 @@ impl RunFrontEnd for CountingFrontEnd {
     }
 }
 
-/// Results of a run.
+/// What a run left: its counts, the lines of its summary and its files.
 struct RunResult {
     watch: CountingFrontEnd,
-    counts: Counts,
+    counts: OutcomeCounts,
     /// The number of models or folders that could not be listed.
     failures: usize,
     records: Vec<Record>,

@@ -15,13 +15,13 @@ use crate::change::{ChangedBy, NumberChange, PlaceChange, property_factor};
 const ROUNDING_OF_FACTORS: f64 = 1e-14;
 
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct NewValue {
+pub(crate) struct NewNumber {
     pub(crate) to: f64,
     pub(crate) factor: Option<f64>,
     pub(crate) by: ChangedBy,
 }
 
-impl NewValue {
+impl NewNumber {
     /// `from` times `factor`; exactly `from` if the factor is 1.
     pub(crate) fn times(from: f64, factor: f64, by: ChangedBy) -> Self {
         Self { to: if factor == 1.0 { from } else { from * factor }, factor: Some(factor), by }
@@ -55,7 +55,7 @@ impl<'m> PlanBuilder<'m> {
         force: ForceId,
         set: SetId,
         property: Property,
-        new: NewValue,
+        new: NewNumber,
     ) -> Result<(), Fault> {
         let Some(force) = self.model.force(force) else { return Ok(()) };
         let of_set = force.set(set).filter(|set| set.value(property).is_some());
@@ -63,7 +63,8 @@ impl<'m> PlanBuilder<'m> {
             let kind = FaultKind::ParametersInDefaults { force: force.path.clone() };
             return Err(Fault::new(kind).at_element(force.path.clone()));
         }
-        let (Some(slot), Some(from)) = (force.slot(set, property), force.checked(set, property)?) else {
+        let (Some(slot), Some(from)) = (force.slot_of_property(set, property), force.checked(set, property)?)
+        else {
             return Ok(());
         };
         self.push(NumberChange {
@@ -83,7 +84,7 @@ impl<'m> PlanBuilder<'m> {
         })
     }
 
-    pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewValue) -> Result<(), Fault> {
+    pub(crate) fn change_radius(&mut self, sphere: SphereId, new: NewNumber) -> Result<(), Fault> {
         let from = self.model.radius_m(sphere)?;
         let Some(sphere) = self.model.sphere(sphere) else { return Ok(()) };
         let slot = sphere.radius_slot();
@@ -102,7 +103,7 @@ impl<'m> PlanBuilder<'m> {
             to,
             factor: new.factor,
             by: new.by,
-            line: self.line(&slot),
+            line: self.line_of_slot(&slot),
             inserted: slot.span.is_none(),
             slot,
         })
@@ -137,20 +138,20 @@ impl<'m> PlanBuilder<'m> {
 
     fn push_move(
         &mut self,
-        (sphere, path): (String, String),
+        (geometry, path): (String, String),
         (from, to): ([f64; 3], [f64; 3]),
         by: ChangedBy,
         slot: Slot,
     ) -> Result<(), Fault> {
         self.refuse_included(slot.file, &path)?;
-        let (line, inserted) = (self.line(&slot), slot.span.is_none());
-        let planned = PlaceChange { sphere, path, from, to, by, line, inserted, slot };
+        let (line, inserted) = (self.line_of_slot(&slot), slot.span.is_none());
+        let planned = PlaceChange { geometry, path, from, to, by, line, inserted, slot };
         planned.text()?;
         self.moves.push(planned);
         Ok(())
     }
 
-    fn line(&self, slot: &Slot) -> usize {
+    fn line_of_slot(&self, slot: &Slot) -> usize {
         self.model.file(slot.file).line(slot.offset)
     }
 
@@ -186,7 +187,7 @@ impl<'m> PlanBuilder<'m> {
         &mut self,
         force: &Force,
         property: Property,
-        new: impl Fn(f64) -> NewValue,
+        new: impl Fn(f64) -> NewNumber,
     ) -> Result<bool, Fault> {
         let mut found = false;
         for set in &force.sets {
@@ -209,11 +210,11 @@ pub(crate) fn scale_with_radius(
     by: DissipationBy,
 ) -> Result<(), Fault> {
     let Some((factor, by)) = property_factor(property, own, by) else { return Ok(()) };
-    plan.change_sets(force, property, |from| NewValue::times(from, factor, by)).map(drop)
+    plan.change_sets(force, property, |from| NewNumber::times(from, factor, by)).map(drop)
 }
 
 /// Two composite values are equal if their relative difference is at most this.
-const SAME_COMPOSITE: f64 = 1e-6;
+const SAME_COMPOSITE_TOLERANCE: f64 = 1e-6;
 
 /// Plans the value `to` of `property`: E₁* of two equal surfaces, α, or a parameter of the smoothed law.
 ///
@@ -231,7 +232,7 @@ pub(crate) fn change_composite(
     let mixes = matches!(property, Property::Stiffness | Property::Dissipation);
     if sets.len() < 2 || !mixes {
         for set in sets {
-            plan.change_parameter(id, set, property, NewValue { to, factor: None, by })?;
+            plan.change_parameter(id, set, property, NewNumber { to, factor: None, by })?;
         }
         return Ok(());
     }
@@ -239,8 +240,11 @@ pub(crate) fn change_composite(
     let now = present_composite(plan, force, &surfaces, property)?;
     for set in sets {
         let Some(from) = force.checked(set, property)? else { continue };
-        let new =
-            if now == 0.0 { NewValue { to, factor: None, by } } else { NewValue::times(from, to / now, by) };
+        let new = if now == 0.0 {
+            NewNumber { to, factor: None, by }
+        } else {
+            NewNumber::times(from, to / now, by)
+        };
         plan.change_parameter(id, set, property, new)?;
     }
     Ok(())
@@ -258,7 +262,7 @@ fn present_composite(
         composites.push(if property == Property::Stiffness { plane_strain_modulus } else { dissipation });
     }
     let first = composites.first().copied().unwrap_or(f64::NAN);
-    if composites.iter().any(|other| (other - first).abs() > SAME_COMPOSITE * first.abs()) {
+    if composites.iter().any(|other| (other - first).abs() > SAME_COMPOSITE_TOLERANCE * first.abs()) {
         return Err(Fault::refused(format!(
             "the spheres of {} have different {property} against the plane: one wanted value cannot serve all; \
              give each sphere a force of its own",

@@ -79,7 +79,7 @@ pub struct NumberChange {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlaceChange {
     /// Name of the sphere or half-space that moves.
-    pub sphere: String,
+    pub geometry: String,
     /// Component path of the object that changes.
     pub path: String,
     /// Present location in the frame of the sphere or half-space, m.
@@ -145,14 +145,14 @@ impl NumberChange {
     /// The number is not finite, or outside the domain in which the contact laws hold. The fault has its place and its
     /// origin.
     pub(crate) fn check(&self) -> Result<(), Fault> {
-        check_number(self.to, self.property, || self.origin()).map_err(|fault| self.at(fault))
+        check_number(self.to, self.property, || self.origin_of_value()).map_err(|fault| self.at(fault))
     }
 
     /// The text that is written for the new number.
     pub(crate) fn text(&self) -> Result<String, Fault> {
         let text = match self.radii_m {
-            None => number_text(self.to, self.property, || self.origin()),
-            Some([_, new]) => triple_text(new, self.slot.tag, || self.origin()),
+            None => number_text(self.to, self.property, || self.origin_of_value()),
+            Some([_, new]) => triple_text(new, self.slot.tag, || self.origin_of_value()),
         };
         text.map_err(|fault| self.at(fault))
     }
@@ -175,7 +175,7 @@ impl NumberChange {
         Fault::at(fault.kind, self.slot.offset).at_element(self.path.clone()).in_file(self.slot.file)
     }
 
-    fn origin(&self) -> String {
+    fn origin_of_value(&self) -> String {
         match self.factor {
             Some(factor) => {
                 format!("{} times {}, {}", readable(self.from), readable(factor), self.by.in_words())

@@ -11,12 +11,12 @@ use osim_model::{
     PropertySet, RadiusRule, Scope, Selected, SetId, is_at_target, same_gravity,
 };
 
-use crate::builder::{NewValue, PlanBuilder, change_composite, scale_with_radius};
+use crate::builder::{NewNumber, PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, property_factor};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
-use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, PLACES_STAY, bottoms_remark, equilibrium_remark};
+use crate::radii::{Radii, SphereRadiusRule};
+use crate::rules::{self, REMARK_PLACES_STAY, bottoms_remark, equilibrium_remark};
 
 /// How E₁* is determined: see [`Design`] for an example.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -117,7 +117,7 @@ pub fn design(model: &Model, selected: &Selected, wanted: &Design) -> Result<Pla
             }
         }
     }
-    let mut remarks: Vec<Phrase> = vec![PLACES_STAY.into()];
+    let mut remarks: Vec<Phrase> = vec![REMARK_PLACES_STAY.into()];
     remarks.extend(bottoms_remark(&radii));
     remarks.extend(equilibrium_remark(&rests));
     let PlanBuilder { changes, moves, mut findings, .. } = plan;
@@ -185,13 +185,13 @@ impl Design {
     }
 
     /// The rule for the radii; with a wanted contact stiffness, the radius comes from (11) and (B.2).
-    fn radius_rule(&self) -> Result<SphereRule, Fault> {
+    fn radius_rule(&self) -> Result<SphereRadiusRule, Fault> {
         match (self.contact_stiffness_n_m, self.modulus, &self.load) {
             (Some(k), Some(DesignModulus::Indentation(x)), Some(load)) => {
                 let radius = dimensioned::radius_for_stiffness(k, x, load).map_err(Fault::new)?;
-                Ok(SphereRule::Designed(radius))
+                Ok(SphereRadiusRule::Designed(radius))
             }
-            _ => Ok(SphereRule::Rule(self.radius)),
+            _ => Ok(SphereRadiusRule::Rule(self.radius)),
         }
     }
 
@@ -249,7 +249,7 @@ impl Design {
         }
         let from = sphere.force.checked(SetId::FIRST, property)?;
         let carried = from.zip(property_factor(property, &sphere.own_ratios, DissipationBy::Radius));
-        Ok(carried.map(|(from, (factor, by))| NewValue::times(from, factor, by).to))
+        Ok(carried.map(|(from, (factor, by))| NewNumber::times(from, factor, by).to))
     }
 
     /// The factor on the Hertz force at speed 0, the second factor of (C.9), with the α and bv of the force; 1 without

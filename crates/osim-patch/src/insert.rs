@@ -31,7 +31,7 @@ impl Node {
     }
 
     pub(crate) fn object(tag: impl Into<String>, name: &str, children: Vec<Self>) -> Self {
-        Self { name: Some(escaped(name)), ..Self::parent(tag, children) }
+        Self { name: Some(escaped_attribute(name)), ..Self::parent(tag, children) }
     }
 
     pub(crate) fn tag(&self) -> &str {
@@ -66,7 +66,7 @@ impl Node {
     }
 }
 
-pub(crate) fn escaped(name: &str) -> String {
+pub(crate) fn escaped_attribute(name: &str) -> String {
     name.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 

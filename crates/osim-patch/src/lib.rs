@@ -63,9 +63,9 @@ pub use crate::objects::{
 };
 pub use crate::plan::{Masses, Plan, RecordingErrors};
 pub use crate::rescale::{
-    RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, TRANSFER_FOLLOWING_BODIES, rescale,
+    OPERATION_FOLLOWING_BODIES, OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Rescale, rescale,
 };
-pub use crate::rules::{PLACES_STAY, RULES};
+pub use crate::rules::{REMARK_PLACES_STAY, RULES};
 pub use crate::set::{Set, set};
 pub use crate::transfer::{
     Reference, ReferenceContact, ScalingRule, Transfer, reference_of_layout, reference_of_model, transfer,

@@ -98,7 +98,7 @@ fn note_in_doubt(model: &Model, new: &Model, operation: &str) -> Note {
     Note {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         scope: Scope::Partial,
-        steps: vec![Step::new(note_edits::CHANGED_BY_OTHERS), Step::new(operation)],
+        steps: vec![Step::new(note_edits::STEP_OF_OTHER_PROGRAMS), Step::new(operation)],
         digest: new.contact_digest(|_| None),
         radii: new.radii_digest(|_| None),
         parts: new.noted_parts(|_| None),

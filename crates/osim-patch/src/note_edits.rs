@@ -13,13 +13,13 @@ use crate::edit::{Edit, splice};
 use crate::insert::{EmptyForm, Node, end_of_empty_tag, insert, insert_first, with_white_space_before};
 
 /// The elements that OpenSim writes before and after `<credits>` in a model.
-const ORDER_IN_MODEL: [&str; 6] =
+const ORDER_AROUND_CREDITS: [&str; 6] =
     ["defaults", "Ground", "gravity", "credits", "publications", "length_units"];
-const CREDITS: &str = "credits";
+const CREDITS_TAG: &str = "credits";
 /// Letters in a note's list of elements that the program made: the program added `<credits>`, or opened an empty `<credits>` of
 /// one of these forms. With the letters, removing the note restores the file.
-const MADE_CREDITS: char = 'c';
-const OPENED_CREDITS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
+const MADE_CREDITS_MARK: char = 'c';
+const OPENED_MARKS: [(char, EmptyForm); 2] = [('s', EmptyForm::Closed), ('b', EmptyForm::ClosedWithBlank)];
 
 /// Whether a note needs an element `<credits>` that `document` does not have.
 pub(crate) fn adds_credits(document: &Document) -> bool {
@@ -33,14 +33,19 @@ pub(crate) fn made_letters(model: &Model, followed: Option<&BTreeSet<SphereId>>)
     let mut letters: BTreeSet<char> =
         earlier.map(|note| note.added_to_file.chars()).into_iter().flatten().collect();
     letters.retain(char::is_ascii_alphabetic);
-    let was_placed = letters.remove(&Note::PLACED) && earlier.is_some_and(|note| is_unmoved(note, model));
+    let was_placed =
+        letters.remove(&Note::PLACED_MARK) && earlier.is_some_and(|note| is_unmoved(note, model));
     let follow = |followed: &BTreeSet<SphereId>| {
         model.loaded_spheres(&model.force_ids()).iter().all(|sphere| followed.contains(sphere))
     };
     if followed.map_or(was_placed, follow) {
-        letters.insert(Note::PLACED);
+        letters.insert(Note::PLACED_MARK);
     }
-    letters.extend(if adds_credits(document) { Some(MADE_CREDITS) } else { opened_credits_letter(document) });
+    letters.extend(if adds_credits(document) {
+        Some(MADE_CREDITS_MARK)
+    } else {
+        opened_credits_letter(document)
+    });
     if letters.is_empty() { Note::nothing_added() } else { letters.into_iter().collect() }
 }
 
@@ -53,7 +58,7 @@ pub(crate) fn merged_letters(made: &str, others: &str) -> String {
 
 /// The letters of a note about new objects, without the letters `earlier` of the note about the other objects of the model.
 pub(crate) fn letters_without_earlier(made: &str, earlier: &str) -> String {
-    let own = |letter: &char| *letter == Note::PLACED || !earlier.contains(*letter);
+    let own = |letter: &char| *letter == Note::PLACED_MARK || !earlier.contains(*letter);
     merged_letters(&made.chars().filter(own).collect::<String>(), "")
 }
 
@@ -64,7 +69,7 @@ fn is_unmoved(note: &Note, model: &Model) -> bool {
 fn opened_credits_letter(document: &Document) -> Option<char> {
     let credits = Credits::of(document).ok()??;
     let form = EmptyForm::of(document.tree(), credits.element);
-    OPENED_CREDITS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
+    OPENED_MARKS.into_iter().find(|(_, known)| *known == form).map(|(letter, _)| letter)
 }
 
 /// Sizes of the bodies for which the spheres are placed. A body has today's size if all its spheres moved with it (`followed`),
@@ -125,7 +130,7 @@ fn write_note_with(
     }
     match Credits::of(document) {
         Ok(Some(credits)) => edits_in_credits(tree, &credits, of(&credits)),
-        Ok(None) => insert(tree, root, &ORDER_IN_MODEL, &[Node::leaf(CREDITS, note.text())]),
+        Ok(None) => insert(tree, root, &ORDER_AROUND_CREDITS, &[Node::leaf(CREDITS_TAG, note.text())]),
         // Reading such a model was refused.
         Err(_) => Vec::new(),
     }
@@ -139,9 +144,8 @@ pub(crate) fn remove_note(document: &Document) -> Vec<Edit> {
     if let Ok(Some(credits)) = Credits::of(document) {
         let is_bare = credits.is_note_only()
             && tree.content(credits.element).all(|piece| piece.kind == PieceKind::Text);
-        let form =
-            OPENED_CREDITS.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
-        if is_bare && made.contains(MADE_CREDITS) {
+        let form = OPENED_MARKS.into_iter().find(|(letter, _)| made.contains(*letter)).map(|(_, form)| form);
+        if is_bare && made.contains(MADE_CREDITS_MARK) {
             edits.push(removal_edit(tree, tree.span(credits.element)));
         } else if let (true, Some(form)) = (is_bare, form) {
             edits.push(form.restored(tree, credits.element));
@@ -195,7 +199,7 @@ fn edits_in_credits(tree: &Tree, credits: &Credits<'_>, edits: Vec<(Range<usize>
     if text.is_empty() {
         return Vec::new();
     }
-    vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS}>") }]
+    vec![Edit { span: end_of_empty_tag(tree, credits.element), text: format!(">{text}</{CREDITS_TAG}>") }]
 }
 
 fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
@@ -205,7 +209,7 @@ fn removal_edit(tree: &Tree, span: Range<usize>) -> Edit {
 /// The largest number of steps in a note: the first step and the latest ones are kept.
 const MOST_STEPS: usize = 8;
 /// The operation of a step that records a change of values by another program or person, without a note.
-pub(crate) const CHANGED_BY_OTHERS: &str = "others";
+pub(crate) const STEP_OF_OTHER_PROGRAMS: &str = "others";
 
 /// Details of a change for its step in the note, which only the caller knows.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -226,15 +230,15 @@ pub(crate) fn continued_steps(model: &Model, step: Step, is_new: bool) -> Vec<St
     steps_after(if is_new { Vec::new() } else { earlier_steps(model) }, step)
 }
 
-/// The steps of the note in `model`, with a step [`CHANGED_BY_OTHERS`] at the end if values were changed since the note.
+/// The steps of the note in `model`, with a step [`STEP_OF_OTHER_PROGRAMS`] at the end if values were changed since the note.
 pub(crate) fn earlier_steps(model: &Model) -> Vec<Step> {
     let Some(note) = &model.note else { return Vec::new() };
     match model.doubt_about_note() {
         // A step that changes no values does not remove this doubt. The note says only once that others changed values.
         Some(NoteDoubt::ValuesChanged)
-            if note.steps.iter().all(|step| step.operation != CHANGED_BY_OTHERS) =>
+            if note.steps.iter().all(|step| step.operation != STEP_OF_OTHER_PROGRAMS) =>
         {
-            steps_after(note.steps.clone(), Step::new(CHANGED_BY_OTHERS))
+            steps_after(note.steps.clone(), Step::new(STEP_OF_OTHER_PROGRAMS))
         }
         _ => note.steps.clone(),
     }

@@ -100,7 +100,7 @@ impl Masses {
 }
 
 /// The name of a transfer among the operations in the note.
-pub(crate) const TRANSFER: &str = "transfer";
+pub(crate) const TRANSFER_OPERATION: &str = "transfer";
 
 /// Facts for the note of a plan besides digests of the values.
 pub(crate) struct NoteFacts<'o> {
@@ -217,7 +217,7 @@ impl Plan {
             steps: note_edits::continued_steps(
                 model,
                 step,
-                facts.operation == TRANSFER && facts.scope == Scope::All,
+                facts.operation == TRANSFER_OPERATION && facts.scope == Scope::All,
             ),
             stance_limbs: model.note.as_ref().and_then(|note| note.stance_limbs),
             weighed_kg: MassRequest::default().bodies_kg(model).map(rounded_to_15_digits),

@@ -9,7 +9,7 @@ use osim_model::{
     RadiusRule, SphereId, moving_spheres, root_mean_square,
 };
 
-use crate::builder::{NewValue, PlanBuilder};
+use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::ChangedBy;
 
 /// Old and new radius of each moving sphere of the chosen forces.
@@ -23,7 +23,7 @@ impl Radii {
     pub(crate) fn plan(
         plan: &mut PlanBuilder<'_>,
         forces: &[ForceId],
-        rule_of: impl Fn(SphereId) -> SphereRule,
+        rule_of: impl Fn(SphereId) -> SphereRadiusRule,
         isometric: f64,
         properties: &PropertySet,
     ) -> Result<Self, Fault> {
@@ -33,8 +33,8 @@ impl Radii {
         for sphere in moving_spheres(model, forces) {
             let old = plan.model.radius_m(sphere)?;
             let stays = !properties.contains(Property::Radius);
-            let rule = if stays { SphereRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
-            if matches!(rule, SphereRule::Rule(RadiusRule::Metres(_)) | SphereRule::Designed(_)) {
+            let rule = if stays { SphereRadiusRule::Rule(RadiusRule::Keep) } else { rule_of(sphere) };
+            if matches!(rule, SphereRadiusRule::Rule(RadiusRule::Metres(_)) | SphereRadiusRule::Designed(_)) {
                 model.round_radius_m(sphere)?;
             }
             let pair = rule.radius_pair(old, isometric);
@@ -42,7 +42,7 @@ impl Radii {
                 users.refuse_change(model, forces, sphere, rule.change_reason())?;
             }
             let factor = rule.is_relative().then_some(pair.ratio);
-            plan.change_radius(sphere, NewValue { to: pair.new, factor, by: rule.changed_by() })?;
+            plan.change_radius(sphere, NewNumber { to: pair.new, factor, by: rule.changed_by() })?;
             radii.insert(sphere, pair);
         }
         Ok(Self(radii))
@@ -51,7 +51,7 @@ impl Radii {
     /// ρ, new radius over old, of one force: the common ratio of its spheres; if they differ, the ratio of the root mean
     /// squares of the radii.
     pub(crate) fn ratio(&self, force: &Force) -> f64 {
-        let pairs = self.pairs(force);
+        let pairs = self.radius_pairs(force);
         match pairs.split_first() {
             None => 1.0,
             Some((first, rest)) if rest.iter().all(|pair| pair.ratio == first.ratio) => first.ratio,
@@ -66,10 +66,10 @@ impl Radii {
 
     /// Root of the mean R² of the force's spheres after the change.
     pub(crate) fn rms_new_radius(&self, force: &Force) -> f64 {
-        root_mean_square(self.pairs(force).iter().map(|pair| pair.new))
+        root_mean_square(self.radius_pairs(force).iter().map(|pair| pair.new))
     }
 
-    fn pairs(&self, force: &Force) -> Vec<RadiusPair> {
+    fn radius_pairs(&self, force: &Force) -> Vec<RadiusPair> {
         force.spheres().iter().filter_map(|sphere| self.0.get(sphere)).copied().collect()
     }
 
@@ -143,8 +143,8 @@ impl Radii {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum SphereRule {
-    /// One rule for all spheres.
+pub(crate) enum SphereRadiusRule {
+    /// One rule gives the radii of all spheres.
     Rule(RadiusRule),
     /// A radius, m, with the same ratio to the size of the body as in the reference.
     Like(f64),
@@ -162,7 +162,7 @@ struct RadiusPair {
     ratio: f64,
 }
 
-impl SphereRule {
+impl SphereRadiusRule {
     fn changed_by(self) -> ChangedBy {
         match self {
             Self::Rule(RadiusRule::Isometric) | Self::Like(_) => ChangedBy::Equation("8"),

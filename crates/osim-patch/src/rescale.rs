@@ -8,18 +8,18 @@ use osim_model::{
     RadiusRule, Scope, Selected, SetId, is_at_target, positive_mass,
 };
 
-use crate::builder::{NewValue, PlanBuilder};
+use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{GravityChange, property_factor};
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
-use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, GRAVITY_STAYS, warn_forces};
+use crate::radii::{Radii, SphereRadiusRule};
+use crate::rules::{self, REMARK_GRAVITY_STAYS, warn_forces};
 
 /// The note's name for a rescaling that moved spheres with their bodies by a `ScaleSet`.
-pub const RESCALE_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
+pub const OPERATION_FOLLOWING_SCALE_FILE: &str = "rescale body-scale-file";
 /// The note's name for a rescaling that moved spheres with their bodies by the body sizes in the note.
-pub const RESCALE_FOLLOWING_NOTE: &str = "rescale follow-bodies";
+pub const OPERATION_FOLLOWING_NOTE: &str = "rescale follow-bodies";
 /// The note's name for a transfer whose spheres move with their bodies.
-pub const TRANSFER_FOLLOWING_BODIES: &str = "transfer follow-bodies";
+pub const OPERATION_FOLLOWING_BODIES: &str = "transfer follow-bodies";
 
 /// The options of a rescaling of a model's contacts to another mass.
 ///
@@ -149,7 +149,7 @@ pub fn rescale(model: &Model, selected: &Selected, wanted: &Rescale) -> Result<P
     let radii = Radii::plan(
         &mut plan,
         &selected.forces,
-        |_| SphereRule::Rule(wanted.radius),
+        |_| SphereRadiusRule::Rule(wanted.radius),
         isometric,
         &wanted.properties,
     )?;
@@ -183,7 +183,7 @@ fn scale_set(
     for property in Property::ALL.into_iter().filter(|&property| wanted.properties.contains(property)) {
         let Some((factor, by)) = property_factor(property, ratios, wanted.dissipation_by) else { continue };
         if let Some(from) = plan.model.parameter(force, set, property)? {
-            plan.change_parameter(force, set, property, NewValue::times(from, factor, by))?;
+            plan.change_parameter(force, set, property, NewNumber::times(from, factor, by))?;
         }
     }
     Ok(())
@@ -214,15 +214,15 @@ fn plan_with_note_and_remarks(
     let nothing = changes.is_empty() && moves.is_empty();
     if !nothing {
         if moves.is_empty() {
-            remarks.push(rules::PLACES_STAY.into());
+            remarks.push(rules::REMARK_PLACES_STAY.into());
             rules::remark_on_bottoms(&mut remarks, radii);
         } else if wanted.bodies.is_some() {
             remarks.push("body masses stay as they are; spheres follow their bodies".into());
         } else {
-            remarks.push(rules::LEVEL.into());
+            remarks.push(rules::REMARK_LEVEL.into());
         }
         if wanted.target_gravity_m_s2.is_some() {
-            remarks.push(GRAVITY_STAYS.into());
+            remarks.push(REMARK_GRAVITY_STAYS.into());
         }
     }
     let target_mass_kg = if nothing { wanted.contacts_mass.kg } else { wanted.target_mass_kg };
@@ -243,7 +243,7 @@ fn plan_with_note_and_remarks(
             target_mass_kg: Some(wanted.target_mass_kg),
             gravity_m_s2: wanted.target_gravity_m_s2.or(model.contacts_gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
-            operation: if wanted.bodies.is_some() { RESCALE_FOLLOWING_SCALE_FILE } else { "rescale" },
+            operation: if wanted.bodies.is_some() { OPERATION_FOLLOWING_SCALE_FILE } else { "rescale" },
         },
     )
 }

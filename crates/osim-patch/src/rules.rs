@@ -163,16 +163,16 @@ pub(crate) fn reference_without_smoothing(name: &str) -> Finding {
 // Remarks about a change beside its numbers.
 
 /// A remark on the quantities that a change of numbers leaves as they are.
-pub const PLACES_STAY: &str = "body masses and sphere locations stay as they are";
+pub const REMARK_PLACES_STAY: &str = "body masses and sphere locations stay as they are";
 
 /// The remark if sphere centres move because radii change.
-pub(crate) const LEVEL: &str = "body masses stay as they are; sphere centres move, so that the lowest point of each sphere stays where it is";
+pub(crate) const REMARK_LEVEL: &str = "body masses stay as they are; sphere centres move, so that the lowest point of each sphere stays where it is";
 
 /// The remark if contacts are scaled to a gravity that is not the model's.
-pub(crate) const GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
+pub(crate) const REMARK_GRAVITY_STAYS: &str = "the model's own <gravity> stays as it is: set it in OpenSim";
 
 /// The remark if spheres move because their feet are made level.
-pub(crate) const LEVEL_FEET: &str = "spheres move down, along the normal of their floor, until all spheres of a foot are as low as its lowest one at the default pose";
+pub(crate) const REMARK_LEVEL_FEET: &str = "spheres move down, along the normal of their floor, until all spheres of a foot are as low as its lowest one at the default pose";
 
 /// Adds the findings about the chosen forces to the plan.
 pub(crate) fn warn_forces(plan: &mut PlanBuilder<'_>, forces: &[ForceId], properties: &PropertySet) {
@@ -202,12 +202,12 @@ pub(crate) fn bottoms_remark(radii: &Radii) -> Option<Phrase> {
 }
 
 /// Distance in m above which the remark on moved sphere bottoms comes first, because the body is then clearly higher or lower.
-const FAR_BOTTOMS_M: f64 = 0.005;
+const CLEAR_BOTTOM_SHIFT_M: f64 = 0.005;
 
 /// Adds the remark on how far sphere bottoms move, for a change in which centres could move instead.
 pub(crate) fn remark_on_bottoms(remarks: &mut Vec<Phrase>, radii: Option<&Radii>) {
     let Some((radii, remark)) = radii.and_then(|radii| Some((radii, bottoms_remark(radii)?))) else { return };
-    let is_far = |(least, most): (f64, f64)| most.max(-least) > FAR_BOTTOMS_M;
+    let is_far = |(least, most): (f64, f64)| most.max(-least) > CLEAR_BOTTOM_SHIFT_M;
     let at = if radii.bottom_shifts().is_some_and(is_far) { 0 } else { remarks.len() };
     remarks.insert(at, phrase![&remark, "; ", Input::Level, " keeps them where they are"]);
 }

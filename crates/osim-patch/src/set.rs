@@ -7,17 +7,17 @@ use osim_model::{
     moving_spheres,
 };
 
-use crate::builder::{NewValue, PlanBuilder};
+use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{ChangedBy, PlaceChange};
 use crate::note::KeptMass;
 use crate::plan::{Masses, NoteFacts, Plan, PlanContents};
 use crate::radii::UnchangedUsers;
-use crate::rules::{self, LEVEL_FEET};
+use crate::rules::{self, REMARK_LEVEL_FEET};
 
 /// The last word in the note's operation if feet were also made level.
-const AND_LEVEL: &str = " level";
+const LEVEL_SUFFIX: &str = " level";
 
-impl NewValue {
+impl NewNumber {
     /// The result of applying `assignment` to a value.
     fn assigned(assignment: Assignment, from: f64, by: ChangedBy) -> Self {
         match assignment {
@@ -77,7 +77,7 @@ impl Set {
         if let Some(fitted) = &self.fitted {
             return format!("fit {fitted}");
         }
-        let level = self.level.as_ref().map_or("", |_| AND_LEVEL);
+        let level = self.level.as_ref().map_or("", |_| LEVEL_SUFFIX);
         format!("{}{level}", self.assigned())
     }
 
@@ -93,7 +93,7 @@ impl Set {
 fn is_assigned_already(model: &Model, wanted: &Set) -> bool {
     let steps = model.note.iter().flat_map(|note| note.steps.iter().rev());
     let mut of_set = steps.take_while(|step| step.verb() == Some(Verb::Set)).map(|step| &*step.operation);
-    of_set.any(|one| one.strip_suffix(AND_LEVEL).unwrap_or(one) == wanted.assigned())
+    of_set.any(|one| one.strip_suffix(LEVEL_SUFFIX).unwrap_or(one) == wanted.assigned())
 }
 
 /// Plans the assignments to the forces `selected` of `model`; no other property changes with them: see [`Set`] for an example.
@@ -119,15 +119,15 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
                     Assignment::Value(_) => model.round_radius_m(sphere)?,
                     Assignment::Factor(_) => model.radius_m(sphere)?,
                 };
-                if NewValue::assigned(value, from, by).to != from {
+                if NewNumber::assigned(value, from, by).to != from {
                     users.refuse_change(model, &selected.forces, sphere, RadiusChangeReason::Assignment)?;
                 }
-                plan.change_radius(sphere, NewValue::assigned(value, from, by))?;
+                plan.change_radius(sphere, NewNumber::assigned(value, from, by))?;
                 found = true;
             }
         } else {
             for force in selected.forces.iter().filter_map(|&id| model.force(id)) {
-                found |= plan.change_sets(force, property, |from| NewValue::assigned(value, from, by))?;
+                found |= plan.change_sets(force, property, |from| NewNumber::assigned(value, from, by))?;
             }
         }
         if !found {
@@ -156,7 +156,7 @@ pub fn set(model: &Model, selected: &Selected, wanted: &Set) -> Result<Plan, Fau
         taken.push("; ");
     }
     taken.push(format!("{operation}; nothing else follows"));
-    let remarks = if is_level { vec![LEVEL_FEET.into()] } else { vec![] };
+    let remarks = if is_level { vec![REMARK_LEVEL_FEET.into()] } else { vec![] };
     let mut masses = wanted.contacts_mass.clone().map(Masses::unchanged);
     if let Some((masses, kg)) = masses.as_mut().zip(wanted.made_for_kg) {
         masses.target_mass_kg = kg;
@@ -200,7 +200,7 @@ impl Plan {
         let places = ground.places_digest(|sphere| moved.get(sphere.path.as_str()).copied());
         self.moves = moves;
         self.note_places(places);
-        self.remarks.push(LEVEL_FEET.into());
+        self.remarks.push(REMARK_LEVEL_FEET.into());
         Ok(())
     }
 }

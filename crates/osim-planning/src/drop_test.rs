@@ -18,7 +18,7 @@ use osim_requests::{Count, DropTestRequest, Kilograms, NotNegative, Positive, Re
 use self::DropRow::{InOrder, Last, Nowhere};
 use self::FigureValue::{Always, Sometimes};
 use crate::calculator::{STANDARD_GRAVITY_M_S2, domain_fault};
-use crate::opening::Subject;
+use crate::opening::ModelOrPreset;
 
 /// Result of a drop test.
 #[derive(Debug, Clone)]
@@ -134,9 +134,11 @@ fn drop_of_named(
     own: &BodyOptions,
     files: &dyn Files,
 ) -> Result<PreparedDrop, RequestError> {
-    match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
-        Subject::Preset(preset) => Ok(drop_of_preset(request, &preset, own)?),
-        Subject::Model(open) => Ok(drop_of_model(request, &open, own).map_err(|fault| open.failure(fault))?),
+    match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {
+        ModelOrPreset::Preset(preset) => Ok(drop_of_preset(request, &preset, own)?),
+        ModelOrPreset::Model(open) => {
+            Ok(drop_of_model(request, &open, own).map_err(|fault| open.failure(fault))?)
+        }
     }
 }
 

@@ -70,7 +70,7 @@ fn generic_model(
     let anatomy = Anatomy::of(&generic.model).map_err(|fault| generic.failure(fault))?;
     let file = body_scale_file.map(|path| scale_file(path, files)).transpose()?;
     let contacts = ReferenceContacts::from_model(&from.display().to_string(), &generic.model);
-    // The masses from_model the request are those from_model the scaled model.
+    // The masses of the request are those of the scaled model.
     let masses = MassRequest { exclude_bodies: masses.exclude_bodies.clone(), ..MassRequest::default() };
     let size = ModelSize::of(&generic.model, &masses);
     let options = InspectOptions { masses, ..InspectOptions::default() };

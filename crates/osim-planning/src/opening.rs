@@ -13,7 +13,7 @@ use osim_requests::{PresetsRequest, RequestError, RequestFault};
 use serde::Deserialize;
 use toml::Spanned;
 
-/// Opens a model without companion files.
+/// Opens the model at `path` alone, without files of separate sets.
 pub(crate) fn open(path: &Path, files: &dyn Files) -> Result<OpenModel, Failure> {
     open_with(path, CompanionPaths::default(), files)
 }
@@ -124,12 +124,12 @@ pub(crate) fn looks_like_file(word: &Path) -> bool {
     word.as_os_str() == "-" || word.components().count() > 1 || word.extension().is_some()
 }
 
-pub(crate) enum Subject {
+pub(crate) enum ModelOrPreset {
     Model(Box<OpenModel>),
     Preset(Preset),
 }
 
-impl Subject {
+impl ModelOrPreset {
     /// The preset of this name; if there is none, the model of this path.
     ///
     /// # Errors
@@ -148,7 +148,7 @@ impl Subject {
     }
 }
 
-/// A user's TOML file of presets.
+/// The content of a TOML file in which a user keeps presets.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PresetFile {
@@ -156,7 +156,7 @@ struct PresetFile {
     preset: Vec<PresetEntry>,
 }
 
-/// A `[[preset]]` of a user's file.
+/// One `[[preset]]` of a TOML file in which a user keeps presets.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct PresetEntry {
@@ -200,7 +200,7 @@ pub(crate) fn presets(file: Option<&Path>, files: &dyn Files) -> Result<Vec<Pres
         if presets.iter().any(|preset| preset.name == name) {
             return Err(fault(format!("{at}: the name '{name}' is taken: choose another")));
         }
-        presets.push(entry.preset().map_err(|why| fault(format!("{at}: preset '{name}': {why}")))?);
+        presets.push(entry.into_preset().map_err(|why| fault(format!("{at}: preset '{name}': {why}")))?);
     }
     Ok(presets)
 }
@@ -227,7 +227,7 @@ enum PresetEntryError {
 }
 
 impl PresetEntry {
-    fn preset(self) -> Result<Preset, PresetEntryError> {
+    fn into_preset(self) -> Result<Preset, PresetEntryError> {
         let smoothing =
             match (self.constant_contact_force, self.hertz_smoothing, self.hunt_crossley_smoothing) {
                 (None, None, None) => None,

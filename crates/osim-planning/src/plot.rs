@@ -13,7 +13,7 @@ use osim_model::{Anatomy, Fault, Finding, ForceId, MassRequest, Model, Selection
 use osim_requests::{HeatOptions, MotionRequest, PlotRequest, RequestError, RequestFault};
 
 use crate::motion::{MotionResult, run_motion};
-use crate::opening::Subject;
+use crate::opening::ModelOrPreset;
 use crate::sheet::Sheet;
 
 /// The table with the column that a figure shows, if the request names a table.
@@ -50,9 +50,9 @@ fn feet_and_scaled_feet(
     path: &Path,
     files: &dyn Files,
 ) -> Result<(ModelFeet, Option<ModelFeet>), RequestError> {
-    let open = match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
-        Subject::Model(open) => open,
-        Subject::Preset(preset) => {
+    let open = match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {
+        ModelOrPreset::Model(open) => open,
+        ModelOrPreset::Preset(preset) => {
             let why = format!("{} is a preset, which has no feet: name a model", preset.name);
             return Err(RequestFault::general(why).into());
         }
@@ -131,12 +131,12 @@ fn plotted_body(
 ) -> Result<ContactBody, RequestError> {
     let masses = request.masses.request();
     let stance = Stance::from(&request.counts.stance_options(None, request.gravity));
-    match Subject::find(path, request.presets.as_deref(), &request.set_files, files)? {
-        Subject::Preset(preset) => {
+    match ModelOrPreset::find(path, request.presets.as_deref(), &request.set_files, files)? {
+        ModelOrPreset::Preset(preset) => {
             let body = ContactBody::from_preset(&preset, &masses, &stance);
             Ok(body.map_err(|error| RequestFault::general(error.to_string()))?)
         }
-        Subject::Model(open) => {
+        ModelOrPreset::Model(open) => {
             let given_masses = MassRequest { target_mass_kg: request.target_mass_kg(), ..masses.clone() };
             let selection = request.choice.selection();
             let asked = request.answers.require_yes(unexplained_mass(&given_masses, &open.model, &selection));
@@ -162,7 +162,7 @@ fn short_name(path: &Path) -> String {
 
 /// The largest number of spheres and bodies in a model whose feet a page shows.
 const MOST_SPHERES_ON_PAGE: usize = 200;
-const MOST_BODIES_ON_PAGE: usize = 1000;
+const MOST_BODIES_ON_PAGE_OF_FEET: usize = 1000;
 
 /// The feet of a model in one state, for figures.
 #[derive(Debug, Clone)]
@@ -196,8 +196,8 @@ impl ModelFeet {
     /// The feet for a page; `None` if the model has no feet, or too many spheres or bodies for a page.
     pub fn for_page(name: &str, opened: &OpenModel, selection: &Selection) -> Option<Self> {
         let model = &opened.model;
-        let few =
-            model.spheres().len() <= MOST_SPHERES_ON_PAGE && model.bodies().len() <= MOST_BODIES_ON_PAGE;
+        let few = model.spheres().len() <= MOST_SPHERES_ON_PAGE
+            && model.bodies().len() <= MOST_BODIES_ON_PAGE_OF_FEET;
         few.then(|| Self::of_selection(name, opened, selection).ok()).flatten()
     }
 
@@ -290,7 +290,7 @@ pub struct TableColumn {
 pub struct HeatTable {
     /// The name of the file without its folders.
     pub name: String,
-    /// The column along the horizontal axis.
+    /// The column of the table that is drawn along the horizontal axis.
     pub x: TableColumn,
     /// The column along the vertical axis; `None` if the table varies only one quantity.
     pub y: Option<TableColumn>,
@@ -329,12 +329,12 @@ impl HeatTable {
             },
         };
         let value = options.value_column.as_deref().unwrap_or_default();
-        let column = |name: &str| column(sheet, name);
+        let column = |name: &str| number_column(sheet, name);
         Ok(Self { name, x: column(x)?, y: y.map(column).transpose()?, value: column(value)? })
     }
 }
 
-fn column(sheet: &Sheet, name: &str) -> Result<TableColumn, String> {
+fn number_column(sheet: &Sheet, name: &str) -> Result<TableColumn, String> {
     let index = sheet.column(name)?;
     let value = |row: &crate::sheet::Row| match row.cells.get(index).map(String::as_str) {
         None | Some("") => Ok(None),

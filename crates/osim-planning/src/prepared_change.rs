@@ -183,7 +183,7 @@ impl PreparedChange {
         }
     }
 
-    /// All masses that the caller gave.
+    /// The masses of model and contacts that the caller gave with this request.
     fn masses(&self) -> MassRequest {
         MassRequest { target_mass_kg: self.target_mass_kg, ..self.options.masses.clone() }
     }

@@ -270,13 +270,13 @@ fn add_wanted_quantities(wanted: &mut WantedOptions, other: &WantedOptions) {
 }
 
 /// The text before the number in the names of files that steps write, such as `human.fixed-1.osim` and `human.fixed-2.osim`.
-const STEP_MARK: &str = ".fixed-";
+const STEP_INFIX: &str = ".fixed-";
 
 /// Gives a step an output file with the next free number, and returns this file; `None` for a request that writes no file.
 fn set_numbered_output(request: &mut Request, from: &Path, files: &dyn Files) -> Option<PathBuf> {
     let (stem, done) = split_step_number(from);
     let name = |number: u32| {
-        let mut name = format!("{stem}{STEP_MARK}{number}");
+        let mut name = format!("{stem}{STEP_INFIX}{number}");
         if let Some(extension) = from.extension() {
             name = format!("{name}.{}", extension.to_string_lossy());
         }
@@ -302,7 +302,7 @@ fn set_default_output(request: &mut Request, from: &Path, files: &dyn Files) {
 fn split_step_number(model: &Path) -> (String, u32) {
     let stem = model.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let number =
-        stem.rsplit_once(STEP_MARK).and_then(|(stem, number)| Some((stem.to_owned(), number.parse().ok()?)));
+        stem.rsplit_once(STEP_INFIX).and_then(|(stem, number)| Some((stem.to_owned(), number.parse().ok()?)));
     number.unwrap_or((stem, 0))
 }
 

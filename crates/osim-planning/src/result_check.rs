@@ -283,7 +283,7 @@ fn about_new_model(found: Finding) -> Finding {
 /// If a bottom moves by less than this, in radii of the sphere, the move has no effect on findings.
 const SMALL_MOVE_RADII: f64 = 0.1;
 /// A body stands if the distance of its lowest sphere from the floor is at most this, in radii of the sphere.
-const STANDING_RADII: f64 = 0.5;
+const STANDING_DISTANCE_RADII: f64 = 0.5;
 
 /// Findings about the bottoms of spheres, if a plan moves them.
 ///
@@ -325,7 +325,7 @@ impl<'m> BodiesOverFloor<'m> {
         Some(Self { model, standing, sharing })
     }
 
-    fn bottoms(&self) -> HashMap<&str, &Bottom> {
+    fn bottoms_by_path(&self) -> HashMap<&str, &Bottom> {
         let all = self.standing.iter().flat_map(|body| &body.bottoms);
         all.map(|bottom| (bottom.path.as_str(), bottom)).collect()
     }
@@ -341,7 +341,7 @@ impl<'m> BodiesOverFloor<'m> {
 
     /// Findings about limbs whose bottoms are less level than `before` the change.
     fn uneven_limbs(&self, before: &Self) -> Vec<Finding> {
-        let (old, new) = (before.bottoms(), self.bottoms());
+        let (old, new) = (before.bottoms_by_path(), self.bottoms_by_path());
         let pair = |path: &str| Some((*old.get(path)?, *new.get(path)?));
         let limbs = self.sharing.limbs.if_known().unwrap_or_default().iter();
         let of_limb = |limb: &Limb| {
@@ -355,17 +355,17 @@ impl<'m> BodiesOverFloor<'m> {
 /// Whether a body stood `before` the change, and `after` it is inside its floor or above it because the bottoms moved.
 fn stands_no_longer(before: &StandingBody, after: &StandingBody) -> bool {
     let Some((was, is)) = before.lowest().zip(after.lowest()) else { return false };
-    let stood = was.height_m.abs() <= STANDING_RADII * was.radius_m;
-    let is_off = is.height_m > STANDING_RADII * is.radius_m || after.is_inside_floor();
+    let stood = was.height_m.abs() <= STANDING_DISTANCE_RADII * was.radius_m;
+    let is_off = is.height_m > STANDING_DISTANCE_RADII * is.radius_m || after.is_inside_floor();
     stood && is_off && (is.height_m - was.height_m).abs() > SMALL_MOVE_RADII * is.radius_m
 }
 
 /// The finding about a limb whose bottoms a change moves apart; `bottoms` has each before and after the change.
 fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     let heights = |of: fn(&(&Bottom, &Bottom)) -> f64| bottoms.iter().map(of).collect::<Vec<f64>>();
-    let moved_m = range(&heights(|(was, is)| is.height_m - was.height_m));
+    let moved_m = spread(&heights(|(was, is)| is.height_m - was.height_m));
     let (before_m, now_m) =
-        (range(&heights(|(was, _)| was.height_m)), range(&heights(|(_, is)| is.height_m)));
+        (spread(&heights(|(was, _)| was.height_m)), spread(&heights(|(_, is)| is.height_m)));
     let by_height = |a: &&Bottom, b: &&Bottom| a.height_m.total_cmp(&b.height_m);
     let lowest = bottoms.iter().map(|(_, is)| *is).min_by(by_height)?;
     let highest = bottoms.iter().map(|(_, is)| *is).max_by(by_height)?;
@@ -376,7 +376,7 @@ fn uneven_limb(limb: &str, bottoms: &[(&Bottom, &Bottom)]) -> Option<Finding> {
     is_uneven.then(|| rules::bottoms_moved_of_limb(limb, before_m, lowest, highest))
 }
 
-fn range(values: &[f64]) -> f64 {
+fn spread(values: &[f64]) -> f64 {
     let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);
     most - least

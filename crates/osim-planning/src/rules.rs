@@ -170,7 +170,7 @@ fn bodies_of_feet(model: &Model) -> BTreeSet<String> {
 }
 
 /// Two bodies are not similar if their densities differ by more than this factor.
-const UNLIKE_DENSITY: f64 = 2.5;
+const UNLIKE_DENSITY_RATIO: f64 = 2.5;
 
 static MASS_AGAINST_LENGTH: Rule = Rule {
     code: FindingCode::MassAgainstLength,
@@ -192,7 +192,7 @@ pub(crate) fn find_mass_against_length(sizes: &SizeList) -> Option<Finding> {
         sizes.mass_ratio.zip(sizes.length_ratio.filter(|_| sizes.length_source == "joints"))?;
     let similar = length.powi(3);
     let density = mass / similar;
-    let is_unlike = density >= UNLIKE_DENSITY || density * UNLIKE_DENSITY <= 1.0;
+    let is_unlike = density >= UNLIKE_DENSITY_RATIO || density * UNLIKE_DENSITY_RATIO <= 1.0;
     let text = format!(
         "lengths are {} and the mass {} times those of the model that was scaled: a body of the same density would have {} of its mass, so this one is {} times as dense",
         three_significant(length),

@@ -33,13 +33,13 @@ macro_rules! request {
     ($verb:ident, $fields:expr) => {
         match Request::from_map($fields)? {
             Request::$verb(request) => *request,
-            other => return Err($crate::calls::unexpected(&other)),
+            other => return Err($crate::calls::unexpected_request(&other)),
         }
     };
 }
 pub(crate) use request;
 
-pub(crate) fn unexpected(request: &Request) -> Problem {
+pub(crate) fn unexpected_request(request: &Request) -> Problem {
     Problem::defect(format!("a request for {} came where none is taken", request.verb().name()))
 }
 

@@ -8,12 +8,12 @@ use pyo3::types::PyByteArray;
 use crate::calls_into_rust::without_gil;
 use crate::problem::Problem;
 use crate::scaling::{
-    EquationError, MEAN_SQUARE_RADIUS, Parameter, RULES, SPHERE_LIST_FUNCTIONS, all, continuation_steps,
-    rule_by_name,
+    EquationError, MEAN_SQUARE_RADIUS, MIXING_RULES, Parameter, SPHERE_LIST_FUNCTIONS, all,
+    continuation_steps, rule_by_name,
 };
 
 /// The placeholder in a message for the indices of an array's element: only Python knows the shapes of its arrays.
-const PLACE_OF_ELEMENT: &str = "{}";
+const ELEMENT_PLACEHOLDER: &str = "{}";
 
 /// A refusal: the argument, the element of the flattened array, and the message with `{}` for the indices of the element.
 type Refusal = (Option<&'static str>, Option<usize>, String);
@@ -40,7 +40,7 @@ pub(crate) fn equations() -> Vec<DescribedFunction> {
 /// The names of the rules for the modulus of two surfaces; the first is the usual one.
 #[pyfunction]
 pub(crate) fn mixing_rules() -> Vec<&'static str> {
-    RULES.iter().map(|(name, _)| *name).collect()
+    MIXING_RULES.iter().map(|(name, _)| *name).collect()
 }
 
 /// The result of an equation, or the refusal.
@@ -55,15 +55,15 @@ pub(crate) fn equation<'py>(
     columns: Vec<PyBackedBytes>,
 ) -> PyResult<ValueOrRefusal<Bound<'py, PyByteArray>>> {
     let values = without_gil(py, || {
-        let Some(function) = all().find(|one| one.name == name) else { return Err(unknown(name)) };
-        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM)) else {
+        let Some(function) = all().find(|one| one.name == name) else { return Err(unknown_equation(name)) };
+        let Some(rule) = rule_by_name(rule_name.unwrap_or(OPENSIM_RULE)) else {
             return Err(unknown_mixing_rule(rule_name));
         };
-        let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
+        let columns: Vec<Vec<f64>> = columns.iter().map(|column| to_floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         Ok(function.values(rule, &columns))
     })?;
-    Ok(value_or_refusal(values.map(|values| bytes(py, &values))))
+    Ok(value_or_refusal(values.map(|values| to_bytes(py, &values))))
 }
 
 /// The value of an equation over spheres: a list for each argument, and their heights where they are not level. Of one over a list
@@ -77,15 +77,15 @@ pub(crate) fn equation_of_list(
     load: f64,
 ) -> PyResult<ValueOrRefusal<f64>> {
     let value = without_gil(py, || {
-        let columns: Vec<Vec<f64>> = columns.iter().map(|column| floats(column)).collect();
+        let columns: Vec<Vec<f64>> = columns.iter().map(|column| to_floats(column)).collect();
         let columns: Vec<&[f64]> = columns.iter().map(Vec::as_slice).collect();
         if name == MEAN_SQUARE_RADIUS.name {
             return Ok(MEAN_SQUARE_RADIUS.value(columns.first().copied().unwrap_or_default()));
         }
         let Some(function) = SPHERE_LIST_FUNCTIONS.iter().find(|one| one.name == name) else {
-            return Err(unknown(name));
+            return Err(unknown_equation(name));
         };
-        Ok(function.value(&columns, heights.as_ref().map(|heights| floats(heights)).as_deref(), load))
+        Ok(function.value(&columns, heights.as_ref().map(|heights| to_floats(heights)).as_deref(), load))
     })?;
     Ok(value_or_refusal(value))
 }
@@ -121,7 +121,7 @@ pub(crate) fn steps(
 }
 
 /// The name of OpenSim's rule for the modulus of two surfaces, which is used if the call names no rule.
-const OPENSIM: &str = RULES[0].0;
+const OPENSIM_RULE: &str = MIXING_RULES[0].0;
 
 fn unknown_mixing_rule(name: Option<&str>) -> Problem {
     let message =
@@ -129,23 +129,23 @@ fn unknown_mixing_rule(name: Option<&str>) -> Problem {
     Problem::general("RequestError", "usage", message)
 }
 
-fn unknown(name: &str) -> Problem {
+fn unknown_equation(name: &str) -> Problem {
     Problem::defect(format!("there is no equation {name}"))
 }
 
 fn value_or_refusal<T>(result: Result<T, EquationError>) -> ValueOrRefusal<T> {
     let refusal = |failure: EquationError| {
-        let place = if failure.index.is_some() { PLACE_OF_ELEMENT } else { "" };
+        let place = if failure.index.is_some() { ELEMENT_PLACEHOLDER } else { "" };
         (None, Some((failure.parameter, failure.index, failure.message(place))))
     };
     result.map_or_else(refusal, |value| (Some(value), None))
 }
 
-fn floats(bytes: &[u8]) -> Vec<f64> {
+fn to_floats(bytes: &[u8]) -> Vec<f64> {
     let (numbers, _) = bytes.as_chunks::<8>();
     numbers.iter().map(|number| f64::from_ne_bytes(*number)).collect()
 }
 
-fn bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyByteArray> {
+fn to_bytes<'py>(py: Python<'py>, values: &[f64]) -> Bound<'py, PyByteArray> {
     PyByteArray::new(py, &values.iter().flat_map(|value| value.to_ne_bytes()).collect::<Vec<u8>>())
 }

@@ -14,10 +14,10 @@ pub(crate) type Memory = BTreeMap<PathBuf, Vec<u8>>;
 
 /// Reads files from memory first, then from the disk if `with_disk`.
 pub(crate) struct RequestFiles {
-    /// The files that Python gave.
+    /// Files that Python gave as bytes, by their names.
     pub(crate) memory: Memory,
     with_disk: bool,
-    /// Every file that was read.
+    /// The bytes of every file that was read, from memory or from the disk.
     pub(crate) read: RefCell<Memory>,
 }
 

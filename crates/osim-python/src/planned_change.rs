@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 
 use osim_inspect::CheckResult;
 use osim_library::report_page::{Words, entry_of_change};
-use osim_library::run::{PlannedModel, Written};
-use osim_library::{LoadedModel, Source};
+use osim_library::run::{PlannedModel, WrittenOutput};
+use osim_library::{LoadedModel, ModelSource};
 use osim_model::FileId;
 use osim_model::messages::Verb;
 use osim_planning::{PreparedChange, prepare};
@@ -26,7 +26,7 @@ use crate::files::{Memory, RequestFiles};
 use crate::problem::Problem;
 
 /// Spells options and calls in messages as Python does.
-pub(crate) static WORDS: Words = &PythonWords;
+pub(crate) static PYTHON_SPELLING: Words = &PythonWords;
 
 /// The JSON of a check of a model, and for each finding the request that corrects the model.
 type CheckAndRequests<'py> = (Bound<'py, PyAny>, Vec<Option<String>>);
@@ -98,7 +98,7 @@ fn load(path: &Path, change: &PreparedChange, files: &RequestFiles) -> Result<Lo
             );
             return Err(Problem::general("RequestError", "usage", message));
         }
-        None => LoadedModel::read_with_memory(&Source::file(path), &change.set_files, &files.memory)?,
+        None => LoadedModel::read_with_memory(&ModelSource::file(path), &change.set_files, &files.memory)?,
     })
 }
 
@@ -180,12 +180,12 @@ impl Planned {
             let detail = DetailLevel::for_models(1);
             let entry = self.model.show(&PythonWords, detail.has_feet(), |mut changed| {
                 let both = changed.before_after.take();
-                both.map(|both| entry_of_change(&changed, &both, detail, WORDS))
+                both.map(|both| entry_of_change(&changed, &both, detail, PYTHON_SPELLING))
             })?;
             let verb = Verb::ALL.iter().copied().find(|known| known.name() == verb).unwrap_or(Verb::Set);
             let name = self.model.opened.name().to_string();
             let head = PageHead::new(verb, Some(name), Columns::Changes, call);
-            let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), WORDS);
+            let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), PYTHON_SPELLING);
             entry.into_iter().for_each(|entry| page.add(entry));
             let mut bytes = Vec::new();
             page.finish(&mut bytes).map_err(|error| Problem::defect(error.to_string()))?;
@@ -205,7 +205,7 @@ impl Planned {
             self.check_in_place(&output)?;
             let (written, remarks) = self.model.write(&output)?;
             Ok(match written {
-                Written::Files { paths, kept } => (paths, kept, remarks),
+                WrittenOutput::Files { paths, kept } => (paths, kept, remarks),
                 _ => (Vec::new(), Vec::new(), remarks),
             })
         })

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use osim_library::LibraryFault;
 use osim_model::files::Failure;
-use osim_model::messages::{Dialect, Input, Part, Phrase, Verb, phrase};
+use osim_model::messages::{Dialect, Input, Phrase, PhrasePart, Verb, phrase};
 use osim_requests::spell::{Python as PythonWords, python_quoted};
 use osim_requests::{RequestError, RequestFault};
 use pyo3::exceptions::{PyException, PyRuntimeError};
@@ -13,7 +13,7 @@ use pyo3::types::PyDict;
 use serde_json::Value;
 
 /// The module with the classes of exceptions.
-const MODULE: &str = "osim_contact_scale._errors";
+const ERRORS_MODULE: &str = "osim_contact_scale._errors";
 
 /// A failure or fault that is about to become an exception of Python.
 #[derive(Default)]
@@ -25,7 +25,7 @@ pub(crate) struct Problem {
     path: Option<OsString>,
     line: Option<usize>,
     column: Option<usize>,
-    /// The faulty line of the file.
+    /// The line of the file in which the error is, if the error is in a file.
     excerpt: Option<String>,
     /// Keyword arguments that the message names, in the order of the message.
     keywords: Vec<String>,
@@ -73,7 +73,7 @@ impl Problem {
             return raised;
         }
         let new_error = || -> PyResult<PyErr> {
-            let class = py.import(MODULE)?.getattr(self.class)?;
+            let class = py.import(ERRORS_MODULE)?.getattr(self.class)?;
             let fields = PyDict::new(py);
             fields.set_item("path", &self.path)?;
             fields.set_item("line", self.line)?;
@@ -94,7 +94,7 @@ impl Problem {
 /// A message as Python spells options. If it begins with a keyword and its value, no blank is between them.
 fn spelled(message: &Phrase) -> String {
     let text = message.spelled(&PythonWords);
-    let Some(Part::Input(input, None)) = message.parts().first() else { return text };
+    let Some(PhrasePart::Input(input, None)) = message.parts().first() else { return text };
     let keyword = PythonWords.input(*input, None);
     match text.strip_prefix(&keyword).and_then(|rest| rest.strip_prefix(" '")) {
         Some(value) => format!("{keyword}'{value}"),
@@ -150,7 +150,7 @@ impl From<LibraryFault> for Problem {
     fn from(fault: LibraryFault) -> Self {
         // A message that begins with a keyword is about its value.
         match fault.phrase().parts().first() {
-            Some(Part::Input(..)) => Self::general("RequestError", "usage", fault.phrase()),
+            Some(PhrasePart::Input(..)) => Self::general("RequestError", "usage", fault.phrase()),
             _ => Self::general("OutputError", "output", fault.phrase()),
         }
     }
@@ -253,7 +253,7 @@ fn python_literal(given: &str) -> String {
         {
             literal_of_json(&value)
         }
-        _ => text(given),
+        _ => shortened_quotation(given),
     }
 }
 
@@ -263,20 +263,21 @@ fn literal_of_json(value: &Value) -> String {
         Value::Bool(true) => "True".to_owned(),
         Value::Bool(false) => "False".to_owned(),
         Value::Number(number) => number.to_string(),
-        Value::String(string) => text(string),
+        Value::String(string) => shortened_quotation(string),
         Value::Array(items) => {
             format!("[{}]", items.iter().map(literal_of_json).collect::<Vec<_>>().join(", "))
         }
         Value::Object(entries) => {
-            let entries =
-                entries.iter().map(|(name, value)| format!("{}: {}", text(name), literal_of_json(value)));
+            let entries = entries
+                .iter()
+                .map(|(name, value)| format!("{}: {}", shortened_quotation(name), literal_of_json(value)));
             format!("{{{}}}", entries.collect::<Vec<_>>().join(", "))
         }
     }
 }
 
 /// A text in quotation marks; for a long text, its beginning and its length.
-fn text(whole: &str) -> String {
+fn shortened_quotation(whole: &str) -> String {
     match whole.char_indices().nth(MAX_SHOWN_LETTERS) {
         None => python_quoted(whole),
         Some((end, _)) => {

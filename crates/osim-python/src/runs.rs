@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use osim_library::report_page::{ReportPage, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, CheckedRows, JsonRecord, ModelDetail, Outcome, Record, RowReader, Run, RunFrontEnd,
+    ChangedModel, CheckedRows, JsonRecord, ModelDetail, ModelOutcome, Record, RowReader, Run, RunFrontEnd,
     RunRequest, Task,
 };
 use osim_library::{LibraryFault, SweepFrontEnd, SweepRun, folder_of};
@@ -22,7 +22,7 @@ use pyo3::types::PyDict;
 use crate::calls::request;
 use crate::calls_into_rust::{ProgressCallback, dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::planned_change::WORDS;
+use crate::planned_change::PYTHON_SPELLING;
 use crate::problem::Problem;
 
 /// Makes the entry of each model on the report page, if the request names a page.
@@ -35,7 +35,7 @@ impl RunFrontEnd for PageEntryMaker<'_> {
     type Shown = Option<Entry>;
 
     fn dialect(&self) -> &dyn Speller {
-        WORDS
+        PYTHON_SPELLING
     }
 
     fn detail(&self) -> ModelDetail {
@@ -45,7 +45,7 @@ impl RunFrontEnd for PageEntryMaker<'_> {
 
     fn show(&self, mut changed: ChangedModel<'_>) -> Option<Entry> {
         let before_after = changed.before_after.take()?;
-        Some(entry_of_change(&changed, &before_after, self.detail?, WORDS))
+        Some(entry_of_change(&changed, &before_after, self.detail?, PYTHON_SPELLING))
     }
 
     fn is_interrupted(&self) -> bool {
@@ -133,14 +133,14 @@ pub(crate) fn run(
     let mut run = Run::new(request, options)?;
     run.read_previous()?;
     let detail = DetailLevel::for_models(run.request.tasks.len() + run.request.failures.len());
-    let mut page = ReportPage::begin_for_run(&run, options, call, WORDS)?;
+    let mut page = ReportPage::begin_for_run(&run, options, call, PYTHON_SPELLING)?;
     run.begin()?;
     let mut remarks = run.request.remarks.clone();
     remarks.extend(run.kept_files.iter().cloned());
     let mut records: Vec<JsonRecord> =
         run.request.failures.iter().map(|failure| Record::of_failure(failure).into()).collect();
     let reporter = PageEntryMaker { watch, detail: options.report.as_ref().map(|_| detail) };
-    let report = |_: &Task, outcome: Outcome<Option<Entry>>| {
+    let report = |_: &Task, outcome: ModelOutcome<Option<Entry>>| {
         let failed = outcome.failure.is_some();
         if let Some(page) = &mut page {
             let shown = outcome.shown.flatten();
@@ -210,6 +210,7 @@ pub(crate) fn sweep<'py>(
         Ok(((serde_json::to_value(&record), end.manifest), failures))
     })?;
     let record = record.map_err(|error| Problem::defect(error.to_string()).into_error(py))?;
-    let failures = failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, WORDS)));
+    let failures =
+        failures.iter().map(|failure| dictionary(py, &FailureRecord::new(failure, PYTHON_SPELLING)));
     Ok((dictionary(py, &record)?, manifest, failures.collect::<PyResult<_>>()?))
 }

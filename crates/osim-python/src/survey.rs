@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use osim_library::report_page::ReportPage;
-use osim_library::{LibraryFault, Source, Sources, Survey, SurveyedModel};
+use osim_library::{LibraryFault, ModelSource, Sources, Survey, SurveyedModel};
 use osim_model::messages::terminal_safe;
 use osim_planning::Inspector;
 use osim_requests::{Jobs, Request};
@@ -16,7 +16,7 @@ use pyo3::types::PyDict;
 
 use crate::calls_into_rust::{ProgressCallback, dictionary, request_fields, without_gil};
 use crate::files::RequestFiles;
-use crate::planned_change::{WORDS, remedies};
+use crate::planned_change::{PYTHON_SPELLING, remedies};
 use crate::problem::Problem;
 
 /// The result for one model: its record and, for each finding, the requests that correct the model; or else the exception.
@@ -67,13 +67,13 @@ pub(crate) fn survey<'py>(
             shows_each,
             check,
             layout: Layout { extent: Extent::new(full), ..Layout::default() },
-            words: WORDS,
+            words: PYTHON_SPELLING,
         };
         // Python checked it with its own name.
         let jobs = jobs.and_then(|jobs| jobs.to_string().parse().ok());
         survey_models(&survey, jobs, call, &ProgressCallback::new(callback))
     })?;
-    let rows = rows.into_iter().map(|surveyed| row(py, surveyed)).collect::<PyResult<_>>()?;
+    let rows = rows.into_iter().map(|surveyed| row_of_model(py, surveyed)).collect::<PyResult<_>>()?;
     Ok((rows, remarks, text))
 }
 
@@ -82,7 +82,7 @@ fn sources(models: &[PathBuf], files: &RequestFiles) -> Sources {
     let mut sources = Sources::default();
     for path in models {
         if files.memory.contains_key(path) {
-            sources.models.push(Source::file(path));
+            sources.models.push(ModelSource::file(path));
         } else {
             let mut found = Sources::find(std::slice::from_ref(path), None);
             sources.models.append(&mut found.models);
@@ -119,13 +119,13 @@ fn survey_models(
     Ok((rows, survey.sources.remarks.clone(), terminal_safe(&text).into_owned()))
 }
 
-fn row(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<Row<'_>> {
+fn row_of_model(py: Python<'_>, surveyed: SurveyedModel) -> PyResult<Row<'_>> {
     Ok(match surveyed {
         SurveyedModel::Inspected(inspection, _) => (Some(dictionary(py, &*inspection)?), Vec::new(), None),
         SurveyedModel::Checked(found, _) => (Some(dictionary(py, &*found)?), remedies(&found), None),
         SurveyedModel::WithoutContacts => (None, Vec::new(), None),
         SurveyedModel::Failed(failure) => {
-            let record = dictionary(py, &FailureRecord::new(&failure, WORDS))?;
+            let record = dictionary(py, &FailureRecord::new(&failure, PYTHON_SPELLING))?;
             let error = Problem::from(*failure).into_error(py);
             (Some(record), Vec::new(), Some(error.into_value(py).into_bound(py).into_any()))
         }

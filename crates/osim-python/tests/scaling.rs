@@ -13,12 +13,14 @@ use contact_scaling::modulus::MixingRule;
 #[path = "../src/scaling/mod.rs"]
 mod scaling;
 
-use scaling::{Function, MEAN_SQUARE_RADIUS, RULES, SPHERE_LIST_FUNCTIONS, continuation_steps, rule_by_name};
+use scaling::{
+    Function, MEAN_SQUARE_RADIUS, MIXING_RULES, SPHERE_LIST_FUNCTIONS, continuation_steps, rule_by_name,
+};
 
 /// Inputs of each function of `contact-scaling`, and its values in 50-digit arithmetic.
-const REFERENCE: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
+const REFERENCE_VALUES: &str = include_str!("../../contact-scaling/tests/data/reference.csv");
 /// Largest relative difference from the reference. It is the largest tolerance in the tests of `contact-scaling`.
-const TOLERANCE: f64 = 2e-14;
+const RELATIVE_TOLERANCE: f64 = 2e-14;
 const PAGE_OF_EQUATIONS: &str = include_str!("../../../docs/reference/equations.md");
 
 /// Functions on the page of equations that Python does not have, each with the reason.
@@ -61,7 +63,7 @@ fn columns(function: &Function) -> Vec<&'static str> {
 
 /// Rows of the reference for a function of `contact-scaling`: the inputs and the value.
 fn rows_of_reference(computes: &str) -> Vec<(Vec<f64>, f64)> {
-    let rows = REFERENCE.lines().filter_map(|line| {
+    let rows = REFERENCE_VALUES.lines().filter_map(|line| {
         let [name, inputs, value] = line.split(',').collect::<Vec<_>>()[..] else { return None };
         let inputs = inputs.split(' ').map(|input| input.parse().unwrap_or(f64::NAN)).collect();
         (name == computes).then(|| (inputs, value.parse().unwrap()))
@@ -81,7 +83,7 @@ fn arguments_from_row(function: &Function, inputs: &[f64]) -> Vec<f64> {
 #[track_caller]
 fn assert_close(value: f64, expected: f64, what: &str) {
     assert!(
-        (value - expected).abs() <= TOLERANCE * expected.abs(),
+        (value - expected).abs() <= RELATIVE_TOLERANCE * expected.abs(),
         "{what}: {value:e}, expected {expected:e}"
     );
 }
@@ -209,7 +211,7 @@ fn the_argument_that_is_refused_is_named() {
 #[test]
 fn the_mixing_rule_is_named_by_a_word() {
     assert_eq!(
-        RULES.map(|(name, _)| rule_by_name(name)),
+        MIXING_RULES.map(|(name, _)| rule_by_name(name)),
         [Some(MixingRule::Sherman), Some(MixingRule::Johnson)]
     );
     assert_eq!(rule_by_name("hertz"), None);

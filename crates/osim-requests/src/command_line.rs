@@ -33,7 +33,7 @@ pub fn with_options(command: Command, verb: Verb) -> Command {
     let options = fields.into_iter().filter_map(|(name, silent)| Some((option_named(verb, &name)?, silent)));
     let options = options.filter(|(option, _)| !has_items || !["models", "set"].contains(&option.name));
     command.args(options.map(|(option, silent)| {
-        let argument = with_conditions(argument(verb, &option), verb);
+        let argument = with_conditions(argument_of_option(verb, &option), verb);
         if has_help { with_texts(argument, &option, &silent) } else { argument }
     }))
 }
@@ -47,7 +47,7 @@ fn models_and_assignments() -> Arg {
         .help("Models, and what to set: PROPERTY=VALUE or PROPERTY=xFACTOR")
 }
 
-fn argument(verb: Verb, option: &Entry) -> Arg {
+fn argument_of_option(verb: Verb, option: &Entry) -> Arg {
     let name = option.name;
     let is_positional = verb_entry(verb).positional.contains(&name);
     let argument = Arg::new(name).short(option.short).allow_hyphen_values(option.is_signed);

@@ -24,11 +24,11 @@ use crate::opened_model::{FindingShown, OpenedModel, VerdictWithQuestion, sha256
 use crate::problem::Problem;
 
 /// Sections of the page that are made again while the user moves a slider: they need only the plan and the drawings of the model.
-const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE, FALLS];
+const QUICK_SECTIONS: [&str; 5] = ["changes", "plots", "state", SCENE_SECTION, FALLS_SECTION];
 /// Name of the section that shows the new model in space.
-const SCENE: &str = "scene";
+const SCENE_SECTION: &str = "scene";
 /// Name of the section that shows falls on the contacts before and after the change.
-const FALLS: &str = "falls";
+const FALLS_SECTION: &str = "falls";
 
 pub(crate) struct PlannedChange {
     change: PreparedChange,
@@ -53,7 +53,7 @@ pub(crate) struct NewFile {
 #[derive(Debug, Serialize)]
 pub(crate) struct ChangeShown<'p> {
     record: PlanRecord,
-    /// Nothing had to change.
+    /// Whether the plan changes nothing in the model.
     unchanged: bool,
     results: Vec<ResultShown<'p>>,
     sections: Vec<Section>,
@@ -197,8 +197,8 @@ impl PlannedChange {
             explained: shown.explained,
             findings,
             verdicts,
-            scene: if asks_for(SCENE) { self.before_after_plan().scene() } else { None },
-            falls: if asks_for(FALLS) { self.before_after_plan().falls() } else { Vec::new() },
+            scene: if asks_for(SCENE_SECTION) { self.before_after_plan().scene() } else { None },
+            falls: if asks_for(FALLS_SECTION) { self.before_after_plan().falls() } else { Vec::new() },
         })
     }
 

@@ -46,7 +46,7 @@ pub struct Engine {
 
 #[wasm_bindgen]
 impl Engine {
-    /// An engine without files.
+    /// An engine to which no file was given yet.
     #[wasm_bindgen(constructor)]
     pub fn new() -> Self {
         Self::default()
@@ -63,7 +63,7 @@ impl Engine {
         self.opened.clear();
     }
 
-    /// Removes a file.
+    /// Removes a file that the page gave to the engine.
     pub fn remove(&mut self, name: &str) {
         self.files.remove(name);
         self.opened.clear();

@@ -58,7 +58,7 @@ pub(crate) fn explain(topic: &str) -> Result<String, Problem> {
 /// The three calls of one request. Each does what the request asks for: it reads the same models and writes the same files.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub(crate) struct SpelledCalls {
-    /// A line for a terminal.
+    /// The request as a line to type in a terminal.
     command: String,
     /// Lines of Python, from the import on.
     python: String,

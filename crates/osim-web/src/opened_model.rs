@@ -68,7 +68,7 @@ pub(crate) fn sha256(bytes: &[u8]) -> String {
 
 // What is in a model, and what is wrong with it.
 
-/// What is known of a model.
+/// What the page shows of an inspected and checked model.
 #[derive(Debug, Serialize)]
 pub(crate) struct InspectedModel {
     inspection: Inspection,

@@ -20,7 +20,7 @@ pub(crate) struct Problem {
     model: Option<String>,
     line: Option<usize>,
     column: Option<usize>,
-    /// The line of the file.
+    /// The line of the file in which the error is, if the error is in a file.
     excerpt: Option<MarkedLine>,
     /// Whether the request could be done if the user said what must not be guessed.
     needs_answer: bool,

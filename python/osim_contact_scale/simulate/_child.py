@@ -14,9 +14,9 @@ from ._loaded import Loaded
 from ._values import to_value
 
 
-def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
+def simulate_job(job: Job, loaded: Loaded, folder: str) -> Outcome:
     """Runs the task on the model of a job."""
-    refusal = _refusal(job, loaded)
+    refusal = _refusal_of_job(job, loaded)
     if refusal is not None:
         return Outcome(job.key, "refused", refusal)
     task = loaded.task(job)
@@ -34,7 +34,7 @@ def simulate(job: Job, loaded: Loaded, folder: str) -> Outcome:
     return Outcome(job.key, "done", None, numbers, series, task_seconds=time.perf_counter() - begin)
 
 
-def _refusal(job: Job, loaded: Loaded) -> str | None:
+def _refusal_of_job(job: Job, loaded: Loaded) -> str | None:
     """Why the job must not run here: its result would not belong to its key."""
     if loaded.versions != job.versions:
         here, there = loaded.versions, job.versions

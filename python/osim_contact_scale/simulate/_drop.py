@@ -123,7 +123,7 @@ class Drop:
             columns["com_height_m"] = scene.com_height_m
         observer = Observer(scene, Motion(scene, self.accuracy), columns)
         record = observer.follow(duration, self.samples, _MAX_STEP * (indentation / scene.gravity_m_s2) ** 0.5)
-        return self._figures(scene, record, height, duration, rest), _series(scene, record)
+        return self._figures(scene, record, height, duration, rest), _series_of_fall(scene, record)
 
     def _figures(
         self, scene: Scene, record: Record, height: float, duration: float, rest: float
@@ -151,7 +151,7 @@ class Drop:
         return figures
 
 
-def _series(scene: Scene, record: Record) -> dict[str, list[float]]:
+def _series_of_fall(scene: Scene, record: Record) -> dict[str, list[float]]:
     return record.series | {
         "force_bw": [force / scene.weight_n for force in record.series["force_n"]],
         "dimensionless_time": [time / scene.reference_time_s for time in record.series["time_s"]],

@@ -63,7 +63,7 @@ def _place_of_error(error: BaseException) -> str:
     if not yours:
         return ""
     file, line, name = yours[-1]
-    file_text = "" if _is_prompt(file) else f"{printable(os.path.basename(file))}, "
+    file_text = "" if _is_typed_code(file) else f"{printable(os.path.basename(file))}, "
     return f" ({file_text}line {line}, in {printable(name)})"
 
 
@@ -79,6 +79,6 @@ def _is_user_code(file: str) -> bool:
     return not os.path.realpath(file).startswith(installed_folders())
 
 
-def _is_prompt(file: str) -> bool:
+def _is_typed_code(file: str) -> bool:
     # Notebooks give the files of their cells new numbers each time.
     return file.startswith("<") or os.path.basename(os.path.dirname(file)).startswith("ipykernel_")

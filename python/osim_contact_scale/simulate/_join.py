@@ -12,7 +12,7 @@ import pandas as pd
 from .._cells import to_cell
 from ._job import RESULT_COLUMNS, Outcome
 from ._points import Point
-from ._store import replace
+from ._store import write_completely
 
 TABLE = "table"
 RUNS = "runs.csv"
@@ -68,9 +68,9 @@ def write_tables(folder: Path, table: pd.DataFrame, runs: pd.DataFrame) -> None:
     OutputError
         One of them cannot be written. An older one stays.
     """
-    replace(folder / f"{TABLE}.csv", lambda path: _write_csv(path, table))
-    replace(folder / f"{TABLE}.parquet", lambda path: _plain_types(table).to_parquet(path, index=False))
-    replace(folder / RUNS, lambda path: _write_csv(path, runs))
+    write_completely(folder / f"{TABLE}.csv", lambda path: _write_csv(path, table))
+    write_completely(folder / f"{TABLE}.parquet", lambda path: _plain_types(table).to_parquet(path, index=False))
+    write_completely(folder / RUNS, lambda path: _write_csv(path, runs))
 
 
 def _write_csv(path: Path, table: pd.DataFrame) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from ._root import root
+from ._root import find_root
 from ._scene import Scene
 
 #: The time around the largest force is divided into so many parts, so many times.
@@ -135,7 +135,7 @@ class Observer:
         time, close = until, _HEIGHT_TOLERANCE * self._scene.reference_radius_m
         # The last step has another length, so that rounding may leave the body on the first side.
         if (height(until) > 0) == upward:
-            time = root(height, before.time_s, until, close=close)
+            time = find_root(height, before.time_s, until, close=close)
         event = Event(time, self._scene.speed_m_s(self._motion.state_at(before, time)))
         if not upward:
             self.record.touch = event

@@ -11,18 +11,18 @@ import numpy.typing as npt
 Array = npt.NDArray[np.float64]
 
 
-def vector(vec3: Any) -> Array:
+def vector_of_vec3(vec3: Any) -> Array:
     """A `Vec3` as an array of three."""
     return np.array([vec3.get(axis) for axis in range(3)])
 
 
-def matrix(rotation: Any) -> Array:
+def matrix_of_rotation(rotation: Any) -> Array:
     """A `Rotation` as an array of 3 × 3."""
     rows = rotation.asMat33()
     return np.array([[rows.get(row, column) for column in range(3)] for row in range(3)])
 
 
-def angles(rotation: Array) -> Array:
+def angles_of_rotation(rotation: Array) -> Array:
     """Body-fixed angles about X, Y and Z, in rad, of a matrix of 3 × 3: what OpenSim calls an orientation."""
     cosine = np.hypot(rotation[0, 0], rotation[0, 1])
     about_y = np.arctan2(rotation[0, 2], cosine)
@@ -33,7 +33,7 @@ def angles(rotation: Array) -> Array:
     return np.array([about_x, about_y, np.arctan2(-rotation[0, 1], rotation[0, 0])])
 
 
-def along(axis: Array) -> Array:
+def rotation_along(axis: Array) -> Array:
     """A rotation matrix whose X direction is this axis."""
     other = np.eye(3)[int(np.argmin(np.abs(axis)))]
     third = np.cross(axis, other)
@@ -51,7 +51,7 @@ class Pose:
     @classmethod
     def of(cls, transform: Any) -> Pose:
         """The pose of a `Transform`."""
-        return cls(vector(transform.p()), matrix(transform.R()))
+        return cls(vector_of_vec3(transform.p()), matrix_of_rotation(transform.R()))
 
     @classmethod
     def in_ground(cls, frame: Any, state: Any) -> Pose:
@@ -83,7 +83,7 @@ class Ball:
 
     def centre_m(self, state: Any) -> Array:
         """The centre in ground, m. The state must be realized to position."""
-        return vector(self._frame.getTransformInGround(state).shiftFrameStationToBase(self._centre))
+        return vector_of_vec3(self._frame.getTransformInGround(state).shiftFrameStationToBase(self._centre))
 
     def height_m(self, state: Any) -> float:
         """Height of the lowest point above the plane, m; negative if the sphere is pressed in."""

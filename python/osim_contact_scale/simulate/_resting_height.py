@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ._contacts import model_error
-from ._root import root
+from ._root import find_root
 from ._scene import Scene
 
 #: Share of the body weight within which a force equals it.
@@ -25,23 +25,23 @@ def resting_height(scene: Scene, state: Any) -> float:
         The contacts do not carry the body at any height.
     """
 
-    def surplus(depth: float) -> float:
+    def surplus_force_n(depth: float) -> float:
         scene.place(state, -depth)
         return scene.force_n(state) - scene.weight_n
 
     radius = scene.reference_radius_m
     # A smoothed force acts before contact, too: it may carry a light body above the ground.
     above, below = 0.0, 0.1 * radius
-    while surplus(above) > 0:
+    while surplus_force_n(above) > 0:
         above = -2 * (0.1 * radius - above)
         if above < -_MAX_DEPTH * radius:
             raise model_error("the contact forces carry more than the body weight wherever it is")
-    while surplus(below) < 0:
+    while surplus_force_n(below) < 0:
         below *= 2
         if below > _MAX_DEPTH * radius:
             raise model_error(
                 "the contact forces do not carry the body weight however deep it sinks: is the stiffness 0?"
             )
-    depth = root(surplus, above, below, close=_FORCE_TOLERANCE * scene.weight_n)
+    depth = find_root(surplus_force_n, above, below, close=_FORCE_TOLERANCE * scene.weight_n)
     scene.place(state, -depth)
     return -depth

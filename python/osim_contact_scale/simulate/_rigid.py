@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from ._contacts import Contact, base_frame, force_geometry, model_error, set_geometry_names
-from ._poses import Array, Pose, along, angles
+from ._poses import Array, Pose, angles_of_rotation, rotation_along
 
 _NAME = "osim_contact_scale"
 
@@ -36,7 +36,7 @@ def rigid_copy(
     for moving_body in moving[1:]:
         body, place = bodies[moving_body.getAbsolutePathString()], Pose.in_ground(moving_body, state).seen_from(start)
         copy.addBody(body)
-        position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
+        position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles_of_rotation(place.rotation))
         none = opensim.Vec3(0)
         copy.addJoint(opensim.WeldJoint(f"{_NAME}_{body.getName()}", carrier, position, orientation, body, none, none))
     names: dict[str, str] = {}
@@ -62,9 +62,9 @@ def _copy_body(opensim: Any, body: Any, name: str) -> Any:
 def _add_slider(opensim: Any, copy: Any, bodies: dict[str, Any], first: Any, state: Any, up: Array) -> tuple[Any, Pose]:
     """Adds the body that the others are welded to, and its joint along `up`."""
     body, start = bodies[first.getAbsolutePathString()], Pose.in_ground(first, state)
-    track = Pose(start.origin_m, along(up))
-    position, orientation = _vec3(opensim, track.origin_m), _vec3(opensim, angles(track.rotation))
-    in_body = _vec3(opensim, angles(track.seen_from(start).rotation))
+    track = Pose(start.origin_m, rotation_along(up))
+    position, orientation = _vec3(opensim, track.origin_m), _vec3(opensim, angles_of_rotation(track.rotation))
+    in_body = _vec3(opensim, angles_of_rotation(track.seen_from(start).rotation))
     copy.addBody(body)
     copy.addJoint(
         opensim.SliderJoint(f"{_NAME}_lift", copy.getGround(), position, orientation, body, opensim.Vec3(0), in_body)
@@ -79,7 +79,7 @@ def _copy_geometry(opensim: Any, copy: Any, geometry: Any, name: str, bodies: di
         body, place = copy.getGround(), Pose.in_ground(geometry.getFrame(), state).then(place)
     else:
         place = Pose.of(geometry.getFrame().findTransformInBaseFrame()).then(place)
-    position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles(place.rotation))
+    position, orientation = _vec3(opensim, place.origin_m), _vec3(opensim, angles_of_rotation(place.rotation))
     sphere = opensim.ContactSphere.safeDownCast(geometry)
     if sphere is not None:
         return opensim.ContactSphere(sphere.getRadius(), position, body, name)

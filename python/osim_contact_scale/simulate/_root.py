@@ -9,7 +9,7 @@ from collections.abc import Callable
 _MAX_STEPS = 2000
 
 
-def root(function: Callable[[float], float], left: float, right: float, *, close: float) -> float:
+def find_root(function: Callable[[float], float], left: float, right: float, *, close: float) -> float:
     """The crossing of a continuous function between two places at which its signs differ.
 
     False position; an end that stays for two steps has its weight halved (Illinois). Where three steps do not make the bracket half

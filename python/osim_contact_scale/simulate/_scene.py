@@ -11,7 +11,7 @@ import numpy as np
 
 from .._errors import ContactScaleError, ModelError
 from ._contacts import Contact, base_frame, forces_without_constant, model_error
-from ._poses import Array, Ball, Pose, vector
+from ._poses import Array, Ball, Pose, vector_of_vec3
 
 #: Change of a coordinate that is tried to see which bodies move; in m, or in rad.
 _TRIAL_STEP = 0.1
@@ -137,7 +137,7 @@ class Scene:
 
     def _mean(self, body_vector: Callable[[Any], Any]) -> float:
         """The upward component of a vector of each body, averaged by mass."""
-        parts = (body.getMass() * float(vector(body_vector(body)) @ self.up) for body in self.moving)
+        parts = (body.getMass() * float(vector_of_vec3(body_vector(body)) @ self.up) for body in self.moving)
         return float(sum(parts)) / self.mass_kg
 
     def place(self, state: Any, height_m: float) -> None:
@@ -161,7 +161,7 @@ class Scene:
             after = self._poses_after_trial(coordinate, bodies)
             moved = [number for number, poses in enumerate(zip(before, after)) if _is_moved(*poses)]
             carries = any(bodies[number].getAbsolutePathString() in sphere_bodies for number in moved)
-            risen = _risen([(before[number], after[number]) for number in moved], self.up) if carries else None
+            risen = _common_rise([(before[number], after[number]) for number in moved], self.up) if carries else None
             if risen is not None:
                 return coordinate, _TRIAL_STEP / risen, [bodies[number] for number in moved]
         expected = "expected a joint between ground and the body that leaves it free to move up and down"
@@ -206,7 +206,7 @@ class Scene:
 
 def _gravity_and_up(model: Any) -> tuple[float, Array]:
     """The size of gravity, and the direction against it."""
-    gravity = vector(model.get_gravity())
+    gravity = vector_of_vec3(model.get_gravity())
     size = float(np.linalg.norm(gravity))
     if not size > 0:
         raise model_error("gravity is 0: nothing falls, and nothing has a weight")
@@ -224,7 +224,7 @@ def _is_moved(before: Pose, after: Pose) -> bool:
     return float(np.abs(moved).max()) > _TOLERANCE or float(np.abs(turned).max()) > _TOLERANCE
 
 
-def _risen(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
+def _common_rise(poses: Sequence[tuple[Pose, Pose]], up: Array) -> float | None:
     """The distance that all bodies have risen; None if a body turned or moved in another direction."""
     moves = np.array([after.origin_m - before.origin_m for before, after in poses])
     turned = max(float(np.abs(after.rotation - before.rotation).max()) for before, after in poses)

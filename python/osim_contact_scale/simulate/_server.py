@@ -19,7 +19,7 @@ import time
 from contextlib import suppress
 
 from .._text import printable
-from ._child import simulate
+from ._child import simulate_job
 from ._error_text import describe_error
 from ._job import Job, Outcome
 from ._loaded import Loaded
@@ -59,7 +59,7 @@ def _run_only_job(requests: int, answers: int, loaded: Loaded) -> None:
     job: Job = receive(requests)
     begin = time.perf_counter()
     # The worker removes the folder, because this process is in it or may be ended.
-    outcome = simulate(job, loaded, folder=os.getcwd())
+    outcome = simulate_job(job, loaded, folder=os.getcwd())
     outcome.process_seconds = time.perf_counter() - begin
     send(answers, outcome)
 
@@ -174,7 +174,7 @@ def _run_as_copy(job: Job, loaded: Loaded, folder: str, others: tuple[int, ...],
         work = os.path.join(folder, "work")
         os.mkdir(work)
         os.chdir(work)
-        send(writing, simulate(job, loaded, folder=work))
+        send(writing, simulate_job(job, loaded, folder=work))
     except BaseException as error:
         with suppress(OSError):
             send(writing, Outcome(job.key, "failed", describe_error(error, folder)))

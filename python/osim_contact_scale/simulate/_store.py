@@ -126,10 +126,10 @@ class Store:
                     path.unlink()
 
     def _write(self, name: str, table: pa.Table) -> None:
-        replace(self.parts / name, lambda path: pq.write_table(table, path))
+        write_completely(self.parts / name, lambda path: pq.write_table(table, path))
 
 
-def replace(path: Path, write: Callable[[Path], Any]) -> None:
+def write_completely(path: Path, write: Callable[[Path], Any]) -> None:
     """Writes a file that gets its name when it is complete.
 
     Raises

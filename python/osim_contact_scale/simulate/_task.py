@@ -125,8 +125,8 @@ def prepare_task(task: Any) -> Task:
         task_text = clipped(printable(repr(call)), 200)
         raise RequestError("usage", f"task={task_text}: expected a function, or a task{hint}", keywords=("task",))
     _check_settings(function.settings)
-    identity, modules = _identity(function)
-    first, columns, needed = _parameters(call, function.settings)
+    identity, modules = _identity_of_function(function)
+    first, columns, needed = _parameters_of_function(call, function.settings)
     return Task(call, function.settings, identity, columns, first, needed, modules)
 
 
@@ -135,7 +135,7 @@ def task_name(call: Any) -> str:
     return str(getattr(call, "__qualname__", None) or type(call).__name__)
 
 
-def _identity(function: Function) -> tuple[dict[str, Any], tuple[str, ...]]:
+def _identity_of_function(function: Function) -> tuple[dict[str, Any], tuple[str, ...]]:
     call = function.function
     if (
         dataclasses.is_dataclass(call)
@@ -161,7 +161,7 @@ def _check_settings(settings: Mapping[str, Any]) -> None:
             raise RequestError("usage", message, keywords=("settings",)) from None
 
 
-def _parameters(
+def _parameters_of_function(
     call: Callable[..., Any], settings: Mapping[str, Any]
 ) -> tuple[frozenset[str], frozenset[str] | None, frozenset[str]]:
     """The name of its first parameter, the columns that it takes (None for all), and those that it needs."""
@@ -193,7 +193,7 @@ def base_key(identity: Mapping[str, Any], versions: Any) -> str:
     versions : Versions
         Versions of opensim and of this package.
     """
-    return _digest({**identity, **dataclasses.asdict(versions)})
+    return _digest_of_identity({**identity, **dataclasses.asdict(versions)})
 
 
 def row_key(digest: str, base: str, values: Mapping[str, Any]) -> str:
@@ -208,10 +208,10 @@ def row_key(digest: str, base: str, values: Mapping[str, Any]) -> str:
     values : dict
         The arguments of the task from the model's row.
     """
-    return _digest({"model": digest, "base": base, "values": values})
+    return _digest_of_identity({"model": digest, "base": base, "values": values})
 
 
-def _digest(identity: Mapping[str, Any]) -> str:
+def _digest_of_identity(identity: Mapping[str, Any]) -> str:
     return hashlib.sha256(json.dumps(_normalized(identity), sort_keys=True, default=str).encode()).hexdigest()
 
 

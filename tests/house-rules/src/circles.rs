@@ -10,7 +10,7 @@ type Path = Vec<String>;
 pub type Uses = BTreeMap<(Path, Path), String>;
 
 /// Most imports of imports that are followed, because imports in a circle never end.
-const DEEPEST: usize = 20;
+const MOST_FOLLOWED_IMPORTS: usize = 20;
 
 /// The module or item that a path in the code names.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -95,7 +95,9 @@ fn targets_below(tree: &Tree, at: &[String], path: &[String], depth: usize) -> V
 
 /// The targets of a path that begins with a name of the module: a child module, an item or an import.
 fn targets_from_module(tree: &Tree, at: &Module, path: &[String], depth: usize) -> Vec<Target> {
-    let Some((first, rest)) = path.split_first().filter(|_| depth < DEEPEST) else { return Vec::new() };
+    let Some((first, rest)) = path.split_first().filter(|_| depth < MOST_FOLLOWED_IMPORTS) else {
+        return Vec::new();
+    };
     let is_item = at.items.contains(first);
     let child = [at.path.as_slice(), std::slice::from_ref(first)].concat();
     if tree.contains_key(&child) && (!rest.is_empty() || !is_item) {

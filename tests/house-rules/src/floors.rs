@@ -1,7 +1,7 @@
 //! Checks the direction of uses between crates, and between the modules of two large crates.
 //!
-//! To add, move or rename a crate, change [`FLOORS`]; a crate that is missing there fails the test, and so does a name without a crate.
-//! [`INSIDE`] does the same for modules.
+//! To add, move or rename a crate, change [`FLOORS_OF_CRATES`]; a crate that is missing there fails the test, and so does a name without a crate.
+//! [`FLOORS_INSIDE_CRATES`] does the same for modules.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,7 +11,7 @@ use crate::circles::uses;
 use crate::source::Tree;
 
 /// The crates from the lowest floor to the highest. Each crate depends only on crates of lower floors, not of its own floor.
-pub const FLOORS: &[&[&str]] = &[
+pub const FLOORS_OF_CRATES: &[&[&str]] = &[
     &["contact-plots", "contact-scaling"],
     &["osim-model"],
     &["osim-requests"],
@@ -24,7 +24,7 @@ pub const FLOORS: &[&[&str]] = &[
 ];
 
 /// Crates whose modules have floors: each module uses only modules on lower floors. The root of the crate may use all modules.
-pub const INSIDE: &[(&str, &[&[&str]])] = &[
+pub const FLOORS_INSIDE_CRATES: &[(&str, &[&[&str]])] = &[
     ("osim-model", &[&["messages", "xml"], &["model"], &["compare", "feet"]]),
     ("osim-view", &[&["figures", "report"], &["html"]]),
 ];

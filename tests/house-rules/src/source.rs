@@ -88,7 +88,7 @@ static DEFINED_ITEM: LazyLock<Regex> = LazyLock::new(|| {
     ])
 });
 /// Matches a path, or `pub(in …)`, which uses no module.
-static PATH: LazyLock<Regex> =
+static PATH_IN_CODE: LazyLock<Regex> =
     LazyLock::new(|| pattern(&[r"pub\([^)]*\)|(?:\$crate|\b[[:alpha:]_]\w*)(?:::[[:alpha:]_]\w*)+"]));
 
 /// The trees of modules of each crate of a project: of its library and of its program.
@@ -190,7 +190,7 @@ fn module(path: Vec<String>, file: &str, source: &str) -> Module {
         module.items.insert(captures[2].to_owned());
         module.macros.extend((&captures[1] == "macro_rules!").then(|| captures[2].to_owned()));
     }
-    for captures in PATH.find_iter(&code).filter(|captures| !captures.as_str().starts_with("pub(")) {
+    for captures in PATH_IN_CODE.find_iter(&code).filter(|captures| !captures.as_str().starts_with("pub(")) {
         // A path after a value, a variable of a macro or a type does not begin here.
         let before = code[..captures.start()].trim_end();
         if !["::", ".", "$"].iter().any(|sign| before.ends_with(sign)) {

@@ -18,7 +18,8 @@ pub const OUTSIDE: &[&str] = &[
 ];
 
 /// Matches an option such as `--mass`, but neither hyphens within a word nor a comment of HTML.
-static OPTION: LazyLock<Regex> = LazyLock::new(|| pattern(&[r"(?:^|[^\w!-])(--[a-z](?:-?[[:alnum:]])*)"]));
+static SPELLED_OPTION: LazyLock<Regex> =
+    LazyLock::new(|| pattern(&[r"(?:^|[^\w!-])(--[a-z](?:-?[[:alnum:]])*)"]));
 
 /// The options of the command line in the strings of a crate, each with its place.
 #[must_use]
@@ -26,10 +27,12 @@ pub fn options(tree: &Tree) -> Vec<String> {
     let mut options = Vec::new();
     for module in tree.values() {
         for Text { text, line, .. } in module.texts.iter().filter(|text| !text.is_doc) {
-            options.extend(OPTION.captures_iter(text).filter_map(|option| option.get(1)).map(|option| {
-                let line = line + text[..option.start()].matches('\n').count();
-                format!("{}:{line}: {}", module.file, option.as_str())
-            }));
+            options.extend(SPELLED_OPTION.captures_iter(text).filter_map(|option| option.get(1)).map(
+                |option| {
+                    let line = line + text[..option.start()].matches('\n').count();
+                    format!("{}:{line}: {}", module.file, option.as_str())
+                },
+            ));
         }
     }
     options

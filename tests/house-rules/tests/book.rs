@@ -14,9 +14,9 @@ const MOST_WORDS_OF_DOCS: usize = 32_000;
 const PAGES_WITHOUT_LIMIT: [&str; 3] =
     ["docs/glossary.md", "docs/reference/errors.md", "docs/reference/findings.md"];
 /// Most words of a sentence on average over a page.
-const MEAN_SENTENCE: usize = 22;
+const MOST_WORDS_ON_AVERAGE: usize = 22;
 /// Most words of any sentence.
-const LONGEST_SENTENCE: usize = 40;
+const MOST_WORDS_OF_SENTENCE: usize = 40;
 /// The page with the map of the code.
 const CODE_MAP: &str = "docs/developers/architecture.md";
 
@@ -37,7 +37,7 @@ fn pages() -> Vec<(String, String)> {
 }
 
 #[test]
-fn the_book_is_short() {
+fn the_book_has_few_words() {
     let pages = pages();
     assert!(
         PAGES_WITHOUT_LIMIT.iter().all(|name| pages.iter().any(|(page, _)| page == name)),
@@ -65,24 +65,24 @@ fn sentences(page: &str) -> Vec<usize> {
 }
 
 #[test]
-fn sentences_are_short() {
+fn sentences_of_the_book_are_short() {
     for (name, text) in pages() {
         let lengths = sentences(&text);
         let (sum, longest) = (lengths.iter().sum::<usize>(), lengths.iter().max().copied().unwrap_or(0));
         assert!(
-            sum <= MEAN_SENTENCE * lengths.len(),
-            "{name}: {sum} words in {} sentences, at most {MEAN_SENTENCE} each",
+            sum <= MOST_WORDS_ON_AVERAGE * lengths.len(),
+            "{name}: {sum} words in {} sentences, at most {MOST_WORDS_ON_AVERAGE} each",
             lengths.len()
         );
         assert!(
-            longest <= LONGEST_SENTENCE,
-            "{name}: a sentence of {longest} words, at most {LONGEST_SENTENCE}"
+            longest <= MOST_WORDS_OF_SENTENCE,
+            "{name}: a sentence of {longest} words, at most {MOST_WORDS_OF_SENTENCE}"
         );
     }
 }
 
 #[test]
-fn sentences_are_counted() {
+fn words_of_sentences_are_counted() {
     assert_eq!(sentences("One two. Three (four)? Five"), [2, 2, 1]);
     assert_eq!(sentences("One\ntwo.\n\nThree"), [2, 1]);
     assert_eq!(sentences("- one two\n- three\n  four\n1. five"), [2, 2, 1]);

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use house_rules::floors::FLOORS;
+use house_rules::floors::FLOORS_OF_CRATES;
 use house_rules::source::{Tree, project};
 use house_rules::words::Words;
 use house_rules::{circles, floors, texts};
@@ -17,7 +17,7 @@ use walkdir::WalkDir;
 const PLACE_THAT_SPELLS_OPTIONS: &str = "crates/osim-requests/src/spell/";
 
 /// Crates that may name files, processes and streams of the system. Clippy checks printing.
-const OUTSIDE: &[&str] = &["osim-contact-scale", "osim-library"];
+const CRATES_THAT_OPEN_FILES: &[&str] = &["osim-contact-scale", "osim-library"];
 
 /// The crate that `osim-python` depends on without using it, so that Cargo compiles the libraries of both only once for the wheel.
 const BUILT_TOGETHER: &str = "osim-contact-scale";
@@ -58,7 +58,7 @@ fn modules_use_each_other_without_circles() {
 
 #[test]
 fn modules_use_only_lower_floors() {
-    for (name, floors) in floors::INSIDE {
+    for (name, floors) in floors::FLOORS_INSIDE_CRATES {
         let faults: Vec<String> =
             PROJECT[*name].iter().flat_map(|tree| floors::faults_inside(floors, tree)).collect();
         assert_none(&faults, &format!("faults in the arrows between modules of {name}"));
@@ -69,7 +69,7 @@ fn modules_use_only_lower_floors() {
 fn crates_use_only_lower_floors() {
     let mut crates = floors::crates(&root().join("crates")).unwrap();
     crates.get_mut("osim-python").unwrap().retain(|name| name != BUILT_TOGETHER);
-    assert_none(&floors::faults(FLOORS, &crates), "faults in the arrows between crates");
+    assert_none(&floors::faults(FLOORS_OF_CRATES, &crates), "faults in the arrows between crates");
     let of_python = PROJECT["osim-python"].iter().flat_map(BTreeMap::values);
     let calls = of_python.filter(|module| {
         let imports = module.imports.iter().map(|import| &import.path);
@@ -86,14 +86,17 @@ fn crates_use_only_lower_floors() {
 #[test]
 fn only_front_ends_spell_options() {
     assert!(root().join(PLACE_THAT_SPELLS_OPTIONS).exists(), "{PLACE_THAT_SPELLS_OPTIONS}");
-    let mut options = findings_of_rule(texts::options, FLOORS.last().unwrap());
+    let mut options = findings_of_rule(texts::options, FLOORS_OF_CRATES.last().unwrap());
     options.retain(|option| !option.starts_with(PLACE_THAT_SPELLS_OPTIONS));
     assert_none(&options, "options below the front ends");
 }
 
 #[test]
 fn only_the_library_and_the_command_use_the_system() {
-    assert_none(&findings_of_rule(texts::outside, OUTSIDE), "uses of files, processes or streams");
+    assert_none(
+        &findings_of_rule(texts::outside, CRATES_THAT_OPEN_FILES),
+        "uses of files, processes or streams",
+    );
 }
 
 /// Names and texts of the files in a folder of the project whose names have this ending.

@@ -59,7 +59,7 @@ function pageFailure(code: string, message: string): Failure {
 }
 
 /** Properties that are said by name; the others are counted. */
-const NAMED = ["radius", "stiffness", "dissipation"];
+const NAMED_PROPERTIES = ["radius", "stiffness", "dissipation"];
 
 /** What a change does, as a sentence: "12 spheres move; radius ×1.09, stiffness ×1.09 and 2 other properties change." */
 export function changeText({ record: { objects, changes }, unchanged }: Change): string {
@@ -71,7 +71,7 @@ export function changeText({ record: { objects, changes }, unchanged }: Change):
   });
   const moved = changes.filter(({ property }) => property === "location").length;
   const properties = [...new Set(changes.map(({ property }) => property))].filter((property) => property !== "location");
-  const named = properties.filter((property) => NAMED.includes(property)).map((property) => {
+  const named = properties.filter((property) => NAMED_PROPERTIES.includes(property)).map((property) => {
     const factors = new Set(changes.filter((one) => one.property === property).map(({ factor }) => factor));
     const [factor] = factors;
     return factors.size === 1 && typeof factor === "number" ? `${property} ×${digits(factor)}` : property;

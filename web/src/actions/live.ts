@@ -12,7 +12,7 @@ import { hasOwnMass, requestFor } from "./row";
 // Sections that are quick to compute and may be on the screen.
 const QUICK_SECTIONS = ["scene", "plots", "state"];
 const ALL_SECTIONS = ["changes", "reference", ...QUICK_SECTIONS, "falls", "feet", "findings", "figures"];
-const REST_MS = 150;
+const REST_BEFORE_PREVIEW_MS = 150;
 /** Codes of questions whether a mass is in another unit. */
 const UNIT_QUESTIONS = new Set(["implausible-mass", "mass-in-pounds"]);
 
@@ -45,7 +45,7 @@ export class LivePreview {
     this.#isOutdated = true;
     this.#discardStale();
     clearTimeout(this.#restTimer);
-    this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
+    this.#restTimer = setTimeout(() => this.#refreshAll(), REST_BEFORE_PREVIEW_MS);
     if (!this.#isAsking) void this.#ask();
   };
 
@@ -68,7 +68,7 @@ export class LivePreview {
   /** Hides a preview of another model or verb at once, because its buttons would act on that one. */
   #discardStale(): void {
     const { state } = this.session.preview.value;
-    if ((state === "done" || state === "failed") && this.#previewSubject !== subject(this.session)) this.session.preview.set({ state: "none" });
+    if ((state === "done" || state === "failed") && this.#previewSubject !== subjectName(this.session)) this.session.preview.set({ state: "none" });
   }
 
   /** Requests the slow sections after the user has typed nothing for a moment. */
@@ -80,7 +80,7 @@ export class LivePreview {
       console.warn(error);
     }
     if (this.#isAsking || this.session.preview.value.state === "none") {
-      if (this.#isAsking) this.#restTimer = setTimeout(() => this.#refreshAll(), REST_MS);
+      if (this.#isAsking) this.#restTimer = setTimeout(() => this.#refreshAll(), REST_BEFORE_PREVIEW_MS);
       return;
     }
     this.#isAsking = true;
@@ -96,10 +96,10 @@ export class LivePreview {
 
   async #updatePreview(parts: string[]): Promise<void> {
     const { session } = this;
-    const subjectBefore = subject(session);
+    const subjectBefore = subjectName(session);
     const next = await this.#nextPreview(parts);
     // If another model was chosen meanwhile, the next request is about that one.
-    if (subjectBefore !== subject(session)) return;
+    if (subjectBefore !== subjectName(session)) return;
     this.#previewSubject = subjectBefore;
     session.preview.set(next);
   }
@@ -120,7 +120,7 @@ export class LivePreview {
   async #nextPreview(parts: string[]): Promise<Preview> {
     const { session } = this;
     try {
-      const planned = plan(session);
+      const planned = planPreview(session);
       if ("show" in planned) return planned.show;
       const { change, request } = await this.#requestChange(planned.ask, parts);
       session.remember(change.explained);
@@ -132,13 +132,13 @@ export class LivePreview {
 }
 
 /** The verb and the model that a preview would be about. */
-function subject(session: Session): string {
+function subjectName(session: Session): string {
   const model = session.model();
   return `${session.verb.value} ${model ? `${model.id} ${currentFile(model)}` : ""}`;
 }
 
 /** The request of the form, or the preview to show without one. */
-function plan(session: Session): Plan {
+function planPreview(session: Session): Plan {
   const model = session.model();
   const form = findForm(session.verb.value);
   if (!model?.inspected || !form) return { show: { state: "none" } };

@@ -59,7 +59,7 @@ async function openNow(
   const all = accepted.some(({ kind }) => kind === "mesh") || (opened.length === 0 && accepted.length > 0);
   const isAffected = (model: OpenModel) => all || !model.inspected || accepted.some(({ name }) => uses(model, name));
   await inspectAgain(session, session.models.value.filter((model) => isAffected(model) && !opened.includes(model.id) && !failures.has(model.id)));
-  session.announce(summary(session, sorted, opened, [...failures.values(), ...presetFailures], leftOut));
+  session.announce(openedText(session, sorted, opened, [...failures.values(), ...presetFailures], leftOut));
 }
 
 /** The models among files; without models, force sets that no open model includes. */
@@ -94,7 +94,7 @@ export async function openAsModel(session: Session, name: string, choose = true)
 }
 
 /** A sentence about the files that were opened and refused. */
-function summary(
+function openedText(
   session: Session, { accepted, alreadyOpen, refused }: SortedFiles, opened: readonly number[], notAccepted: readonly Failure[], leftOut: number,
 ): string {
   const failures = opened.flatMap((id) => session.findModel(id)?.failure ?? []);

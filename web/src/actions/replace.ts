@@ -30,15 +30,15 @@ export async function sortFiles(session: Session, files: readonly ReadFile[]): P
   const sorted: SortedFiles = { accepted: [], alreadyOpen: [], refused: [] };
   for (const file of files) {
     const open = session.models.value.find(({ origin }) => origin === file.name);
-    const reason = refusal(session, file.name);
-    if (open && (await isSame(session, file))) sorted.alreadyOpen.push(open);
+    const reason = refusalOfFile(session, file.name);
+    if (open && (await hasSameBytes(session, file))) sorted.alreadyOpen.push(open);
     else if (reason) sorted.refused.push({ code: "name-taken", message: reason, needs_answer: false, fields: [] });
     else sorted.accepted.push(file);
   }
   return sorted;
 }
 
-function refusal(session: Session, name: string): string | undefined {
+function refusalOfFile(session: Session, name: string): string | undefined {
   const models = session.models.value;
   const owner = models.find(({ steps }) => steps.some(({ names }) => names.includes(name)));
   if (owner) return `${name} is the result of a change here: close ${currentFile(owner)} first, or give the file another name`;
@@ -46,7 +46,7 @@ function refusal(session: Session, name: string): string | undefined {
   return changed && `${name} is open with changes that were kept: close it first, or give the file another name`;
 }
 
-async function isSame(session: Session, { name, bytes }: ReadFile): Promise<boolean> {
+async function hasSameBytes(session: Session, { name, bytes }: ReadFile): Promise<boolean> {
   const existing = await session.engine.bytes(name);
   return existing?.length === bytes.length && existing.every((byte, index) => byte === bytes[index]);
 }

@@ -22,14 +22,14 @@ scope.onmessage = ({ data: { id, task } }) => {
 
 function handle(task: Task): Answer<unknown> {
   try {
-    return task.do === "start" ? start(task.engine) : runTask(task, host);
+    return task.do === "start" ? startEngine(task.engine) : runTask(task, host);
   } catch (error) {
     host.restart();
-    return { error: task.do === "put" ? tooLarge(task.name) : defect(error) };
+    return { error: task.do === "put" ? tooLarge(task.name) : failureOfPage(error) };
   }
 }
 
-function start(packed: string): Answer<null> {
+function startEngine(packed: string): Answer<null> {
   host.start(unpack(packed));
   return { ok: null };
 }
@@ -40,7 +40,7 @@ function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answ
     case "put": return { ok: engine.put(task.name, task.bytes) ?? null };
     case "remove": return { ok: engine.remove(task.name) ?? null };
     case "bytes": return { ok: engine.bytes(task.name) ?? null };
-    case "ask": return ask(engine, task.question);
+    case "ask": return askEngine(engine, task.question);
     case "files": return changedFiles(engine, task.request);
     case "then": return changeThenAsk(engine, task);
     case "zip-begin": archive = new Archive(); return { ok: null };
@@ -49,12 +49,12 @@ function runTask(task: Exclude<Task, { do: "start" }>, engine: EngineHost): Answ
   }
 }
 
-function ask<T>(engine: EngineHost, question: Record<string, unknown>): Answer<T> {
+function askEngine<T>(engine: EngineHost, question: Record<string, unknown>): Answer<T> {
   return JSON.parse(engine.call(JSON.stringify(question))) as Answer<T>;
 }
 
 function requestChange(engine: EngineHost, request: Request, parts: string[]): Answer<Change> {
-  return ask<Change>(engine, { do: "change", request, parts });
+  return askEngine<Change>(engine, { do: "change", request, parts });
 }
 
 function changedFiles(engine: EngineHost, request: Request): Answer<Files> {
@@ -67,7 +67,7 @@ function changedFiles(engine: EngineHost, request: Request): Answer<Files> {
 function changeThenAsk(engine: EngineHost, { request, parts, next }: Extract<Task, { do: "then" }>): Answer<unknown> {
   const change = requestChange(engine, request, parts);
   if (failed(change)) return change;
-  const answer = ask<unknown>(engine, { do: next });
+  const answer = askEngine<unknown>(engine, { do: next });
   if (failed(answer)) return answer;
   if (next === "keep") engine.rememberFiles(change.ok.results.map(({ name }) => name));
   return { ok: { change: change.ok, next: answer.ok } };
@@ -91,7 +91,7 @@ function tooLarge(name: string): Failure {
   return { code: "too-large", message: `${name}: there is not enough memory in this browser for it`, needs_answer: false, fields: [] };
 }
 
-function defect(error: unknown): Failure {
+function failureOfPage(error: unknown): Failure {
   const message = error instanceof Error ? error.message : String(error);
   return { code: "internal", message: `this is a defect of the page, please report it: ${message}`, needs_answer: false, fields: [] };
 }

@@ -3,7 +3,7 @@
 import { Zip, ZipDeflate, ZipPassThrough } from "fflate";
 
 // All files have this date, so that equal results give equal archives.
-const DATE = new Date(1980, 0, 1);
+const DATE_OF_FILES = new Date(1980, 0, 1);
 
 export class Archive {
   readonly #chunks: Uint8Array[] = [];
@@ -16,15 +16,15 @@ export class Archive {
   /** Whether the archive has a different file of this name. */
   hasOther(name: string, bytes: Uint8Array): boolean {
     const existing = this.#files.get(name);
-    return existing !== undefined && existing !== digest(name, bytes);
+    return existing !== undefined && existing !== digestOfFile(name, bytes);
   }
 
   /** Adds a file, unless the archive has it already. */
   add(name: string, bytes: Uint8Array): void {
     if (this.#files.has(name)) return;
-    this.#files.set(name, digest(name, bytes));
+    this.#files.set(name, digestOfFile(name, bytes));
     const file = new ZipDeflate(name, { level: 6 });
-    file.mtime = DATE;
+    file.mtime = DATE_OF_FILES;
     this.#zip.add(file);
     file.push(bytes, true);
   }
@@ -44,7 +44,7 @@ export class Archive {
 }
 
 /** Size and CRC-32 of a file, to compare files without storing their contents. */
-function digest(name: string, bytes: Uint8Array): string {
+function digestOfFile(name: string, bytes: Uint8Array): string {
   const read = new ZipPassThrough(name);
   read.ondata = () => undefined;
   read.push(bytes, true);

@@ -4,7 +4,7 @@ import type { Value } from "./values";
 import type { Field, Limits } from "./declaration";
 
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?$/;
-const FACTOR = /^[xX×](.+)$/;
+const FACTOR_PATTERN = /^[xX×](.+)$/;
 
 /** The number in `text`; undefined if it is not a number. */
 export function numberIn(text: string): number | undefined {
@@ -52,7 +52,7 @@ function limitProblem(number: number, { least, most, above, below }: Limits): st
 
 function ruleProblem(text: string, field: Field): string | undefined {
   if (field.choices?.some(({ value }) => value === text.trim())) return undefined;
-  const factor = field.factor ? FACTOR.exec(text.trim())?.[1] : undefined;
+  const factor = field.factor ? FACTOR_PATTERN.exec(text.trim())?.[1] : undefined;
   return factor === undefined ? numberProblem(text, field) : factorProblem(factor);
 }
 
@@ -70,7 +70,7 @@ function mapProblem(entries: Readonly<Record<string, string>>): string | undefin
 }
 
 function factorOrNumberProblem(text: string): string | undefined {
-  const factor = FACTOR.exec(text)?.[1];
+  const factor = FACTOR_PATTERN.exec(text)?.[1];
   if (factor !== undefined) return factorProblem(factor);
   const number = numberIn(text);
   return number === undefined ? notANumber(text) : limitProblem(number, { least: 0 });

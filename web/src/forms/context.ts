@@ -4,7 +4,7 @@ import type { Source } from "./declaration";
 import type { Values } from "./values";
 
 /** An option of a field. */
-export interface Option {
+export interface SelectOption {
   value: string;
   text: string;
   /** Options with the same heading are one group. */
@@ -20,7 +20,7 @@ export interface Context {
   /** The event that sets a value: while the user types, or when the value is complete. */
   commit: "input" | "change";
   /** The options of a source. */
-  options(source: Source): Option[];
+  options(source: Source): SelectOption[];
   /** Lets the user add files; returns their names. */
   addFile(source: Source): Promise<string[]>;
   /** The value of a property in the model, if it has one for all spheres or forces. */

@@ -1,7 +1,7 @@
 // A field for a file: an open file, or a file that the user adds.
 
 import { button, el } from "../dom/element";
-import type { Context, Control, Option } from "./context";
+import type { Context, Control, SelectOption } from "./context";
 import type { Field } from "./declaration";
 import { frame } from "./frame";
 
@@ -31,7 +31,7 @@ export function fileControl(field: Field, context: Context): Control {
       const options = withValue(withPresets(context.options(source), field), value);
       const key = JSON.stringify(options);
       const none = el("option", { value: "" }, options.length > 0 ? "not set" : "none here yet");
-      if (key !== shownOptions) select.replaceChildren(none, ...grouped(options));
+      if (key !== shownOptions) select.replaceChildren(none, ...optionElements(options));
       shownOptions = key;
     }
     select.value = value;
@@ -41,18 +41,18 @@ export function fileControl(field: Field, context: Context): Control {
 }
 
 /** The options, and presets that only this field has. */
-function withPresets(options: Option[], { choices = [] }: Field): Option[] {
+function withPresets(options: SelectOption[], { choices = [] }: Field): SelectOption[] {
   const others = choices.filter(({ value }) => !options.some((option) => option.value === value));
   return [...options, ...others.map((choice) => ({ ...choice, heading: "Presets" }))];
 }
 
 /** The options, and the current value, which may name a file that is not open. */
-function withValue(options: Option[], value: string): Option[] {
+function withValue(options: SelectOption[], value: string): SelectOption[] {
   const isListed = value === "" || options.some(({ value }) => value === value);
   return isListed ? options : [...options, { value, text: `${value} (not here)` }];
 }
 
-function grouped(options: readonly Option[]): HTMLElement[] {
+function optionElements(options: readonly SelectOption[]): HTMLElement[] {
   const headings = [...new Set(options.map(({ heading }) => heading ?? ""))];
   return headings.flatMap((heading) => {
     const members = options.filter((option) => (option.heading ?? "") === heading);

@@ -4,8 +4,8 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import type { Stage } from "./model_3d";
 
-const TURN = Math.PI / 24;
-const ZOOM = 1.15;
+const TURN_OF_KEY = Math.PI / 24;
+const ZOOM_OF_KEY = 1.15;
 
 export function addControls(stage: Stage): OrbitControls {
   const { canvas } = stage;
@@ -34,7 +34,7 @@ function applyKey(key: string, shift: boolean, { camera, target }: Stage): boole
   const from = camera.position.clone().sub(target);
   const right = from.clone().cross(camera.up).normalize();
   const turns: Readonly<Record<string, [typeof right, number]>> = {
-    ArrowLeft: [camera.up, -TURN], ArrowRight: [camera.up, TURN], ArrowUp: [right, TURN], ArrowDown: [right, -TURN],
+    ArrowLeft: [camera.up, -TURN_OF_KEY], ArrowRight: [camera.up, TURN_OF_KEY], ArrowUp: [right, TURN_OF_KEY], ArrowDown: [right, -TURN_OF_KEY],
   };
   const turn = turns[key];
   if (turn && shift) {
@@ -51,7 +51,7 @@ function applyKey(key: string, shift: boolean, { camera, target }: Stage): boole
     if (Math.abs(turned.clone().normalize().dot(camera.up)) < 0.995) camera.position.copy(target).add(turned);
     return true;
   }
-  const zoom = key === "+" || key === "=" ? 1 / ZOOM : key === "-" ? ZOOM : undefined;
+  const zoom = key === "+" || key === "=" ? 1 / ZOOM_OF_KEY : key === "-" ? ZOOM_OF_KEY : undefined;
   if (zoom === undefined) return false;
   camera.position.copy(target).addScaledVector(from, zoom);
   return true;

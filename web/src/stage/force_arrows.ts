@@ -5,7 +5,7 @@ import { ArrowHelper, Group, Vector3 } from "three";
 import type { PlayedMotion, PlayedForce } from "../engine/space";
 
 /** The longest arrow, in body weights. */
-const MAX_BW = 3;
+const LONGEST_ARROW_BW = 3;
 
 export class ForceArrows {
   readonly group = new Group();
@@ -54,7 +54,7 @@ function setArrow(arrow: ArrowHelper, force: PlayedForce | null, frame: number, 
   if (!push || !at) return;
   const along = new Vector3(...push);
   // Contacts that are far too stiff have forces of many body weights; the curves show them.
-  const length = unit * Math.min(along.length(), MAX_BW);
+  const length = unit * Math.min(along.length(), LONGEST_ARROW_BW);
   arrow.position.set(...at);
   arrow.setDirection(along.normalize());
   arrow.setLength(Math.max(length, 1e-6), Math.min(0.2 * length, 0.12 * unit), Math.min(0.1 * length, 0.06 * unit));

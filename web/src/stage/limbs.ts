@@ -6,7 +6,7 @@ import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js"
 import type { PlacedSphere, Vector } from "../engine/space";
 
 /** Spheres of one foot are closer together than this many radii. */
-const FOOT_RADII = 8;
+const FOOT_DISTANCE_IN_RADII = 8;
 
 /** A capsule between two joints, at most `thickest` m thick. */
 export function limb(from: Vector, to: Vector, thickest: number, material: Material): Mesh {
@@ -23,7 +23,7 @@ export function spheresOfFeet(spheres: readonly PlacedSphere[]): PlacedSphere[][
   const feet: PlacedSphere[][] = [];
   for (const sphere of spheres) {
     const isNear = (other: PlacedSphere) => other.side === sphere.side
-      && new Vector3(...other.centre_m).distanceTo(new Vector3(...sphere.centre_m)) < FOOT_RADII * Math.max(sphere.radius_m, other.radius_m);
+      && new Vector3(...other.centre_m).distanceTo(new Vector3(...sphere.centre_m)) < FOOT_DISTANCE_IN_RADII * Math.max(sphere.radius_m, other.radius_m);
     const joined = feet.filter((foot) => foot.some(isNear));
     for (const foot of joined) feet.splice(feet.indexOf(foot), 1);
     feet.push([...joined.flat(), sphere]);

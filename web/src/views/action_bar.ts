@@ -11,6 +11,7 @@ import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 import { shareDialog } from "./share";
 
+/** Fills the bar of buttons for the open model: download, keep, undo, redo, report, share. */
 export function actionBar(session: Session): void {
   const bar = byId("acts");
   const fail = (failure: Failure | undefined) => failure && session.failed.set(failure);

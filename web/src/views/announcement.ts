@@ -5,8 +5,8 @@ import { toFailure } from "../engine/failure";
 import type { Session } from "../state/session";
 
 /** Time for which the line stays visible, for each line of text that a person has to read. */
-const FRESH_MS = 3000;
-const LINE_LETTERS = 90;
+const HIGHLIGHTED_MS = 3000;
+const LETTERS_OF_LINE = 90;
 
 export function showAnnouncements(session: Session): void {
   const line = byId("announcement");
@@ -16,7 +16,7 @@ export function showAnnouncements(session: Session): void {
     if (text === "") return;
     line.classList.add("fresh");
     clearTimeout(timer);
-    timer = setTimeout(() => line.classList.remove("fresh"), FRESH_MS * Math.ceil(text.length / LINE_LETTERS));
+    timer = setTimeout(() => line.classList.remove("fresh"), HIGHLIGHTED_MS * Math.ceil(text.length / LETTERS_OF_LINE));
   });
   // Unexpected failures are shown, too.
   addEventListener("unhandledrejection", ({ reason }) => session.announce(`This did not work: ${toFailure(reason).message}.`));

@@ -3,7 +3,7 @@
 import { byId, setAttribute } from "../dom/element";
 import type { Client } from "../engine/client";
 
-const PATIENCE_MS = 150;
+const SHOWN_AFTER_MS = 150;
 
 export function showBusy(engine: Client): void {
   const working = byId("working");
@@ -11,7 +11,7 @@ export function showBusy(engine: Client): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   engine.onBusy((count) => {
     if (count > 0) {
-      timer ??= setTimeout(() => show(true), PATIENCE_MS);
+      timer ??= setTimeout(() => show(true), SHOWN_AFTER_MS);
       return;
     }
     clearTimeout(timer);

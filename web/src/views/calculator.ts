@@ -14,7 +14,7 @@ import type { Session } from "../state/session";
 import { formContext } from "./context";
 import { failureView, sentence } from "./failure";
 
-const REST_MS = 200;
+const REST_BEFORE_ANSWER_MS = 200;
 
 export function calculatorView(session: Session, addFile: Context["addFile"]): void {
   const section = byId("calculator");
@@ -46,7 +46,7 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
     try {
       const answer = await session.engine.calculate({ verb: "design", ...givenFields(CALCULATOR, session.calculation) });
       failure.show(undefined);
-      sheet.replaceChildren(sheetTable(answer.sheet), asText(answer.text));
+      sheet.replaceChildren(sheetTable(answer.sheet), textOfResult(answer.text));
     } catch (error) {
       sheet.replaceChildren();
       failure.show(toFailure(error));
@@ -56,7 +56,7 @@ export function calculatorView(session: Session, addFile: Context["addFile"]): v
   let timer: ReturnType<typeof setTimeout> | undefined;
   session.calculation.watch(() => {
     clearTimeout(timer);
-    if (session.calculating.value && (sheet.hasChildNodes() || !failure.element.hidden)) timer = setTimeout(() => void calculate(), REST_MS);
+    if (session.calculating.value && (sheet.hasChildNodes() || !failure.element.hidden)) timer = setTimeout(() => void calculate(), REST_BEFORE_ANSWER_MS);
   });
   toggle.addEventListener("click", () => session.calculating.set(!session.calculating.value));
   session.calculating.watch((calculating) => {
@@ -94,7 +94,7 @@ function quantityName(name: string, unit: string): string {
   return stem.replace(/_/g, " ");
 }
 
-function asText(text: string): HTMLElement {
+function textOfResult(text: string): HTMLElement {
   const lines = el("pre", { tabindex: 0, "aria-label": "The result as text" }, text);
   return el("details", {}, el("summary", {}, "As text, to copy"), lines);
 }

@@ -12,7 +12,7 @@ export function changeView(session: Session, addFile: Context["addFile"]): void 
   const about = el("p", { class: "quiet about", id: "verb-about" });
   const place = el("div", { id: "form" });
   const clear = button("Clear the form", () => session.values.clear(), { class: "small", id: "clear" });
-  section.append(el("h2", { id: "change-title" }, "Change this model"), verbs(session), about, place, el("p", { class: "clear" }, clear));
+  section.append(el("h2", { id: "change-title" }, "Change this model"), verbButtons(session), about, place, el("p", { class: "clear" }, clear));
   const context = formContext(session, session.values, { prefix: "form", commit: "input", addFile });
   let formView: FormView | undefined;
   session.verb.watch((verb) => {
@@ -37,7 +37,7 @@ export function changeView(session: Session, addFile: Context["addFile"]): void 
 }
 
 /** Radio buttons for the verbs. */
-function verbs(session: Session): HTMLElement {
+function verbButtons(session: Session): HTMLElement {
   const radios = CHANGES.map(({ verb, title, about }) => {
     const input = el("input", { type: "radio", name: "verb", value: verb, title: about });
     input.addEventListener("change", () => session.setVerb(verb));

@@ -2,14 +2,14 @@
 
 import { digits } from "../dom/number";
 import type { FileKind } from "../files/kinds";
-import type { Context, Option } from "../forms/context";
+import type { Context, SelectOption } from "../forms/context";
 import type { Source } from "../forms/declaration";
 import type { Values } from "../forms/values";
 import { currentFile } from "../state/model";
 import type { Session } from "../state/session";
 
 // OpenSim's names, for models without forces.
-const PROPERTIES = [
+const SETTABLE_PROPERTIES = [
   "radius", "stiffness", "dissipation", "static_friction", "dynamic_friction", "viscous_friction", "transition_velocity",
   "constant_contact_force", "hertz_smoothing", "hunt_crossley_smoothing",
 ];
@@ -38,7 +38,7 @@ interface FormOptions {
 export function formContext(session: Session, values: Values, { prefix, commit, addFile }: FormOptions): Context {
   return {
     values, prefix, commit, addFile,
-    options: (source) => options(session, source),
+    options: (source) => optionsOfSource(session, source),
     currentValue: (property) => currentValue(session, property),
     modelMass: () => session.model()?.inspected?.inspection.mass_kg ?? session.model()?.inspected?.inspection.contacts_mass_kg?.value ?? undefined,
   };
@@ -53,25 +53,25 @@ function currentValue(session: Session, property: string): string | undefined {
   return typeof first === "number" && others.length === 0 ? digits(first, 6) : undefined;
 }
 
-function options(session: Session, source: Source): Option[] {
+function optionsOfSource(session: Session, source: Source): SelectOption[] {
   const inspection = session.model()?.inspected?.inspection;
   switch (source) {
     case "properties": {
       const names = new Set(["radius", ...(inspection?.forces ?? []).flatMap(({ parameters }) => Object.keys(parameters))]);
-      return nameOptions(names.size > 1 ? PROPERTIES.filter((name) => names.has(name)) : PROPERTIES);
+      return nameOptions(names.size > 1 ? SETTABLE_PROPERTIES.filter((name) => names.has(name)) : SETTABLE_PROPERTIES);
     }
     case "forces": return nameOptions((inspection?.forces ?? []).map(({ name }) => name));
     case "bodies": return nameOptions((inspection?.bodies ?? []).map(({ name }) => name));
-    case "references": return [...files(session, source, "Files"), ...presets(session)];
-    default: return files(session, source);
+    case "references": return [...fileOptions(session, source, "Files"), ...presetOptions(session)];
+    default: return fileOptions(session, source);
   }
 }
 
-function nameOptions(names: readonly string[]): Option[] {
+function nameOptions(names: readonly string[]): SelectOption[] {
   return [...new Set(names)].map((name) => ({ value: name, text: name }));
 }
 
-function files(session: Session, source: Source, heading?: string): Option[] {
+function fileOptions(session: Session, source: Source, heading?: string): SelectOption[] {
   const model = session.model();
   const current = model && currentFile(model);
   const kinds = KINDS[source] ?? [];
@@ -81,7 +81,7 @@ function files(session: Session, source: Source, heading?: string): Option[] {
   return fitting.map(({ name }) => ({ value: name, text: name, ...(heading === undefined ? {} : { heading }) }));
 }
 
-function presets(session: Session): Option[] {
+function presetOptions(session: Session): SelectOption[] {
   return session.presets.value.map(({ name, file }) => {
     const option = { value: name, text: name, heading: "Presets" };
     return file === undefined ? option : { ...option, alsoSets: { presets: file } };

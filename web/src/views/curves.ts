@@ -2,12 +2,12 @@
 
 import { digits } from "../dom/number";
 
-const SVG = "http://www.w3.org/2000/svg";
-const WIDTH = 600;
-const LEFT = 34;
-const BOTTOM = 24;
+const SVG_NAMESPACE = "http://www.w3.org/2000/svg";
+const PICTURE_WIDTH = 600;
+const LEFT_MARGIN = 34;
+const BOTTOM_MARGIN = 24;
 const LETTER_PX = 11.5;
-const MOST_MARKED = 4;
+const MOST_MARKED_WITH_1 = 4;
 
 /** A curve: `kind` is its look, null is a gap. */
 export interface Curve {
@@ -16,16 +16,16 @@ export interface Curve {
 }
 
 export class Curves {
-  readonly element = document.createElementNS(SVG, "svg");
-  readonly #cursor = line("cursor", LEFT, 4, LEFT, 4);
+  readonly element = document.createElementNS(SVG_NAMESPACE, "svg");
+  readonly #cursor = lineElement("cursor", LEFT_MARGIN, 4, LEFT_MARGIN, 4);
   #count = 1;
 
   constructor(readonly height: number) {
-    this.element.setAttribute("viewBox", `0 0 ${WIDTH} ${height}`);
+    this.element.setAttribute("viewBox", `0 0 ${PICTURE_WIDTH} ${height}`);
     this.element.setAttribute("role", "img");
     this.element.setAttribute("class", "curves");
     // The picture is as wide as its place; its letters stay as large.
-    const size = () => (this.element.style.fontSize = `${(LETTER_PX * WIDTH) / Math.max(1, this.element.clientWidth)}px`);
+    const size = () => (this.element.style.fontSize = `${(LETTER_PX * PICTURE_WIDTH) / Math.max(1, this.element.clientWidth)}px`);
     new ResizeObserver(size).observe(this.element);
   }
 
@@ -33,15 +33,15 @@ export class Curves {
   show(curves: readonly Curve[], title: string, about: string, start: number, end: number): void {
     const numbers = curves.flatMap(({ values }) => values.filter((value) => value !== null));
     const [most, least] = [Math.max(1.2, ...numbers) * 1.05, Math.min(0, ...numbers)];
-    const floor = this.height - BOTTOM;
+    const floor = this.height - BOTTOM_MARGIN;
     const y = (value: number) => floor - ((floor - 6) * (value - least)) / (most - least);
     this.#count = Math.max(1, ...curves.map(({ values }) => values.length));
     const highest = Math.floor(most);
     // A mark at 1 would be written over the one at 0 if the curve is high.
-    const marks = highest > MOST_MARKED ? [0, highest] : [...new Set([0, 1, highest])];
-    const axes = marks.flatMap((mark) => [line("grid", LEFT, y(mark), WIDTH, y(mark)), label(String(mark), LEFT - 6, y(mark) + 4, "end")]);
+    const marks = highest > MOST_MARKED_WITH_1 ? [0, highest] : [...new Set([0, 1, highest])];
+    const axes = marks.flatMap((mark) => [lineElement("grid", LEFT_MARGIN, y(mark), PICTURE_WIDTH, y(mark)), labelElement(String(mark), LEFT_MARGIN - 6, y(mark) + 4, "end")]);
     const ends = [
-      label(title, LEFT, this.height - 4, "start"), label(`${digits(start, 3)} to ${digits(end, 3)} s`, WIDTH - 2, this.height - 4, "end"),
+      labelElement(title, LEFT_MARGIN, this.height - 4, "start"), labelElement(`${digits(start, 3)} to ${digits(end, 3)} s`, PICTURE_WIDTH - 2, this.height - 4, "end"),
     ];
     this.#cursor.setAttribute("y2", String(floor));
     this.element.setAttribute("aria-label", about);
@@ -55,7 +55,7 @@ export class Curves {
   }
 
   #x(index: number): number {
-    return LEFT + ((WIDTH - LEFT) * index) / Math.max(1, this.#count - 1);
+    return LEFT_MARGIN + ((PICTURE_WIDTH - LEFT_MARGIN) * index) / Math.max(1, this.#count - 1);
   }
 
   #pieces({ kind, values }: Curve, y: (value: number) => number): SVGElement[] {
@@ -65,7 +65,7 @@ export class Curves {
       else pieces[pieces.length - 1]?.push(`${this.#x(index).toFixed(1)},${y(value).toFixed(1)}`);
     }
     return pieces.filter((points) => points.length > 1).map((points) => {
-      const curve = document.createElementNS(SVG, "polyline");
+      const curve = document.createElementNS(SVG_NAMESPACE, "polyline");
       curve.setAttribute("points", points.join(" "));
       curve.setAttribute("class", kind);
       return curve;
@@ -73,14 +73,14 @@ export class Curves {
   }
 }
 
-function line(kind: string, x1: number, y1: number, x2: number, y2: number): SVGLineElement {
-  const element = document.createElementNS(SVG, "line");
+function lineElement(kind: string, x1: number, y1: number, x2: number, y2: number): SVGLineElement {
+  const element = document.createElementNS(SVG_NAMESPACE, "line");
   for (const [name, value] of Object.entries({ x1, y1, x2, y2, class: kind })) element.setAttribute(name, String(value));
   return element;
 }
 
-function label(text: string, x: number, y: number, anchor: string): SVGTextElement {
-  const element = document.createElementNS(SVG, "text");
+function labelElement(text: string, x: number, y: number, anchor: string): SVGTextElement {
+  const element = document.createElementNS(SVG_NAMESPACE, "text");
   for (const [name, value] of Object.entries({ x, y, "text-anchor": anchor })) element.setAttribute(name, String(value));
   element.textContent = text;
   return element;

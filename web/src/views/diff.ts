@@ -6,7 +6,7 @@ import type { Request } from "../engine/types";
 import type { Session } from "../state/session";
 
 // Limit of the lines on the page; the downloaded file has all.
-const MAX_LINES = 2000;
+const MAX_DIFF_LINES = 2000;
 
 export interface LazySection {
   element: HTMLDetailsElement;
@@ -22,14 +22,14 @@ export function diffView(session: Session): LazySection {
   const show = async (request: Request) => {
     const text = await session.engine.diff(request).then(({ next }) => next.text, (error) => toFailure(error).message);
     const all = text.split("\n");
-    lines.replaceChildren(...all.slice(0, MAX_LINES).map(line));
-    const cut = all.length > MAX_LINES ? ` The first ${MAX_LINES} of ${all.length} lines are shown.` : "";
+    lines.replaceChildren(...all.slice(0, MAX_DIFF_LINES).map(diffLine));
+    const cut = all.length > MAX_DIFF_LINES ? ` The first ${MAX_DIFF_LINES} of ${all.length} lines are shown.` : "";
     explanation.textContent = `Lines with − go away, lines with + come in their place.${cut}`;
   };
   return lazySection(element, show);
 }
 
-function line(text: string): HTMLElement {
+function diffLine(text: string): HTMLElement {
   const kind = text.startsWith("+") ? "added" : text.startsWith("-") ? "removed" : text.startsWith("@@") ? "place" : "";
   return el("span", { class: `line ${kind}` }, `${text}\n`);
 }

@@ -12,12 +12,12 @@ export function showExplanations(session: Session): void {
     const link = event.target instanceof Element ? event.target.closest("a[href^='#']") : null;
     if (!link || link.id === "skip") return;
     event.preventDefault();
-    void explain(session, (link.getAttribute("href") ?? "").slice(1), body).then(() => dialog.open || dialog.showModal());
+    void fillExplanation(session, (link.getAttribute("href") ?? "").slice(1), body).then(() => dialog.open || dialog.showModal());
   });
 }
 
 /** Shows the explanation that came with a section, or asks the engine for it. */
-async function explain(session: Session, anchor: string, body: HTMLElement): Promise<void> {
+async function fillExplanation(session: Session, anchor: string, body: HTMLElement): Promise<void> {
   const html = session.explained.get(anchor);
   if (html !== undefined) return body.replaceChildren(parseHtml(html, 3));
   const text = await session.engine.explain(anchorTopic(anchor)).then((answer) => answer.text, (error: Error) => error.message);

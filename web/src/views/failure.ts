@@ -47,7 +47,7 @@ export function failureView(form: () => Form, context: Context, after: HTMLEleme
     if (askedKey === key) return;
     askedKey = key;
     end();
-    const parts = question(failure, form(), context);
+    const parts = questionOfFailure(failure, form(), context);
     answers.replaceChildren(...parts.content);
     end = parts.end;
     refresh = parts.refresh;
@@ -79,7 +79,7 @@ interface Question {
   end(): void;
 }
 
-function question(failure: Failure, form: Form, context: Context): Question {
+function questionOfFailure(failure: Failure, form: Form, context: Context): Question {
   const fields = failure.fields.filter((name) => name !== "yes").flatMap((name) => findField(name, form) ?? []);
   const controls = fields.map((field) => ({ field, fieldControl: control(field, context) }));
   const refresh = () => {
@@ -90,7 +90,7 @@ function question(failure: Failure, form: Form, context: Context): Question {
     for (const { field, fieldControl } of controls) if (name === null || field.name === name) fieldControl.refresh(name === null);
   });
   const yes = failure.fields.includes("yes") ? [confirmButton(failure, context)] : [];
-  const all = [...suggested(failure, fields[0], context), ...yes, ...controls.map(({ fieldControl }) => fieldControl.element)];
+  const all = [...suggestionButtons(failure, fields[0], context), ...yes, ...controls.map(({ fieldControl }) => fieldControl.element)];
   if (all.length === 0) return { content: [], refresh, end };
   const legend = all.length === 1 ? "Your answer" : "Any one of these answers is enough";
   const title = el("p", { id: `${context.prefix}-asked` }, el("strong", {}, legend));
@@ -98,7 +98,7 @@ function question(failure: Failure, form: Form, context: Context): Question {
 }
 
 /** A button for each number that the message proposes. */
-function suggested({ message }: Failure, field: Field | undefined, { values }: Context): HTMLElement[] {
+function suggestionButtons({ message }: Failure, field: Field | undefined, { values }: Context): HTMLElement[] {
   if (!field || !["number", "rule"].includes(field.kind)) return [];
   const numbers = [...message.matchAll(/\bwrite ([\d.]+(?:e[+-]?\d+)?)/g)].flatMap(([, text]) => text ?? []);
   return numbers.map((text) => el("p", {}, button(`Use ${digits(Number(text))}${field.unit ? ` ${field.unit}` : ""}`, () => values.set(field.name, text))));

@@ -7,7 +7,7 @@ import { Curves } from "./curves";
 import { Player } from "./player";
 
 /** The fall is shown slower by this factor. */
-const SLOWER = 6;
+const SLOW_MOTION_FACTOR = 6;
 const NAMES: Readonly<Record<string, string>> = { before: "contacts as they are", after: "new contacts", now: "contacts of the model" };
 
 /** Takes the heights of the new and the old spheres above their places at rest, m, and whether they move. */
@@ -31,7 +31,7 @@ export class FallView {
     this.element.hidden = falls.length === 0;
     const moments = complete[0]?.heights_m.length ?? 0;
     const seconds = (complete[0]?.step_s ?? 0) * Math.max(0, moments - 1);
-    this.#player.reset(moments, seconds * SLOWER);
+    this.#player.reset(moments, seconds * SLOW_MOTION_FACTOR);
     this.#curves.element.classList.toggle("none", moments === 0);
     const words = falls.map(describeFall).join(" ");
     setText(this.#summary, words);

@@ -26,14 +26,14 @@ export function filesView(session: Session): void {
     const files = session.files.value;
     section.hidden = files.length === 0;
     title.textContent = counted(files.length, "file");
-    keepingFocus(rows, () => byId("content"), () => rows.replaceChildren(...files.map((file) => row(session, file))));
+    keepingFocus(rows, () => byId("content"), () => rows.replaceChildren(...files.map((file) => fileRow(session, file))));
   };
   session.files.watch(update);
   session.models.watch(update);
 }
 
-function row(session: Session, file: FileEntry): HTMLElement {
-  const isOpen = session.models.value.some((model) => belongs(model, file.name));
+function fileRow(session: Session, file: FileEntry): HTMLElement {
+  const isOpen = session.models.value.some((model) => isFileOfModel(model, file.name));
   const openable = (file.kind === "forces" || file.kind === "model") && !isOpen;
   const open = () => button("Open as a model", () => void openAsModel(session, file.name), buttonAttributes(`Open ${file.name} as a model`));
   const remove = () => button("Remove", () => void removeFile(session, file), buttonAttributes(`Remove ${file.name}`));
@@ -43,7 +43,7 @@ function row(session: Session, file: FileEntry): HTMLElement {
 }
 
 /** Whether a file is an open model, before or after one of its steps. */
-function belongs({ origin, steps }: OpenModel, name: string): boolean {
+function isFileOfModel({ origin, steps }: OpenModel, name: string): boolean {
   return origin === name || steps.some(({ names }) => names.includes(name));
 }
 

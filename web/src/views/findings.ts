@@ -13,7 +13,7 @@ export function findingItems(findings: readonly Finding[]): HTMLElement[] {
     const key = JSON.stringify([finding.code, finding.severity, finding.remedy]);
     groups.set(key, [...(groups.get(key) ?? []), finding]);
   }
-  return [...groups.values()].flatMap((group) => (group.length >= MIN_GROUP ? [groupItem(group)] : group.map((finding) => item(finding))));
+  return [...groups.values()].flatMap((group) => (group.length >= MIN_GROUP ? [groupItem(group)] : group.map((finding) => findingItem(finding))));
 }
 
 /** The number of equal findings about different places from which on they are one item. */
@@ -22,13 +22,13 @@ const MIN_GROUP = 3;
 function groupItem(findings: readonly Finding[]): HTMLElement {
   const [first, ...others] = findings;
   if (!first) return el("li");
-  const element = item(first);
+  const element = findingItem(first);
   const furtherItems = others.map(({ message, line }) => el("li", {}, sentence(message), ...(line === null ? [] : [" ", el("span", { class: "quiet" }, `line ${line}`)])));
   element.append(el("details", {}, el("summary", {}, `The same ${counted(others.length, "more time", "more times")}`), el("ul", {}, ...furtherItems)));
   return element;
 }
 
-function item({ code, severity, message, place, line }: Finding): HTMLElement {
+function findingItem({ code, severity, message, place, line }: Finding): HTMLElement {
   const where = [place, line === null ? null : `line ${line}`].filter(Boolean).join(", ");
   const text = el("p", {},
     el("span", { class: `tag ${severity}` }, severity), " ",

@@ -24,7 +24,7 @@ const FACTS: readonly [title: string, fact: (model: OpenModel) => number | null 
   ["spheres", ({ inspected }) => inspected?.inspection.spheres.length],
   ["findings", ({ inspected }) => inspected?.findings.length],
 ];
-const MASSES = new Set(["mass", "made for"]);
+const MASS_COLUMNS = new Set(["mass", "made for"]);
 const CAPTION = "Models that are open, those that failed first. A target mass in a row is for that model. Click a heading to sort.";
 
 export class LibraryView {
@@ -167,7 +167,7 @@ export class LibraryView {
     const shownRow = this.#shownRows.get(model.id);
     if (shownRow && shownRow.model === model && shownRow.chosen === chosen && shownRow.mass === mass) return shownRow.row;
     const massCells = mass ? [this.#massCell(model)] : [];
-    const all = [this.#nameCell(model), ...cells(model), ...massCells, outcomeCell(model), this.#closeCell(model)];
+    const all = [this.#nameCell(model), ...factCells(model), ...massCells, outcomeCell(model), this.#closeCell(model)];
     const row = shownRow?.mass === mass ? shownRow.row : el("tr");
     setAttribute(row, "aria-current", chosen && "true");
     keepingFocus(row, () => byId("model-title"), () => updateRow(row, all));
@@ -214,10 +214,10 @@ function updateRow(row: HTMLElement, cells: readonly HTMLElement[]): void {
 }
 
 /** The cells with the facts of a model; dashes for what is not known. */
-function cells(model: OpenModel): HTMLElement[] {
+function factCells(model: OpenModel): HTMLElement[] {
   return FACTS.map(([title, fact]) => {
     const value = fact(model);
-    return el("td", {}, value == null ? "–" : MASSES.has(title) ? kilograms(value) : String(value));
+    return el("td", {}, value == null ? "–" : MASS_COLUMNS.has(title) ? kilograms(value) : String(value));
   });
 }
 

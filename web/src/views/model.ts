@@ -11,13 +11,13 @@ import { currentFile, type OpenModel } from "../state/model";
 import type { Session } from "../state/session";
 import { formContext } from "./context";
 import { type FailureView, failureView } from "./failure";
-import { type SectionPlace, place } from "./sections";
+import { type SectionPlace, placeSection } from "./sections";
 import { stepList } from "./steps";
 import { describeModel, summary } from "./summary";
 import { openRows, verdictRows } from "./verdicts";
 
 const PREFIX = "model";
-const FOLDED = ["contacts", "figures", "plots", "state", "model"];
+const FOLDED_SECTIONS = ["contacts", "figures", "plots", "state", "model"];
 
 export class ModelView {
   readonly #section = byId("model");
@@ -29,7 +29,7 @@ export class ModelView {
   readonly #history = el("div", { class: "history" });
   readonly #verdicts = el("div", { class: "verdicts" });
   readonly #feet: SectionPlace;
-  readonly #folded: SectionPlace[] = FOLDED.map((id) => place({ prefix: PREFIX, id, folded: true }));
+  readonly #folded: SectionPlace[] = FOLDED_SECTIONS.map((id) => placeSection({ prefix: PREFIX, id, folded: true }));
   #failure: FailureView | undefined;
   #failureBox = el("div");
   #shownModel: OpenModel | undefined;
@@ -38,7 +38,7 @@ export class ModelView {
 
   /** `stage`: the body is shown in three dimensions, so that the drawings of the feet are folded. */
   constructor(readonly session: Session, readonly addFile: Context["addFile"], stage: boolean) {
-    this.#feet = place({ prefix: PREFIX, id: "feet", folded: stage });
+    this.#feet = placeSection({ prefix: PREFIX, id: "feet", folded: stage });
     const head = el("div", { class: "head" }, el("span", { class: "step", "aria-hidden": "true" }, "1"), this.#title, this.#close);
     this.#section.append(head, this.#history, this.#failureBox, this.#says, this.#verdicts);
     this.#details.append(
@@ -109,6 +109,6 @@ export class ModelView {
     }
     const sections = new Map(inspected.sections.map((section) => [section.id, section]));
     this.#feet.show(sections.get("feet"));
-    for (const [index, id] of FOLDED.entries()) this.#folded[index]?.show(sections.get(id));
+    for (const [index, id] of FOLDED_SECTIONS.entries()) this.#folded[index]?.show(sections.get(id));
   }
 }

@@ -13,12 +13,12 @@ import { sentence } from "./failure";
 import { Player } from "./player";
 
 /** Answers about the model that are also fields of a recording. */
-const ANSWERS = ["mass", "contacts_mass", "exclude_body", "select", "exclude", "geometry", "model"];
-const FILES: readonly [field: "motion" | "plates" | "loads", label: string][] = [
+const ANSWERS_FOR_MOTION = ["mass", "contacts_mass", "exclude_body", "select", "exclude", "geometry", "model"];
+const FILES_OF_RECORDING: readonly [field: "motion" | "plates" | "loads", label: string][] = [
   ["motion", "Recorded motion"], ["plates", "Force plates"], ["loads", "External loads"],
 ];
 /** The motion is shown slower by this factor. */
-const SLOWER = 2;
+const SLOW_MOTION_FACTOR = 2;
 
 /** Shows a moment of a recording; without a recording, the model at rest. */
 type Shows = (played: PlayedMotion | undefined, moment: number) => void;
@@ -26,7 +26,7 @@ type Shows = (played: PlayedMotion | undefined, moment: number) => void;
 export class RecordingView {
   readonly element = el("div", { class: "recording", hidden: true });
   readonly #player = new Player({ play: "Play the motion", time: "Time of the motion", id: "play-motion" }, (moment) => this.#showMoment(moment));
-  readonly #selects = new Map(FILES.map(([field, label]) => [field, el("select", { "aria-label": label })] as const));
+  readonly #selects = new Map(FILES_OF_RECORDING.map(([field, label]) => [field, el("select", { "aria-label": label })] as const));
   readonly #plots = el("div", { class: "recording-plots" });
   readonly #words = el("ul", { class: "recording-words" });
   readonly #failure = el("p", { class: "problem", role: "alert" });
@@ -35,7 +35,7 @@ export class RecordingView {
   #requestKey = "";
 
   constructor(readonly session: Session, readonly onMoment: Shows, readonly up: () => Vector) {
-    const labels = FILES.map(([field, label]) => el("label", {}, el("span", {}, label), this.#selects.get(field) ?? ""));
+    const labels = FILES_OF_RECORDING.map(([field, label]) => el("label", {}, el("span", {}, label), this.#selects.get(field) ?? ""));
     this.element.append(
       el("h3", {}, "Along a recording"), el("div", { class: "recording-files" }, ...labels), this.#failure, this.#player.element, this.#plots, this.#words);
     for (const select of this.#selects.values()) select.addEventListener("change", () => void this.#load());
@@ -69,10 +69,10 @@ export class RecordingView {
     const motions = this.session.files.value.some(({ kind }) => kind === "motion");
     this.element.hidden = !model?.inspected || !motions;
     if (!model?.inspected || !motions) return;
-    const chosen = Object.fromEntries(FILES.map(([field]) => [field, this.#file(field)]).filter(([, name]) => name !== ""));
+    const chosen = Object.fromEntries(FILES_OF_RECORDING.map(([field]) => [field, this.#file(field)]).filter(([, name]) => name !== ""));
     // External loads describe the columns of the plates, so that they are useless alone.
     if (!("plates" in chosen)) delete chosen["loads"];
-    const answers = Object.entries(answersFor(model, QUESTIONS)).filter(([name]) => ANSWERS.includes(name));
+    const answers = Object.entries(answersFor(model, QUESTIONS)).filter(([name]) => ANSWERS_FOR_MOTION.includes(name));
     const request = { ...Object.fromEntries(answers), ...chosen, verb: "motion", subject: currentFile(model) };
     const key = JSON.stringify(request);
     if (key === this.#requestKey) return;
@@ -91,7 +91,7 @@ export class RecordingView {
     setText(this.#failure, failure);
     const times = played?.time_s ?? [];
     const [start, end] = [times[0] ?? 0, times[times.length - 1] ?? 0];
-    this.#player.reset(times.length, (end - start) * SLOWER);
+    this.#player.reset(times.length, (end - start) * SLOW_MOTION_FACTOR);
     this.#words.replaceChildren(...(played?.remarks ?? []).map((remark) => el("li", {}, sentence(remark))));
     const upward = ({ forces_bw: forces }: PlayedForce) => forces.map((force) => force && dot(force, this.up()));
     const feet = played?.feet ?? [];

@@ -8,7 +8,7 @@ import type { Preview, Session } from "../state/session";
 import { formContext } from "./context";
 import { diffView } from "./diff";
 import { failureView } from "./failure";
-import { type SectionPlace, place } from "./sections";
+import { type SectionPlace, placeSection } from "./sections";
 import { openRows, verdictRows } from "./verdicts";
 
 const SECTIONS = ["changes", "reference", "plots", "state", "feet", "findings", "figures"];
@@ -21,7 +21,7 @@ export class ResultView {
   readonly #status = el("p", { class: "status", id: "result-status", tabindex: -1 });
   readonly #outcome = byId("outcome");
   readonly #verdicts = el("div", { class: "verdicts" });
-  readonly #places = new Map<string, SectionPlace>(SECTIONS.map((id) => [id, place({ prefix: PREFIX, id, ...TITLES[id] })]));
+  readonly #places = new Map<string, SectionPlace>(SECTIONS.map((id) => [id, placeSection({ prefix: PREFIX, id, ...TITLES[id] })]));
   readonly #doneBox = el("div", { class: "done", hidden: true });
   readonly #live = el("p", { class: "hidden", role: "status", "aria-live": "polite" });
   readonly #failure;

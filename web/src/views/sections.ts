@@ -22,7 +22,7 @@ interface Options {
 }
 
 /** A place for one section. */
-export function place({ prefix, id, folded = false, title }: Options): SectionPlace {
+export function placeSection({ prefix, id, folded = false, title }: Options): SectionPlace {
   const heading = el("h3", { id: `${prefix}-${id}-title` }, title ?? "");
   const body = el("div", { class: "body" });
   const element = folded
@@ -35,14 +35,14 @@ export function place({ prefix, id, folded = false, title }: Options): SectionPl
     shownHtml = section.html;
     setText(heading, title ?? section.title);
     const content = parseHtml(section.html);
-    for (const cell of content.querySelectorAll("td")) shorten(cell);
+    for (const cell of content.querySelectorAll("td")) shortenCell(cell);
     replaceContent(body, content);
   };
   return { element, show };
 }
 
 /** Shows a number with four digits; all of them are its title. */
-function shorten(cell: HTMLElement): void {
+function shortenCell(cell: HTMLElement): void {
   const place = cell.querySelector("b") ?? cell;
   const whole = place.textContent ?? "";
   const [, sign = "", number = ""] = /^(×?)(-?\d[\d.]{4,}(?:e-?\d+)?)$/.exec(whole) ?? [];

@@ -17,10 +17,10 @@ import { RecordingView } from "./recording";
 const TARGETS: readonly [ViewTarget, string][] = [["feet", "Feet"], ["right", "Right"], ["left", "Left"], ["body", "Whole body"]];
 const DIRECTIONS: readonly [ViewDirection, string][] = [["corner", "Corner"], ["side", "Side"], ["front", "Front"], ["top", "Top"]];
 /** Most missing meshes that are named. */
-const MAX_NAMED = 4;
+const MOST_MESHES_NAMED = 4;
 /** A pointer that moves further than this drags. */
 const MOST_CLICK_PIXELS = 4;
-const KEYS = "Click a sphere to read its numbers. Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
+const KEYS_HELP = "Click a sphere to read its numbers. Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. Keys: arrows turn, Shift and arrows move, + and − zoom.";
 
 export class StageView {
   readonly #section = byId("stage");
@@ -70,7 +70,7 @@ export class StageView {
       this.#wireClicks(this.#stage);
       new ResizeObserver(() => this.#stage?.resize(frame.clientWidth, frame.clientHeight)).observe(frame);
       matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#stage?.recolour());
-      this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS));
+      this.#section.append(el("div", { class: "stage-bar" }, ...bars), frame, el("p", { class: "hidden", id: "stage-keys" }, KEYS_HELP));
     }
     this.#section.append(this.#remark, this.#meshes, this.#recording.element, this.#fall.element, words);
     // The canvas has the colours of the page only after it was added.
@@ -187,8 +187,8 @@ function createStage(canvas: HTMLCanvasElement): Stage | undefined {
 /** A text about missing and broken meshes. */
 function meshNote(bones: Bones | undefined): string {
   const { missing = [], broken = [] } = bones ?? {};
-  const names = missing.slice(0, MAX_NAMED).join(", ");
-  const more = missing.length > MAX_NAMED ? ` and ${counted(missing.length - MAX_NAMED, "other", "others")}` : "";
+  const names = missing.slice(0, MOST_MESHES_NAMED).join(", ");
+  const more = missing.length > MOST_MESHES_NAMED ? ` and ${counted(missing.length - MOST_MESHES_NAMED, "other", "others")}` : "";
   const lacking = missing.length > 0 ? `To see its bones, open the folder Geometry, too. Not here: ${names}${more}.` : "";
   return [lacking, ...broken.map((why) => `${why}.`)].filter(Boolean).join(" ");
 }
@@ -203,7 +203,7 @@ function poseRemark(scene: Scene, standing: boolean): string {
 /** The content of the view as a table, for those who do not see it. */
 function describeScene(now: Scene, after: Scene | undefined): HTMLElement {
   const before = new Map(now.spheres.map((sphere) => [sphere.path, sphere]));
-  const rows = (after ?? now).spheres.map((sphere) => row(sphere, after ? before.get(sphere.path) : undefined));
+  const rows = (after ?? now).spheres.map((sphere) => sphereRow(sphere, after ? before.get(sphere.path) : undefined));
   const heads = ["sphere", "body", "radius (mm)", "share of body weight", "x/R at rest"].map((text) => el("th", { scope: "col" }, text));
   const caption = el("caption", {}, "Contact spheres as they are drawn, and what each carries where the body stands on all of them.");
   const table = el("table", {}, caption, el("thead", {}, el("tr", {}, ...heads)), el("tbody", {}, ...rows));
@@ -214,17 +214,17 @@ function describeSphere(sphere: PlacedSphere, before: PlacedSphere | undefined):
   const { name, body, force_bw: force, relative_indentation: depth } = sphere;
   const carries = force === null ? "" : `, carries ${digits(force, 3)} of the body weight`;
   const sinks = depth === null ? "" : ` and sinks in ${digits(depth, 3)} of its radius`;
-  return `${name} on ${body}: radius ${radii(sphere, before)} mm${carries}${sinks}`;
+  return `${name} on ${body}: radius ${radiiText(sphere, before)} mm${carries}${sinks}`;
 }
 
 /** The radius, mm, after and before a change. */
-function radii(sphere: PlacedSphere, before: PlacedSphere | undefined): string {
+function radiiText(sphere: PlacedSphere, before: PlacedSphere | undefined): string {
   const [radius, old] = [sphere, before ?? sphere].map(({ radius_m: metres }) => digits(metres * 1000, 3));
   return before && before.radius_m !== sphere.radius_m ? `${old} → ${radius}` : `${radius}`;
 }
 
-function row(sphere: PlacedSphere, before: PlacedSphere | undefined): HTMLElement {
+function sphereRow(sphere: PlacedSphere, before: PlacedSphere | undefined): HTMLElement {
   const cell = (text: string) => el("td", {}, text);
   const number = (value: number | null) => (value === null ? "–" : digits(value, 3));
-  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(radii(sphere, before)), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
+  return el("tr", {}, el("th", { scope: "row" }, sphere.name), cell(sphere.body), cell(radiiText(sphere, before)), cell(number(sphere.force_bw)), cell(number(sphere.relative_indentation)));
 }

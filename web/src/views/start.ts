@@ -5,12 +5,12 @@ import { kilograms } from "../dom/number";
 import type { AnimalFall } from "../engine/space";
 import type { Session } from "../state/session";
 
-const SVG = "http://www.w3.org/2000/svg";
+const SVG_NAMESPACE = "http://www.w3.org/2000/svg";
 /** Sizes in the picture: radius of a ball, height of the ground, width of a column, height below the ground. */
-const BALL = 13;
-const GROUND = 118;
-const COLUMN = 200;
-const BELOW = 64;
+const BALL_RADIUS = 13;
+const GROUND_Y = 118;
+const COLUMN_WIDTH = 200;
+const HEIGHT_BELOW_GROUND = 64;
 const FALL_MS = 2600;
 const CAPTION = "Feet of three animals fall from a quarter of the radius of their spheres. Hollow: on the contacts of a human, left as they are: \
 the mouse floats, the giraffe sinks. Full: on contacts scaled by mass. Lengths are in sphere radii, and times in √(R/g).";
@@ -46,19 +46,19 @@ interface Picture {
 }
 
 function fallsPicture(falls: readonly AnimalFall[]): Picture {
-  const width = COLUMN * falls.length;
-  const picture = svgElement("svg", { viewBox: `0 0 ${width} ${GROUND + BELOW}`, role: "img", class: "animals" });
+  const width = COLUMN_WIDTH * falls.length;
+  const picture = svgElement("svg", { viewBox: `0 0 ${width} ${GROUND_Y + HEIGHT_BELOW_GROUND}`, role: "img", class: "animals" });
   picture.setAttribute("aria-label", `Falls of ${falls.map(describeFall).join("; ")}`);
-  picture.append(svgElement("rect", { x: 0, y: GROUND, width, height: 40, class: "ground" }));
+  picture.append(svgElement("rect", { x: 0, y: GROUND_Y, width, height: 40, class: "ground" }));
   const balls = falls.flatMap(({ name, mass_kg: mass, left_behind: left, scaled }, index) => {
-    const middle = COLUMN * (index + 0.5);
-    const [wrong, right] = [ball("old", middle - 24), ball("new", middle + 24)];
-    picture.append(wrong, right, words(`${name}, ${kilograms(mass)}`, middle));
+    const middle = COLUMN_WIDTH * (index + 0.5);
+    const [wrong, right] = [ballCircle("old", middle - 24), ballCircle("new", middle + 24)];
+    picture.append(wrong, right, labelElement(`${name}, ${kilograms(mass)}`, middle));
     return [{ circle: wrong, heights: left }, { circle: right, heights: scaled }];
   });
   const showMoment = (moment: number) => {
     for (const { circle, heights } of balls) {
-      circle.setAttribute("cy", (GROUND - BALL * (1 + (heights[moment] ?? 0))).toFixed(2));
+      circle.setAttribute("cy", (GROUND_Y - BALL_RADIUS * (1 + (heights[moment] ?? 0))).toFixed(2));
     }
   };
   return { picture, showMoment };
@@ -72,18 +72,18 @@ function describeFall({ name, left_behind: left, scaled }: AnimalFall): string {
   return `a ${name}: on contacts of a human ${end(left)}, on its own ${end(scaled)}`;
 }
 
-function ball(kind: string, x: number): SVGCircleElement {
-  return svgElement("circle", { r: BALL, cx: x, class: kind });
+function ballCircle(kind: string, x: number): SVGCircleElement {
+  return svgElement("circle", { r: BALL_RADIUS, cx: x, class: kind });
 }
 
-function words(text: string, x: number): SVGTextElement {
-  const label = svgElement("text", { x, y: GROUND + BELOW - 14, "text-anchor": "middle" });
+function labelElement(text: string, x: number): SVGTextElement {
+  const label = svgElement("text", { x, y: GROUND_Y + HEIGHT_BELOW_GROUND - 14, "text-anchor": "middle" });
   setText(label, text);
   return label;
 }
 
 function svgElement<K extends keyof SVGElementTagNameMap>(tag: K, attributes: Readonly<Record<string, string | number>>): SVGElementTagNameMap[K] {
-  const element = document.createElementNS(SVG, tag);
+  const element = document.createElementNS(SVG_NAMESPACE, tag);
   for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
   return element;
 }

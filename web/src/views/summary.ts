@@ -9,38 +9,38 @@ const SOURCES: Readonly<Record<string, string>> = { note: "note in the file", bo
 /** The summary as a list of terms. */
 export function summary({ inspection }: Inspected): HTMLElement {
   const rows: [string, Child[]][] = [
-    ["Mass", mass(inspection)],
-    ["Contacts made for", madeFor(inspection)],
-    ["Limbs", limbs(inspection)],
+    ["Mass", massOfModel(inspection)],
+    ["Contacts made for", massOfContacts(inspection)],
+    ["Limbs", limbsWithSpheres(inspection)],
     ["Spheres", [String(inspection.spheres.length)]],
-    ["Forces", [forces(inspection)]],
+    ["Forces", [forcesText(inspection)]],
     ["Gravity", [inspection.gravity_m_s2 == null ? "unknown" : `${digits(inspection.gravity_m_s2)} m/s²`]],
   ];
   return el("dl", { class: "summary" }, ...rows.flatMap(([term, content]) => [el("dt", {}, term), el("dd", {}, ...content)]));
 }
 
-function quiet(text: string): HTMLElement {
+function quietText(text: string): HTMLElement {
   return el("span", { class: "quiet" }, text);
 }
 
-function mass({ mass_kg: bodyMass, bodies }: Inspection): Child[] {
+function massOfModel({ mass_kg: bodyMass, bodies }: Inspection): Child[] {
   const text = bodyMass === null ? "unknown" : kilograms(bodyMass);
-  return bodies.length === 0 ? [text] : [text, quiet(` sum of ${counted(bodies.length, "body", "bodies")}`)];
+  return bodies.length === 0 ? [text] : [text, quietText(` sum of ${counted(bodies.length, "body", "bodies")}`)];
 }
 
-function madeFor({ contacts_mass_kg: contactsMass, known_contacts: knownContacts, forces: all }: Inspection): Child[] {
+function massOfContacts({ contacts_mass_kg: contactsMass, known_contacts: knownContacts, forces: all }: Inspection): Child[] {
   if (all.length === 0) return ["there are no contacts"];
-  const text = contactsMass ? [kilograms(contactsMass.value), quiet(` ${SOURCES[contactsMass.source] ?? contactsMass.source}`)] : ["unknown"];
-  return knownContacts ? [...text, el("br"), quiet(`parameters of ${knownContacts.title}`)] : text;
+  const text = contactsMass ? [kilograms(contactsMass.value), quietText(` ${SOURCES[contactsMass.source] ?? contactsMass.source}`)] : ["unknown"];
+  return knownContacts ? [...text, el("br"), quietText(`parameters of ${knownContacts.title}`)] : text;
 }
 
-function limbs({ limbs: all }: Inspection): Child[] {
+function limbsWithSpheres({ limbs: all }: Inspection): Child[] {
   if (!all || all.length === 0) return ["none found"];
   const texts = all.map(({ name, side, spheres }) => `${name}${side ? ` (${side})` : ""}: ${counted(spheres.length, "sphere")}`);
   return texts.flatMap((text, index) => (index === 0 ? [text] : [el("br"), text]));
 }
 
-function forces({ forces: all }: Inspection): string {
+function forcesText({ forces: all }: Inspection): string {
   if (all.length === 0) return "none";
   const counts = new Map<string, number>();
   for (const { type } of all) counts.set(type, (counts.get(type) ?? 0) + 1);

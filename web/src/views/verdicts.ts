@@ -27,8 +27,8 @@ export function verdictRows(verdicts: readonly Verdict[], findings: readonly Fin
   const good = answers.filter(({ sign, published }) => published || sign === "good");
   const unknown = answers.filter(({ sign }) => sign === "unknown");
   return [
-    ...bad.map(({ on, sign, text, place, its }) => row(sign, on, withPlace(text, place), el("ul", { class: "findings" }, ...findingItems(its)), open)),
-    ...together("good", good, open), ...together("unknown", unknown, open),
+    ...bad.map(({ on, sign, text, place, its }) => verdictRow(sign, on, withPlace(text, place), el("ul", { class: "findings" }, ...findingItems(its)), open)),
+    ...rowOfAnswers("good", good, open), ...rowOfAnswers("unknown", unknown, open),
   ];
 }
 
@@ -43,14 +43,14 @@ interface Answer extends Verdict {
 }
 
 /** One row for several verdicts, such as "good floor, sides; solver as published". */
-function together(sign: Verdict["sign"], answers: readonly Answer[], open: ReadonlySet<string>): HTMLElement[] {
+function rowOfAnswers(sign: Verdict["sign"], answers: readonly Answer[], open: ReadonlySet<string>): HTMLElement[] {
   if (answers.length === 0) return [];
   const names = (published: boolean) => answers.filter((one) => one.published === published).map(({ on }) => on).join(", ");
   const [why] = sign === "unknown" ? answers.map(({ text }) => `: ${text}`) : [];
   const parts = [names(false) && `${names(false)}${why ?? ""}`, names(true) && `${names(true)} as published`].filter(Boolean);
   const items = answers.map(({ question, text }) => el("li", {}, el("strong", {}, question), " ", sentence(text)));
   const remarks = findingItems(answers.flatMap(({ its }) => its));
-  return [row(sign, sign, parts.join("; "), el("ul", { class: "findings" }, ...items, ...remarks), open)];
+  return [verdictRow(sign, sign, parts.join("; "), el("ul", { class: "findings" }, ...items, ...remarks), open)];
 }
 
 function withPlace(text: string, place: string | null): string {
@@ -58,7 +58,7 @@ function withPlace(text: string, place: string | null): string {
   return text.includes(name) ? text : `${text} (${name})`;
 }
 
-function row(sign: string, on: string, text: string, body: HTMLElement, open: ReadonlySet<string>): HTMLElement {
+function verdictRow(sign: string, on: string, text: string, body: HTMLElement, open: ReadonlySet<string>): HTMLElement {
   const name = on === sign ? [] : [el("strong", {}, on), " "];
   const head = el("summary", {}, el("span", { class: `tag ${sign}` }, sign), " ", ...name, el("span", {}, text));
   return el("details", { class: "verdict", "data-on": on, open: open.has(on) }, head, body);

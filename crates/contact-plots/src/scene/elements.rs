@@ -107,9 +107,9 @@ pub struct SceneNames {
     pub before: String,
     /// Name of circles that are far from their outlines.
     pub misplaced: String,
-    /// Name of points in the legend.
+    /// The name that the legend gives to points.
     pub spot: String,
-    /// Name of outlines in the legend.
+    /// The name that the legend gives to outlines.
     pub outline: String,
     /// Name of the line of the ground.
     pub ground: String,

@@ -28,7 +28,7 @@ const LABEL_DIRECTIONS: [(f64, f64); 16] = [
 ];
 /// The smallest distance from a point to the nearest edge of its name.
 const LEAST_DISTANCE_PT: f64 = 3.0;
-const STEP_PT: f64 = 3.5;
+const DISTANCE_STEP_PT: f64 = 3.5;
 const MOST_DISTANCE_STEPS: u32 = 400;
 /// Smallest distance between the boxes of two names.
 const LABEL_GAP_PT: f64 = 1.0;
@@ -41,9 +41,9 @@ const PLACING_ROUNDS: usize = 3;
 const COST_OF_CIRCLE: f64 = 3.0;
 const COST_OF_LEVEL: f64 = 30.0;
 const COST_OF_POINT: f64 = 60.0;
-const COST_NEAR_POINT: f64 = 20.0;
+const COST_OF_LEADER_NEAR_POINT: f64 = 20.0;
 const COST_OF_CROSSING: f64 = 40.0;
-const COST_OVER_NAME: f64 = 120.0;
+const COST_OF_OVERLAP_WITH_NAME: f64 = 120.0;
 
 /// A box on the page, in points; y grows downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,7 +102,7 @@ impl Rect {
     }
 }
 
-/// A name without a place.
+/// A name that has no place in the picture yet.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct NameToPlace {
     /// The point that the name is for.
@@ -114,11 +114,11 @@ pub(super) struct NameToPlace {
 /// Shapes that names should not hide, in points on the page.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Obstacles {
-    /// Marked points.
+    /// Marked points, which names should not cover.
     pub points: Vec<Point>,
-    /// Circles: centre and radius.
+    /// Circles that names should not cover, each with centre and radius.
     pub circles: Vec<(Point, f64)>,
-    /// Vertical positions of horizontal lines.
+    /// Vertical positions of horizontal lines that names should not cover.
     pub levels: Vec<f64>,
     /// Boxes of texts that are already placed.
     pub boxes: Vec<Rect>,
@@ -170,7 +170,7 @@ impl PlaceSearch<'_> {
         let (width, height) = self.name.size;
         let mut best: Option<(f64, Rect)> = None;
         for step in 0..MOST_DISTANCE_STEPS {
-            let distance = LEAST_DISTANCE_PT + STEP_PT * f64::from(step);
+            let distance = LEAST_DISTANCE_PT + DISTANCE_STEP_PT * f64::from(step);
             if best.is_some_and(|(cost, _)| distance >= cost) {
                 break;
             }
@@ -211,7 +211,7 @@ impl PlaceSearch<'_> {
             if place.contains_point(point, 2.0) {
                 COST_OF_POINT
             } else if distance_to_line(point, self.name.at, end) < 2.5 {
-                COST_NEAR_POINT
+                COST_OF_LEADER_NEAR_POINT
             } else {
                 0.0
             }
@@ -224,7 +224,7 @@ impl PlaceSearch<'_> {
             let crossing =
                 if segments_cross((self.name.at, end), (*at, their_end)) { COST_OF_CROSSING } else { 0.0 };
             let over = other.is_crossed_by(self.name.at, end) || place.is_crossed_by(*at, their_end);
-            crossing + if over { COST_OVER_NAME } else { 0.0 }
+            crossing + if over { COST_OF_OVERLAP_WITH_NAME } else { 0.0 }
         });
         over_own_point
             + points.sum::<f64>()

@@ -6,7 +6,7 @@ use crate::axis::Ticks;
 use crate::document::{MARGIN_PT, Paper, Title, printable};
 use crate::figure::{Point, Width};
 use crate::legend::Legend;
-use crate::panels_svg::{BELOW_PT, NAME_PT, TICK_PT};
+use crate::panels_svg::{AXIS_NAME_DISTANCE_PT, TICK_LABELS_HEIGHT_PT, TICK_LENGTH_PT};
 use crate::style::{TEXT_PT, float};
 use crate::text_width::{cut, lines, width_pt};
 
@@ -19,7 +19,7 @@ pub(super) const RIGHT_PT: f64 = 5.0;
 /// The smallest width of a plot for blocks side by side, pt; narrower blocks are placed below each other.
 const SIDE_BY_SIDE_PT: f64 = 90.0;
 /// Distance between the elements and the edge of their view, pt.
-const PAD_PT: f64 = 4.0;
+const VIEW_PADDING_PT: f64 = 4.0;
 const NAME_HEIGHT_PT: f64 = 7.6;
 /// The largest width of a name, as a share of the view's width.
 const LONGEST_NAME: f64 = 0.45;
@@ -28,7 +28,7 @@ const LONGEST_LEVEL_NAME: f64 = 0.9;
 /// Smallest visible size of an outline, as a share of its block: about 2 points.
 const VISIBLE_SHARE: f64 = 0.01;
 /// The largest height of a view without its names, pt.
-const HIGHEST_PT: f64 = 260.0;
+const GREATEST_VIEW_HEIGHT_PT: f64 = 260.0;
 /// Largest ratio of sizes of two objects with the same scale; larger objects have a scale of their own.
 const MOST_SCALE_RATIO: f64 = 4.0;
 /// Largest number of names in a view that fits a column; a view with more names needs the width of a page.
@@ -36,7 +36,7 @@ const CROWDED_NAMES: usize = 12;
 /// If a view has more names than this, all names are left out, because nobody could read them.
 const MOST_NAMES: usize = 80;
 /// The width of an object whose points all have the same horizontal value, in the units of the axis.
-const NO_WIDTH: f64 = 1.0;
+const WIDTH_OF_ONE_VALUE: f64 = 1.0;
 
 /// A name and its box on the page, in points.
 #[derive(Debug, Clone, PartialEq)]
@@ -122,14 +122,14 @@ fn round_ticks((low, high): (f64, f64), length_pt: f64) -> Ticks {
     ticks
 }
 
-/// A block on the page.
+/// A block of views with its place in the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PlacedBlock<'s> {
     pub title: String,
     pub left: f64,
     pub top: f64,
     pub views: Vec<PlacedView<'s>>,
-    /// Lines of the remarks.
+    /// The remarks below the block, broken into lines.
     pub remarks: Vec<String>,
     pub remarks_top: f64,
 }
@@ -153,7 +153,7 @@ impl<'s> SceneLayout<'s> {
         let crowded = scene.blocks.iter().any(|block| count_block_names(block) > CROWDED_NAMES);
         let page = if scene.blocks.len() > 1 || crowded { Width::Page } else { Width::Column };
         let width = paper.layout_pt(page);
-        let beside = NAME_PT + 3.0 * TICK_PT + longest_tick(scene);
+        let beside = AXIS_NAME_DISTANCE_PT + 3.0 * TICK_LENGTH_PT + longest_tick(scene);
         let column =
             |columns: usize| (width - 2.0 * MARGIN_PT - BLOCK_GAP_PT * float(columns - 1)) / float(columns);
         let is_wide = column(2) - beside - RIGHT_PT >= SIDE_BY_SIDE_PT;
@@ -214,8 +214,8 @@ fn span_of_values(values: impl Iterator<Item = f64>) -> (f64, f64) {
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     match high - low {
         width if width > 0.0 => (low, high),
-        0.0 => (low - NO_WIDTH / 2.0, high + NO_WIDTH / 2.0),
-        _ => (-NO_WIDTH / 2.0, NO_WIDTH / 2.0),
+        0.0 => (low - WIDTH_OF_ONE_VALUE / 2.0, high + WIDTH_OF_ONE_VALUE / 2.0),
+        _ => (-WIDTH_OF_ONE_VALUE / 2.0, WIDTH_OF_ONE_VALUE / 2.0),
     }
 }
 
@@ -243,7 +243,7 @@ fn block_scales(scene: &Scene, plot: f64) -> Vec<(f64, bool)> {
     let scale_alone = |block: &Block| {
         let (low, high) = x_span(block);
         let highest = block.views.iter().map(y_span).map(|(low, high)| high - low).fold(0.0, f64::max);
-        ((plot - 2.0 * PAD_PT) / (high - low)).min(HIGHEST_PT / highest)
+        ((plot - 2.0 * VIEW_PADDING_PT) / (high - low)).min(GREATEST_VIEW_HEIGHT_PT / highest)
     };
     let alone: Vec<f64> = scene.blocks.iter().map(scale_alone).collect();
     let largest = alone.iter().copied().fold(0.0, f64::max);
@@ -278,7 +278,7 @@ fn place_view<'s>(view: &'s View, block: &Block, scale: f64, (width, beside): (f
     let boxes = placed.names.iter().chain(&placed.level_names).map(|name| name.place);
     let (top, bottom) =
         span_of_values(ends.into_iter().chain(boxes.flat_map(|place| [place.top, place.bottom])));
-    placed.with_more_room(PAD_PT - top, bottom + PAD_PT)
+    placed.with_more_room(VIEW_PADDING_PT - top, bottom + VIEW_PADDING_PT)
 }
 
 /// The texts at level lines: for the ground on the left, for the lowest point on the right, so that texts at close lines do not
@@ -373,7 +373,7 @@ fn stack_views<'s>(
         let height = view.height;
         placed.push(view.moved_to(left + beside, at));
         // Only the last view has numbers below it: all share one horizontal axis.
-        at += height + if index == last { BELOW_PT } else { TICK_PT + PAD_PT };
+        at += height + if index == last { TICK_LABELS_HEIGHT_PT } else { TICK_LENGTH_PT + VIEW_PADDING_PT };
     }
     let text = |remark: &String| lines(&printable(remark), TEXT_PT, column - beside);
     let remarks = remarks.iter().flat_map(text).collect();

@@ -12,7 +12,7 @@ use crate::document::{Area, MARGIN_PT, Paper, Sheet, document, printable};
 use crate::error::PlotError;
 use crate::figure::Point;
 use crate::legend::{Legend, SAMPLE_PT, Sample};
-use crate::panels_svg::TICK_PT;
+use crate::panels_svg::TICK_LENGTH_PT;
 use crate::style::{INK, LIMIT, Look, TEXT_PT, float, stroke, text, units};
 pub use elements::{Ball, Block, Level, LevelKind, Outline, Scene, SceneNames, Spot, State, View};
 use labels::LEADER_PT;
@@ -97,7 +97,7 @@ fn draw_view(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
         draw_leader(root, name)?;
     }
     for ball in view.view.balls.iter().filter(|ball| ball.state == State::Now) {
-        let colour = if ball.misplaced { MISPLACED } else { rgb(PRESENT_LOOK) };
+        let colour = if ball.misplaced { MISPLACED_COLOUR } else { colour_of_look(PRESENT_LOOK) };
         draw(root, &Circle::new(place(view.at(ball.centre)), units(0.9), colour.filled()))?;
     }
     for spot in &view.view.spots {
@@ -112,10 +112,10 @@ fn draw_outlines(root: &Area<'_>, view: &PlacedView<'_>) -> Result<(), PlotError
         points.extend(points.first().copied());
         match outline.state {
             State::Now => {
-                draw(root, &Polygon::new(points.clone(), BONE.mix(BONE_OPACITY).filled()))?;
-                draw(root, &PathElement::new(points, stroke(BONE, 0.6)))?;
+                draw(root, &Polygon::new(points.clone(), BONE_COLOUR.mix(BONE_OPACITY).filled()))?;
+                draw(root, &PathElement::new(points, stroke(BONE_COLOUR, 0.6)))?;
             }
-            State::Before => draw(root, &dashed_line(points, BONE, 0.6))?,
+            State::Before => draw(root, &dashed_line(points, BONE_COLOUR, 0.6))?,
         }
     }
     Ok(())
@@ -167,19 +167,19 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
     let ticks = view.x_ticks();
     for (value, label) in &ticks.marks {
         let (x, _) = view.at((*value, 0.0));
-        draw(root, &PathElement::new(vec![place((x, bottom)), place((x, bottom + TICK_PT))], line))?;
+        draw(root, &PathElement::new(vec![place((x, bottom)), place((x, bottom + TICK_LENGTH_PT))], line))?;
         if is_last {
-            words(label, (x, bottom + 2.0 * TICK_PT), Pos::new(HPos::Center, VPos::Top))?;
+            words(label, (x, bottom + 2.0 * TICK_LENGTH_PT), Pos::new(HPos::Center, VPos::Top))?;
         }
     }
     let ticks = view.y_ticks();
     for (value, label) in &ticks.marks {
         let (_, y) = view.at((0.0, *value));
-        draw(root, &PathElement::new(vec![place((left - TICK_PT, y)), place((left, y))], line))?;
-        words(label, (left - 2.0 * TICK_PT, y), Pos::new(HPos::Right, VPos::Center))?;
+        draw(root, &PathElement::new(vec![place((left - TICK_LENGTH_PT, y)), place((left, y))], line))?;
+        words(label, (left - 2.0 * TICK_LENGTH_PT, y), Pos::new(HPos::Right, VPos::Center))?;
     }
     if is_last {
-        let middle = (f64::midpoint(left, right), bottom + 2.0 * TICK_PT + LINE_PT);
+        let middle = (f64::midpoint(left, right), bottom + 2.0 * TICK_LENGTH_PT + LINE_PT);
         words(&printable(&view.view.x_label), middle, Pos::new(HPos::Center, VPos::Top))?;
     }
     let style = text(TEXT_PT).transform(FontTransform::Rotate270).pos(Pos::new(HPos::Center, VPos::Top));
@@ -193,7 +193,7 @@ fn draw_axes(root: &Area<'_>, view: &PlacedView<'_>, is_last: bool) -> Result<()
 
 // What the legend shows of a scene, before the names.
 
-const RADIUS_PT: f64 = 3.6;
+const SAMPLE_CIRCLE_RADIUS_PT: f64 = 3.6;
 
 /// A kind of element in the legend.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -212,16 +212,16 @@ fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) 
     let centre = (left + SAMPLE_PT / 2.0, middle);
     let ends = (left, left + SAMPLE_PT);
     match sample {
-        SceneSample::Ball => draw_circle(root, centre, RADIUS_PT, false),
-        SceneSample::Misplaced => draw_circle(root, centre, RADIUS_PT, true),
-        SceneSample::BallBefore => draw(root, &dashed_circle(centre, RADIUS_PT)),
+        SceneSample::Ball => draw_circle(root, centre, SAMPLE_CIRCLE_RADIUS_PT, false),
+        SceneSample::Misplaced => draw_circle(root, centre, SAMPLE_CIRCLE_RADIUS_PT, true),
+        SceneSample::BallBefore => draw(root, &dashed_circle(centre, SAMPLE_CIRCLE_RADIUS_PT)),
         SceneSample::Spot => draw_square(root, centre, 2.2),
         SceneSample::Lowest => draw_level_line(root, ends, middle, LevelKind::Lowest),
         SceneSample::Ground => draw_level_line(root, ends, middle - 1.5, LevelKind::Ground),
         SceneSample::Bone => {
             let corners = [place((left, middle - 3.0)), place((left + SAMPLE_PT, middle + 3.0))];
-            draw(root, &Rectangle::new(corners, BONE.mix(BONE_OPACITY).filled()))?;
-            draw(root, &Rectangle::new(corners, stroke(BONE, 0.6)))
+            draw(root, &Rectangle::new(corners, BONE_COLOUR.mix(BONE_OPACITY).filled()))?;
+            draw(root, &Rectangle::new(corners, stroke(BONE_COLOUR, 0.6)))
         }
     }
 }
@@ -229,12 +229,12 @@ fn draw_sample_at(root: &Area<'_>, sample: SceneSample, left: f64, middle: f64) 
 // The marks of a scene, which its legend shows too.
 
 /// The colour of bones: a grey on which the other colours are clearly visible.
-const BONE: RGBColor = RGBColor(0x88, 0x88, 0x88);
+const BONE_COLOUR: RGBColor = RGBColor(0x88, 0x88, 0x88);
 const BONE_OPACITY: f64 = 0.22;
 const PRESENT_LOOK: Look = Look::HERTZ;
-const MISPLACED: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
+const MISPLACED_COLOUR: RGBColor = RGBColor(0xD5, 0x5E, 0x00);
 /// Width of the line of a misplaced circle, pt: twice that of other circles.
-const MISPLACED_PT: f64 = 2.2;
+const MISPLACED_LINE_PT: f64 = 2.2;
 /// Number of corners of a dashed circle.
 const RING_CORNERS: u32 = 120;
 const BALL_OPACITY: f64 = 0.13;
@@ -244,8 +244,11 @@ const SPOT_PT: f64 = 1.7;
 
 /// Draws a circle with a light shade inside.
 fn draw_circle(root: &Area<'_>, centre: Point, radius: f64, misplaced: bool) -> Result<(), PlotError> {
-    let (colour, width) =
-        if misplaced { (MISPLACED, MISPLACED_PT) } else { (rgb(PRESENT_LOOK), PRESENT_LOOK.width_pt) };
+    let (colour, width) = if misplaced {
+        (MISPLACED_COLOUR, MISPLACED_LINE_PT)
+    } else {
+        (colour_of_look(PRESENT_LOOK), PRESENT_LOOK.width_pt)
+    };
     let (at, radius) = (place(centre), units(radius));
     draw(root, &Circle::new(at, radius, colour.mix(BALL_OPACITY).filled()))?;
     draw(root, &Circle::new(at, radius, stroke(colour, width)))
@@ -292,7 +295,7 @@ fn draw_level_line(
     Ok(())
 }
 
-fn rgb(look: Look) -> RGBColor {
+fn colour_of_look(look: Look) -> RGBColor {
     RGBColor(look.colour.0, look.colour.1, look.colour.2)
 }
 

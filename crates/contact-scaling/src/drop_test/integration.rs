@@ -113,7 +113,7 @@ const MOST_STEPS: usize = 1_000_000;
 /// The largest number of contact events in one drop.
 const MOST_CONTACT_EVENTS: usize = 100_000;
 /// Number of points of a step at which the force is computed to find its peak.
-const PEAK_SAMPLES: u32 = 8;
+const SAMPLES_PER_STEP_FOR_PEAK: u32 = 8;
 /// A step is searched for a larger force if its largest computed force is at most this share below the largest force so far.
 const PEAK_MARGIN: f64 = 1e-3;
 
@@ -217,11 +217,11 @@ impl DropObserver<'_> {
     /// between its neighbours is searched: if a step begins just before the peak, the forces at its later points can all be
     /// smaller than the peak.
     fn find_peak(&mut self, from: f64, to: f64, at: &mut impl FnMut(f64) -> Option<DepthAndSpeed>) {
-        let width = (to - from) / f64::from(PEAK_SAMPLES);
+        let width = (to - from) / f64::from(SAMPLES_PER_STEP_FOR_PEAK);
         let mut force = |time: f64| at(time).map_or(0.0, |state| self.body.force(state));
         let (mut best, mut top) = (from, force(from));
-        for point in 1..=PEAK_SAMPLES {
-            let time = if point == PEAK_SAMPLES { to } else { from + width * f64::from(point) };
+        for point in 1..=SAMPLES_PER_STEP_FOR_PEAK {
+            let time = if point == SAMPLES_PER_STEP_FOR_PEAK { to } else { from + width * f64::from(point) };
             let here = force(time);
             if here > top {
                 (best, top) = (time, here);

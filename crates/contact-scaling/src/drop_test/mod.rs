@@ -161,7 +161,7 @@ pub struct LiftOff {
     pub rebound_speed_m_s: f64,
 }
 
-/// The result of a drop test.
+/// The computed fall of a body on its contacts: peak force, rebound and restitution.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct DropReport {
@@ -206,7 +206,7 @@ impl DropReport {
             equilibrium_stiffness_n_m: body.mean(|s| s.law().rest_stiffness(own)),
             peak_force_n: record.peak_force * body.weight_n,
             first_contact: first_contact(body, &record)?,
-            series: series(body, values, record),
+            series: samples_of_fall(body, values, record),
         })
     }
 
@@ -233,7 +233,7 @@ fn first_contact(body: &FallingBody<'_>, record: &RecordedDrop) -> Result<Option
     }))
 }
 
-fn series(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Vec<Sample> {
+fn samples_of_fall(body: &FallingBody<'_>, values: &DropValues, record: RecordedDrop) -> Vec<Sample> {
     let last = (values.samples - 1) as f64;
     let sample = |(i, state): (usize, [f64; 2])| {
         let (x, rate) = (state[0] * body.length_m, state[1] * body.speed_m_s());

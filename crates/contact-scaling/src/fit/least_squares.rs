@@ -106,7 +106,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 // The search where the onset is not known: a coarse scan, then Levenberg–Marquardt on all parameters.
 
 /// Number of onsets that are tried before the search, over the range of the indentation.
-const SCAN: u32 = 64;
+const SCANNED_ONSETS: u32 = 64;
 
 /// The least-squares parameters with a fitted onset.
 pub(super) fn solve_with_onset(model: &FitModel, points: &[Point]) -> Result<Parameters, FitError> {
@@ -144,7 +144,8 @@ fn best_of_tried_onsets(
         return Err(FitError::OneIndentation { indentation_m: high });
     }
     // From half the range before the first row, since the whole measurement may be in contact.
-    let onsets = (0..SCAN).map(|i| low + (high - low) * (1.5 * f64::from(i) / f64::from(SCAN) - 0.5));
+    let onsets = (0..SCANNED_ONSETS)
+        .map(|i| low + (high - low) * (1.5 * f64::from(i) / f64::from(SCANNED_ONSETS) - 0.5));
     let mut best: Result<(f64, Parameters), FitError> = Err(FitError::NotConverged);
     for onset in onsets {
         match solve_with_known_onset(model, points, onset) {

@@ -37,7 +37,7 @@ pub enum Onset {
 /// The part of the measurement to fit: loading, unloading, or both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FittedBranch {
-    /// Both branches of the measurement.
+    /// Both branches of the measurement, loading and unloading.
     Both,
     /// Loading: rows with ẋ ≥ 0; without a rate, rows up to the largest indentation.
     Loading,
@@ -96,7 +96,7 @@ pub enum FitError {
         column: &'static str,
         /// Number of rows of the column.
         rows: usize,
-        /// Number of rows of the indentation.
+        /// Number of rows of the column with the indentation.
         expected: usize,
     },
     /// A value is not a finite number.
@@ -106,7 +106,7 @@ pub enum FitError {
         column: &'static str,
         /// The row, from 0.
         row: usize,
-        /// The refused value.
+        /// The value that is infinite or not a number.
         value: f64,
     },
     /// Time does not rise from this row to the next.
@@ -126,7 +126,7 @@ pub enum FitError {
     /// The data do not determine all parameters. For α, the speed must differ between rows.
     #[error("the data do not determine {parameter}, expected rows that differ in it")]
     Undetermined {
-        /// Name of the parameter.
+        /// Name of the parameter that the measurement does not determine.
         parameter: &'static str,
     },
     /// The force does not rise with the indentation.
@@ -142,7 +142,7 @@ pub enum FitError {
         "all rows in contact have one indentation, {indentation_m:?} m, expected several: one point lies on every curve"
     )]
     OneIndentation {
-        /// The indentation, in m.
+        /// The one indentation of all rows, in m.
         indentation_m: f64,
     },
     /// The law explains the data no better than a constant force: R² is 0 or less, or the measured force is constant.
@@ -170,7 +170,7 @@ fn r_squared_in_words(r_squared: f64) -> String {
 
 // The rows of a measurement, checked, with a speed each.
 
-/// A row of the measurement.
+/// A row of the measurement: indentation, its rate and force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Point {
     pub(super) row: usize,
@@ -183,16 +183,16 @@ pub(super) struct Point {
 /// The rows of the branch to fit, as points.
 pub(super) fn collect(measurement: &Measurement<'_>, branch: FittedBranch) -> Result<Vec<Point>, FitError> {
     let Measurement { indentation_m, force_n, rate } = measurement;
-    check("indentation", indentation_m, indentation_m.len())?;
-    check("force", force_n, indentation_m.len())?;
+    refuse_bad_column("indentation", indentation_m, indentation_m.len())?;
+    refuse_bad_column("force", force_n, indentation_m.len())?;
     let speeds = match rate {
         Rate::Unknown => None,
         Rate::Speed(speeds) => {
-            check("speed", speeds, indentation_m.len())?;
+            refuse_bad_column("speed", speeds, indentation_m.len())?;
             Some(speeds.to_vec())
         }
         Rate::Time(times) => {
-            check("time", times, indentation_m.len())?;
+            refuse_bad_column("time", times, indentation_m.len())?;
             Some(speeds_from_times(indentation_m, times)?)
         }
     };
@@ -213,7 +213,7 @@ pub(super) fn collect(measurement: &Measurement<'_>, branch: FittedBranch) -> Re
     Ok((0..indentation_m.len()).filter(|&row| is_in_branch(row)).map(point).collect())
 }
 
-fn check(column: &'static str, values: &[f64], expected: usize) -> Result<(), FitError> {
+fn refuse_bad_column(column: &'static str, values: &[f64], expected: usize) -> Result<(), FitError> {
     if values.len() != expected {
         return Err(FitError::Lengths { column, rows: values.len(), expected });
     }

@@ -62,7 +62,7 @@ pub enum Doubt {
     },
     /// The 95 % interval of the parameter contains 0: the data cannot distinguish the parameter from 0.
     Undetermined {
-        /// The doubtful parameter.
+        /// The parameter whose fitted value is doubtful.
         parameter: Parameter,
     },
     /// The fit has no residuals, as with calculated data: the uncertainty of the parameters is not known, and their intervals

@@ -248,7 +248,7 @@ fn data_with_noise(
 }
 
 #[test]
-fn one_indentation_determines_nothing() {
+fn measurements_of_one_indentation_are_refused() {
     // Every law passes through one point, also where it was measured ten times with an error.
     for noise in [0.0, 1.0] {
         let data = data_with_noise(&[0.003; 10], 0.0, |_| 0.0, |row| noise * (row % 3) as f64);
@@ -318,7 +318,7 @@ fn a_dissipation_that_the_error_hides_is_doubted() {
 }
 
 #[test]
-fn calculated_data_have_no_interval() {
+fn data_from_the_law_have_no_confidence_interval() {
     let depths: Vec<f64> = (1..=9).map(|row| f64::from(row) * 1e-3).collect();
     let fit = data_with_noise(&depths, 0.4, |row| 0.1 * (row % 3) as f64, |_| 0.0)
         .fit(0.02, true, Onset::At(0.0))

@@ -5,8 +5,8 @@ use std::path::Path;
 use anyhow::{Context, Result, bail};
 use osim_library::report_page::{ReportPage, Words, entry_of_change, entry_of_record};
 use osim_library::run::{
-    ChangedModel, CheckedRows, Counts, ModelDetail, Outcome, RowReader, Run, RunFrontEnd, RunRequest, Status,
-    Task, Written,
+    ChangedModel, CheckedRows, ModelDetail, ModelOutcome, OutcomeCounts, RowReader, Run, RunFrontEnd,
+    RunRequest, Status, Task, WrittenOutput,
 };
 use osim_library::{Disk, folder_of};
 use osim_model::files::{Failure, Files};
@@ -159,9 +159,9 @@ pub(crate) fn run(mut request: RunRequest, options: &RunOptions, session: &mut S
     Ok(exit.plus(exit_of(&counts, not_printed)))
 }
 
-/// The end of a run.
+/// How a run of changes ended: the numbers of its models by outcome, the models that failed, and the worst finding.
 struct RunEnd {
-    counts: Counts,
+    counts: OutcomeCounts,
     /// Whether a result could not be printed.
     not_printed: bool,
     /// The severity of the worst finding in the results.
@@ -196,8 +196,8 @@ fn do_tasks(
     let mut failed: Vec<String> =
         run.request.failures.iter().map(|failure| failure.model.to_string()).collect();
     let mut skipped = Vec::new();
-    let report = |_: &Task, outcome: Outcome<Shown>| {
-        let Outcome { record, earlier, shown, failure, .. } = outcome;
+    let report = |_: &Task, outcome: ModelOutcome<Shown>| {
+        let ModelOutcome { record, earlier, shown, failure, .. } = outcome;
         let Shown { outputs, entry, worst: worst_of_model } = shown.unwrap_or_default();
         worst = worst.max(worst_of_model);
         let row = record.row.map(|row| format!(" (row {row})")).unwrap_or_default();
@@ -241,7 +241,7 @@ fn print_outputs(all: &[Output], session: &mut Session) -> Result<()> {
     Ok(())
 }
 
-fn exit_of(counts: &Counts, not_printed: bool) -> Exit {
+fn exit_of(counts: &OutcomeCounts, not_printed: bool) -> Exit {
     match (counts.interrupted(), counts.failed) {
         (true, _) => Exit::Interrupted,
         (false, 0) if !not_printed => Exit::Done,
@@ -250,7 +250,7 @@ fn exit_of(counts: &Counts, not_printed: bool) -> Exit {
 }
 
 /// The last line of a run over several models.
-fn last_line_of_run(counts: &Counts, options: &RunOptions, words: Words) -> String {
+fn last_line_of_run(counts: &OutcomeCounts, options: &RunOptions, words: Words) -> String {
     let parts = [
         (counts.written, "written"),
         (counts.dry, "planned (dry run)"),
@@ -280,7 +280,7 @@ const MOST_REPEATED_NAMES: usize = 10;
 
 // What is shown of a model that was changed, made on the thread that changed it.
 
-/// The output about one model.
+/// What the command prints about one changed model.
 #[derive(Default)]
 pub(crate) struct Shown {
     pub outputs: Vec<Output>,
@@ -353,7 +353,7 @@ impl RunFrontEnd for ResultPrinter<'_> {
 impl ResultPrinter<'_> {
     fn outputs(&self, changed: &ChangedModel<'_>) -> Vec<Output> {
         let mut outputs = Vec::new();
-        let to_stdout = matches!(changed.written, Written::Stdout);
+        let to_stdout = matches!(changed.written, WrittenOutput::Stdout);
         if let Some(text) = self.text(changed) {
             outputs.push(match (to_stdout, self.format) {
                 (true, RunFormat::Json) => Output::UnbrokenRemark(text),
@@ -363,7 +363,7 @@ impl ResultPrinter<'_> {
             });
         }
         if self.options.diff {
-            let text = diff(changed);
+            let text = diff_of_changed_files(changed);
             // With JSON on standard output, the diff would not be JSON.
             let aside = self.format == RunFormat::Json;
             outputs.push(if aside { Output::UnbrokenRemark(text) } else { Output::Diff(text) });
@@ -393,7 +393,7 @@ impl ResultPrinter<'_> {
     }
 }
 
-fn diff(changed: &ChangedModel<'_>) -> String {
+fn diff_of_changed_files(changed: &ChangedModel<'_>) -> String {
     let ChangedModel { task, opened, results, .. } = changed;
     let shown = opened.name();
     let target = task.output().map_or_else(|| shown.to_string(), |path| path.display().to_string());

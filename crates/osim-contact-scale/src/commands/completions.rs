@@ -113,7 +113,7 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
     );
     for verb in command.get_subcommands() {
         let files = if takes_files(verb) { "" } else { " -f" };
-        for values in verb.get_positionals().map(values).filter(|values| !values.is_empty()) {
+        for values in verb.get_positionals().map(possible_values).filter(|values| !values.is_empty()) {
             let _ = writeln!(
                 completed,
                 "complete -c {name} -n \"{functions}_using_subcommand {}\"{files} -a \"{}\"",
@@ -127,10 +127,10 @@ fn with_missing_completions(script: &str, command: &Command) -> String {
 
 /// Whether the verb has an argument without a name that may be a file, not only one of a few words.
 fn takes_files(verb: &Command) -> bool {
-    verb.get_positionals().any(|argument| values(argument).is_empty())
+    verb.get_positionals().any(|argument| possible_values(argument).is_empty())
 }
 
-fn values(argument: &Arg) -> Vec<PossibleValue> {
+fn possible_values(argument: &Arg) -> Vec<PossibleValue> {
     argument.get_value_parser().possible_values().into_iter().flatten().collect()
 }
 
@@ -170,7 +170,7 @@ pub(crate) fn manual(verb: Option<&str>, session: &mut Session) -> Result<Exit> 
     let Some(page) = page else {
         bail!("there is no such page");
     };
-    session.terminal.write_bytes(&rendered(page)?)?;
+    session.terminal.write_bytes(&page_bytes(page)?)?;
     Ok(Exit::Done)
 }
 
@@ -183,14 +183,14 @@ fn pages() -> Vec<Man> {
     command.build();
     let command = in_full(command).mut_subcommands(in_full);
     let verbs: Vec<Man> = command.get_subcommands().cloned().map(Man::new).collect();
-    verbs.into_iter().chain([Man::new(command)]).map(titled).collect()
+    verbs.into_iter().chain([Man::new(command)]).map(with_title_of_manual).collect()
 }
 
-fn titled(page: Man) -> Man {
+fn with_title_of_manual(page: Man) -> Man {
     page.manual("OpenSim contacts").source(concat!("osim-contact-scale ", env!("CARGO_PKG_VERSION")))
 }
 
-fn rendered(page: &Man) -> Result<Vec<u8>> {
+fn page_bytes(page: &Man) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
     page.render(&mut bytes)?;
     Ok(bytes)
@@ -199,7 +199,7 @@ fn rendered(page: &Man) -> Result<Vec<u8>> {
 /// Writes all manual pages. If a file exists and may not be replaced, writes none.
 fn write(pages: &[Man], folder: &Path, mode: WriteMode, words: Words) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|error| anyhow!(error)).context(folder.display().to_string())?;
-    let file = |page: &Man| Ok((folder.join(page.get_filename()), rendered(page)?));
+    let file = |page: &Man| Ok((folder.join(page.get_filename()), page_bytes(page)?));
     let files: Vec<(PathBuf, Vec<u8>)> = pages.iter().map(file).collect::<Result<_>>()?;
     write_files(files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())), mode)
         .map_err(|fault| anyhow!(fault.spelled(words)))

@@ -26,8 +26,10 @@ use crate::session::{self, Language, Session};
 pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
     match call {
         Call::WithoutVerb(Request::Rescale(request)) => change::rescale(*request, true, session),
-        Call::WithoutVerb(request) | Call::Request(request) => ask(request, session),
-        Call::Own(OwnVerb::Request { file, words }) => ask(read_request(&file, words, session)?, session),
+        Call::WithoutVerb(request) | Call::Request(request) => answer_request(request, session),
+        Call::Own(OwnVerb::Request { file, words }) => {
+            answer_request(read_request(&file, words, session)?, session)
+        }
         Call::Own(OwnVerb::Completions { shell }) => completions::run(shell, session),
         Call::Own(OwnVerb::Man { verb, output_dir: None, .. }) => {
             completions::manual(verb.as_deref(), session)
@@ -40,7 +42,7 @@ pub(crate) fn call(call: Call, session: &mut Session) -> Result<Exit> {
     }
 }
 
-fn ask(request: Request, session: &mut Session) -> Result<Exit> {
+fn answer_request(request: Request, session: &mut Session) -> Result<Exit> {
     let is_quiet = match &request {
         Request::Sweep(sweep) => sweep.quiet,
         request => request.run_options().is_some_and(|run| run.quiet),
@@ -91,7 +93,7 @@ fn ask(request: Request, session: &mut Session) -> Result<Exit> {
 }
 
 /// The name of standard input.
-const STDIN: &str = "-";
+const NAME_OF_STDIN: &str = "-";
 
 /// Reads a request from a file or standard input. From now on messages name options as the caller does: as fields of requests, or as
 /// arguments of the function that made the request.
@@ -100,8 +102,8 @@ const STDIN: &str = "-";
 /// The file cannot be read, or has no valid request.
 fn read_request(file: &Path, words: Language, session: &mut Session) -> Result<Request> {
     session.words = session::words_of_language(words);
-    session.terminal.never_break();
-    let is_stdin = file == Path::new(STDIN);
+    session.terminal.never_break_lines();
+    let is_stdin = file == Path::new(NAME_OF_STDIN);
     let shown = if is_stdin { "standard input".into() } else { file.to_string_lossy().into_owned() };
     let bytes = Disk.read(file).with_context(|| shown.clone())?;
     let request = Request::from_json(&bytes).map_err(|fault| session.usage_error(&fault));

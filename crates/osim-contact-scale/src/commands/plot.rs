@@ -78,7 +78,7 @@ fn motion(request: &PlotRequest, output: &PlotOutput<'_>, session: &mut Session)
 
 /// The outputs of a plot: a picture in a file or on standard output, and perhaps a table of the numbers.
 struct PlotOutput<'o> {
-    /// `None` is standard output.
+    /// The file for the picture; `None` is standard output.
     path: Option<&'o Path>,
     picture: Picture,
     data: Option<&'o Path>,

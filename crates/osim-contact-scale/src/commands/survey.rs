@@ -140,16 +140,16 @@ fn show_models(survey: &Survey<'_>, format: SheetFormat, session: &mut Session) 
 }
 
 /// The word in place of the model's name in calls that are shown.
-const MODEL: &str = "MODEL";
+const MODEL_PLACEHOLDER: &str = "MODEL";
 
 /// Calls to make next, shown once after all models. If no model has contacts, calls that add contacts.
 fn next_steps(session: &Session, models: &[PathBuf], has_contacts: bool) -> String {
     let words = session.words;
     let name = match models {
         [only] => words.word(&only.display().to_string()),
-        _ => MODEL.to_owned(),
+        _ => MODEL_PLACEHOLDER.to_owned(),
     };
-    let command = |call: &Call| words.command(call).replacen(MODEL, &name, 1);
+    let command = |call: &Call| words.command(call).replacen(MODEL_PLACEHOLDER, &name, 1);
     let mut rows = if has_contacts {
         let rescale = Verb::Rescale.call_with_model().with_placeholder(Input::TargetMass, "KG");
         let transfer = Verb::Transfer.call_with_model().with_placeholder(Input::From, "OTHER");

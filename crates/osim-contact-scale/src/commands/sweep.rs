@@ -40,7 +40,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
         let text = match sweep.is_large() {
             true => format!(
                 "dry run: nothing written; more than 10,000 models need {}\n",
-                Question::ManyModels.answer().spelled(session.words)
+                Question::ManyModels.answer_option().spelled(session.words)
             ),
             false => "dry run: nothing written\n".to_owned(),
         };
@@ -63,7 +63,7 @@ pub(crate) fn run(request: &SweepRequest, session: &mut Session) -> Result<Exit>
     }
     let record = sweep.record(end.manifest.as_deref());
     let record = record.with_counts(end.made + end.earlier, end.failed).with_done_before(end.earlier);
-    report(&record, &text(&sweep, request, &end), request, session)?;
+    report(&record, &text_after_sweep(&sweep, request, &end), request, session)?;
     Ok(match (end.not_begun, end.failed) {
         (0, 0) => Exit::Done,
         (0, _) => Exit::Failed,
@@ -142,7 +142,7 @@ fn print_number_of_variants(
     Ok(())
 }
 
-fn text(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {
+fn text_after_sweep(sweep: &SweepRun<'_>, request: &SweepRequest, end: &SweepEnd) -> String {
     let points = sweep.points();
     let Some(manifest) = &end.manifest else {
         return match request.shard {

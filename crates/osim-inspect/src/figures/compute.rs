@@ -178,7 +178,7 @@ struct LoadedLimb<'s> {
 }
 
 impl LoadedLimb<'_> {
-    fn load(&self, body_weights: f64) -> Option<SharedLoad> {
+    fn load_at(&self, body_weights: f64) -> Option<SharedLoad> {
         let weight = self.weight?;
         SharedLoad::new(body_weights * weight.mass_kg * weight.gravity_m_s2, self.count?).ok()
     }
@@ -187,7 +187,7 @@ impl LoadedLimb<'_> {
     fn sphere_figures(&self) -> Vec<SphereFigures> {
         let level: Vec<LevelLimb> =
             BODY_WEIGHTS.iter().filter_map(|&weights| self.level_limb(weights)).collect();
-        let at_own_heights = self.all.as_deref().zip(self.load(1.0));
+        let at_own_heights = self.all.as_deref().zip(self.load_at(1.0));
         let at_own_heights =
             at_own_heights.map(|(all, load)| OwnHeightRest::compute(all, load, self.standing));
         let mut solved: HashMap<Vec<u64>, Vec<SphereRest>> = HashMap::new();
@@ -208,7 +208,7 @@ impl LoadedLimb<'_> {
     }
 
     fn level_limb(&self, body_weights: f64) -> Option<LevelLimb> {
-        let load_n = self.load(body_weights)?.per_sphere_n();
+        let load_n = self.load_at(body_weights)?.per_sphere_n();
         let Some(all) = &self.all else {
             return Some(LevelLimb { body_weights, load_n, indentations_m: Some((None, None)) });
         };
@@ -229,7 +229,7 @@ impl LoadedLimb<'_> {
         let on_floor = SphereOnFloor {
             contacts: one,
             weight: self.weight,
-            one_body_weight: self.load(1.0),
+            one_body_weight: self.load_at(1.0),
             impact_speed_m_s: self.speed,
             rests,
         };

@@ -97,7 +97,7 @@ impl<'m> Remedies<'m> {
         (!changes_radii || self.radii_may_change).then(|| self.model.clone().map(|model| vec![model]))?
     }
 
-    /// The forces that the caller chose.
+    /// The options by which the caller chose forces; remedies choose the same forces.
     pub(crate) fn choice(&self) -> ForceOptions {
         let Selection { select, exclude, skip_disabled, .. } = self.options.selection.clone();
         ForceOptions { select, exclude, skip_disabled }

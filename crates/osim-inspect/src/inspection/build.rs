@@ -94,8 +94,8 @@ impl InspectOptions {
             stance_limbs,
             spheres_per_limb: limbs.spheres_per_limb().ok(),
             limbs_unknown: limbs.spheres_per_limb().err(),
-            spheres: spheres(model, limbs),
-            forces: forces(model, &selected, &contacts),
+            spheres: inspected_spheres(model, limbs),
+            forces: inspected_forces(model, &selected, &contacts),
             findings,
             bodies: model.bodies().iter().map(inspected_body).collect(),
             body_factors: factors.map(|factors| factors.bodies.iter().map(inspected_factors).collect()),
@@ -117,8 +117,8 @@ fn contacts_of_sets(
     selected: &Selected,
     mass: Option<&Mass>,
     count: Option<f64>,
-) -> SetContacts {
-    let mut contacts = SetContacts::new();
+) -> ContactsOfSets {
+    let mut contacts = ContactsOfSets::new();
     let Ok(loaded) = loaded_spheres_alone(model, &selected.forces) else { return contacts };
     // The spheres of a set follow each other.
     for spheres in loaded.chunk_by(|a, b| (a.force, a.set) == (b.force, b.set)) {
@@ -131,7 +131,7 @@ fn contacts_of_sets(
             let (mass_kg, sphere_count, gravity_m_s2) = (mass?.kg, count?, model.contacts_gravity()?);
             Scale::new(ScaleValues { mass_kg, radius_m, sphere_count, gravity_m_s2 }).ok()
         };
-        let contact = SetContact {
+        let contact = ContactOfSet {
             composite_modulus_n_m2: sphere.contact.composite_modulus(),
             dimensionless: scale().map(|scale| DimensionlessContact::of(&sphere.contact, &scale)),
         };
@@ -140,10 +140,10 @@ fn contacts_of_sets(
     contacts
 }
 
-/// The contact of each parameter set.
-type SetContacts = HashMap<(ForceId, SetId), SetContact>;
+/// The computed contact of each parameter set of each force.
+type ContactsOfSets = HashMap<(ForceId, SetId), ContactOfSet>;
 
-struct SetContact {
+struct ContactOfSet {
     composite_modulus_n_m2: f64,
     /// The dimensionless contact of the parameter set; `None` if mass, limbs or gravity are not known.
     dimensionless: Option<DimensionlessContact>,
@@ -151,19 +151,19 @@ struct SetContact {
 
 fn inspected_limb(model: &Model, limb: &Limb) -> InspectedLimb {
     let (name, side) = (limb.name.clone(), limb.side.as_str());
-    InspectedLimb { name, side, spheres: names(model, &limb.spheres) }
+    InspectedLimb { name, side, spheres: names_of_spheres(model, &limb.spheres) }
 }
 
 fn inspected_body(body: &Body) -> InspectedBody {
     InspectedBody { name: body.name.clone(), path: body.path.clone(), mass_kg: body.mass.number }
 }
 
-fn names(model: &Model, spheres: &[SphereId]) -> Vec<String> {
+fn names_of_spheres(model: &Model, spheres: &[SphereId]) -> Vec<String> {
     let spheres = spheres.iter().filter_map(|&id| model.sphere(id));
     spheres.map(|sphere| sphere.name.clone()).collect()
 }
 
-fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
+fn inspected_spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     let known = limbs.if_known().unwrap_or_default().iter();
     let limbs: HashMap<SphereId, &str> =
         known.flat_map(|limb| limb.spheres.iter().map(|&sphere| (sphere, limb.name.as_str()))).collect();
@@ -183,13 +183,13 @@ fn spheres(model: &Model, limbs: &Limbs) -> Vec<InspectedSphere> {
     inspected.collect()
 }
 
-fn forces(model: &Model, selected: &Selected, contacts: &SetContacts) -> Vec<InspectedForce> {
+fn inspected_forces(model: &Model, selected: &Selected, contacts: &ContactsOfSets) -> Vec<InspectedForce> {
     let mut inspected = Vec::new();
     let selected: HashSet<ForceId> = selected.forces.iter().copied().collect();
     for force in model.forces() {
         for set in &force.sets {
             let contact = contacts.get(&(force.id, set.id));
-            let parameters = parameters(force, set.id, |value| value.number);
+            let parameters = parameters_of_set(force, set.id, |value| value.number);
             let modulus_of_stiffness = || {
                 let stiffness = parameters.iter().find(|(property, _)| *property == Property::Stiffness)?.1;
                 Some(stiffness / EQUAL_SURFACES).filter(|modulus| modulus.is_finite())
@@ -199,14 +199,14 @@ fn forces(model: &Model, selected: &Selected, contacts: &SetContacts) -> Vec<Ins
                 path: force.path.clone(),
                 kind: force.kind.as_str(),
                 set: set.number,
-                spheres: names(model, &set.spheres),
+                spheres: names_of_spheres(model, &set.spheres),
                 applies: force.applies,
                 selected: selected.contains(&force.id),
                 composite_modulus_n_m2: contact
                     .map(|contact| contact.composite_modulus_n_m2)
                     .or_else(modulus_of_stiffness),
                 parameters: Parameters(parameters),
-                origin: Origins(self::parameters(force, set.id, |value| value.origin)),
+                origin: Origins(parameters_of_set(force, set.id, |value| value.origin)),
                 dimensionless: contact.and_then(|contact| Dimensionless::of(contact.dimensionless.as_ref()?)),
                 line: set.line,
             });
@@ -215,7 +215,7 @@ fn forces(model: &Model, selected: &Selected, contacts: &SetContacts) -> Vec<Ins
     inspected
 }
 
-fn parameters<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
+fn parameters_of_set<T>(force: &Force, set: SetId, part: impl Fn(&Value) -> T) -> Vec<(Property, T)> {
     let properties = Property::ALL.into_iter();
     properties.filter_map(|property| Some((property, part(force.value(set, property)?)))).collect()
 }

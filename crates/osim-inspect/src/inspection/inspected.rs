@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use contact_scaling::DimensionlessContact;
 use osim_model::compare::SpherePlacements;
 use osim_model::messages::{Dialect, Phrase, readable};
-use osim_model::{Finding, Mass, Origin, Property};
+use osim_model::{Finding, Mass, Property, ValueOrigin};
 use serde::{Serialize, Serializer};
 
 #[cfg(feature = "schemas")]
@@ -208,7 +208,7 @@ pub struct Parameters(
 #[cfg_attr(feature = "schemas", derive(schemars::JsonSchema), schemars(transparent))]
 pub struct Origins(
     #[cfg_attr(feature = "schemas", schemars(with = "BTreeMap<String, String>"))]
-    pub(super)  Vec<(Property, Origin)>,
+    pub(super)  Vec<(Property, ValueOrigin)>,
 );
 
 impl Parameters {
@@ -220,7 +220,7 @@ impl Parameters {
 impl Origins {
     /// Whether the number is a default, and not in the force's own element.
     pub fn is_default(&self, property: Property) -> bool {
-        self.0.iter().any(|(known, origin)| *known == property && *origin != Origin::Element)
+        self.0.iter().any(|(known, origin)| *known == property && *origin != ValueOrigin::Element)
     }
 }
 

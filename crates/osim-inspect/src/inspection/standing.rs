@@ -163,7 +163,7 @@ impl StandingBody {
             Some(body_at_rest(model, standing, &rest, limb)).filter(BodyAtRest::is_finite)
         };
         let lift = standing.lift.as_ref();
-        let bottoms = bottoms(model, standing);
+        let bottoms = bottoms_of_spheres(model, standing);
         let is_wanted = rests == RestsToCompute::All || is_odd(&bottoms);
         Self {
             body: standing.top.clone(),
@@ -194,7 +194,7 @@ impl StandingBody {
 
     /// The lowest bottom of the body's spheres; of equally low bottoms, the first.
     pub fn lowest(&self) -> Option<&Bottom> {
-        lowest(&self.bottoms)
+        lowest_bottom(&self.bottoms)
     }
 }
 
@@ -208,16 +208,16 @@ impl Bottom {
     }
 }
 
-fn lowest(bottoms: &[Bottom]) -> Option<&Bottom> {
+fn lowest_bottom(bottoms: &[Bottom]) -> Option<&Bottom> {
     bottoms.iter().reduce(|a, b| if b.height_m < a.height_m - SAME_HEIGHT_M { b } else { a })
 }
 
 /// Whether a body whose spheres have these bottoms may be inside its floor or above it.
 fn is_odd(bottoms: &[Bottom]) -> bool {
-    bottoms.iter().any(Bottom::is_inside) || lowest(bottoms).is_some_and(Bottom::is_above)
+    bottoms.iter().any(Bottom::is_inside) || lowest_bottom(bottoms).is_some_and(Bottom::is_above)
 }
 
-fn bottoms(model: &Model, standing: &Standing) -> Vec<Bottom> {
+fn bottoms_of_spheres(model: &Model, standing: &Standing) -> Vec<Bottom> {
     let bottom = |over: &SphereOverFloor| {
         let sphere = model.sphere(over.sphere)?;
         let (height_m, radius_m, tilt_rad) = (over.gap_m, sphere.radius.number, over.tilt_rad);

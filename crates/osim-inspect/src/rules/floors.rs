@@ -7,7 +7,7 @@ use osim_model::{
     same_gravity,
 };
 
-use crate::floors::{Floors, JudgedPlane, PlaneKind};
+use crate::floors::{Floors, JudgedPlane, PlaneJudgement};
 use crate::{InspectOptions, Inspection};
 
 /// A floor that leans by more than this, degrees, counts as upside down; a less steep one counts as upright.
@@ -16,7 +16,7 @@ pub(super) const UPSIDE_DOWN_DEGREES: f64 = 135.0;
 /// Finds floors that are too steep and whose tilt in degrees `applies`. The advice says what to write instead.
 fn find_turned(floors: &Floors, rule: &'static Rule, applies: impl Fn(f64) -> bool) -> Vec<Finding> {
     let finding = |judged: &JudgedPlane| match judged.kind {
-        PlaneKind::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
+        PlaneJudgement::Steep(degrees) if applies(degrees) => turned_finding(judged, rule, degrees),
         _ => None,
     };
     floors.iter().filter_map(finding).collect()
@@ -92,7 +92,7 @@ pub(super) fn find_on_limb(floors: &Floors) -> Vec<Finding> {
 }
 
 fn on_limb_finding(judged: &JudgedPlane) -> Option<Finding> {
-    let (PlaneKind::OnLimb, plane) = (judged.kind, &judged.plane) else { return None };
+    let (PlaneJudgement::OnLimb, plane) = (judged.kind, &judged.plane) else { return None };
     let (body, frame) = (plane.body.as_deref()?, &plane.frame);
     let tag = shown(&frame.tag);
     let text = format!(
@@ -121,7 +121,7 @@ pub(super) fn find_slopes(floors: &Floors) -> Vec<Finding> {
 }
 
 fn slope_finding(judged: &JudgedPlane) -> Option<Finding> {
-    let (PlaneKind::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
+    let (PlaneJudgement::Slope(degrees), plane) = (judged.kind, &judged.plane) else { return None };
     let text = format!(
         "{} is tilted by {} degrees: {} of the weight presses on it",
         shown(&plane.name),
@@ -241,7 +241,7 @@ pub(crate) fn find_not_down(model: &Model, floors: &Floors) -> Option<Finding> {
 }
 
 fn not_down_finding(model: &Model, judged: &JudgedPlane) -> Option<Finding> {
-    let PlaneKind::GravityMisaligned(degrees) = judged.kind else { return None };
+    let PlaneJudgement::GravityMisaligned(degrees) = judged.kind else { return None };
     let (surface, size) = judged.plane.surface.zip(model.gravity())?;
     let down = surface.normal.map(|value| if value.abs() < ROUNDING { 0.0 } else { -value * size });
     let points = if degrees > UPSIDE_DOWN_DEGREES { "out of" } else { "along" };

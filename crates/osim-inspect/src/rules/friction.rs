@@ -2,7 +2,7 @@
 
 use osim_model::messages::readable;
 use osim_model::{
-    Example, Finding, FindingCode, Model, Origin, Property, Repair, Rule, SetId, Severity, VerdictOn,
+    Example, Finding, FindingCode, Model, Property, Repair, Rule, SetId, Severity, ValueOrigin, VerdictOn,
 };
 
 use crate::rules::forces::about_forces;
@@ -144,7 +144,7 @@ pub(super) fn find_no_friction_or_dissipation(model: &Model) -> Vec<Finding> {
     // Defaults of the class are no choice of anybody.
     let is_written = |property| {
         let mut values = on_floors().filter_map(|force| force.value(SetId::FIRST, property));
-        values.any(|value| value.origin != Origin::ClassDefault)
+        values.any(|value| value.origin != ValueOrigin::ClassDefault)
     };
     let no_friction = (is_written(Property::StaticFriction) && are_all_below(&frictions, f64::MIN_POSITIVE))
         .then(|| Finding::at(&NO_FRICTION, first.line, "all coefficients of friction are 0"));

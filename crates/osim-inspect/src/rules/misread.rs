@@ -40,9 +40,9 @@ pub(super) fn find_in_values(model: &Model) -> Vec<Finding> {
 /// How OpenSim reads the text of a property.
 #[derive(Clone, Copy)]
 enum TextForm {
-    /// This many numbers.
+    /// The text is a list of this many numbers.
     Numbers(usize),
-    /// True or false.
+    /// The text is a flag: true or false.
     Flag,
     /// `isDisabled`, which documents up to 30508 have.
     OldFlag,

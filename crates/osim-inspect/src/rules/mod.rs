@@ -192,11 +192,11 @@ fn rules_in<F>(table: Table<F>) -> impl Iterator<Item = &'static Rule> {
 /// # Ok::<(), osim_model::Fault>(())
 /// ```
 pub fn model_findings(model: &Model) -> &[Finding] {
-    struct OfRest(Vec<Vec<Finding>>);
+    struct RestFindings(Vec<Vec<Finding>>);
     model.findings(|model| {
         let of_rest = MODEL_RULES.iter().filter(|(_, (depends_on, _))| *depends_on == Rest);
-        let OfRest(found) =
-            model.derived_from_bodies(|model| OfRest(of_rest.map(|(_, (_, find))| find(model)).collect()));
+        let RestFindings(found) = model
+            .derived_from_bodies(|model| RestFindings(of_rest.map(|(_, (_, find))| find(model)).collect()));
         let mut found = found.iter().cloned();
         let findings = MODEL_RULES.iter().flat_map(|(_, (depends_on, find))| match depends_on {
             Numbers => find(model),

@@ -3,8 +3,8 @@
 use contact_scaling::limits::SUGGESTED_CONSTANT_INDENTATION;
 use osim_model::messages::{readable, shown, three_significant};
 use osim_model::{
-    Body, Example, Finding, FindingCode, JointCoordinate, Model, Orientation, Origin, Property, Repair, Rule,
-    SetId, Severity, Value, VerdictOn,
+    Body, Example, Finding, FindingCode, JointCoordinate, Model, Orientation, Property, Repair, Rule, SetId,
+    Severity, Value, ValueOrigin, VerdictOn,
 };
 use osim_requests::Request;
 
@@ -126,7 +126,7 @@ pub(super) fn take_published_contacts(remedies: &Remedies<'_>) -> Option<Request
 
 /// Whether a value is a stiffness that is absent from the file, so that OpenSim takes its default.
 pub(super) fn is_default_stiffness(value: &Value) -> bool {
-    value.property == Property::Stiffness && value.origin == Origin::ClassDefault
+    value.property == Property::Stiffness && value.origin == ValueOrigin::ClassDefault
 }
 
 pub(super) static ZERO_CONSTANT_CONTACT_FORCE: Rule = Rule {

@@ -60,7 +60,7 @@ pub(super) fn find_in_skeleton(model: &Model) -> Vec<Finding> {
 
 struct Limbs<'m> {
     model: &'m Model,
-    /// The joints above bodies.
+    /// For each body, the joint that connects it to its parent body.
     above: HashMap<&'m str, &'m ModelJoint>,
     /// The bodies with a side, by their names without it.
     by_name: BTreeMap<(String, Side), &'m str>,

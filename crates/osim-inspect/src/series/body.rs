@@ -20,7 +20,7 @@ use crate::load::{ContactsOrigin, InspectOptions, LoadSharing, MassMismatch, Sta
 /// The weight of a body, and the spheres that carry it.
 #[derive(Debug, Clone)]
 pub struct Weight {
-    /// Mass M of the body, kg.
+    /// Mass M of the body whose weight presses on the spheres, kg.
     pub mass_kg: f64,
     /// Gravity g on the body, m/s².
     pub gravity_m_s2: f64,

@@ -6,7 +6,7 @@ use osim_model::files::Failure;
 use osim_requests::DropHeight;
 
 use crate::series::body::{ContactBody, SphereKind, Weight};
-use crate::series::sampling::{ForceUnit, Point, Units, equal_breaks, sample_curve, thin_out};
+use crate::series::sampling::{ForceUnit, PlotUnits, Point, equal_breaks, sample_curve, thin_out};
 
 /// Force against indentation of one kind of sphere.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,7 +63,7 @@ const DROP_SAMPLES: (f64, f64) = (2001.0, 200_001.0);
 const SETTLED_BODY_WEIGHTS: f64 = 0.01;
 
 /// The unit of the force axis, in N: 1 N, or the share of the body weight that one sphere carries.
-fn force_unit(units: Units, body: &ContactBody) -> Result<f64, Failure> {
+fn force_unit(units: PlotUnits, body: &ContactBody) -> Result<f64, Failure> {
     match units.force {
         ForceUnit::Newton => Ok(1.0),
         ForceUnit::WeightShare => Ok(body.weight()?.share_n()),
@@ -110,10 +110,10 @@ fn point_at_rest(weight: &Weight, kind: &SphereKind) -> Option<Point> {
 pub fn force(
     body: &ContactBody,
     kind: &SphereKind,
-    units: Units,
+    units: PlotUnits,
     (from_m, to_m): (f64, f64),
 ) -> Result<ForceSeries, Failure> {
-    let law = law(body, kind)?;
+    let law = law_of_kind(body, kind)?;
     let unit = force_unit(units, body)?;
     // A break at 0, where the curve before contact ends.
     let breaks = equal_breaks(from_m, to_m, FIRST_INTERVALS, 0.0);
@@ -139,10 +139,10 @@ pub fn force(
 pub fn contact_state(
     body: &ContactBody,
     kind: &SphereKind,
-    units: Units,
+    units: PlotUnits,
     range_m: Option<(f64, f64)>,
 ) -> Result<Option<Vec<Point>>, Failure> {
-    let Law::Smooth(law) = law(body, kind)? else { return Ok(None) };
+    let Law::Smooth(law) = law_of_kind(body, kind)? else { return Ok(None) };
     let (from_m, to_m) =
         range_m.unwrap_or((-START_ABOVE_RADII * kind.radius_m, START_ABOVE_RADII * kind.radius_m));
     let curve = |x: f64| (units.x(x, kind.radius_m), law.contact_state(x));
@@ -150,7 +150,7 @@ pub fn contact_state(
 }
 
 /// The two thresholds (C.6): contact states t and 1 − t with their indentations; empty for a law without smoothing.
-pub fn thresholds(kind: &SphereKind, units: Units) -> Vec<Point> {
+pub fn thresholds(kind: &SphereKind, units: PlotUnits) -> Vec<Point> {
     let bd = kind.contact.smoothing().map(|smoothing| smoothing.hertz_smoothing);
     let at =
         bd.and_then(|bd| smoothing::threshold_indentation(CONTACT_STATE_THRESHOLD, bd, kind.radius_m).ok());
@@ -165,13 +165,13 @@ pub fn impact_speed(body: &ContactBody, kind: &SphereKind, height: DropHeight) -
 
 /// The deepest indentation of a loop, m: the indentation under twice the body weight by the Hertz law.
 fn loop_depth(body: &ContactBody, kind: &SphereKind) -> Result<f64, Failure> {
-    let law = law(body, kind)?;
+    let law = law_of_kind(body, kind)?;
     law.hertz().indentation_from_force(2.0 * body.weight()?.share_n()).map_err(|error| body.failure(&error))
 }
 
 /// The force at speed 0 against indentation, over the range of a loop.
-pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: Units) -> Result<Vec<Point>, Failure> {
-    let law = law(body, kind)?;
+pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: PlotUnits) -> Result<Vec<Point>, Failure> {
+    let law = law_of_kind(body, kind)?;
     let unit = force_unit(units, body)?;
     let breaks = equal_breaks(0.0, loop_depth(body, kind)?, FIRST_INTERVALS, 0.0);
     Ok(sample_curve(|x| (units.x(x, kind.radius_m), law.rest_force(x) / unit), &breaks))
@@ -182,10 +182,10 @@ pub fn force_at_rest(body: &ContactBody, kind: &SphereKind, units: Units) -> Res
 pub fn hysteresis(
     body: &ContactBody,
     kind: &SphereKind,
-    units: Units,
+    units: PlotUnits,
     speed_m_s: f64,
 ) -> Result<LoopSeries, Failure> {
-    let law = law(body, kind)?;
+    let law = law_of_kind(body, kind)?;
     let unit = force_unit(units, body)?;
     let depth = loop_depth(body, kind)?;
     let curve = |phase: f64| {
@@ -272,6 +272,6 @@ fn drop_test(
     DropTest::new(weight.spheres.iter().copied(), values).map_err(|error| body.failure(&error))
 }
 
-fn law(body: &ContactBody, kind: &SphereKind) -> Result<Law, Failure> {
+fn law_of_kind(body: &ContactBody, kind: &SphereKind) -> Result<Law, Failure> {
     Law::of(&kind.contact, kind.radius_m).map_err(|error| body.failure(&error))
 }

@@ -106,7 +106,7 @@ pub fn heat(
     let sweep = HeatSweep::new(body, kind, request)?;
     let row = |dissipation: &f64| x.iter().map(|stiffness| sweep.value(*stiffness, *dissipation)).collect();
     let values: Vec<Vec<Option<f64>>> = y.iter().map(row).collect();
-    let limit = sweep.limit();
+    let limit = sweep.limit_of_quantity();
     let profile = only_parameter(&values).map(|along| sweep.profile(along, (&x, &y), present));
     Ok(HeatSeries { x, y, values, limit, present, profile })
 }
@@ -165,7 +165,7 @@ impl<'s> HeatSweep<'s> {
         Ok(Self { kind, quantity: request.quantity, sphere_count, values, impact_speed_m_s })
     }
 
-    fn spheres(&self, stiffness: f64, dissipation: f64) -> Result<Spheres, DomainError> {
+    fn spheres_with(&self, stiffness: f64, dissipation: f64) -> Result<Spheres, DomainError> {
         let values = ContactValues {
             plane_strain_modulus: stiffness,
             dissipation,
@@ -176,7 +176,7 @@ impl<'s> HeatSweep<'s> {
 
     /// The quantity for these parameters; `None` if it has no value.
     fn value(&self, stiffness: f64, dissipation: f64) -> Option<f64> {
-        let spheres = self.spheres(stiffness, dissipation).ok()?;
+        let spheres = self.spheres_with(stiffness, dissipation).ok()?;
         match self.quantity {
             QuantityChoice::Indentation => {
                 let load = self.values.mass_kg * self.values.gravity_m_s2;
@@ -206,7 +206,7 @@ impl<'s> HeatSweep<'s> {
         }
     }
 
-    fn limit(&self) -> Option<f64> {
+    fn limit_of_quantity(&self) -> Option<f64> {
         let speed = self.impact_speed_m_s;
         match self.quantity {
             QuantityChoice::Indentation => Some(limits::INDENTATION.value),

@@ -11,4 +11,4 @@ pub use curves::{
     default_range, drop_force, force, force_at_rest, hysteresis, impact_speed, run_drop_test, thresholds,
 };
 pub use heat::{HeatRequest, HeatSeries, Parameter, Profile, heat};
-pub use sampling::{ForceUnit, IndentationUnit, Point, Units};
+pub use sampling::{ForceUnit, IndentationUnit, PlotUnits, Point};

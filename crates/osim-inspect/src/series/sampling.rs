@@ -21,12 +21,12 @@ pub enum ForceUnit {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Units {
+pub struct PlotUnits {
     pub indentation: IndentationUnit,
     pub force: ForceUnit,
 }
 
-impl Units {
+impl PlotUnits {
     /// An indentation of a sphere in the unit of the axis.
     pub fn x(self, indentation_m: f64, radius_m: f64) -> f64 {
         match self.indentation {
@@ -53,7 +53,8 @@ const MOST_HALVINGS: u32 = 10;
 /// breaks; each break is among the points.
 pub(super) fn sample_curve(curve: impl Fn(f64) -> Point, breaks: &[f64]) -> Vec<Point> {
     let knots: Vec<(f64, Point)> = breaks.iter().map(|&at| (at, curve(at))).collect();
-    let size = (extent(knots.iter().map(|(_, p)| p.0)), extent(knots.iter().map(|(_, p)| p.1)));
+    let size =
+        (extent_of_values(knots.iter().map(|(_, p)| p.0)), extent_of_values(knots.iter().map(|(_, p)| p.1)));
     let mut points: Vec<Point> = knots.first().map(|(_, point)| *point).into_iter().collect();
     for pair in knots.windows(2) {
         add_refined_interval(&curve, (pair[0], pair[1]), size, MOST_HALVINGS, &mut points);
@@ -86,7 +87,7 @@ fn add_refined_interval(
     add_refined_interval(curve, (middle, to), size, halvings_left - 1, points);
 }
 
-fn extent(values: impl Iterator<Item = f64>) -> f64 {
+fn extent_of_values(values: impl Iterator<Item = f64>) -> f64 {
     let (low, high) = values
         .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| (low.min(value), high.max(value)));
     if high > low { high - low } else { 1.0 }

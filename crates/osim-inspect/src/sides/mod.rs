@@ -204,17 +204,17 @@ impl NumberCounts {
         let mut counts = Self::default();
         for force in model.forces().iter().filter(|force| model.meets_half_space(force)) {
             for set in &force.sets {
-                values_of_set(force, set).for_each(|value| counts.add(value));
+                values_of_set(force, set).for_each(|value| counts.count_value(value));
                 set.spheres
                     .iter()
                     .filter_map(|&id| model.sphere(id))
-                    .for_each(|sphere| counts.add(&sphere.radius));
+                    .for_each(|sphere| counts.count_value(&sphere.radius));
             }
         }
         counts
     }
 
-    fn add(&mut self, value: &Value) {
+    fn count_value(&mut self, value: &Value) {
         *self.by_number.entry((value.property, value.number.to_bits())).or_default() += 1;
         *self.by_property.entry(value.property).or_default() += 1;
     }

@@ -30,7 +30,7 @@ fn inspect_with(text: &str, stance: Stance) -> Inspection {
     InspectOptions { stance, ..InspectOptions::default() }.inspect("model.osim", &model, None)
 }
 
-fn figures(text: &str) -> Figures {
+fn figures_of_text(text: &str) -> Figures {
     inspect_with(text, Stance::default()).figures
 }
 
@@ -53,7 +53,7 @@ fn assert_figures(sphere: &SphereFigures, expected: &[(Figure, f64)]) {
 
 // mpmath 1.3.0, 40 digits: (3), (C.9) at rest solved for x, the derivative of (1), (B.3), (B.4), (15), (C.2), (C.7), the
 // two restitutions of (12) and (13), with M g = 600 N on n = 2.
-const OF_HEEL: &[(Figure, f64)] = &[
+const FIGURES_OF_HEEL: &[(Figure, f64)] = &[
     (Figure::Radius, 0.05),
     (Figure::CompositeModulus, 1_060_660.171_779_821_3),
     (Figure::Dissipation, 0.3),
@@ -77,7 +77,7 @@ const OF_HEEL: &[(Figure, f64)] = &[
     (Figure::ForceJustTouching, 38.293_949_914_762_29),
     (Figure::TouchingShare, 0.127_646_499_715_874_3),
 ];
-const OF_TOE: &[(Figure, f64)] = &[
+const FIGURES_OF_TOE: &[(Figure, f64)] = &[
     (Figure::Radius, 0.03),
     (Figure::CompositeModulus, 1_767_766.952_966_368_8),
     (Figure::Dissipation, 0.25),
@@ -104,10 +104,10 @@ const OF_TOE: &[(Figure, f64)] = &[
 
 #[test]
 fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
-    let figures = figures(&foot(&[HEEL, TOE]));
+    let figures = figures_of_text(&foot(&[HEEL, TOE]));
     let spheres: Vec<&SphereFigures> = figures.spheres().collect();
     assert_eq!(spheres.len(), 2);
-    for (sphere, expected) in spheres.into_iter().zip([OF_HEEL, OF_TOE]) {
+    for (sphere, expected) in spheres.into_iter().zip([FIGURES_OF_HEEL, FIGURES_OF_TOE]) {
         let listed: Vec<Figure> = expected.iter().map(|(figure, _)| *figure).collect();
         // // The two figures of the default pose need a pose: see the next test.
         let standing = [Figure::StandingIndentation, Figure::StandingIndentationModelLaw];
@@ -125,15 +125,15 @@ fn every_figure_of_a_foot_on_two_sizes_of_sphere() {
 /// On a floor that rises by 3 over 4, 0.8 of the weight presses, in whatever direction it rises. Impact speeds are those of a free fall.
 #[test]
 fn on_a_slope_the_part_of_the_weight_along_its_normal_presses() {
-    const LEVEL: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
+    const LEVEL_ORIENTATION: &str = "<orientation>0 0 -1.5707963267948966</orientation>";
     let turned = |angles: &str| {
         let orientation = format!("<orientation>{angles}</orientation>");
-        let text = foot(&[HEEL]).replace(LEVEL, &orientation);
+        let text = foot(&[HEEL]).replace(LEVEL_ORIENTATION, &orientation);
         assert!(text.contains(&orientation));
-        figures(&text)
+        figures_of_text(&text)
     };
     let value = |figures: &Figures, figure| first_sphere(figures).value(figure).unwrap();
-    let level = figures(&foot(&[HEEL]));
+    let level = figures_of_text(&foot(&[HEEL]));
     // The normal of a half-space that is turned by a about z is (-cos a, -sin a, 0), and sin 0.927295... = 0.8.
     for angles in ["0 0 -0.9272952180016122", "0 0 -2.214297435588181"] {
         let slope = turned(angles);
@@ -161,7 +161,7 @@ fn foot_with_a_high_toe() -> String {
 #[test]
 fn spheres_of_two_heights_share_the_load_by_how_deep_each_is() {
     // mpmath 1.3.0, 50 digits: (1) and (C.9) at rest of both spheres, summed to 600 N.
-    let seen = figures(&foot_with_a_high_toe());
+    let seen = figures_of_text(&foot_with_a_high_toe());
     let expected = [
         [0.219_221_911_520_665_5, 0.212_312_155_305_137_72],
         [0.232_036_519_201_109_16, 0.220_520_258_841_896_2],
@@ -178,7 +178,11 @@ fn spheres_of_two_heights_share_the_load_by_how_deep_each_is() {
 #[test]
 fn an_impact_is_a_fall_from_a_quarter_of_the_mean_radius() {
     // R² is the mean of 0.05² and 0.03², 0.0017; √(10 √0.0017 / 2).
-    assert_near(figures(&foot(&[HEEL, TOE])).impact_speed_m_s.unwrap(), 0.454_043_259_261_585_2, "speed");
+    assert_near(
+        figures_of_text(&foot(&[HEEL, TOE])).impact_speed_m_s.unwrap(),
+        0.454_043_259_261_585_2,
+        "speed",
+    );
     let given = Stance { impact_speed_m_s: Some(0.7), ..Stance::default() };
     let seen = inspect_with(&foot(&[HEEL, TOE]), given).figures;
     assert_eq!(seen.impact_speed_m_s, Some(0.7));
@@ -203,7 +207,7 @@ fn spheres_beside_those_of_the_limb_take_their_share() {
 #[test]
 fn a_sphere_that_two_forces_press_has_the_sum_of_their_forces_and_the_most_of_their_smoothing() {
     let softer = TWO_FORCES.replacen(">1.5e-05<", ">1e-05<", 1).replacen(">310<", ">155<", 1);
-    let figures = figures(&softer);
+    let figures = figures_of_text(&softer);
     let sphere = first_sphere(&figures);
     assert_eq!(sphere.forces, ["contact_1", "contact_2"]);
     // E* = (1.2345678 + 2) MPa / 2^(3/2); √1.5e-5 and ln 19 / 155 over 0.0325 m; (C.9) at x = 0 of both.
@@ -219,7 +223,7 @@ fn a_sphere_that_two_forces_press_has_the_sum_of_their_forces_and_the_most_of_th
 
 #[test]
 fn a_force_without_smoothing_carries_nothing_while_it_just_touches() {
-    let figures = figures(TWO_CLASSES);
+    let figures = figures_of_text(TWO_CLASSES);
     // (C.9) at x = 0 of the smooth one alone: E₁* is 1.2345678 MPa, cf 1.5e-5 m².
     let expected = [
         (Figure::ConstantIndentation, 0.119_168_718_344_843_6),
@@ -230,7 +234,7 @@ fn a_force_without_smoothing_carries_nothing_while_it_just_touches() {
 
 #[test]
 fn forces_of_different_dissipation_on_one_sphere_have_no_restitution() {
-    let figures = figures(&TWO_FORCES.replacen("<dissipation>2.25<", "<dissipation>2<", 1));
+    let figures = figures_of_text(&TWO_FORCES.replacen("<dissipation>2.25<", "<dissipation>2<", 1));
     let sphere = first_sphere(&figures);
     for figure in [Figure::Dissipation, Figure::RestitutionExact, Figure::RestitutionApproximate] {
         assert_eq!(sphere.value(figure), None, "{figure:?}");
@@ -240,7 +244,7 @@ fn forces_of_different_dissipation_on_one_sphere_have_no_restitution() {
 
 #[test]
 fn a_hunt_crossley_force_has_no_figures_of_smoothing() {
-    let figures = figures(HUNT_CROSSLEY);
+    let figures = figures_of_text(HUNT_CROSSLEY);
     let sphere = first_sphere(&figures);
     for figure in [
         Figure::ConstantIndentation,
@@ -255,20 +259,20 @@ fn a_hunt_crossley_force_has_no_figures_of_smoothing() {
 
 #[test]
 fn a_limb_is_mixed_if_figures_with_level_bottoms_differ_from_equal_shares() {
-    assert!(figures(&foot(&[HEEL, TOE])).limbs[0].is_mixed());
-    assert!(figures(HUMAN).limbs.iter().all(|limb| !limb.is_mixed()));
+    assert!(figures_of_text(&foot(&[HEEL, TOE])).limbs[0].is_mixed());
+    assert!(figures_of_text(HUMAN).limbs.iter().all(|limb| !limb.is_mixed()));
     // x̂ by 4e-9 of itself otherwise: x follows E*^(-2/3), and the level is half way between.
     let hardly = SmoothContact { stiffness: HEEL.stiffness * (1.0 + 12e-9), name: "toe_r", ..HEEL };
-    assert!(figures(&foot(&[HEEL, hardly])).limbs[0].is_mixed());
+    assert!(figures_of_text(&foot(&[HEEL, hardly])).limbs[0].is_mixed());
     // By 4e-10 is as good as alike.
     let alike = SmoothContact { stiffness: HEEL.stiffness * (1.0 + 1.2e-9), name: "toe_r", ..HEEL };
-    assert!(!figures(&foot(&[HEEL, alike])).limbs[0].is_mixed());
-    assert!(!figures(FEET_WITHOUT_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
+    assert!(!figures_of_text(&foot(&[HEEL, alike])).limbs[0].is_mixed());
+    assert!(!figures_of_text(FEET_WITHOUT_SIDES).limbs[0].is_mixed(), "nothing is known of shares");
 }
 
 #[test]
 fn figures_are_given_limb_by_limb() {
-    let limbs = figures(HUMAN).limbs;
+    let limbs = figures_of_text(HUMAN).limbs;
     let named: Vec<_> =
         limbs.iter().map(|limb| (limb.limb.as_deref().unwrap(), limb.side.unwrap())).collect();
     assert_eq!(named, [("femur_r", "right"), ("femur_l", "left")]);
@@ -286,7 +290,7 @@ fn spheres_are_in_their_own_order_not_in_that_of_their_forces() {
     let (spheres, forces) = text.split_at(text.find("<ForceSet").unwrap());
     let swapped =
         forces.replace("/heel_r<", "/other<").replace("/toe_r<", "/heel_r<").replace("/other<", "/toe_r<");
-    let figures = figures(&format!("{spheres}{swapped}"));
+    let figures = figures_of_text(&format!("{spheres}{swapped}"));
     let named: Vec<&str> = figures.spheres().map(|sphere| sphere.sphere.as_str()).collect();
     assert_eq!(named, ["heel_r", "toe_r"]);
     assert_eq!(first_sphere(&figures).forces, ["contact_toe_r"]);
@@ -297,7 +301,7 @@ fn spheres_that_are_alike_stand_level_with_equal_shares_to_the_last_bit() {
     let spheres =
         ["s1_r", "s2_r", "s3_r", "s4_r", "s5_r", "s6_r", "s7_r"].map(|name| SmoothContact { name, ..TOE });
     for count in 1..=spheres.len() {
-        let figures = figures(&foot(&spheres[..count]));
+        let figures = figures_of_text(&foot(&spheres[..count]));
         for (level, equal) in [
             (Figure::LevelIndentation, Figure::Indentation),
             (Figure::LevelIndentationModelLaw, Figure::IndentationModelLaw),
@@ -331,19 +335,19 @@ fn why_figures_are_absent(figures: &Figures) -> String {
 #[test]
 fn without_mass_or_gravity_or_count_the_reason_is_given() {
     let no_mass = foot(&[HEEL]).replace("<mass>60</mass>", "<mass>0</mass>");
-    assert_eq!(why_figures_are_absent(&figures(&no_mass)), "the mass of the model is not known");
+    assert_eq!(why_figures_are_absent(&figures_of_text(&no_mass)), "the mass of the model is not known");
     let no_gravity = foot(&[HEEL]).replace("0 -10 0", "0 0 0");
-    assert!(why_figures_are_absent(&figures(&no_gravity)).contains("gravity"));
-    assert_eq!(figures(&no_gravity).gravity_m_s2, None);
-    assert_eq!(figures(&no_gravity).impact_speed_m_s, None);
-    let why = why_figures_are_absent(&figures(FEET_WITHOUT_SIDES));
+    assert!(why_figures_are_absent(&figures_of_text(&no_gravity)).contains("gravity"));
+    assert_eq!(figures_of_text(&no_gravity).gravity_m_s2, None);
+    assert_eq!(figures_of_text(&no_gravity).impact_speed_m_s, None);
+    let why = why_figures_are_absent(&figures_of_text(FEET_WITHOUT_SIDES));
     assert!(why.contains("left or right cannot be determined"), "{why}");
     assert!(why.ends_with("say it with `spheres`"), "{why}");
 }
 
 #[test]
 fn of_two_reasons_for_absent_figures_the_first_is_given() {
-    let why = why_figures_are_absent(&figures(&FEET_WITHOUT_SIDES.replace("0 -9.81 0", "0 0 0")));
+    let why = why_figures_are_absent(&figures_of_text(&FEET_WITHOUT_SIDES.replace("0 -9.81 0", "0 0 0")));
     assert!(why.contains("gravity") && !why.contains("spheres"), "{why}");
 }
 
@@ -384,7 +388,7 @@ impl Dialect for ShoutingFrontEnd {
 
 #[test]
 fn the_reason_for_absent_figures_is_in_the_words_of_the_front_end() {
-    let mut figures = figures(FEET_WITHOUT_SIDES);
+    let mut figures = figures_of_text(FEET_WITHOUT_SIDES);
     figures.spell(&ShoutingFrontEnd);
     let why = figures.why_no_body_weight.unwrap().to_string();
     assert!(why.ends_with("say it with SPHERES"), "{why}");

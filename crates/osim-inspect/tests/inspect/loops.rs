@@ -30,7 +30,7 @@ fn loop_closed_by(class: &str) -> Model {
     Model::parse(text).unwrap()
 }
 
-fn codes(model: &Model) -> Vec<&str> {
+fn finding_codes(model: &Model) -> Vec<&str> {
     model_findings(model).iter().map(|finding| finding.code().as_str()).collect()
 }
 
@@ -43,13 +43,13 @@ fn a_loop_is_reported_and_its_mass_asked_for_if_opensim_counts_a_body_twice() {
     {
         let model = loop_closed_by(class);
         assert_eq!(
-            (codes(&model).as_slice(), weighs(&model, MassRequest::default()).unwrap()),
+            (finding_codes(&model).as_slice(), weighs(&model, MassRequest::default()).unwrap()),
             (found, 70.0)
         );
     }
     for class in ["WeldJoint", "FreeJoint"] {
         let model = loop_closed_by(class);
-        assert_eq!(codes(&model), ["loop-of-joints"]);
+        assert_eq!(finding_codes(&model), ["loop-of-joints"]);
         assert_eq!(weighs(&model, MassRequest::default()).unwrap_err().code(), "no-mass");
         assert_eq!(
             weighs(&model, MassRequest { model_kg: Some(70.0), ..MassRequest::default() }).unwrap(),
@@ -77,7 +77,7 @@ fn joints_in_bodies_count_once() {
     let ignored = model(
         &(body("a", &pin("ground_a", "ground")) + &body("b", &(pin("ab", "a") + &pin("ground_b", "ground")))),
     );
-    assert_eq!(codes(&ignored), ["loop-of-joints"]);
+    assert_eq!(finding_codes(&ignored), ["loop-of-joints"]);
     assert!(
         model_findings(&ignored)[0].message.to_string().contains("ground_b is not the first joint"),
         "{:?}",
@@ -85,7 +85,7 @@ fn joints_in_bodies_count_once() {
     );
     // Each hangs on the other: OpenSim divides one of them.
     let circle = model(&(body("a", &pin("ba", "b")) + &body("b", &pin("ab", "a"))));
-    assert_eq!(codes(&circle), ["loop-of-joints"]);
+    assert_eq!(finding_codes(&circle), ["loop-of-joints"]);
     assert!(
         model_findings(&circle)[0].message.to_string().contains("(ba, ab)"),
         "{:?}",

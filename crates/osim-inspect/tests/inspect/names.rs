@@ -102,7 +102,7 @@ fn a_name_that_opensim_refuses_is_reported() {
 }
 
 /// Names of objects: names of sets and classes, and odd names. They have no blanks and slashes, because not every version keeps these.
-const ODD: [&str; 24] = [
+const ODD_NAMES: [&str; 24] = [
     "bodyset",
     "jointset",
     "forceset",
@@ -193,7 +193,7 @@ fn each_force_presses_the_sphere_of_its_name_for_random_names() {
         let version = [30000, 30505, 30516, 40000][random.index(4)];
         let mut pair = |plain: [&'static str; 2]| {
             let names =
-                plain.map(|name| if random.integer_below(3) == 0 { name } else { random.one_of(&ODD) });
+                plain.map(|name| if random.integer_below(3) == 0 { name } else { random.one_of(&ODD_NAMES) });
             if names[0] == names[1] { plain } else { names }
         };
         let (feet, spheres) = (pair(["foot_r", "foot_l"]), pair(["heel_r", "heel_l"]));

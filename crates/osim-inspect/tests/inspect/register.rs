@@ -15,7 +15,7 @@ use osim_model::Model;
 /// A model with two feet whose names do not say which one is the left foot.
 const FEET_WITHOUT_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
 
-fn figures(text: &str) -> Figures {
+fn figures_of_text(text: &str) -> Figures {
     let model = Model::parse(text).unwrap();
     InspectOptions::default().inspect("model.osim", &model, None).figures
 }
@@ -31,7 +31,7 @@ fn check_of_figure(checks: &[LimitCheck], figure: Figure) -> &LimitCheck {
 
 #[test]
 fn each_limit_is_compared_with_its_figure() {
-    let figures = figures(&foot(&[HEEL, TOE]));
+    let figures = figures_of_text(&foot(&[HEEL, TOE]));
     let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
     let limited: Vec<&str> = checks.iter().map(|check| check.figure).collect();
     let indentations = Figure::ALL.iter().map(|figure| figure.info().name);
@@ -57,7 +57,7 @@ fn each_limit_is_compared_with_its_figure() {
 #[test]
 fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
     // 1 − 2.25 · 0.454 is −0.02 by (13).
-    let figures = figures(&foot(&[SmoothContact { dissipation: 2.25, ..HEEL }, TOE]));
+    let figures = figures_of_text(&foot(&[SmoothContact { dissipation: 2.25, ..HEEL }, TOE]));
     let checks: Vec<LimitCheck> = first_sphere(&figures).limits().collect();
     let check = check_of_figure(&checks, Figure::RestitutionApproximate);
     assert_eq!((check.value, check.within_limit), (None, false));
@@ -66,7 +66,7 @@ fn a_restitution_below_0_is_beyond_its_limit_and_has_no_value() {
 
 #[test]
 fn a_figure_without_a_value_is_not_compared_with_its_limit() {
-    let figures = figures(FEET_WITHOUT_SIDES);
+    let figures = figures_of_text(FEET_WITHOUT_SIDES);
     let limited: Vec<&str> = first_sphere(&figures).limits().map(|check| check.figure).collect();
     assert_eq!(limited, ["restitution_approximate", "constant_indentation", "transition_width"]);
 }
@@ -82,7 +82,7 @@ fn the_schema_of_a_sphere_lists_exactly_what_is_serialised() {
     assert_eq!(properties.keys().collect::<Vec<_>>(), expected);
     let required = schema.get("required").and_then(|all| all.as_array()).unwrap();
     assert_eq!(required.iter().map(|name| name.as_str().unwrap()).collect::<Vec<_>>(), expected);
-    let inspected = self::figures(&foot(&[HEEL, TOE]));
+    let inspected = figures_of_text(&foot(&[HEEL, TOE]));
     let serialised = serde_json::to_value(first_sphere(&inspected)).unwrap();
     let serialised = serialised.as_object().unwrap();
     assert_eq!(serialised.keys().collect::<Vec<_>>(), expected);
@@ -119,7 +119,7 @@ fn a_heading_in_a_table_has_unit_and_equation_of_the_figure() {
 
 #[test]
 fn a_sphere_is_serialised_with_its_numbers_and_limits() {
-    let figures = figures(FEET_WITHOUT_SIDES);
+    let figures = figures_of_text(FEET_WITHOUT_SIDES);
     let json = serde_json::to_value(first_sphere(&figures)).unwrap();
     assert_eq!(json["sphere"], "heel_a");
     assert_eq!(json["path"], "/contactgeometryset/heel_a");

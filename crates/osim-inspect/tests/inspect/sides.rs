@@ -15,11 +15,11 @@ const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/scale_tool/generi
 /// A model with published contacts, six spheres on each foot.
 const PUBLISHED_FEET: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
-const SPHERE: &str = "ContactSphere";
-const SMOOTH: &str = "SmoothSphereHalfSpaceForce";
+const SPHERE_CLASS: &str = "ContactSphere";
+const SMOOTH_CLASS: &str = "SmoothSphereHalfSpaceForce";
 /// The texts of 0.032 and 0.2 in the fixture.
-const RADIUS: &str = "0.032000000000000001";
-const SPEED: &str = "0.20000000000000001";
+const RADIUS_TEXT: &str = "0.032000000000000001";
+const VELOCITY_TEXT: &str = "0.20000000000000001";
 
 /// Codes of the rules about sides, sizes and places of contacts.
 const SIDE_CODES: &[FindingCode] = &[
@@ -55,7 +55,7 @@ fn with_edited_element(text: &str, (tag, name): (&str, &str), old: &str, new: &s
 
 /// The model `text` without the sphere `name` and its force, or with a copy of both whose name ends in `_0`.
 fn with_sphere_removed_or_copied(text: &str, name: &str, count: usize) -> String {
-    let objects = [(SPHERE, name.to_owned()), (SMOOTH, format!("contact_{name}"))];
+    let objects = [(SPHERE_CLASS, name.to_owned()), (SMOOTH_CLASS, format!("contact_{name}"))];
     objects.iter().fold(text.to_owned(), |text, (tag, name_of)| {
         let own = text_of_element(&text, tag, name_of).to_owned();
         let copy = own
@@ -97,7 +97,7 @@ fn models_whose_sides_are_mirror_images_are_not_accused() {
 #[test]
 fn a_difference_between_sides_names_the_side_unlike_most_contacts() {
     for (name, expected) in [("contact_ball_r", Side::Right), ("contact_ball_l", Side::Left)] {
-        let text = with_edited_element(HUMAN, (SMOOTH, name), ">2000000<", ">20000000<");
+        let text = with_edited_element(HUMAN, (SMOOTH_CLASS, name), ">2000000<", ">20000000<");
         assert_found(&text, &[FindingCode::LeftRightDiffer]);
         let model = Model::parse(text.as_str()).unwrap();
         let left = model.forces().iter().find(|force| force.name == "contact_ball_l").unwrap();
@@ -121,11 +121,12 @@ fn no_majority_names_a_side_where_all_contacts_of_one_side_differ() {
 fn a_number_of_a_few_contacts_is_not_a_majority() {
     // Toes of another radius on both sides; the ball on the left has theirs by a slip.
     let toes = ["toe_r", "toe_l"].iter();
-    let text =
-        toes.fold(HUMAN.to_owned(), |text, name| with_edited_element(&text, (SPHERE, name), RADIUS, "0.02"));
-    let text = with_edited_element(&text, (SPHERE, "heel_l"), RADIUS, "0.04");
-    let text = with_edited_element(&text, (SPHERE, "heel_r"), RADIUS, "0.04");
-    let text = with_edited_element(&text, (SPHERE, "ball_l"), RADIUS, "0.02");
+    let text = toes.fold(HUMAN.to_owned(), |text, name| {
+        with_edited_element(&text, (SPHERE_CLASS, name), RADIUS_TEXT, "0.02")
+    });
+    let text = with_edited_element(&text, (SPHERE_CLASS, "heel_l"), RADIUS_TEXT, "0.04");
+    let text = with_edited_element(&text, (SPHERE_CLASS, "heel_r"), RADIUS_TEXT, "0.04");
+    let text = with_edited_element(&text, (SPHERE_CLASS, "ball_l"), RADIUS_TEXT, "0.02");
     let found = message_of_finding(&text, FindingCode::LeftRightDiffer);
     assert!(found.ends_with("radius is 0.02 m for ball_l and 0.032 m for ball_r"), "{found}");
 }
@@ -140,7 +141,7 @@ fn contacts_are_paired_by_place_whatever_their_names_are() {
         }
     }
     assert_found(&text, &[]);
-    let text = with_edited_element(&text, (SMOOTH, "contact_l1"), ">2000000<", ">20000000<");
+    let text = with_edited_element(&text, (SMOOTH_CLASS, "contact_l1"), ">2000000<", ">20000000<");
     let found = message_of_finding(&text, FindingCode::LeftRightDiffer);
     let expected = "/forceset/contact_l1 and /forceset/contact_r2 differ: stiffness is 20000000 and 2000000";
     assert!(found.starts_with(expected), "{found}");
@@ -155,7 +156,7 @@ fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
         ("0.03521", LeftRightDiffer),
         ("0.048", LeftRightDiffer),
     ] {
-        assert_found(&with_edited_element(HUMAN, (SPHERE, "ball_l"), RADIUS, new), &[expected]);
+        assert_found(&with_edited_element(HUMAN, (SPHERE_CLASS, "ball_l"), RADIUS_TEXT, new), &[expected]);
     }
     for (new, expected) in [
         ("0.21", LeftRightClose),
@@ -163,35 +164,42 @@ fn radii_and_speeds_that_differ_as_little_as_published_ones_are_a_remark() {
         ("0.25", LeftRightDiffer),
         ("40", LeftRightDiffer),
     ] {
-        assert_found(&with_edited_element(HUMAN, (SMOOTH, "contact_ball_l"), SPEED, new), &[expected]);
+        assert_found(
+            &with_edited_element(HUMAN, (SMOOTH_CLASS, "contact_ball_l"), VELOCITY_TEXT, new),
+            &[expected],
+        );
     }
     // The older class has its velocity beside its parameter sets.
-    let text = with_edited_element(HUNT_CROSSLEY, ("HuntCrossleyForce", "contact_foot_l"), SPEED, "40");
+    let text =
+        with_edited_element(HUNT_CROSSLEY, ("HuntCrossleyForce", "contact_foot_l"), VELOCITY_TEXT, "40");
     assert_found(&text, &[LeftRightDiffer]);
 }
 
 #[test]
 fn places_that_are_not_mirror_images_are_named() {
-    let wrong_sign = with_edited_element(HUMAN, (SPHERE, "ball_l"), " -0.02<", " 0.02<");
+    let wrong_sign = with_edited_element(HUMAN, (SPHERE_CLASS, "ball_l"), " -0.02<", " 0.02<");
     assert_found(&wrong_sign, &[FindingCode::LeftRightPlaces]);
     let found = message_of_finding(&wrong_sign, FindingCode::LeftRightPlaces);
     // In a frame that is turned: no sign of the body's axes puts it right.
     let expected = "ball_l on calcn_l is 40 mm from the mirror image of ball_r on calcn_r, ";
     assert!(found.starts_with(expected) && found.ends_with(", expected at most 3 %"), "{found}");
-    let published = with_edited_element(PUBLISHED_FEET, (SPHERE, "s3_l"), " -0.05163625<", " 0.05163625<");
+    let published =
+        with_edited_element(PUBLISHED_FEET, (SPHERE_CLASS, "s3_l"), " -0.05163625<", " 0.05163625<");
     let found = message_of_finding(&published, FindingCode::LeftRightPlaces);
     assert!(found.ends_with(": the sign of z is wrong on one of them"), "{found}");
 
-    let on_shank = with_edited_element(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/tibia_l");
+    let on_shank =
+        with_edited_element(HUMAN, (SPHERE_CLASS, "heel_l"), "/bodyset/calcn_l", "/bodyset/tibia_l");
     assert_found(&on_shank, &[FindingCode::LeftRightPlaces]);
     let found = message_of_finding(&on_shank, FindingCode::LeftRightPlaces);
     assert_eq!(found, "heel_l is on tibia_l, its counterpart heel_r on calcn_r");
 
-    let other_side = with_edited_element(HUMAN, (SPHERE, "heel_l"), "/bodyset/calcn_l", "/bodyset/calcn_r");
+    let other_side =
+        with_edited_element(HUMAN, (SPHERE_CLASS, "heel_l"), "/bodyset/calcn_l", "/bodyset/calcn_r");
     let found = message_of_finding(&other_side, FindingCode::LeftRightPlaces);
     assert_eq!(found, "heel_l is on calcn_r, its counterpart heel_r on calcn_r");
 
-    let in_mm = with_edited_element(HUMAN, (SPHERE, "toe_l"), "0.029999999999999999 ", "30 ");
+    let in_mm = with_edited_element(HUMAN, (SPHERE_CLASS, "toe_l"), "0.029999999999999999 ", "30 ");
     assert_found(&in_mm, &[FindingCode::LeftRightPlaces, FindingCode::OddPlace]);
 }
 
@@ -215,9 +223,9 @@ fn spheres_without_a_counterpart_are_named() {
 fn a_contact_that_is_switched_off_on_one_side_is_named() {
     let start = "<socket_sphere>";
     let off = format!("<appliesForce>false</appliesForce>{start}");
-    let text = with_edited_element(HUMAN, (SMOOTH, "contact_ball_l"), start, &off);
+    let text = with_edited_element(HUMAN, (SMOOTH_CLASS, "contact_ball_l"), start, &off);
     assert_found(&text, &[FindingCode::LeftRightOff]);
-    assert_found(&with_edited_element(&text, (SMOOTH, "contact_ball_r"), start, &off), &[]);
+    assert_found(&with_edited_element(&text, (SMOOTH_CLASS, "contact_ball_r"), start, &off), &[]);
 }
 
 #[test]
@@ -245,8 +253,8 @@ fn with_property_multiplied(text: &str, object: (&str, &str), property: &str, fa
 fn larger_left_foot(factor: f64, with_bones: bool) -> String {
     let mut text = HUMAN.to_owned();
     for name in ["heel_l", "ball_l", "toe_l"] {
-        text = with_property_multiplied(&text, (SPHERE, name), "radius", factor);
-        text = with_property_multiplied(&text, (SPHERE, name), "location", factor);
+        text = with_property_multiplied(&text, (SPHERE_CLASS, name), "radius", factor);
+        text = with_property_multiplied(&text, (SPHERE_CLASS, name), "location", factor);
     }
     text = with_property_multiplied(&text, ("PhysicalOffsetFrame", "calcn_l_ball"), "translation", factor);
     for name in ["calcn_l", "toes_l"].iter().filter(|_| with_bones) {
@@ -279,10 +287,10 @@ fn parameters_that_follow_other_radii_are_right() {
     // (10) at one mass: E* goes with R^-2. The speeds and friction stay.
     let mut text = larger_left_foot(1.5, true);
     for name in ["contact_heel_l", "contact_ball_l", "contact_toe_l"] {
-        text = with_property_multiplied(&text, (SMOOTH, name), "stiffness", 1.0 / (1.5 * 1.5));
+        text = with_property_multiplied(&text, (SMOOTH_CLASS, name), "stiffness", 1.0 / (1.5 * 1.5));
     }
     assert_found(&text, &[]);
-    let text = with_property_multiplied(&text, (SMOOTH, "contact_toe_l"), "stiffness", 1.5);
+    let text = with_property_multiplied(&text, (SMOOTH_CLASS, "contact_toe_l"), "stiffness", 1.5);
     assert_found(&text, &[FindingCode::LeftRightDiffer]);
 }
 
@@ -292,8 +300,8 @@ fn a_left_frame_with_another_mirrored_axis_is_understood() {
     let mut text =
         with_sphere_removed_or_copied(&with_sphere_removed_or_copied(HUMAN, "ball_r", 0), "ball_l", 0);
     for (object, property) in [
-        ((SPHERE, "heel_l"), "location"),
-        ((SPHERE, "toe_l"), "location"),
+        ((SPHERE_CLASS, "heel_l"), "location"),
+        ((SPHERE_CLASS, "toe_l"), "location"),
         (("PinJoint", "toes_l_joint"), "translation"),
     ] {
         text = mirrored_in_x_instead_of_z(&text, object, property);
@@ -324,7 +332,7 @@ fn mirrored_in_x_instead_of_z(text: &str, object: (&str, &str), property: &str) 
 
 #[test]
 fn radii_places_and_friction_in_other_units_are_named() {
-    let in_mm = HUMAN.replace(&format!("<radius>{RADIUS}<"), "<radius>32<");
+    let in_mm = HUMAN.replace(&format!("<radius>{RADIUS_TEXT}<"), "<radius>32<");
     assert_found(&in_mm, &[FindingCode::OddRadius]);
     let found = message_of_finding(&in_mm, FindingCode::OddRadius);
     // The longest bone of the fixture is 0.4 m or more: 32 m is at most 80 of it.
@@ -334,30 +342,30 @@ fn radii_places_and_friction_in_other_units_are_named() {
     );
     let places = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
     let in_mm = places.iter().fold(HUMAN.to_owned(), |text, name| {
-        with_property_multiplied(&text, (SPHERE, name), "location", 1000.0)
+        with_property_multiplied(&text, (SPHERE_CLASS, name), "location", 1000.0)
     });
     assert_found(&in_mm, &[FindingCode::OddPlace]);
     let per_cent = HUMAN.replace("<static_friction>0.80000000000000004<", "<static_friction>80<");
     assert_found(&per_cent, &[FindingCode::LargeFriction]);
     // 0.3 of the longest bone is the limit; one sphere on each side, so that the sides are equal.
     let found = codes_of_findings(
-        &Model::parse(with_edited_element(HUMAN, (SPHERE, "ball_r"), RADIUS, "0.001")).unwrap(),
+        &Model::parse(with_edited_element(HUMAN, (SPHERE_CLASS, "ball_r"), RADIUS_TEXT, "0.001")).unwrap(),
     );
     assert!(found.contains(&FindingCode::OddRadius), "{found:?}");
 }
 
 /// The names of the spheres in the fixture.
-const SPHERES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
+const SPHERE_NAMES: [&str; 6] = ["heel_r", "ball_r", "toe_r", "heel_l", "ball_l", "toe_l"];
 
 /// The model `text` with the sphere `name` moved along z by `by_m`, m.
 fn with_sphere_moved(text: &str, name: &str, by_m: f64) -> String {
-    let own = text_of_element(text, SPHERE, name);
+    let own = text_of_element(text, SPHERE_CLASS, name);
     let start = own.find("<location>").unwrap() + "<location>".len();
     let old = &own[start..start + own[start..].find('<').unwrap()];
     let [x, y, z] = *old.split(' ').map(|number| number.parse::<f64>().unwrap()).collect::<Vec<_>>() else {
         panic!("{old}")
     };
-    with_edited_element(text, (SPHERE, name), &format!(">{old}<"), &format!(">{x} {y} {}<", z + by_m))
+    with_edited_element(text, (SPHERE_CLASS, name), &format!(">{old}<"), &format!(">{x} {y} {}<", z + by_m))
 }
 
 #[test]
@@ -381,7 +389,7 @@ fn places_aside_and_in_thousandths_are_named() {
 
     let places = (1..=6).flat_map(|number| [format!("s{number}_r"), format!("s{number}_l")]);
     let text = places.fold(PUBLISHED_FEET.to_owned(), |text, name| {
-        with_property_multiplied(&text, (SPHERE, &name), "location", 0.001)
+        with_property_multiplied(&text, (SPHERE_CLASS, &name), "location", 0.001)
     });
     assert_found(&text, &[FindingCode::CrowdedSpheres]);
     let found = message_of_finding(&text, FindingCode::CrowdedSpheres);
@@ -392,7 +400,7 @@ fn places_aside_and_in_thousandths_are_named() {
 
 #[test]
 fn spheres_with_names_of_the_other_side_are_reported() {
-    let swapped = SPHERES.iter().fold(HUMAN.to_owned(), |text, name| {
+    let swapped = SPHERE_NAMES.iter().fold(HUMAN.to_owned(), |text, name| {
         let other = if let Some(bone) = name.strip_suffix("_r") {
             format!("{bone}_l")
         } else {

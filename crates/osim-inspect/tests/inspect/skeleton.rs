@@ -5,7 +5,7 @@ use osim_model::{Finding, FindingCode, Model};
 
 const HUMAN: &str = include_str!("../../../../fixtures/check/known_contacts.osim");
 
-fn findings(text: &str) -> Vec<Finding> {
+fn findings_of_text(text: &str) -> Vec<Finding> {
     model_findings(&Model::parse(text).unwrap()).to_vec()
 }
 
@@ -22,7 +22,7 @@ fn with_spheres_on(frame: &str, names: &[&str]) -> String {
 /// The spheres of feet on ground in `text`, in which the sphere s1_r is called `name`.
 fn found_if_called(text: &str, name: &str) -> Vec<String> {
     let text = text.replace("\"s1_r\"", &format!("\"{name}\"")).replace("/s1_r<", &format!("/{name}<"));
-    let found = findings(&text).into_iter().find(|one| one.code() == FindingCode::FootSphereOnGround);
+    let found = findings_of_text(&text).into_iter().find(|one| one.code() == FindingCode::FootSphereOnGround);
     found.map(|found| found.spheres).unwrap_or_default()
 }
 
@@ -51,8 +51,10 @@ fn spheres_of_feet_on_a_body_that_is_welded_to_ground_are_found() {
     let text = with_spheres_on("/bodyset/stand", &["s1_r"]).replacen("<Body name=\"pelvis\">", body, 1);
     let (before, joints) = text.split_once("<JointSet name=\"jointset\">").unwrap();
     let text = format!("{before}{joint}{}", joints.split_once("<objects>").unwrap().1);
-    let found =
-        findings(&text).into_iter().find(|one| one.code() == FindingCode::FootSphereOnGround).unwrap();
+    let found = findings_of_text(&text)
+        .into_iter()
+        .find(|one| one.code() == FindingCode::FootSphereOnGround)
+        .unwrap();
     assert_eq!(
         found.message.to_string(),
         "s1_r belongs to a foot, and is on stand, which is welded to ground"
@@ -64,7 +66,7 @@ fn a_joint_whose_place_cannot_be_read_has_one_finding() {
     let [place, unreadable] = ["0.16341 -0.00183 -0.00099", "0.16341,-0.00183,-0.00099"];
     let (before, after) = HUMAN.rsplit_once(place).unwrap();
     let codes = |place: &str| -> Vec<FindingCode> {
-        findings(&format!("{before}{place}{after}")).iter().map(Finding::code).collect()
+        findings_of_text(&format!("{before}{place}{after}")).iter().map(Finding::code).collect()
     };
     assert!(codes("0 0 0").contains(&FindingCode::LeftRightBones));
     let found = codes(unreadable);

@@ -43,7 +43,7 @@ pub(crate) enum FileKinds {
 
 #[derive(Debug)]
 pub(crate) enum ReadRefusal {
-    /// The operating system reports an error.
+    /// The operating system reports an error when the file is opened or read.
     System(std::io::Error),
     Kind(&'static str),
     /// The file has more bytes than this limit.
@@ -115,7 +115,7 @@ pub fn reason(error: &std::io::Error) -> String {
 /// # Errors
 /// The file does not exist, cannot be read, is of a kind that `kinds` excludes, is too large, or changes while it is read.
 pub(crate) fn read(path: &Path, kinds: FileKinds) -> Result<(Vec<u8>, Metadata), ReadRefusal> {
-    let (file, metadata) = open(path, kinds)?;
+    let (file, metadata) = open_for_reading(path, kinds)?;
     if metadata.is_file() {
         return Ok((read_to_length(&file, &metadata)?, metadata));
     }
@@ -132,7 +132,7 @@ pub(crate) fn read_ordinary(path: &Path) -> Result<Vec<u8>, ReadRefusal> {
 /// # Errors
 /// The file does not exist, cannot be read, or is not an ordinary file.
 pub(crate) fn read_head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
-    let (file, _) = open(path, FileKinds::Ordinary).map_err(into_io_error)?;
+    let (file, _) = open_for_reading(path, FileKinds::Ordinary).map_err(into_io_error)?;
     let mut head = Vec::with_capacity(most);
     file.take(most as u64).read_to_end(&mut head)?;
     Ok(head)
@@ -140,7 +140,7 @@ pub(crate) fn read_head(path: &Path, most: usize) -> std::io::Result<Vec<u8>> {
 
 /// Opens an ordinary file to be read piece by piece; also returns its length.
 pub(crate) fn open_to_read(path: &Path) -> std::io::Result<(File, u64)> {
-    let (file, metadata) = open(path, FileKinds::Ordinary).map_err(into_io_error)?;
+    let (file, metadata) = open_for_reading(path, FileKinds::Ordinary).map_err(into_io_error)?;
     Ok((file, metadata.len()))
 }
 
@@ -198,7 +198,7 @@ pub(crate) fn create_new(path: &Path, options: &mut OpenOptions) -> std::io::Res
     options.read(true).write(true).create_new(true).open(path)
 }
 
-fn open(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), ReadRefusal> {
+fn open_for_reading(path: &Path, kinds: FileKinds) -> Result<(File, Metadata), ReadRefusal> {
     let mut options = File::options();
     options.read(true);
     if !(kinds == FileKinds::Streams && system::is_stream(path)) {
@@ -290,11 +290,11 @@ mod tests {
         let path = folder.path().join("model.osim");
         for after in ["longer than before", "short"] {
             std::fs::write(&path, "at the start").unwrap();
-            let (file, metadata) = open(&path, FileKinds::Ordinary).unwrap();
+            let (file, metadata) = open_for_reading(&path, FileKinds::Ordinary).unwrap();
             std::fs::write(&path, after).unwrap();
             assert!(matches!(read_to_length(&file, &metadata), Err(ReadRefusal::Changed)), "{after}");
         }
-        let (file, metadata) = open(&path, FileKinds::Ordinary).unwrap();
+        let (file, metadata) = open_for_reading(&path, FileKinds::Ordinary).unwrap();
         assert_eq!(read_to_length(&file, &metadata).unwrap(), b"short");
     }
 

@@ -12,13 +12,13 @@ use osim_requests::options::{OutputOptions, RunOptions};
 use osim_requests::{Request, RequestError};
 
 use crate::run::request::RunRequest;
-use crate::run::task::{Destination, JobSettings, Task};
+use crate::run::task::{JobSettings, ResultDestination, Task};
 use crate::run::writing::{PreparedFiles, ResultBytes};
-use crate::{Disk, LibraryFault, ModelOrigin, OutputFolders, Source, WriteMode};
+use crate::{Disk, LibraryFault, ModelOrigin, ModelSource, OutputFolders, WriteMode};
 
 /// A model with its check, before the changes that the check proposes.
 pub(crate) struct ModelToFix<'m> {
-    pub(crate) source: &'m Source,
+    pub(crate) source: &'m ModelSource,
     /// The model's files; the bytes of the model itself are not needed.
     pub(crate) files: ModelFiles,
     pub(crate) opened: &'m OpenModel,
@@ -53,7 +53,7 @@ impl ModelToFix<'_> {
         let task = request
             .tasks
             .first()
-            .filter(|task| task.destination != Destination::Stdout && task.geometry_output.is_none());
+            .filter(|task| task.destination != ResultDestination::Stdout && task.geometry_output.is_none());
         let Some((task, path)) = task.and_then(|task| Some((task, task.output()?))) else {
             let why = phrase![
                 Input::Fix,

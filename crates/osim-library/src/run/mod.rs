@@ -1,7 +1,7 @@
 //! One run of a verb that changes models: compare the paths of all models, then load, plan, write and report each model.
 //!
 //! A [`Task`] is one model with its `JobSettings`; tasks are independent of each other, so threads share them. What a task
-//! did is an [`Outcome`], reported in the order in which the models were named.
+//! did is an [`ModelOutcome`], reported in the order in which the models were named.
 
 mod fix;
 mod model_job;
@@ -28,13 +28,13 @@ use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, WriteMode};
 
 pub(crate) use fix::ModelToFix;
-pub use model_job::{Counts, Outcome};
+pub use model_job::{ModelOutcome, OutcomeCounts};
 pub use planned_model::PlannedModel;
 pub use record::{JsonRecord, Record, Status};
 pub use request::{ChangedModel, ModelDetail, RunFrontEnd, RunRequest};
 pub use rows::{CheckedRows, RowReader};
-pub use task::{Destination, PathConflicts, PathOwner, Task};
-pub use writing::{GeometryResult, ResultBytes, Written};
+pub use task::{PathConflicts, PathOwner, ResultDestination, Task};
+pub use writing::{GeometryResult, ResultBytes, WrittenOutput};
 
 /// A run over models whose paths were compared: no two tasks write the same file.
 pub struct Run<'r> {
@@ -96,7 +96,7 @@ impl<'r> Run<'r> {
         self.context.folders = self.list_folders();
         self.kept_files = self.context.folders.keep_displaced_files();
         if let Some(summary) = &self.context.summary {
-            self.request.failures.iter().for_each(|failure| summary.add(&Record::of_failure(failure)));
+            self.request.failures.iter().for_each(|failure| summary.add_model(&Record::of_failure(failure)));
         }
         Ok(())
     }
@@ -104,7 +104,8 @@ impl<'r> Run<'r> {
     /// Refuses the whole run if several of its results exist already and may not be replaced.
     fn refuse_existing_results(&self) -> Result<(), LibraryFault> {
         let RunOptions { dry_run, resume, .. } = *self.context.run;
-        let is_new = |task: &&Task| matches!(task.destination, Destination::File(_)) && !task.settings.force;
+        let is_new =
+            |task: &&Task| matches!(task.destination, ResultDestination::File(_)) && !task.settings.force;
         let results = self.request.tasks.iter().filter(|_| !dry_run && !resume).filter(is_new);
         let mode = WriteMode::NewSince(self.context.start);
         let stays = |path: &&Path| path.metadata().is_ok_and(|existing| !mode.is_of_other_run(&existing));
@@ -138,22 +139,22 @@ impl<'r> Run<'r> {
     pub fn do_tasks<F: RunFrontEnd>(
         &self,
         front_end: &F,
-        mut report: impl FnMut(&Task, Outcome<F::Shown>),
-    ) -> Result<Counts, LibraryFault> {
+        mut report: impl FnMut(&Task, ModelOutcome<F::Shown>),
+    ) -> Result<OutcomeCounts, LibraryFault> {
         let tasks = &self.request.tasks;
         let indices: Vec<usize> = (0..tasks.len()).collect();
-        let mut counts = Counts { failed: self.request.failures.len(), ..Counts::default() };
+        let mut counts = OutcomeCounts { failed: self.request.failures.len(), ..OutcomeCounts::default() };
         let work = |&index: &usize| {
             let outcome = tasks.get(index).map(|task| self.do_task(front_end, task));
             let failed = outcome.as_ref().is_some_and(|outcome| outcome.record.status == Status::Failed);
             front_end.task_done(failed);
             outcome
         };
-        let each = |&index: &usize, outcome: Option<Outcome<F::Shown>>| {
+        let each = |&index: &usize, outcome: Option<ModelOutcome<F::Shown>>| {
             if let (Some(task), Some(outcome)) = (tasks.get(index), outcome) {
                 counts.add(&outcome);
                 if let Some(summary) = &self.context.summary {
-                    summary.add(&outcome.record);
+                    summary.add_model(&outcome.record);
                 }
                 report(task, outcome);
             }
@@ -163,9 +164,9 @@ impl<'r> Run<'r> {
         Ok(counts)
     }
 
-    fn do_task<F: RunFrontEnd>(&self, front_end: &F, task: &Task) -> Outcome<F::Shown> {
+    fn do_task<F: RunFrontEnd>(&self, front_end: &F, task: &Task) -> ModelOutcome<F::Shown> {
         if front_end.is_interrupted() {
-            let mut outcome = Outcome::not_begun(task);
+            let mut outcome = ModelOutcome::not_begun(task);
             self.context.previous.keep_earlier_output(&mut outcome.record);
             return outcome;
         }

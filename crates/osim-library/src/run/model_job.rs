@@ -11,8 +11,8 @@ use osim_requests::options::RunOptions;
 use crate::file_access::{sha256, sha256_of_parts};
 use crate::run::resume::{PreviousOutcome, PreviousRun};
 use crate::run::summary::SummaryWriter;
-use crate::run::writing::{PreparedFiles, ResultBytes, Written};
-use crate::run::{ChangedModel, Destination, ModelDetail, Record, RunFrontEnd, Status, Task};
+use crate::run::writing::{PreparedFiles, ResultBytes, WrittenOutput};
+use crate::run::{ChangedModel, ModelDetail, Record, ResultDestination, RunFrontEnd, Status, Task};
 use crate::write::{OutputFolders, WriteMode, hard_link_finding};
 use crate::{Disk, LibraryFault, LoadedModel, ModelOrigin};
 
@@ -26,7 +26,7 @@ pub(super) struct RunContext<'r> {
 }
 
 /// The outcome for one model. `S` is the type of the front end's text about the model.
-pub struct Outcome<S> {
+pub struct ModelOutcome<S> {
     /// The model's line in a summary.
     pub record: Record,
     /// Whether an earlier run has changed the model.
@@ -37,7 +37,7 @@ pub struct Outcome<S> {
     pub failure: Option<Failure>,
 }
 
-impl<S> Outcome<S> {
+impl<S> ModelOutcome<S> {
     pub(super) fn not_begun(task: &Task) -> Self {
         Self { record: Record::not_begun(task), earlier: false, shown: None, failure: None }
     }
@@ -55,7 +55,7 @@ impl<S> Outcome<S> {
 
 /// Numbers of models by their outcome.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub struct Counts {
+pub struct OutcomeCounts {
     pub written: usize,
     /// The number of models in which nothing had to change.
     pub unchanged: usize,
@@ -70,8 +70,8 @@ pub struct Counts {
     pub earlier: usize,
 }
 
-impl Counts {
-    pub(super) fn add<S>(&mut self, outcome: &Outcome<S>) {
+impl OutcomeCounts {
+    pub(super) fn add<S>(&mut self, outcome: &ModelOutcome<S>) {
         if outcome.earlier {
             self.earlier += 1;
             return;
@@ -100,20 +100,20 @@ pub(super) struct ModelJob<'j, F> {
 
 impl<F: RunFrontEnd> ModelJob<'_, F> {
     /// Loads, plans and writes the model. A failure is part of the outcome.
-    pub(super) fn run(&self) -> Outcome<F::Shown> {
+    pub(super) fn run(&self) -> ModelOutcome<F::Shown> {
         let mut record = Record::not_begun(self.task);
         match self.try_to_run(&mut record) {
             Ok(outcome) => outcome,
-            Err(failure) if self.task.source.is_skipped(&failure) => Outcome::without_contacts(record),
+            Err(failure) if self.task.source.is_skipped(&failure) => ModelOutcome::without_contacts(record),
             Err(failure) => {
-                let mut outcome = Outcome::failed(self.with_row_and_words(failure), record);
+                let mut outcome = ModelOutcome::failed(self.with_row_and_words(failure), record);
                 self.context.previous.keep_earlier_output(&mut outcome.record);
                 outcome
             }
         }
     }
 
-    fn try_to_run(&self, record: &mut Record) -> Result<Outcome<F::Shown>, Failure> {
+    fn try_to_run(&self, record: &mut Record) -> Result<ModelOutcome<F::Shown>, Failure> {
         let task = self.task;
         let detail = self.front_end.detail();
         let loaded = LoadedModel::read(&task.source, &task.settings.change.set_files)?;
@@ -128,7 +128,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
                 match previous.map_err(|fault| fault.into_failure(loaded.files.name().clone(), "output"))? {
                     PreviousOutcome::UpToDate(record) => {
                         let shown = self.show_earlier(loaded, &record, detail, &inputs);
-                        return Ok(Outcome { record: *record, earlier: true, shown, failure: None });
+                        return Ok(ModelOutcome { record: *record, earlier: true, shown, failure: None });
                     }
                     PreviousOutcome::Outdated => force = true,
                     PreviousOutcome::ModelChanged if !force => {
@@ -168,7 +168,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
             before_after,
             earlier: false,
         });
-        Ok(Outcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
+        Ok(ModelOutcome { record: record.clone(), earlier: false, shown: Some(shown), failure: None })
     }
 
     /// Plans and shows the change of a model that an earlier run has changed, if the front end wants details. `None` if the model was
@@ -198,7 +198,7 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
             inputs,
             plan: &plan,
             results: &results,
-            written: &Written::Files { paths, kept: Vec::new() },
+            written: &WrittenOutput::Files { paths, kept: Vec::new() },
             record,
             before_after,
             earlier: true,
@@ -269,16 +269,16 @@ impl<F: RunFrontEnd> ModelJob<'_, F> {
         results: &ResultBytes<'_>,
         force: bool,
         record: &mut Record,
-    ) -> Result<Written, LibraryFault> {
+    ) -> Result<WrittenOutput, LibraryFault> {
         if self.context.run.dry_run {
             record.status = Status::DryRun;
             self.context.previous.keep_digests(record);
-            return Ok(Written::Nothing("dry run: nothing written"));
+            return Ok(WrittenOutput::Nothing("dry run: nothing written"));
         }
-        let to_stdout = self.task.destination == Destination::Stdout;
+        let to_stdout = self.task.destination == ResultDestination::Stdout;
         if plan.is_empty() && !self.task.output_is_named && !to_stdout {
             record.status = Status::Unchanged;
-            return Ok(Written::Nothing("nothing written"));
+            return Ok(WrittenOutput::Nothing("nothing written"));
         }
         record.status = Status::Written;
         let mode = if force { WriteMode::Replace } else { WriteMode::NewSince(self.context.start) };

@@ -13,14 +13,14 @@ use osim_requests::spell::Speller;
 
 use crate::fault::{Context, LibraryFault};
 use crate::run::model_job::changed_files;
-use crate::run::task::{Destination, JobSettings, Task};
-use crate::run::writing::{PreparedFiles, ResultBytes, Written};
+use crate::run::task::{JobSettings, ResultDestination, Task};
+use crate::run::writing::{PreparedFiles, ResultBytes, WrittenOutput};
 use crate::run::{ChangedModel, Record, RunRequest, Status};
 use crate::write::{OutputFolders, WriteMode, hard_link_finding};
-use crate::{LoadedModel, ModelOrigin, Source, file_access, sha256};
+use crate::{LoadedModel, ModelOrigin, ModelSource, file_access, sha256};
 
 pub struct PlannedModel {
-    source: Source,
+    source: ModelSource,
     /// The files that belong to the model, without the bytes of the model itself.
     files: ModelFiles,
     pub opened: OpenModel,
@@ -46,7 +46,14 @@ impl PlannedModel {
         let opened = model.open()?;
         let mut plan = change.plan(&opened, files)?;
         plan.spell(dialect);
-        Ok(Self { source: Source::file(path), files: kept, opened, origin, plan, change: Arc::new(change) })
+        Ok(Self {
+            source: ModelSource::file(path),
+            files: kept,
+            opened,
+            origin,
+            plan,
+            change: Arc::new(change),
+        })
     }
 
     /// The new bytes of each file that changes, the model first.
@@ -84,7 +91,7 @@ impl PlannedModel {
             inputs: &inputs,
             plan: &self.plan,
             results: &results,
-            written: &Written::Nothing("planned: nothing written yet"),
+            written: &WrittenOutput::Nothing("planned: nothing written yet"),
             record: &record,
             before_after: Some(states),
             earlier: false,
@@ -97,9 +104,9 @@ impl PlannedModel {
     /// # Errors
     /// The output is standard output or one of the inputs; a file exists that may not be replaced; the change is in place, and the model
     /// changed since it was planned; or the disk refuses. Nothing is written in these cases.
-    pub fn write(&self, output: &OutputOptions) -> Result<(Written, Vec<String>), LibraryFault> {
+    pub fn write(&self, output: &OutputOptions) -> Result<(WrittenOutput, Vec<String>), LibraryFault> {
         let task = self.task_for(output);
-        if task.destination == Destination::Stdout {
+        if task.destination == ResultDestination::Stdout {
             return Err(LibraryFault::new(phrase![
                 "this model cannot go to standard output: name a file with ",
                 Input::Output,
@@ -108,7 +115,7 @@ impl PlannedModel {
         let from_memory = self.is_from_memory();
         let request = RunRequest { from_memory, ..RunRequest::new(self.change.verb, vec![task]) };
         request.check_paths(&RunOptions::default())?;
-        let nothing = Written::Nothing("nothing written");
+        let nothing = WrittenOutput::Nothing("nothing written");
         let Some(task) = request.tasks.first() else { return Ok((nothing, Vec::new())) };
         let outputs = task.output().into_iter().chain(task.geometry_output.as_deref());
         let mut folders = OutputFolders::list(outputs, true);

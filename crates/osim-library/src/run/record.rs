@@ -353,7 +353,7 @@ pub(super) struct PropertyChange {
     pub(super) to: Option<f64>,
     /// The factor from the old to the new value, if it is the same in all contacts.
     pub(super) factor: Option<f64>,
-    /// Whether the factor differs between contacts.
+    /// Whether the contacts of the model have different factors for this property.
     is_unequal: bool,
 }
 

@@ -12,13 +12,13 @@ use osim_requests::options::{OutputOptions, RunFormat, RunOptions};
 use osim_requests::spell::Speller;
 
 use crate::run::task::{JobSettings, PathConflicts, PathOwner, Task};
-use crate::run::{Record, ResultBytes, Written};
-use crate::{LibraryFault, Source, Sources, folder_of};
+use crate::run::{Record, ResultBytes, WrittenOutput};
+use crate::{LibraryFault, ModelSource, Sources, folder_of};
 
-/// All tasks of one run.
+/// A request for one run: its tasks, and the models that could not be listed.
 pub struct RunRequest {
     pub verb: Verb,
-    /// A task for each model.
+    /// One task for each model of the run.
     pub tasks: Vec<Task>,
     /// Models that could not be listed.
     pub failures: Vec<Failure>,
@@ -65,7 +65,7 @@ impl RunRequest {
             ]));
         }
         let settings = Arc::new(JobSettings::new(Arc::clone(&change), output));
-        let task = |source: Source| Task::new(source, output, Arc::clone(&settings));
+        let task = |source: ModelSource| Task::new(source, output, Arc::clone(&settings));
         let tasks = sources.models.into_iter().map(task).collect();
         Ok(Self {
             failures: sources.failures,
@@ -171,7 +171,7 @@ fn check_options(
 /// Details of each model that a front end needs besides the plan of its change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelDetail {
-    /// Only the result.
+    /// The front end gets only the new model.
     ResultOnly,
     /// Inspections and checks of the model before and after the change, perhaps with the feet.
     BeforeAfter { feet: bool },
@@ -191,7 +191,7 @@ pub trait RunFrontEnd: Sync {
     /// Whether no further model should be started.
     fn is_interrupted(&self) -> bool;
 
-    /// Is called after each model.
+    /// Is called after each model of the run, for a progress bar; `failed` says whether the model failed.
     fn task_done(&self, failed: bool);
 }
 
@@ -203,7 +203,7 @@ pub struct ChangedModel<'c> {
     pub inputs: &'c [String],
     pub plan: &'c Plan,
     pub results: &'c ResultBytes<'c>,
-    pub written: &'c Written,
+    pub written: &'c WrittenOutput,
     /// Line of the model in a summary.
     pub record: &'c Record,
     /// The model before and after the change, if the front end wants them.

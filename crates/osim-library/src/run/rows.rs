@@ -14,8 +14,8 @@ use osim_requests::options::OutputOptions;
 
 use crate::run::request::RunRequest;
 use crate::run::summary_lines::summary_columns;
-use crate::run::task::{Destination, JobSettings, Task};
-use crate::{LibraryFault, OrdinaryFiles, Source, resolved};
+use crate::run::task::{JobSettings, ResultDestination, Task};
+use crate::{LibraryFault, ModelSource, OrdinaryFiles, resolved};
 
 /// The rows of a table after all of them were checked.
 pub enum CheckedRows {
@@ -130,8 +130,8 @@ impl TableRows<'_> {
             let message = format!("{why}: {}", row.model.display());
             return Err(RowFault::of(column, message));
         }
-        let settings = self.settings(row, shared)?;
-        let task = Task::new(Source::in_table(&row.model), &row.output, settings)
+        let settings = self.row_settings(row, shared)?;
+        let task = Task::new(ModelSource::in_table(&row.model), &row.output, settings)
             .with_user_columns(row.user_columns.clone());
         let checked = self
             .writable_folder
@@ -146,7 +146,11 @@ impl TableRows<'_> {
         })
     }
 
-    fn settings(&self, row: &RowRequest, shared: &mut SharedSettings) -> Result<Arc<JobSettings>, RowFault> {
+    fn row_settings(
+        &self,
+        row: &RowRequest,
+        shared: &mut SharedSettings,
+    ) -> Result<Arc<JobSettings>, RowFault> {
         let key = row.settings();
         if let Some(settings) = shared.get(&key) {
             return Ok(Arc::clone(settings));
@@ -182,7 +186,7 @@ impl WritableFolder {
         row: &OutputOptions,
         call_output: &OutputOptions,
     ) -> Result<(), (Input, Phrase)> {
-        let changes_model = matches!(task.destination, Destination::InPlace);
+        let changes_model = matches!(task.destination, ResultDestination::InPlace);
         let replaces = row.force && !call_output.force;
         if !(task.output_is_named || changes_model || replaces) {
             return Ok(());

@@ -33,7 +33,7 @@ struct OrderedLines {
 }
 
 impl OrderedLines {
-    fn add(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
+    fn add_line(&mut self, format: SummaryFormat, record: &Record) -> Result<(), LibraryFault> {
         let line = format.record_line(record, self.user_columns.is_none())?;
         let names = || record.user_columns.iter().map(|(name, _)| name.clone()).collect();
         self.user_columns.get_or_insert_with(names);
@@ -89,10 +89,10 @@ impl SummaryWriter {
     }
 
     /// Adds the line of the next model in order. A fault does not stop the run: [`finish`](Self::finish) returns it.
-    pub(super) fn add(&self, record: &Record) {
+    pub(super) fn add_model(&self, record: &Record) {
         let Ok(mut summary) = self.summary.lock() else { return };
         if summary.fault.is_none() {
-            summary.fault = summary.add(self.format, &self.with_folder(record)).err();
+            summary.fault = summary.add_line(self.format, &self.with_folder(record)).err();
         }
     }
 
@@ -113,7 +113,7 @@ impl SummaryWriter {
             kept.user_columns =
                 names.iter().map(|name| (name.clone(), text(name).unwrap_or_default())).collect();
         }
-        summary.add(self.format, &kept)
+        summary.add_line(self.format, &kept)
     }
 
     /// Gives the summary its name, and removes the partial summary.

@@ -14,12 +14,12 @@ use osim_requests::options::OutputOptions;
 
 use crate::file_access::{NameDigest, digest_of_name, sha256};
 use crate::paths::Resolver;
-use crate::{LibraryFault, OrdinaryFiles, Source};
+use crate::{LibraryFault, ModelSource, OrdinaryFiles};
 
-/// A model with its settings.
+/// One model of a run, with the settings for its change and the places of its results.
 pub struct Task {
-    pub source: Source,
-    pub destination: Destination,
+    pub source: ModelSource,
+    pub destination: ResultDestination,
     /// The file for the changed geometry set of a standalone force set.
     pub geometry_output: Option<PathBuf>,
     /// Whether the user named the output file. Then it is written even if nothing changes.
@@ -32,10 +32,10 @@ pub struct Task {
 }
 
 impl Task {
-    pub(super) fn new(source: Source, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
+    pub(super) fn new(source: ModelSource, output: &OutputOptions, settings: Arc<JobSettings>) -> Self {
         let geometry = settings.change.set_files.geometry.as_deref();
         Self {
-            destination: Destination::of_source(&source, output),
+            destination: ResultDestination::of_source(&source, output),
             geometry_output: geometry.map(|geometry| output.of_geometry(geometry)),
             output_is_named: output.output.is_some() || output.output_dir.is_some(),
             source,
@@ -54,7 +54,7 @@ impl Task {
         Self { user_columns, ..self }
     }
 
-    /// The file that the task writes.
+    /// The file that the task writes the new model to; `None` if it writes none.
     pub fn output(&self) -> Option<&Path> {
         self.destination.path(&self.source)
     }
@@ -95,16 +95,16 @@ impl JobSettings {
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Destination {
+pub enum ResultDestination {
     /// The result is written to standard output.
     Stdout,
     File(PathBuf),
     InPlace,
 }
 
-impl Destination {
+impl ResultDestination {
     /// The file that is written for `source`.
-    pub fn path<'p>(&'p self, source: &'p Source) -> Option<&'p Path> {
+    pub fn path<'p>(&'p self, source: &'p ModelSource) -> Option<&'p Path> {
         match self {
             Self::Stdout => None,
             Self::File(path) => Some(path),
@@ -112,7 +112,7 @@ impl Destination {
         }
     }
 
-    fn of_source(source: &Source, output: &OutputOptions) -> Self {
+    fn of_source(source: &ModelSource, output: &OutputOptions) -> Self {
         if let Some(path) = &output.output {
             return if path.as_os_str() == "-" { Self::Stdout } else { Self::File(path.clone()) };
         }
@@ -255,8 +255,8 @@ impl<'p> PathConflicts<'p> {
 mod tests {
     use super::*;
 
-    fn source(path: &str, folder: Option<&str>) -> Source {
-        Source { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()), named: true }
+    fn source(path: &str, folder: Option<&str>) -> ModelSource {
+        ModelSource { path: path.into(), folder: folder.map(|folder| Path::new(folder).into()), named: true }
     }
 
     #[test]

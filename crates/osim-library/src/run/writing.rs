@@ -7,7 +7,7 @@ use osim_model::messages::{Input, phrase};
 use osim_model::{Fault, FileId, Model};
 use osim_patch::{Patch, Plan};
 
-use crate::run::task::{Destination, Task};
+use crate::run::task::{ResultDestination, Task};
 use crate::write::{ExchangedModel, PendingFile, ReplacementFile, WriteMode, backup};
 use crate::{FileStamp, LibraryFault, ModelOrigin, make_folder_of};
 
@@ -47,8 +47,8 @@ impl<'m> ResultBytes<'m> {
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Written {
-    /// Nothing was written, for a reason.
+pub enum WrittenOutput {
+    /// No file was written, for this reason.
     Nothing(&'static str),
     /// The model was written to standard output.
     Stdout,
@@ -56,7 +56,7 @@ pub enum Written {
     Files { paths: Vec<PathBuf>, kept: Vec<PathBuf> },
 }
 
-impl Written {
+impl WrittenOutput {
     pub fn describe(&self) -> String {
         match self {
             Self::Nothing(why) => (*why).to_owned(),
@@ -174,7 +174,7 @@ impl<'w> PreparedFiles<'w> {
     ///
     /// # Errors
     /// Another program changed the model in the meantime, or a folder cannot be changed.
-    pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<Written, LibraryFault> {
+    pub(super) fn commit(self, results: &ResultBytes<'_>) -> Result<WrittenOutput, LibraryFault> {
         // Bytes reach the disk before names change, if two files belong together or a file is replaced.
         let replacements = || self.replacements.iter().map(|(_, prepared)| prepared);
         if self.replacements.len() > 1 || replacements().any(PendingFile::replaces) {
@@ -204,9 +204,13 @@ impl<'w> PreparedFiles<'w> {
                 prepared.commit()?;
             }
         }
-        let to_stdout = self.task.destination == Destination::Stdout;
+        let to_stdout = self.task.destination == ResultDestination::Stdout;
         let (paths, backups_of_user) = (self.paths, self.backups_of_user);
-        Ok(if to_stdout { Written::Stdout } else { Written::Files { paths, kept: backups_of_user } })
+        Ok(if to_stdout {
+            WrittenOutput::Stdout
+        } else {
+            WrittenOutput::Files { paths, kept: backups_of_user }
+        })
     }
 }
 

@@ -13,7 +13,7 @@ use osim_requests::options::SetFiles;
 
 use crate::fault::{Context, LibraryFault};
 use crate::file_access::{self, FileKinds, sha256};
-use crate::{Source, folder_of, workbook_as_csv};
+use crate::{ModelSource, folder_of, workbook_as_csv};
 
 /// Reads files that the user named from the disk, also pipes and devices; the path `-` is standard input. A file whose name is in
 /// another file has to be an ordinary file.
@@ -163,13 +163,13 @@ pub struct ModelOrigin {
 
 impl LoadedModel {
     /// Reads the model `source`, the files that it includes and the files `set_files` that the user gave beside it.
-    pub fn read(source: &Source, set_files: &SetFiles) -> Result<Self, Failure> {
+    pub fn read(source: &ModelSource, set_files: &SetFiles) -> Result<Self, Failure> {
         Self::read_with_memory(source, set_files, &BTreeMap::new())
     }
 
     /// Reads the model `source` and the files that belong to it. A file in `memory` replaces a file of the same name on the disk.
     pub fn read_with_memory(
-        source: &Source,
+        source: &ModelSource,
         set_files: &SetFiles,
         memory: &BTreeMap<PathBuf, Vec<u8>>,
     ) -> Result<Self, Failure> {

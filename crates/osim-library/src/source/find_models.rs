@@ -18,7 +18,7 @@ use crate::paths::{Resolver, resolved};
 pub(crate) const SWEEP_FOLDER_ENDING: &str = ".sweep";
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Source {
+pub struct ModelSource {
     /// The path of the model; `-` is standard input.
     pub path: PathBuf,
     /// The folder that the user named, if the model was found in it.
@@ -27,13 +27,13 @@ pub struct Source {
     pub named: bool,
 }
 
-impl Source {
-    /// A model that the user named.
+impl ModelSource {
+    /// The source of a model whose path the user typed.
     pub fn file(path: &Path) -> Self {
         Self { path: path.to_owned(), folder: None, named: true }
     }
 
-    /// A model that a table names.
+    /// The source of a model whose path is in a row of a table.
     pub(crate) fn in_table(path: &Path) -> Self {
         Self { named: false, ..Self::file(path) }
     }
@@ -61,7 +61,7 @@ impl Source {
 /// The models that a call names, including the models in folders that it names.
 #[derive(Debug, Default)]
 pub struct Sources {
-    pub models: Vec<Source>,
+    pub models: Vec<ModelSource>,
     /// Files and folders that cannot be listed.
     pub failures: Vec<Failure>,
     pub remarks: Vec<String>,
@@ -84,7 +84,7 @@ impl Sources {
             } else if path.is_dir() {
                 sources.search_folder(path, skip, &mut seen);
             } else if seen.insert(path) {
-                sources.models.push(Source::file(path));
+                sources.models.push(ModelSource::file(path));
             }
         }
         sources
@@ -120,7 +120,7 @@ impl Sources {
                     has_models = true;
                     if seen.insert(entry.path()) {
                         let folder = Some(Arc::clone(&shared));
-                        self.models.push(Source { path: entry.into_path(), folder, named: false });
+                        self.models.push(ModelSource { path: entry.into_path(), folder, named: false });
                     } else {
                         repeated += 1;
                     }
@@ -212,7 +212,7 @@ const MOST_NAME_PARTS: usize = 12;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SplitName {
     pub words: Range<usize>,
-    /// The arguments, joined by blanks.
+    /// The name that the arguments give if they are joined by blanks.
     pub name: PathBuf,
     pub exists: bool,
 }

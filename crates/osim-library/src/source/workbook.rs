@@ -16,8 +16,8 @@ const ZIP_SIGNATURE: &[u8] = b"PK\x03\x04";
 const MOST_ROWS: u32 = 1_048_576;
 const MOST_COLUMNS: u32 = 16_384;
 /// Most digits and letters in the reference of a cell.
-const MOST_DIGITS: usize = 7;
-const MOST_LETTERS: usize = 3;
+const MOST_ROW_DIGITS: usize = 7;
+const MOST_COLUMN_LETTERS: usize = 3;
 /// Most cells in the smallest rectangle around all filled cells of a sheet.
 const MOST_CELLS: usize = 10_000_000;
 
@@ -54,7 +54,7 @@ fn refuse_overflowing_references(bytes: &[u8]) -> Result<(), FileError> {
                     let reference = tag.try_get_attribute("r").ok().flatten();
                     let reference = reference.map(|found| found.value).unwrap_or_default();
                     let digits = reference.bytes().filter(u8::is_ascii_digit).count();
-                    if digits > MOST_DIGITS || reference.len() - digits > MOST_LETTERS {
+                    if digits > MOST_ROW_DIGITS || reference.len() - digits > MOST_COLUMN_LETTERS {
                         return Err(FileError::new(format!(
                             "a sheet of this workbook has a cell or row '{}', and the last cell of a sheet is XFD1048576: save it \
                              again in a spreadsheet program",
@@ -136,7 +136,7 @@ fn text_of_cell(cell: &Data) -> Result<String, String> {
         Data::Float(number) => Ok(shortest(*number)),
         Data::Int(number) => Ok(number.to_string()),
         Data::Error(error) => {
-            Err(format!("({}) {}", name_of_error(error), osim_planning::sheet::BROKEN_FORMULA))
+            Err(format!("({}) {}", name_of_error(error), osim_planning::sheet::BROKEN_FORMULA_MESSAGE))
         }
         Data::Bool(_) => Err("is true or false, expected a number or a text".to_owned()),
         _ => {

@@ -19,7 +19,7 @@ use crate::file_access;
 use crate::file_access::sha256;
 use crate::partial::PartialFile;
 use crate::paths::{Resolver, resolved};
-use crate::source::{FileStamp, LoadedModel, ModelOrigin, SWEEP_FOLDER_ENDING, Source};
+use crate::source::{FileStamp, LoadedModel, ModelOrigin, ModelSource, SWEEP_FOLDER_ENDING};
 use crate::sweep::tables::{SweepTables, WrittenFiles, csv_line};
 use crate::workers::{thread_count, work_in_order};
 use crate::write::{OutputFolders, PendingFile, WriteMode};
@@ -29,7 +29,7 @@ pub trait SweepFrontEnd: Sync {
     /// Whether no further variant should be started.
     fn is_interrupted(&self) -> bool;
 
-    /// Is called after each variant.
+    /// Is called after each variant of the sweep, for a progress bar; `failed` says whether it failed.
     fn variant_done(&self, failed: bool);
 }
 
@@ -62,7 +62,7 @@ pub struct SweepEnd {
 enum VariantOutcome {
     /// The variant is written, and `row` is its line in the table.
     Row { row: Vec<u8>, number: usize, contacts: String, earlier: bool, worse: bool },
-    /// The variant cannot be made.
+    /// The variant cannot be made, for this reason.
     Failed(Failure),
     /// The sweep was interrupted before the variant.
     NotBegun,
@@ -80,7 +80,7 @@ impl<'s> SweepRun<'s> {
             return Err(RequestFault::general("a sweep makes variants of one model: name its file").into());
         }
         request.check()?;
-        let (plan, origin) = Self::plan(request, model).map_err(|mut error| {
+        let (plan, origin) = Self::plan_sweep(request, model).map_err(|mut error| {
             if let RequestError::Failure(failure) = &mut error {
                 failure.message.choose_alternatives(&|input| verb_takes(Verb::Sweep, input));
             }
@@ -89,8 +89,12 @@ impl<'s> SweepRun<'s> {
         Ok(Self { request, plan, origin, folder: folder_of_variants(request, model) })
     }
 
-    fn plan(request: &'s SweepRequest, model: &Path) -> Result<(SweepPlan<'s>, ModelOrigin), RequestError> {
-        let LoadedModel { files, origin } = LoadedModel::read(&Source::file(model), &SetFiles::default())?;
+    fn plan_sweep(
+        request: &'s SweepRequest,
+        model: &Path,
+    ) -> Result<(SweepPlan<'s>, ModelOrigin), RequestError> {
+        let LoadedModel { files, origin } =
+            LoadedModel::read(&ModelSource::file(model), &SetFiles::default())?;
         Ok((SweepPlan::new(request, files)?, origin))
     }
 

@@ -39,7 +39,7 @@ impl<'p> SweepTables<'p> {
         self.part.is_some()
     }
 
-    /// The tables that other runs write.
+    /// Tables of the folder that other runs of the same sweep write.
     pub(super) fn tables_of_others(&self) -> impl Iterator<Item = &Path> {
         let whole = self.is_part().then_some(self.whole.as_path());
         let parts = self.tables_of_parts().iter().map(PathBuf::as_path);

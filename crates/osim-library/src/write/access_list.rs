@@ -9,18 +9,18 @@ use rustix::io::Errno;
 use tempfile::NamedTempFile;
 
 /// The extended attribute in which Linux stores the access list of a file.
-const ATTRIBUTE_NAME: &str = "system.posix_acl_access";
+const ACCESS_LIST_ATTRIBUTE: &str = "system.posix_acl_access";
 /// Most bytes of an access list: Linux takes at most 64 KiB as one attribute.
-const MOST_ATTRIBUTE_BYTES: usize = 1 << 16;
+const MOST_ACCESS_LIST_BYTES: usize = 1 << 16;
 
 /// Gives the new `file` the access list of `existing`. If `existing` has none, removes the list that `file` got from its folder.
 /// Does nothing on a file system without access lists.
 pub(super) fn keep_access_list(file: &NamedTempFile, existing: &Path) {
-    let mut list: Vec<u8> = Vec::with_capacity(MOST_ATTRIBUTE_BYTES);
+    let mut list: Vec<u8> = Vec::with_capacity(MOST_ACCESS_LIST_BYTES);
     // A file that could not be read would not be replaced.
-    let kept = match getxattr(existing, ATTRIBUTE_NAME, spare_capacity(&mut list)) {
-        Ok(_) => fsetxattr(file, ATTRIBUTE_NAME, &list, XattrFlags::empty()),
-        Err(Errno::NODATA) => fremovexattr(file, ATTRIBUTE_NAME),
+    let kept = match getxattr(existing, ACCESS_LIST_ATTRIBUTE, spare_capacity(&mut list)) {
+        Ok(_) => fsetxattr(file, ACCESS_LIST_ATTRIBUTE, &list, XattrFlags::empty()),
+        Err(Errno::NODATA) => fremovexattr(file, ACCESS_LIST_ATTRIBUTE),
         Err(_) => Ok(()),
     };
     // If the access list cannot be copied, the new file still has the mode bits of the old one.
@@ -51,8 +51,8 @@ mod tests {
     }
 
     fn read(path: &Path) -> Option<Vec<u8>> {
-        let mut seen = vec![0; MOST_ATTRIBUTE_BYTES];
-        let length = getxattr(path, ATTRIBUTE_NAME, &mut seen).ok()?;
+        let mut seen = vec![0; MOST_ACCESS_LIST_BYTES];
+        let length = getxattr(path, ACCESS_LIST_ATTRIBUTE, &mut seen).ok()?;
         seen.truncate(length);
         Some(seen)
     }
@@ -74,7 +74,7 @@ mod tests {
         replace();
         assert_eq!(read(&path), None);
         // One of its own stays.
-        setxattr(&path, ATTRIBUTE_NAME, &access_list_bytes(4), XattrFlags::empty()).unwrap();
+        setxattr(&path, ACCESS_LIST_ATTRIBUTE, &access_list_bytes(4), XattrFlags::empty()).unwrap();
         replace();
         assert_eq!(read(&path), Some(access_list_bytes(4)));
     }

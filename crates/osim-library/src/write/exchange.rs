@@ -22,7 +22,7 @@ use crate::write::temporary;
     not(any(target_os = "linux", target_vendor = "apple")),
     expect(dead_code, reason = "other systems cannot do it, and say only that")
 )]
-pub(super) enum Exchange {
+pub(super) enum ExchangeOutcome {
     Done,
     /// The operating system, or the file system, cannot exchange files.
     NotPossible,
@@ -34,27 +34,27 @@ pub(super) const EXCHANGE_IS_KNOWN: bool = cfg!(any(target_os = "linux", target_
 
 /// Exchanges two files of one folder: `renameat2` with `RENAME_EXCHANGE` on Linux, `renameatx_np` with `RENAME_SWAP` on macOS.
 #[cfg(any(target_os = "linux", target_vendor = "apple"))]
-pub(super) fn exchange(one: &Path, other: &Path) -> Exchange {
+pub(super) fn exchange(one: &Path, other: &Path) -> ExchangeOutcome {
     use rustix::fs::{CWD, RenameFlags, renameat_with};
     use rustix::io::Errno;
-    const NOT_POSSIBLE: [Errno; 4] = [Errno::INVAL, Errno::NOSYS, Errno::NOTSUP, Errno::OPNOTSUPP];
+    const ERRORS_WITHOUT_EXCHANGE: [Errno; 4] = [Errno::INVAL, Errno::NOSYS, Errno::NOTSUP, Errno::OPNOTSUPP];
     match renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE) {
-        Ok(()) => Exchange::Done,
-        Err(errno) if NOT_POSSIBLE.contains(&errno) => Exchange::NotPossible,
-        Err(errno) => Exchange::Failed(errno.into()),
+        Ok(()) => ExchangeOutcome::Done,
+        Err(errno) if ERRORS_WITHOUT_EXCHANGE.contains(&errno) => ExchangeOutcome::NotPossible,
+        Err(errno) => ExchangeOutcome::Failed(errno.into()),
     }
 }
 
 /// Windows cannot exchange files: `ReplaceFileW` renames twice, and between the two renames no file has the name.
 #[cfg(not(any(target_os = "linux", target_vendor = "apple")))]
-pub(super) fn exchange(_one: &Path, _other: &Path) -> Exchange {
-    Exchange::NotPossible
+pub(super) fn exchange(_one: &Path, _other: &Path) -> ExchangeOutcome {
+    ExchangeOutcome::NotPossible
 }
 
 const INFIX_OF_REPLACED: &str = ".replaced-";
 
 /// The longest name that most file systems allow, in bytes.
-const LONGEST_NAME: usize = 255;
+const LONGEST_FILE_NAME_BYTES: usize = 255;
 
 /// Renames the complete new version of `target` for the exchange. Afterwards this file is not removed automatically.
 pub(super) fn rename_for_exchange(
@@ -65,7 +65,8 @@ pub(super) fn rename_for_exchange(
     let owner =
         temporary::host_and_process(replacement.path().file_name().unwrap_or_default()).unwrap_or_default();
     let end = format!("{INFIX_OF_REPLACED}{owner}-{}", short_digest(after));
-    let mut name = shortened(target.file_name().unwrap_or_default(), LONGEST_NAME.saturating_sub(end.len()));
+    let mut name =
+        shortened(target.file_name().unwrap_or_default(), LONGEST_FILE_NAME_BYTES.saturating_sub(end.len()));
     name.push(end);
     let name = target.with_file_name(name);
     if name.symlink_metadata().is_ok() {

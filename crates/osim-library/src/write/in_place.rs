@@ -18,13 +18,13 @@ use osim_planning::rules::hard_linked;
 use tempfile::NamedTempFile;
 
 use crate::write::exchange::{
-    self, EXCHANGE_IS_KNOWN, Exchange, become_backup, exchange, has_bytes, keep_as_backup, link_count,
+    self, EXCHANGE_IS_KNOWN, ExchangeOutcome, become_backup, exchange, has_bytes, keep_as_backup, link_count,
 };
 use crate::write::replace::{PendingFile, WriteMode, sync_folder_of};
 use crate::{LibraryFault, file_access, resolved};
 
 /// How often a file that another program saves during an exchange is put back, before it is kept as a backup instead.
-const MOST_PUT_BACKS: usize = 8;
+const MOST_TRIES_TO_PUT_BACK: usize = 8;
 
 /// The new file of a model, with the bytes that show whether the model changed since it was read.
 pub(crate) struct ReplacementFile<'b> {
@@ -51,7 +51,7 @@ pub(crate) struct ExchangedModel<'b> {
 pub(crate) enum UndoOutcome {
     /// The old model has its name again.
     Restored,
-    /// The old model has its name again. A file that another program saved meanwhile is this backup.
+    /// The old model has its name again; what another program saved in the meantime is kept in this backup file.
     Kept(PathBuf),
     /// The old model could not be restored, for this reason.
     NotRestored(String),
@@ -83,7 +83,7 @@ impl<'b> ReplacementFile<'b> {
                 exchange::rename_for_exchange(replacement, &target, &written_bytes).map_err(cannot)?;
         }
         let exchanged = exchange(replacement.path(), &target);
-        if let Exchange::Done = exchanged {
+        if let ExchangeOutcome::Done = exchanged {
             let in_place = ExchangedModel {
                 displaced: Some(replacement),
                 target,
@@ -96,7 +96,7 @@ impl<'b> ReplacementFile<'b> {
         }
         // The replacement is removed unless another program has written into it.
         replacement.disable_cleanup(!has_bytes(replacement.path(), &written_bytes));
-        if let Exchange::Failed(error) = exchanged {
+        if let ExchangeOutcome::Failed(error) = exchanged {
             return Err(if error.kind() == ErrorKind::NotFound {
                 fault_of_missing_model(&shown)
             } else {
@@ -137,9 +137,9 @@ impl ExchangedModel<'_> {
     pub(crate) fn put_back(self) -> UndoOutcome {
         let Some(mut displaced) = self.displaced else { return self.write_old_bytes() };
         let (mut went_in, mut is_back): (Option<Vec<u8>>, bool) = (None, false);
-        for _ in 0..MOST_PUT_BACKS {
+        for _ in 0..MOST_TRIES_TO_PUT_BACK {
             let going_in = file_access::read_ordinary(displaced.path()).ok();
-            if !matches!(exchange(displaced.path(), &self.target), Exchange::Done) {
+            if !matches!(exchange(displaced.path(), &self.target), ExchangeOutcome::Done) {
                 break;
             }
             is_back = true;

@@ -7,7 +7,7 @@ use foldhash::HashMap;
 use glam::DVec3;
 
 use super::fault::FeetFault;
-use super::mesh::{MeshFault, Surface, is_length, length, mesh_points, mesh_surface};
+use super::mesh::{MeshFault, MeshSurface, is_length, length, mesh_points, mesh_surface};
 use crate::messages::{shown, three_significant};
 use crate::model::files::Files;
 use crate::model::{AttachedMesh, Model, Side, probable_units};
@@ -109,7 +109,7 @@ pub fn attached_surface(
     attached: &AttachedMesh,
     folders: &MeshFolders,
     files: &dyn Files,
-) -> Result<Surface, FeetFault> {
+) -> Result<MeshSurface, FeetFault> {
     let MeshFile { file, mirrored, bytes } = found_mesh_file(attached, folders, files)?;
     let fault = |fault| FeetFault::Mesh {
         body: attached.body.clone(),
@@ -179,7 +179,7 @@ impl MeshFolders {
         Self(vec![folder.to_owned(), folder.join("Geometry")])
     }
 
-    /// Adds `folder` as the last one.
+    /// Adds a folder in which meshes are searched after those in all other folders.
     pub fn with_folder(mut self, folder: impl Into<PathBuf>) -> Self {
         self.0.push(folder.into());
         self
@@ -259,7 +259,7 @@ pub struct OddMesh {
     pub body: String,
     /// Name of the mesh file, as the model writes it.
     pub mesh: String,
-    /// The message for the user.
+    /// The message for the user about the mesh that is odd.
     pub text: String,
 }
 

@@ -44,7 +44,7 @@ pub struct ContactPlane {
 pub struct PlaneSurface {
     /// Outward normal of the plane, of length 1.
     pub normal: DVec3,
-    /// A point of the plane, m.
+    /// A point on the surface of the plane, m.
     pub point_m: DVec3,
     /// The angle between the plane's normal and the direction opposite to gravity, rad: 0 for a level floor, π for a floor upside down.
     pub tilt_rad: f64,

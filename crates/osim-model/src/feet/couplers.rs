@@ -46,7 +46,7 @@ impl Couplers {
     pub fn of(model: &Model) -> Self {
         let mut couplers = Self { couplers: Vec::new(), unknown: Vec::new() };
         for (document, constraint) in enforced_constraints(model) {
-            match coupler(document, constraint) {
+            match read_coupler(document, constraint) {
                 Some(coupler) => couplers.couplers.push(coupler),
                 None => couplers.unknown.push(unknown_constraint(document, constraint)),
             }
@@ -100,7 +100,8 @@ fn coordinate_values(model: &Model) -> CoordinateValues {
 
 /// The names of the coordinates that an enforced coupler constraint determines.
 fn dependent_coordinates(model: &Model) -> HashSet<String> {
-    let couplers = enforced_constraints(model).into_iter().filter_map(|(document, id)| coupler(document, id));
+    let couplers =
+        enforced_constraints(model).into_iter().filter_map(|(document, id)| read_coupler(document, id));
     couplers.map(|coupler| coupler.dependent).collect()
 }
 
@@ -154,7 +155,7 @@ pub(super) fn is_enforced(document: &Document, constraint: ElementId) -> bool {
     !disabled.is_some_and(|text| opensim_text::is_disabled(&text))
 }
 
-fn coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
+fn read_coupler(document: &Document, constraint: ElementId) -> Option<Coupler> {
     let tree = document.tree();
     if tree.name(constraint) != "CoordinateCouplerConstraint" {
         return None;
@@ -208,7 +209,7 @@ fn apply_couplers(values: &mut HashMap<String, f64>, couplers: &[Coupler]) -> Ve
 /// Whether a coordinate can change, or what fixes it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum CoordinateState {
-    /// Nothing fixes the coordinate.
+    /// Neither a lock, a coupler nor a function fixes the value of the coordinate.
     Free,
     Locked,
     /// A function of time or another coordinate determines the value.
@@ -226,7 +227,7 @@ impl<'m> CoordinateStates<'m> {
         Self { model, dependent: dependent_coordinates(model) }
     }
 
-    pub(crate) fn state(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> CoordinateState {
+    pub(crate) fn state_of(&self, joint: &ModelJoint, coordinate: &JointCoordinate) -> CoordinateState {
         let document = self.model.file(joint.file);
         if matches!(document.flag(coordinate.element, "locked"), Ok(Some(true))) {
             CoordinateState::Locked

@@ -30,7 +30,7 @@ pub enum FeetFault {
     #[error("mesh {mesh} of body {body}, {}: {fault}", file.display())]
     Mesh { body: String, mesh: String, file: PathBuf, fault: MeshFault },
     /// The mesh has scale factors that no bone can have.
-    #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", numbers(.factors))]
+    #[error("scale factors of mesh {mesh} of body {body} are {}, expected three numbers other than 0, at most 1e9", three_numbers_text(.factors))]
     Factors { body: String, mesh: String, factors: [f64; 3] },
     /// The model has no gravity, so no direction is up.
     #[error("the model has no gravity, so it is not known where its soles point: give its <gravity> a value")]
@@ -95,7 +95,7 @@ fn shown_list(names: impl Iterator<Item = String>) -> String {
     names.collect::<Vec<_>>().join(", ")
 }
 
-fn numbers(values: &[f64; 3]) -> String {
+fn three_numbers_text(values: &[f64; 3]) -> String {
     if values.iter().all(|value| value.is_nan()) {
         return "not three numbers".to_owned();
     }

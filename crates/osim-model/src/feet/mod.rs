@@ -52,7 +52,7 @@ pub use fault::{FeetFault, PoseFault};
 pub use foot::{
     FloorPlace, Foot, FootBodies, FootBone, FootFrame, FootJoint, FootSphere, ViewAxes, silhouette,
 };
-pub use mesh::{MeshFault, Surface, mesh_points, mesh_surface};
+pub use mesh::{MeshFault, MeshSurface, mesh_points, mesh_surface};
 pub use movements::{Mobility, Movements};
 pub use sole::{Footprint, Sole, SoleRequest, SoleSphere, soles};
 pub use sole_pose::TiltingCoordinate;

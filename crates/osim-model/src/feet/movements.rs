@@ -9,9 +9,9 @@ use super::couplers::{CoordinateState, CoordinateStates, CoordinateValues};
 use crate::model::{Model, ModelJoint, Placement};
 
 /// The change of a coordinate, rad or m, that tests how the coordinate moves bodies.
-const TRIAL_STEP: f64 = 0.1;
+const TRIAL_COORDINATE_STEP: f64 = 0.1;
 /// Two rotations or translations are equal if their components differ by at most this.
-const SAME_COMPONENT: f64 = 1e-9;
+const EQUAL_MOVEMENT_TOLERANCE: f64 = 1e-9;
 /// The largest number of bodies on a path to ground.
 const MOST_JOINTS: usize = 64;
 
@@ -174,11 +174,11 @@ impl Coordinates<'_> {
             .collect::<Option<Vec<f64>>>()
             .and_then(|values| Some((joint.placement(self.model, &values)?, values)));
         let Some((here, values)) = placed else { return Mobility::ALL };
-        let is_free = |coordinate| self.states.state(joint, coordinate) == CoordinateState::Free;
+        let is_free = |coordinate| self.states.state_of(joint, coordinate) == CoordinateState::Free;
         let free = joint.coordinates.iter().enumerate().filter(|(_, coordinate)| is_free(coordinate));
         free.fold(Mobility::default(), |all, (index, _)| {
             let mut moved = values.clone();
-            moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_STEP);
+            moved.iter_mut().skip(index).take(1).for_each(|value| *value += TRIAL_COORDINATE_STEP);
             all.or(joint
                 .placement(self.model, &moved)
                 .map_or(Mobility::ALL, |there| mobility_between(&here, &there)))
@@ -198,7 +198,7 @@ fn mobility_of_class(class: &str) -> Mobility {
 }
 
 fn mobility_between(here: &Placement, there: &Placement) -> Mobility {
-    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(SAME_COMPONENT)).any();
+    let differ = |a: DVec3, b: DVec3| (a - b).abs().cmpgt(DVec3::splat(EQUAL_MOVEMENT_TOLERANCE)).any();
     let turned = |axis| differ(here.rotation.to_body(axis), there.rotation.to_body(axis));
     let turns = DVec3::AXES.into_iter().any(turned);
     Mobility { turns, slides: !turns && differ(here.translation_m, there.translation_m) }

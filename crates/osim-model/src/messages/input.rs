@@ -253,14 +253,14 @@ verbs! {
 // Inputs and calls as they are in a sentence.
 
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Part {
+pub enum PhrasePart {
     Text(Cow<'static, str>),
     /// An input that the reader can give, perhaps with an example of its value.
     Input(Input, Option<Example>),
     /// A call of a verb that the reader can make.
     Call(Call),
     /// Two alternative texts: the first for verbs that take the input, the second for other verbs.
-    Either(Input, Box<[Vec<Part>; 2]>),
+    Either(Input, Box<[Vec<PhrasePart>; 2]>),
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -308,13 +308,13 @@ impl Call {
 
 impl Input {
     /// This input with a placeholder for its value: `--mass KG`.
-    pub const fn with_placeholder(self, placeholder: &'static str) -> Part {
-        Part::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
+    pub const fn with_placeholder(self, placeholder: &'static str) -> PhrasePart {
+        PhrasePart::Input(self, Some(Example::Placeholder(Cow::Borrowed(placeholder))))
     }
 
     /// This input with a value: `--radius keep`.
-    pub fn with_value(self, value: impl Into<String>) -> Part {
-        Part::Input(self, Some(Example::Value(value.into())))
+    pub fn with_value(self, value: impl Into<String>) -> PhrasePart {
+        PhrasePart::Input(self, Some(Example::Value(value.into())))
     }
 }
 

@@ -19,7 +19,7 @@ mod phrase;
 mod printable;
 
 pub use crate::{named, phrase};
-pub use input::{Call, Example, Input, Part, Verb};
+pub use input::{Call, Example, Input, PhrasePart, Verb};
 pub use phrase::{Dialect, FieldNames, IntoParts, PartInText, PartsInText, Phrase};
 pub use printable::{
     Shown, counted, four_significant, is_visible, listed, one_line, readable, shortest, shown, shown_path,

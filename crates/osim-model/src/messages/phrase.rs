@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::cell::RefCell;
 use std::fmt;
 
-use super::input::{Call, Example, Part};
+use super::input::{Call, Example, PhrasePart};
 use super::input::{Input, Verb};
 use super::printable::one_line;
 
@@ -20,7 +20,7 @@ use super::printable::one_line;
 /// assert_eq!(phrase.to_string(), "Say `mass`, or look at the model with `inspect`");
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Phrase(Vec<Part>);
+pub struct Phrase(Vec<PhrasePart>);
 
 impl Phrase {
     /// A text in which inputs and calls are in backticks: `` `mass` ``, `` `contacts_mass=KG` ``, `` `design MODEL indentation=0.16` ``.
@@ -51,7 +51,7 @@ impl Phrase {
         self.0.extend(part.into_parts());
     }
 
-    pub fn parts(&self) -> &[Part] {
+    pub fn parts(&self) -> &[PhrasePart] {
         &self.0
     }
 
@@ -81,7 +81,7 @@ impl Phrase {
     /// assert_eq!(way_out.to_string(), "say it with `body_scale`");
     /// ```
     pub fn choose_alternatives(&mut self, takes: &dyn Fn(Input) -> bool) {
-        if self.0.iter().any(|part| matches!(part, Part::Either(..))) {
+        if self.0.iter().any(|part| matches!(part, PhrasePart::Either(..))) {
             let parts = std::mem::take(&mut self.0);
             choose_texts(parts, takes, &mut self.0);
         }
@@ -89,7 +89,7 @@ impl Phrase {
 
     /// Converts the phrase to plain text in the `dialect` of a front end. It has no inputs and calls any more.
     pub fn spell(&mut self, dialect: &dyn Dialect) {
-        if self.0.iter().any(|part| !matches!(part, Part::Text(_))) {
+        if self.0.iter().any(|part| !matches!(part, PhrasePart::Text(_))) {
             *self = Self::from(self.spelled(dialect));
         }
     }
@@ -98,19 +98,19 @@ impl Phrase {
 impl Input {
     /// Two alternative texts: `taken` for a verb that takes this input, `otherwise` for other verbs. [`Phrase::choose_alternatives`]
     /// decides.
-    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> Part {
-        Part::Either(self, Box::new([taken.into().0, otherwise.into().0]))
+    pub fn either(self, taken: impl Into<Phrase>, otherwise: impl Into<Phrase>) -> PhrasePart {
+        PhrasePart::Either(self, Box::new([taken.into().0, otherwise.into().0]))
     }
 }
 
 /// Adds the inputs in `parts` to `named`, each once.
-fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
+fn name_inputs(parts: &[PhrasePart], named: &mut Vec<Input>) {
     for part in parts {
         let inputs: Vec<Input> = match part {
-            Part::Text(_) => vec![],
-            Part::Input(input, _) => vec![*input],
-            Part::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
-            Part::Either(_, words) => {
+            PhrasePart::Text(_) => vec![],
+            PhrasePart::Input(input, _) => vec![*input],
+            PhrasePart::Call(call) => call.inputs.iter().map(|(input, _)| *input).collect(),
+            PhrasePart::Either(_, words) => {
                 name_inputs(&words[0], named);
                 vec![]
             }
@@ -124,22 +124,24 @@ fn name_inputs(parts: &[Part], named: &mut Vec<Input>) {
 }
 
 /// Appends the `parts`, written in the `dialect` of a front end, to `text`.
-fn spell_into(text: &mut String, parts: &[Part], dialect: &dyn Dialect) {
+fn spell_into(text: &mut String, parts: &[PhrasePart], dialect: &dyn Dialect) {
     for part in parts {
         match part {
-            Part::Text(words) => text.push_str(words),
-            Part::Input(input, example) => text.push_str(&one_line(dialect.input(*input, example.as_ref()))),
-            Part::Call(call) => text.push_str(&one_line(dialect.call(call))),
-            Part::Either(_, words) => spell_into(text, &words[0], dialect),
+            PhrasePart::Text(words) => text.push_str(words),
+            PhrasePart::Input(input, example) => {
+                text.push_str(&one_line(dialect.input(*input, example.as_ref())))
+            }
+            PhrasePart::Call(call) => text.push_str(&one_line(dialect.call(call))),
+            PhrasePart::Either(_, words) => spell_into(text, &words[0], dialect),
         }
     }
 }
 
-/// Moves the `parts` to `kept`. Of each [`Part::Either`], only the chosen text is kept.
-fn choose_texts(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<Part>) {
+/// Moves the `parts` to `kept`. Of each [`PhrasePart::Either`], only the chosen text is kept.
+fn choose_texts(parts: Vec<PhrasePart>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<PhrasePart>) {
     for part in parts {
         match part {
-            Part::Either(input, words) => {
+            PhrasePart::Either(input, words) => {
                 let [taken, otherwise] = *words;
                 choose_texts(if takes(input) { taken } else { otherwise }, takes, kept);
             }
@@ -149,12 +151,12 @@ fn choose_texts(parts: Vec<Part>, takes: &dyn Fn(Input) -> bool, kept: &mut Vec<
 }
 
 /// Reads the text between two backticks of a template as an input or a call; `None` if it is neither.
-fn template_part(text: &str) -> Option<Part> {
+fn template_part(text: &str) -> Option<PhrasePart> {
     let mut words = text.split(' ');
     let first = words.next()?;
     let Some(verb) = Verb::find(first) else {
         let (input, example) = template_input(first)?;
-        return words.next().is_none().then_some(Part::Input(input, example));
+        return words.next().is_none().then_some(PhrasePart::Input(input, example));
     };
     let mut call = verb.call();
     for word in words {
@@ -163,7 +165,7 @@ fn template_part(text: &str) -> Option<Part> {
             word => call.inputs.push(template_input(word)?),
         }
     }
-    Some(Part::Call(call))
+    Some(PhrasePart::Call(call))
 }
 
 /// Reads `name` or `name=VALUE`. A value that begins with a capital letter is a placeholder.
@@ -192,42 +194,42 @@ impl<T: IntoParts> From<T> for Phrase {
 
 /// A type that can be converted to parts of a [`Phrase`].
 pub trait IntoParts {
-    fn into_parts(self) -> Vec<Part>;
+    fn into_parts(self) -> Vec<PhrasePart>;
 }
 
 impl IntoParts for &'static str {
-    fn into_parts(self) -> Vec<Part> {
-        vec![Part::Text(Cow::Borrowed(self))]
+    fn into_parts(self) -> Vec<PhrasePart> {
+        vec![PhrasePart::Text(Cow::Borrowed(self))]
     }
 }
 
 /// A computed text may contain names from files. It is shown on one line, with invisible letters escaped.
 impl IntoParts for String {
-    fn into_parts(self) -> Vec<Part> {
-        vec![Part::Text(Cow::Owned(one_line(self)))]
+    fn into_parts(self) -> Vec<PhrasePart> {
+        vec![PhrasePart::Text(Cow::Owned(one_line(self)))]
     }
 }
 
-impl IntoParts for Part {
-    fn into_parts(self) -> Vec<Part> {
+impl IntoParts for PhrasePart {
+    fn into_parts(self) -> Vec<PhrasePart> {
         vec![self]
     }
 }
 
 impl IntoParts for Input {
-    fn into_parts(self) -> Vec<Part> {
-        vec![Part::Input(self, None)]
+    fn into_parts(self) -> Vec<PhrasePart> {
+        vec![PhrasePart::Input(self, None)]
     }
 }
 
 impl IntoParts for Call {
-    fn into_parts(self) -> Vec<Part> {
-        vec![Part::Call(self)]
+    fn into_parts(self) -> Vec<PhrasePart> {
+        vec![PhrasePart::Call(self)]
     }
 }
 
 impl IntoParts for &Phrase {
-    fn into_parts(self) -> Vec<Part> {
+    fn into_parts(self) -> Vec<PhrasePart> {
         self.0.clone()
     }
 }
@@ -270,7 +272,7 @@ macro_rules! phrase {
 pub struct PartsInText(RefCell<(Phrase, String)>);
 
 /// A part that [`phrase!`] puts into a text.
-pub struct PartInText<'t>(&'t PartsInText, Vec<Part>);
+pub struct PartInText<'t>(&'t PartsInText, Vec<PhrasePart>);
 
 impl PartsInText {
     pub fn part(&self, part: impl IntoParts) -> PartInText<'_> {
@@ -284,7 +286,7 @@ impl PartsInText {
     }
 
     /// Adds the text that was written until now, then the parts.
-    fn add(&self, parts: &[Part]) {
+    fn add(&self, parts: &[PhrasePart]) {
         let (phrase, text) = &mut *self.0.borrow_mut();
         if !text.is_empty() {
             phrase.push(std::mem::take(text));

@@ -9,13 +9,13 @@ use std::fmt::{self, Display, Write};
 use std::path::Path;
 
 /// Most letters of a text from a file that a message shows.
-pub(crate) const SHOWN_LETTERS: usize = 200;
+pub(crate) const MOST_LETTERS_SHOWN: usize = 200;
 
 /// Most letters of a sentence that contains names of several forces and files. No system has longer paths.
-const SENTENCE_LETTERS: usize = 5000;
+const MOST_LETTERS_OF_SENTENCE: usize = 5000;
 
 /// Letters at the end of a shortened text that are kept: names often differ at the end.
-const LAST_LETTERS: usize = 40;
+const LETTERS_KEPT_AT_END: usize = 40;
 
 /// Displays a text from a file on one line. Letters that are invisible or control a terminal (control characters, line ends, letters that
 /// reverse the direction of writing, unusual blanks) become `\n` or `\u{1b}`. Of a long text, only the beginning and the end are shown.
@@ -35,7 +35,7 @@ pub struct Shown<'t> {
 
 /// Shows `text` on one line in a message, shortened to 200 letters.
 pub const fn shown(text: &str) -> Shown<'_> {
-    Shown { text, most: SHOWN_LETTERS }
+    Shown { text, most: MOST_LETTERS_SHOWN }
 }
 
 /// Shows `text` on one line, not shortened: for paths that the reader has to find again.
@@ -45,8 +45,9 @@ pub const fn shown_whole(text: &str) -> Shown<'_> {
 
 /// A sentence with names from files on one line, shortened if it is very long.
 pub fn one_line(text: String) -> String {
-    let plain = text.len() <= SENTENCE_LETTERS && text.bytes().all(|byte| matches!(byte, b' '..=b'~'));
-    if plain { text } else { Shown { text: &text, most: SENTENCE_LETTERS }.to_string() }
+    let plain =
+        text.len() <= MOST_LETTERS_OF_SENTENCE && text.bytes().all(|byte| matches!(byte, b' '..=b'~'));
+    if plain { text } else { Shown { text: &text, most: MOST_LETTERS_OF_SENTENCE }.to_string() }
 }
 
 /// Shows a path on one line, not shortened. Bytes that are not UTF-8 become `�`.
@@ -61,8 +62,8 @@ impl Display for Shown<'_> {
         if letters <= self.most {
             return write_visible(self.text, f);
         }
-        let first: String = self.text.chars().take(self.most.saturating_sub(LAST_LETTERS)).collect();
-        let skipped = letters.saturating_sub(LAST_LETTERS);
+        let first: String = self.text.chars().take(self.most.saturating_sub(LETTERS_KEPT_AT_END)).collect();
+        let skipped = letters.saturating_sub(LETTERS_KEPT_AT_END);
         let last: String = self.text.chars().skip(skipped).collect();
         write_visible(&first, f)?;
         f.write_str("...")?;
@@ -152,18 +153,18 @@ pub fn shortest(value: f64) -> String {
 
 /// Writes a number into a string that is allocated only once.
 fn formatted(number: fmt::Arguments<'_>) -> String {
-    const LONGEST_ESCAPE: usize = 24;
-    let mut text = String::with_capacity(LONGEST_ESCAPE);
+    const LONGEST_NUMBER: usize = 24;
+    let mut text = String::with_capacity(LONGEST_NUMBER);
     // Writing to a string cannot fail.
     let _ = text.write_fmt(number);
     text
 }
 
-/// A number for readers: exact if the exact text is short, else with eight in_significant_digits digits.
+/// A number for readers: exact if the exact text is short, else with eight significant digits.
 pub fn readable(value: f64) -> String {
-    const SHORT_TEXT: usize = 10;
+    const LONGEST_EXACT_TEXT: usize = 10;
     let exact = shortest(value);
-    if exact.len() <= SHORT_TEXT || !value.is_finite() {
+    if exact.len() <= LONGEST_EXACT_TEXT || !value.is_finite() {
         return exact;
     }
     shortest(rounded(value, 7))
@@ -176,12 +177,12 @@ pub fn counted(count: impl Display, what: &str) -> String {
     format!("{count} {what}{ending}")
 }
 
-/// A number with four in_significant_digits digits, for comparing by eye.
+/// A number with four significant digits, for comparing by eye.
 pub fn four_significant(value: f64) -> String {
     in_significant_digits(value, 4)
 }
 
-/// A number with three in_significant_digits digits, for narrow columns.
+/// A number with three significant digits, for narrow columns.
 pub fn three_significant(value: f64) -> String {
     in_significant_digits(value, 3)
 }
@@ -251,9 +252,9 @@ mod tests {
         let text = format!("begin{}end", "ä".repeat(1000));
         let printed = shown(&text).to_string();
         assert!(printed.starts_with("beginä") && printed.ends_with("end (1008 letters)"), "{printed}");
-        assert!(printed.chars().count() < SHOWN_LETTERS + 30);
+        assert!(printed.chars().count() < MOST_LETTERS_SHOWN + 30);
         assert_eq!(shown_whole(&text).to_string(), text);
-        let just = "ä".repeat(SHOWN_LETTERS);
+        let just = "ä".repeat(MOST_LETTERS_SHOWN);
         assert_eq!(shown(&just).to_string(), just);
     }
 

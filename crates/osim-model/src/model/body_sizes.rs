@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
-use crate::model::anatomy::bone_sizes::{FIRST_WITH_GEOMETRY_SETS, mesh_file, mesh_scale};
+use crate::model::anatomy::bone_sizes::{FIRST_VERSION_WITH_GEOMETRY_SETS, mesh_file, mesh_scale};
 use crate::model::anatomy::joints::placement_on_base;
 use crate::model::placement::{Placement, six_digits};
 use crate::model::{BodySize, ComponentId, Components, Document, Model, Note, Sphere, moving_spheres};
@@ -13,7 +13,7 @@ use crate::xml::{ElementId, opensim_text};
 
 /// The first document version with `<attached_geometry>`. Older documents have a `<VisibleObject>`, whose numbers OpenSim rounds when it
 /// converts them.
-const FIRST_WITH_ATTACHED_GEOMETRY: u32 = 30502;
+const FIRST_VERSION_WITH_ATTACHED_GEOMETRY: u32 = 30502;
 /// The last document version in which OpenSim also reads the list `<geometry>`.
 const LAST_WITH_GEOMETRY_LIST: u32 = 30505;
 
@@ -65,8 +65,10 @@ fn attached_meshes(components: &Components, frame: ComponentId) -> Vec<FileFacto
     let document = components.doc(frame);
     let element = components.element(frame);
     match document.version() {
-        version if version < FIRST_WITH_GEOMETRY_SETS => meshes_of_file_list(document, element),
-        version if version < FIRST_WITH_ATTACHED_GEOMETRY => meshes_of_geometry_set(document, element),
+        version if version < FIRST_VERSION_WITH_GEOMETRY_SETS => meshes_of_file_list(document, element),
+        version if version < FIRST_VERSION_WITH_ATTACHED_GEOMETRY => {
+            meshes_of_geometry_set(document, element)
+        }
         _ => meshes_of_attached_geometry(document, element),
     }
 }
@@ -158,8 +160,9 @@ impl BodyShape {
 fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
     let centre_m = components.doc(body).triple(components.element(body), "mass_center");
     let inertia_trace = inertia_trace(components, body);
-    let gyration_m =
-        number(components, body, "mass").zip(inertia_trace).map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
+    let gyration_m = number_of_element(components, body, "mass")
+        .zip(inertia_trace)
+        .map(|(mass, trace)| (trace / 2.0 / mass).sqrt());
     let gyration_m = gyration_m.filter(|radius| radius.is_finite() && *radius > 0.0);
     BodyShape {
         centre_m: centre_m.unwrap_or_default().into(),
@@ -171,18 +174,18 @@ fn shape_of(components: &Components, body: ComponentId) -> BodyShape {
 
 /// Ixx + Iyy + Izz of a body, kg m². Documents before version 4 have these in separate elements.
 pub(crate) fn inertia_trace(components: &Components, body: ComponentId) -> Option<f64> {
-    let moments = match numbers(components, body, "inertia").as_deref() {
+    let moments = match numbers_of_element(components, body, "inertia").as_deref() {
         Some([xx, yy, zz, ..]) => [Some(*xx), Some(*yy), Some(*zz)],
-        _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number(components, body, tag)),
+        _ => ["inertia_xx", "inertia_yy", "inertia_zz"].map(|tag| number_of_element(components, body, tag)),
     };
     moments.into_iter().sum()
 }
 
-fn number(components: &Components, body: ComponentId, tag: &str) -> Option<f64> {
-    numbers(components, body, tag)?.first().copied()
+fn number_of_element(components: &Components, body: ComponentId, tag: &str) -> Option<f64> {
+    numbers_of_element(components, body, tag)?.first().copied()
 }
 
-fn numbers(components: &Components, body: ComponentId, tag: &str) -> Option<Vec<f64>> {
+fn numbers_of_element(components: &Components, body: ComponentId, tag: &str) -> Option<Vec<f64>> {
     let tree = components.doc(body).tree();
     opensim_text::numbers(&tree.text_of(tree.child(components.element(body), tag)?))
 }

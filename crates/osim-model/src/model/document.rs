@@ -5,9 +5,9 @@ use std::sync::OnceLock;
 
 use foldhash::{HashMap, HashMapExt};
 
-use crate::model::{Class, Fault, FaultKind, Origin, Property, Value};
+use crate::model::{Class, Fault, FaultKind, Property, Value, ValueOrigin};
 use crate::xml::opensim_text::{NumberFault, flag, number, trimmed, triple};
-use crate::xml::{ElementId, LineIndex, Position, SyntaxError, Tree};
+use crate::xml::{ElementId, LineIndex, SyntaxError, TextPosition, Tree};
 
 /// Sets of a model that OpenSim also reads from separate files.
 const FILE_SETS: [&str; 9] = [
@@ -119,7 +119,7 @@ impl Document {
     }
 
     /// Line and column (from 1) of the byte `offset` (from 0).
-    pub fn position(&self, offset: usize) -> Position {
+    pub fn position(&self, offset: usize) -> TextPosition {
         self.lines().position(self.bytes(), offset)
     }
 
@@ -127,10 +127,11 @@ impl Document {
     /// of the class.
     pub(crate) fn value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         if let Some(element) = self.tree.child(object, tag) {
-            return self
-                .value_of_element(element, property, || self.inherited(object, class, property, tag).number);
+            return self.value_of_element(element, property, || {
+                self.inherited_value(object, class, property, tag).number
+            });
         }
-        self.inherited(object, class, property, tag)
+        self.inherited_value(object, class, property, tag)
     }
 
     fn value_of_element(
@@ -152,14 +153,14 @@ impl Document {
         // A blank that is not ASCII looks like one and does not count as one: show it.
         let text =
             if raw.text.is_ascii() { raw.text.into_owned() } else { raw.text.escape_default().to_string() };
-        Value { property, number, origin: Origin::Element, span: Some(span), fault, text, offset }
+        Value { property, number, origin: ValueOrigin::Element, span: Some(span), fault, text, offset }
     }
 
-    fn inherited(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
+    fn inherited_value(&self, object: ElementId, class: Class, property: Property, tag: &str) -> Value {
         let offset = self.tree.span(object).start;
         match self.default_property(class.tag(), tag) {
             Some(element) => Value {
-                origin: Origin::Defaults,
+                origin: ValueOrigin::Defaults,
                 span: None,
                 offset,
                 ..self.value_of_element(element, property, || class.default(property))
@@ -167,7 +168,7 @@ impl Document {
             None => Value {
                 property,
                 number: class.default(property),
-                origin: Origin::ClassDefault,
+                origin: ValueOrigin::ClassDefault,
                 span: None,
                 fault: None,
                 text: String::new(),
@@ -343,9 +344,9 @@ mod tests {
         let document = Document::parse(TEXT).unwrap();
         let spheres: Vec<_> = document.tree().children(document.data_root()).skip(1).collect();
         let radius = |id| document.value(id, Class::ContactSphere, Property::Radius, "radius");
-        assert_eq!((radius(spheres[0]).number, radius(spheres[0]).origin), (0.1, Origin::Element));
+        assert_eq!((radius(spheres[0]).number, radius(spheres[0]).origin), (0.1, ValueOrigin::Element));
         assert_eq!(&TEXT[radius(spheres[0]).span.unwrap()], "0.1");
-        assert_eq!((radius(spheres[1]).number, radius(spheres[1]).origin), (0.5, Origin::Defaults));
+        assert_eq!((radius(spheres[1]).number, radius(spheres[1]).origin), (0.5, ValueOrigin::Defaults));
         assert_eq!(radius(spheres[1]).span, None);
     }
 

@@ -80,7 +80,7 @@ impl Limbs {
 impl Model {
     /// Groups the spheres that switched-on forces among `forces` press on a half-space, by limb.
     pub fn limbs(&self, forces: &[ForceId]) -> Limbs {
-        let carriers = match self.carriers(forces) {
+        let carriers = match self.sphere_carriers(forces) {
             Ok(carriers) => carriers,
             Err(why) => return Limbs::Unknown(why.into()),
         };
@@ -133,7 +133,7 @@ impl Model {
         })
     }
 
-    fn carriers(&self, forces: &[ForceId]) -> Result<Vec<SphereCarrier>, String> {
+    fn sphere_carriers(&self, forces: &[ForceId]) -> Result<Vec<SphereCarrier>, String> {
         let loaded = self.loaded_spheres(forces);
         if loaded.is_empty() {
             return Err("no moving sphere meets a half-space through a force that applies".to_owned());

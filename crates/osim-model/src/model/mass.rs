@@ -42,7 +42,7 @@ const SAME_GRAVITY: f64 = 1e-3;
 pub struct MassRequest {
     /// The mass for which the contacts in the file were made, kg.
     pub contacts_mass_kg: Option<f64>,
-    /// The mass of the model, kg.
+    /// The mass of the model that the caller gave, kg; it counts instead of the sum of the bodies' masses.
     pub model_kg: Option<f64>,
     /// The target mass of the contacts, kg. Another source with exactly this mass needs no warning: bodies are often scaled before their
     /// contacts.
@@ -263,23 +263,23 @@ pub fn positive_mass(input: Input, kg: f64) -> Result<f64, Fault> {
 // Masses that look wrong: in another unit, or with a digit too many or too few.
 
 /// A ratio of masses counts as 1000 or 1/1000 if it is at least as near as this (relative).
-const NEAR_THOUSAND: f64 = 0.15;
+const GRAMS_TOLERANCE: f64 = 0.15;
 /// The program asks whether a mass is in pounds if it differs by at most this (relative) from the bodies' mass in pounds.
-const NEAR_POUNDS: f64 = 0.01;
+const POUNDS_TOLERANCE: f64 = 0.01;
 /// The program remarks that a mass may be in pounds if it differs by at most this (relative) from the bodies' mass in pounds: it may also
 /// be the mass of a heavy person.
-const PERHAPS_POUNDS: f64 = 0.15;
+const WIDE_POUNDS_TOLERANCE: f64 = 0.15;
 /// The lightest mass of an animal with contacts, kg: 1 mg.
-const LIGHTEST_KG: f64 = 1e-6;
+const LIGHTEST_BODY_KG: f64 = 1e-6;
 /// The heaviest mass of an animal with contacts, kg: 200 t.
-const HEAVIEST_KG: f64 = 200e3;
+const HEAVIEST_BODY_KG: f64 = 200e3;
 /// A target mass looks like grams if it is this many times the mass of the bodies: 1000 times, for bodies of different size up to a factor
 /// of 5.
 const GRAMS_OF_A_TARGET: std::ops::RangeInclusive<f64> = 200.0..=5000.0;
 
 /// A question about the mass `kg`, which the caller gave as `input`, if it looks wrong for bodies of `bodies_kg` together.
 pub fn implausible_mass(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<Suspicion> {
-    suspicious_mass(input, kg, bodies_kg, NEAR_POUNDS)
+    suspicious_mass(input, kg, bodies_kg, POUNDS_TOLERANCE)
 }
 
 /// A question about a mass that looks wrong. The mass counts as pounds if it is as near as `near_pounds` (relative) to the bodies' mass in
@@ -324,11 +324,11 @@ fn gross_mistake(input: Input, kg: f64, bodies_kg: Option<f64>) -> Option<MassMi
     let grams_of_target = input == Input::TargetMass
         && bodies_kg.is_some_and(|bodies| GRAMS_OF_A_TARGET.contains(&(kg / bodies)));
     let near =
-        |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= NEAR_THOUSAND);
+        |factor: f64| bodies_kg.is_some_and(|bodies| (kg / bodies / factor - 1.0).abs() <= GRAMS_TOLERANCE);
     match () {
         () if near(1000.0) || grams_of_target => Some(MassMistake::Grams),
         () if near(1.0 / 1000.0) => Some(MassMistake::Tonnes),
-        () if !(LIGHTEST_KG..=HEAVIEST_KG).contains(&kg) => Some(MassMistake::NoAnimal),
+        () if !(LIGHTEST_BODY_KG..=HEAVIEST_BODY_KG).contains(&kg) => Some(MassMistake::NoAnimal),
         () => None,
     }
 }
@@ -343,14 +343,14 @@ impl MassRequest {
     /// Questions about given masses that look wrong for this model. A mass that the note in the model confirms is right. If the target mass
     /// equals the bodies' mass, the other given masses are in the same unit, too.
     pub fn implausible_masses(&self, model: &Model) -> Vec<Suspicion> {
-        self.suspicious_masses(model, NEAR_POUNDS)
+        self.suspicious_masses(model, POUNDS_TOLERANCE)
     }
 
     /// The given masses that may be in pounds, but not so probably that the program asks. Rows of a table are compared with each other
     /// instead.
     pub fn masses_perhaps_in_pounds(&self, model: &Model) -> Vec<Suspicion> {
-        let loosely = self.suspicious_masses(model, PERHAPS_POUNDS);
-        let asked = self.suspicious_masses(model, NEAR_POUNDS);
+        let loosely = self.suspicious_masses(model, WIDE_POUNDS_TOLERANCE);
+        let asked = self.suspicious_masses(model, POUNDS_TOLERANCE);
         let is_in_pounds =
             |one: &Suspicion| matches!(one, Suspicion::Mass { mistake: MassMistake::Pounds, .. });
         loosely.into_iter().filter(|one| is_in_pounds(one) && !asked.contains(one)).collect()

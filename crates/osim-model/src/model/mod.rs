@@ -44,9 +44,9 @@ mod typed_model;
 
 pub use crate::xml::opensim_text::{self, NumberFault};
 pub use crate::xml::{
-    Children, ElementId, LineIndex, Piece, PieceKind, Position, RawText, SyntaxFault, Tree,
+    Children, ElementId, LineIndex, Piece, PieceKind, RawText, SyntaxFault, TextPosition, Tree,
 };
-pub use anatomy::bone_sizes::{JointDistances, TriplesByBody};
+pub use anatomy::bone_sizes::{BoneLengths, TriplesByBody};
 pub use anatomy::{
     Anatomy, AnatomyJoint, AnatomySphere, CoordinateFunction, JointCoordinate, ModelJoint, Speeds,
     rounding_of_places_m,
@@ -77,7 +77,7 @@ pub use note::{
     BodySize, ChangedContacts, ChangedSinceNote, Credits, Note, NotedNames, NotedParts, Scope, Source, Step,
 };
 pub use placement::{Axis, LevelAxis, MovingPlacement, Placement, Rotation};
-pub use property::{Class, Origin, Property, Value};
+pub use property::{Class, Property, Value, ValueOrigin};
 pub use rules::RULES;
 pub use selection::{Selected, Selection};
 pub use sized::{Dimension, NotRead, SizedKind, SizedValue, SizedValues};

@@ -85,7 +85,7 @@ impl Rotation {
 }
 
 /// Two axes are equally near to up if their cosines differ by at most this.
-const AXIS_TIE: f64 = 1e-9;
+const EQUAL_AXES_TOLERANCE: f64 = 1e-9;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axis {
@@ -148,7 +148,7 @@ impl LevelAxis {
         let sign = if self.down { -1.0 } else { 1.0 };
         // The body's axis in the frame: a row of its rotation. The body's own axis wins a tie.
         let turned = sign * rotation.0.row(self.axis.index());
-        let axis = Axis::largest(turned, self.axis, AXIS_TIE);
+        let axis = Axis::largest(turned, self.axis, EQUAL_AXES_TOLERANCE);
         Self { axis, down: turned[axis.index()] < 0.0, of_body: false }
     }
 

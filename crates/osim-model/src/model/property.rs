@@ -136,10 +136,10 @@ impl FromStr for Property {
 
 /// Names that the caller probably meant by `text`: names with nearly the same spelling, else names that contain it or have the same ending.
 fn probable_names(text: &str) -> Vec<&'static str> {
-    /// Most wrong letters in a misspelled name.
-    const MOST_TYPING_ERRORS: usize = 2;
-    /// Fewest letters in a part of a name.
-    const SHORTEST_PART: usize = 5;
+    /// The most wrong letters that a misspelled name of a property may have.
+    const MOST_WRONG_LETTERS: usize = 2;
+    /// The fewest letters of a text that is searched inside the names of properties.
+    const FEWEST_LETTERS_OF_PART: usize = 5;
 
     let flat = |text: &str| text.to_lowercase().replace(['-', '_', ' '], "");
     let end = |text: &str| flat(text.rsplit(['-', '_', ' ']).next().unwrap_or_default());
@@ -147,13 +147,13 @@ fn probable_names(text: &str) -> Vec<&'static str> {
     let names = || Property::ALL.into_iter().map(Property::name);
     let apart = |name: &str| strsim::osa_distance(&flat(name), &typed);
     let closest =
-        names().map(apart).min().filter(|&apart| apart <= MOST_TYPING_ERRORS && apart < typed.len());
+        names().map(apart).min().filter(|&apart| apart <= MOST_WRONG_LETTERS && apart < typed.len());
     if let Some(closest) = closest {
         return names().filter(|name| apart(name) == closest).collect();
     }
     let is_part = |name: &&str| {
-        (typed.len() >= SHORTEST_PART && flat(name).contains(&typed))
-            || (ending.len() >= SHORTEST_PART && end(name) == ending)
+        (typed.len() >= FEWEST_LETTERS_OF_PART && flat(name).contains(&typed))
+            || (ending.len() >= FEWEST_LETTERS_OF_PART && end(name) == ending)
     };
     names().filter(is_part).collect()
 }
@@ -299,7 +299,7 @@ impl Class {
 }
 
 named! {
-    pub enum Origin {
+    pub enum ValueOrigin {
         /// The element of the property in the object itself.
         Element = "element",
         /// The object of the same class in the document's `<defaults>`.
@@ -331,7 +331,7 @@ pub struct Value {
     pub property: Property,
     /// The number that OpenSim reads, in the unit of `property`.
     pub number: f64,
-    pub origin: Origin,
+    pub origin: ValueOrigin,
     /// The bytes of the number in its file; `None` if the object has no such element.
     pub span: Option<Range<usize>>,
     /// Why the text is not a plain number; `None` if it is. `number` is still what OpenSim reads.

@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use crate::model::contacts::ContactReader;
 use crate::model::{
-    Companion, Components, Document, Fault, FaultKind, FileId, MissingFact, Model, Note, NoteDoubt, Origin,
-    Skeleton, Value, ValueKey,
+    Companion, Components, Document, Fault, FaultKind, FileId, MissingFact, Model, Note, NoteDoubt, Skeleton,
+    Value, ValueKey, ValueOrigin,
 };
 
 impl Model {
@@ -180,7 +180,7 @@ impl Model {
 impl Value {
     /// Sets the number as if it had been read from the object's own element, without a text.
     fn set_number(&mut self, number: f64) {
-        (self.number, self.origin, self.fault) = (number, Origin::Element, None);
+        (self.number, self.origin, self.fault) = (number, ValueOrigin::Element, None);
         self.text.clear();
     }
 }

@@ -4,7 +4,7 @@ use foldhash::{HashMap, HashMapExt, HashSet, HashSetExt};
 use glam::DVec3;
 
 use crate::model::components::{Carrier, ComponentId, Components};
-use crate::model::{Class, Fault, FileId, Force, MissingFact, Origin, Property, Side, Sphere, Value};
+use crate::model::{Class, Fault, FileId, Force, MissingFact, Property, Side, Sphere, Value, ValueOrigin};
 
 /// A body of the model. Ground is not a body.
 #[derive(Debug, Clone)]
@@ -27,7 +27,7 @@ pub struct Body {
 impl Body {
     /// The mass of the body, kg, if its text is one plain number of at least 0.
     pub fn mass_kg(&self) -> Result<f64, Fault> {
-        let missing = self.mass.origin == Origin::ClassDefault && self.mass.fault.is_none();
+        let missing = self.mass.origin == ValueOrigin::ClassDefault && self.mass.fault.is_none();
         let fault = if missing {
             Fault::at(MissingFact::BodyMass { body: self.name.clone() }, self.mass.offset)
         } else {
@@ -121,7 +121,7 @@ impl Skeleton {
         &self.joined.loops
     }
 
-    /// Joints that OpenSim ignores.
+    /// Joints of the model that OpenSim ignores.
     pub fn ignored_joints(&self) -> &[ComponentId] {
         &self.joined.ignored_joints
     }
@@ -219,7 +219,7 @@ impl JointRelations {
     fn add_joint(&mut self, components: &Components, joint: ComponentId, weld: bool) -> Option<JointLink> {
         let end = |socket: &str, legacy: &[&str]| -> Option<Carrier> {
             let connectee = components.connectee(joint, socket, legacy)?;
-            components.base(components.frame(joint, &connectee)?.component).ok()
+            components.base(components.frame_of(joint, &connectee)?.component).ok()
         };
         let parent = end("parent_frame", &["parent_body"]).or_else(|| end("parent_body", &[]));
         let owner = components.tree.get(joint).and_then(|component| component.parent);

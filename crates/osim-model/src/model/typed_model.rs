@@ -4,7 +4,7 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use crate::model::anatomy::bone_sizes::{JointDistances, TriplesByBody, frame_offsets, mesh_factors};
+use crate::model::anatomy::bone_sizes::{BoneLengths, TriplesByBody, frame_offsets, mesh_factors};
 use crate::model::anatomy::joints::{AnatomyJoint, Joints};
 use crate::model::{
     Body, Companion, ComponentId, Components, Document, Fault, FileId, Finding, Force, ForceId, HalfSpace,
@@ -92,7 +92,7 @@ impl Model {
     }
 
     /// The distances between the joints of each body, a measure of the size of bones.
-    pub fn joint_distances(&self) -> &JointDistances {
+    pub fn joint_distances(&self) -> &BoneLengths {
         self.body_facts.joint_distances(&self.components)
     }
 
@@ -161,7 +161,7 @@ pub(crate) struct BodyFacts {
     pub(crate) joints: Joints,
     mesh_factors: OnceLock<TriplesByBody>,
     frame_offsets: OnceLock<TriplesByBody>,
-    distances: OnceLock<JointDistances>,
+    distances: OnceLock<BoneLengths>,
     /// Values that other modules computed from bodies and joints.
     derived: DerivedValues,
 }
@@ -175,8 +175,8 @@ impl BodyFacts {
         self.frame_offsets.get_or_init(|| frame_offsets(components))
     }
 
-    pub(crate) fn joint_distances(&self, components: &Components) -> &JointDistances {
-        self.distances.get_or_init(|| JointDistances::from_joints(self.joints.between_bodies(components)))
+    pub(crate) fn joint_distances(&self, components: &Components) -> &BoneLengths {
+        self.distances.get_or_init(|| BoneLengths::from_joints(self.joints.between_bodies(components)))
     }
 }
 

@@ -30,8 +30,8 @@ pub use scan::{SyntaxError, SyntaxFault};
 pub use tree::{Children, ElementId, Piece, PieceKind, Tree};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Position {
-    /// Number of bytes before the place.
+pub struct TextPosition {
+    /// Number of bytes of the file before the place.
     pub offset: usize,
     pub line: usize,
     /// Column in characters, counted from 1.
@@ -47,14 +47,14 @@ pub struct LineIndex {
     before: Vec<usize>,
 }
 
-/// Bytes of a block. A search counts the line ends of half a block on average.
-const BLOCK_BYTES: usize = 1 << 11;
+/// Bytes of a block, for each of which the number of line ends before it is stored. A search counts line ends in half a block on average.
+const LINE_BLOCK_BYTES: usize = 1 << 11;
 
 impl LineIndex {
     /// Counts the line ends of `bytes`. LF and CRLF end a line, CR alone does not.
     pub fn new(bytes: &[u8]) -> Self {
         let mut lines = 0;
-        let counted = bytes.chunks(BLOCK_BYTES).map(|block| {
+        let counted = bytes.chunks(LINE_BLOCK_BYTES).map(|block| {
             let before = lines;
             lines += line_ends(block);
             before
@@ -66,13 +66,13 @@ impl LineIndex {
     pub fn line(&self, bytes: &[u8], offset: usize) -> usize {
         let offset = offset.min(bytes.len());
         // The end of a file of whole blocks is in none of them.
-        let block = (offset / BLOCK_BYTES).min(self.before.len().saturating_sub(1));
+        let block = (offset / LINE_BLOCK_BYTES).min(self.before.len().saturating_sub(1));
         let before = self.before.get(block).copied().unwrap_or_default();
-        before + line_ends(bytes.get(block * BLOCK_BYTES..offset).unwrap_or_default()) + 1
+        before + line_ends(bytes.get(block * LINE_BLOCK_BYTES..offset).unwrap_or_default()) + 1
     }
 
     /// Line and column of byte `offset` of `bytes`. These must be the bytes for which the index was built.
-    pub fn position(&self, bytes: &[u8], offset: usize) -> Position {
+    pub fn position(&self, bytes: &[u8], offset: usize) -> TextPosition {
         let offset = offset.min(bytes.len());
         let line = self.line(bytes, offset);
         let head = bytes.get(..offset).unwrap_or_default();
@@ -81,7 +81,7 @@ impl LineIndex {
         // A byte order mark takes no column, and the tail bytes of a UTF-8 character take none either.
         let before = if start == 0 { before.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(before) } else { before };
         let column = before.iter().filter(|&&byte| byte & 0xC0 != 0x80).count() + 1;
-        Position { offset, line, column }
+        TextPosition { offset, line, column }
     }
 }
 
@@ -111,17 +111,17 @@ mod tests {
     #[test]
     fn lines_are_counted_across_blocks() {
         // One line end in every eight bytes, and a file of exactly three blocks.
-        let text = "1234567\n".repeat(3 * BLOCK_BYTES / 8);
+        let text = "1234567\n".repeat(3 * LINE_BLOCK_BYTES / 8);
         for offset in [
             0,
             7,
             8,
-            BLOCK_BYTES - 1,
-            BLOCK_BYTES,
-            BLOCK_BYTES + 8,
-            2 * BLOCK_BYTES + 1,
-            3 * BLOCK_BYTES - 1,
-            3 * BLOCK_BYTES,
+            LINE_BLOCK_BYTES - 1,
+            LINE_BLOCK_BYTES,
+            LINE_BLOCK_BYTES + 8,
+            2 * LINE_BLOCK_BYTES + 1,
+            3 * LINE_BLOCK_BYTES - 1,
+            3 * LINE_BLOCK_BYTES,
         ] {
             assert_eq!(line_and_column(&text, offset).0, offset / 8 + 1, "{offset}");
         }

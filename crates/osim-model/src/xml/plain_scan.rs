@@ -9,9 +9,9 @@ use super::tree::{PieceKind, StoredElement, StoredPiece, is_name_byte, is_space}
 /// With more attributes than this on a tag, the file is left to the full scan, which finds repeated names.
 const MOST_PLAIN_ATTRIBUTES: usize = 8;
 /// The fewest bytes per piece in dense models. Used to reserve memory; reserved memory that is not needed costs nothing.
-const BYTES_PER_PIECE: usize = 8;
+const FEWEST_FILE_BYTES_PER_PIECE: usize = 8;
 /// The fewest bytes per element in dense models. Used to reserve memory.
-const BYTES_PER_ELEMENT: usize = 20;
+const FEWEST_FILE_BYTES_PER_ELEMENT: usize = 20;
 /// Texts up to this number of bytes are searched in steps of eight bytes, longer texts by memchr.
 const MOST_SHORT_TEXT_BYTES: usize = 16;
 const ONE_IN_EACH_BYTE: u64 = u64::from_ne_bytes([1; 8]);
@@ -23,8 +23,8 @@ pub(super) fn scan_plain(text: &str, base: usize) -> Option<(Vec<StoredPiece>, V
     let mut scan = PlainScan {
         bytes: text.as_bytes(),
         at: base,
-        pieces: Vec::with_capacity(length / BYTES_PER_PIECE + 2),
-        elements: Vec::with_capacity(length / BYTES_PER_ELEMENT + 1),
+        pieces: Vec::with_capacity(length / FEWEST_FILE_BYTES_PER_PIECE + 2),
+        elements: Vec::with_capacity(length / FEWEST_FILE_BYTES_PER_ELEMENT + 1),
         open: Vec::new(),
     };
     if base > 0 {
@@ -175,7 +175,7 @@ impl PlainScan<'_> {
         }
     }
 
-    /// The index after an attribute's `="value"`.
+    /// The index after the `="value"` of an attribute that begins at `at`; `None` if the file is not plain there.
     fn value(&self, at: usize) -> Option<usize> {
         let quote = self.byte(at + 1);
         if self.byte(at) != b'=' || !matches!(quote, b'"' | b'\'') {

@@ -62,7 +62,7 @@ struct Feet {
     feet: Vec<Foot>,
 }
 
-fn feet(model: &Model) -> Feet {
+fn feet_of_model(model: &Model) -> Feet {
     let anatomy = Anatomy::of(model).unwrap();
     let pose = DefaultPose::of(model);
     let spheres: Vec<SphereId> = model.spheres().iter().map(|sphere| sphere.id).collect();
@@ -82,7 +82,7 @@ fn places_of_a_foot_are_in_the_frame_of_ground_at_the_default_pose() {
         [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 -0.01 0.01")]
             .concat();
     let model = model_of_walker(&slider_joint("0.5"), "0 -9.81 0", &spheres);
-    let Feet { feet, .. } = feet(&model);
+    let Feet { feet, .. } = feet_of_model(&model);
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!(
         (foot.name.as_str(), foot.side, &foot.frame),
@@ -100,7 +100,7 @@ fn places_of_a_foot_are_in_the_frame_of_ground_at_the_default_pose() {
 
 #[test]
 fn a_model_without_spheres_has_its_feet_near_the_ground() {
-    let Feet { feet, .. } = feet(&model_of_walker(&slider_joint("0"), "0 -9.81 0", ""));
+    let Feet { feet, .. } = feet_of_model(&model_of_walker(&slider_joint("0"), "0 -9.81 0", ""));
     let names: Vec<(&str, Option<Side>, usize)> =
         feet.iter().map(|foot| (foot.name.as_str(), foot.side, foot.joints.len())).collect();
     assert_eq!(names, [("calcn_r", Some(Side::Right), 2), ("calcn_l", Some(Side::Left), 2)]);
@@ -109,7 +109,7 @@ fn a_model_without_spheres_has_its_feet_near_the_ground() {
 #[test]
 fn spheres_on_a_body_that_is_no_limb_are_a_foot_of_their_own() {
     let spheres = [sphere_xml("hip", "pelvis", "0 0 0"), sphere_xml("heel_l", "calcn_l", "0 0 0")].concat();
-    let Feet { feet, found, .. } = feet(&model_of_walker(&slider_joint("0"), "0 -9.81 0", &spheres));
+    let Feet { feet, found, .. } = feet_of_model(&model_of_walker(&slider_joint("0"), "0 -9.81 0", &spheres));
     let names: Vec<(&str, usize)> =
         feet.iter().map(|foot| (foot.name.as_str(), foot.spheres.len())).collect();
     assert_eq!(names, [("pelvis", 1), ("calcn_l", 1)]);
@@ -146,7 +146,7 @@ fn chain_of_bodies(count: usize, root: &str, spheres: &str) -> Model {
 fn bodies_of_a_long_chain_are_one_foot() {
     let spheres: String =
         (9..=190).map(|i| sphere_xml(&format!("s{i}"), &format!("tail{i}_r"), "0 0 0")).collect();
-    let Feet { feet, found, .. } = feet(&chain_of_bodies(200, "WeldJoint", &spheres));
+    let Feet { feet, found, .. } = feet_of_model(&chain_of_bodies(200, "WeldJoint", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     assert_eq!((foot.name.as_str(), foot.spheres.len()), ("tail9_r", 182));
     // From the first with a sphere to the end of the tail, each once.
@@ -160,7 +160,7 @@ fn bodies_of_a_long_chain_are_one_foot() {
     assert_close(foot.spheres[0].centre_m, [-0.1, 0.0, 0.0]);
     assert_close(foot.spheres[181].centre_m, [-1.91, 0.0, 0.0]);
     // If the place of the first body is not known, coordinates are in its frame.
-    let Feet { feet, .. } = self::feet(&chain_of_bodies(200, "ScapulothoracicJoint", &spheres));
+    let Feet { feet, .. } = feet_of_model(&chain_of_bodies(200, "ScapulothoracicJoint", &spheres));
     assert_eq!(feet[0].unplaced, Vec::<String>::new());
     assert_close(feet[0].spheres[181].centre_m, [-1.81, 0.0, 0.0]);
 }
@@ -170,7 +170,7 @@ fn an_unknown_pose_is_drawn_in_the_frame_of_the_body() {
     let joint = slider_joint("0").replace("SliderJoint", "ScapulothoracicJoint");
     let spheres =
         [sphere_xml("heel_r", "calcn_r", "0 -0.02 0"), sphere_xml("toe_r", "toes_r", "0.05 0 0")].concat();
-    let Feet { feet, .. } = feet(&model_of_walker(&joint, "0 -9.81 0", &spheres));
+    let Feet { feet, .. } = feet_of_model(&model_of_walker(&joint, "0 -9.81 0", &spheres));
     let [foot] = feet.as_slice() else { panic!("{feet:?}") };
     let FootFrame::Body { name, fault } = &foot.frame else { panic!("{foot:?}") };
     assert_eq!(name, "calcn_r");
@@ -180,13 +180,16 @@ fn an_unknown_pose_is_drawn_in_the_frame_of_the_body() {
     assert_eq!(foot.floor, FloorPlace::NotInGround);
     // Feet without spheres are known by their names then.
     let without = model_of_walker(&joint, "0 -9.81 0", "");
-    assert_eq!(self::feet(&without).feet.len(), 2);
+    assert_eq!(feet_of_model(&without).feet.len(), 2);
 }
 
 #[test]
 fn up_is_z_if_gravity_points_along_minus_z() {
-    let Feet { feet, .. } =
-        feet(&model_of_walker(&slider_joint("0"), "0 0 -9.81", &sphere_xml("heel_r", "calcn_r", "0 0 0.02")));
+    let Feet { feet, .. } = feet_of_model(&model_of_walker(
+        &slider_joint("0"),
+        "0 0 -9.81",
+        &sphere_xml("heel_r", "calcn_r", "0 0 0.02"),
+    ));
     assert_eq!(feet[0].axes.names(), ["x", "z", "−y"]);
     // The foot is at 0.1 m along z, its sphere's bottom at 0.1 + 0.02 - 0.03; the half-space is a wall.
     assert!((feet[0].lowest_m().unwrap() - 0.09).abs() < 1e-12);
@@ -197,7 +200,7 @@ fn up_is_z_if_gravity_points_along_minus_z() {
 fn bones_are_drawn_at_the_places_of_their_bodies() {
     let spheres = sphere_xml("heel_r", "calcn_r", "0.05 0 0");
     let model = model_of_walker(&slider_joint("0.5"), "0 -9.81 0", &spheres);
-    let Feet { anatomy, pose, found, mut feet } = feet(&model);
+    let Feet { anatomy, pose, found, mut feet } = feet_of_model(&model);
     let bone = Bone::new("calcn_r", "foot.vtp", vec![[-0.05, 0.0, 0.0], [0.15, 0.0, 0.0], [0.0, 5.0, 0.0]]);
     let toes = Bone::new("toes_r", "toes.vtp", vec![[0.0, 0.0, 0.0], [0.0, 5.0, 0.0]]);
     feet[0].add_bones(&anatomy, &found[0], &[bone, toes], &pose);

@@ -35,13 +35,13 @@ fn foot_model(body: &str, slope: f64) -> Model {
     Model::parse(text).unwrap()
 }
 
-fn levelled(model: &Model) -> Result<Vec<LevelledSphere>, NotLevelled> {
+fn levelled_spheres_of(model: &Model) -> Result<Vec<LevelledSphere>, NotLevelled> {
     levelled_spheres(model, &model.force_ids())
 }
 
 #[track_caller]
 fn assert_toe(model: &Model, expected: [f64; 3]) {
-    let moved = levelled(model).unwrap();
+    let moved = levelled_spheres_of(model).unwrap();
     let [toe] = moved.as_slice() else { panic!("{moved:?}") };
     assert_eq!(model.sphere(toe.sphere).unwrap().name, "toe");
     let close = toe.location_m.iter().zip(expected).all(|(is, wanted)| (is - wanted).abs() < 1e-15);
@@ -66,7 +66,7 @@ fn on_a_slope_the_higher_sphere_comes_down_along_the_normal() {
 #[test]
 fn a_foot_that_leans_is_not_made_level() {
     // 0.06 rad are 3.4 degrees.
-    let Err(fault) = levelled(&foot_model("foot_r", 0.06)) else { panic!("it is made level") };
+    let Err(fault) = levelled_spheres_of(&foot_model("foot_r", 0.06)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::Leans { .. }));
     let said = fault.to_string();
     assert!(
@@ -77,6 +77,6 @@ fn a_foot_that_leans_is_not_made_level() {
 
 #[test]
 fn spheres_without_known_limbs_are_not_made_level() {
-    let Err(fault) = levelled(&foot_model("block", 0.0)) else { panic!("it is made level") };
+    let Err(fault) = levelled_spheres_of(&foot_model("block", 0.0)) else { panic!("it is made level") };
     assert!(matches!(fault, NotLevelled::NoLimbs { .. }), "{fault}");
 }

@@ -9,17 +9,17 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use osim_model::feet::{mesh_points, mesh_surface};
 
-fn fixtures(folder: &str) -> PathBuf {
+fn folder_of_fixtures(folder: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures/feet").join(folder)
 }
 
 fn points_of_mesh(folder: &str, name: &str) -> Result<Vec<[f64; 3]>, String> {
-    let bytes = std::fs::read(fixtures(folder).join(name)).unwrap();
+    let bytes = std::fs::read(folder_of_fixtures(folder).join(name)).unwrap();
     mesh_points(name, &bytes).map_err(|fault| fault.to_string())
 }
 
 fn names_of_files(folder: &str) -> BTreeSet<String> {
-    let files = std::fs::read_dir(fixtures(folder)).unwrap().map(Result::unwrap);
+    let files = std::fs::read_dir(folder_of_fixtures(folder)).unwrap().map(Result::unwrap);
     let files = files.filter(|entry| entry.file_type().unwrap().is_file());
     files.map(|entry| entry.file_name().into_string().unwrap()).collect()
 }
@@ -89,7 +89,7 @@ fn broken_meshes_are_refused() {
 #[test]
 fn damaged_mesh_files_cause_no_panic() {
     for name in names_of_files("encodings") {
-        let bytes = std::fs::read(fixtures("encodings").join(&name)).unwrap();
+        let bytes = std::fs::read(folder_of_fixtures("encodings").join(&name)).unwrap();
         for end in (0..bytes.len()).step_by(7) {
             let _ = mesh_points(&name, &bytes[..end]);
         }
@@ -113,7 +113,7 @@ fn corners_of_triangles(name: &str, bytes: &[u8]) -> Vec<[[f64; 3]; 3]> {
 #[test]
 fn the_triangles_of_a_bone_are_those_of_its_file() {
     for (name, triangles) in [("r_human_foot.vtp", 188), ("l_human_foot.vtp", 188)] {
-        let bytes = std::fs::read(fixtures("Geometry").join(name)).unwrap();
+        let bytes = std::fs::read(folder_of_fixtures("Geometry").join(name)).unwrap();
         let surface = mesh_surface(name, &bytes).unwrap();
         assert_eq!((surface.points.len(), surface.triangles.len()), (96, triangles), "{name}");
         // A closed surface: each edge is one of two triangles.
@@ -129,8 +129,9 @@ fn the_triangles_of_a_bone_are_those_of_its_file() {
 
 #[test]
 fn text_obj_and_stl_have_the_same_triangles() {
-    let of =
-        |name: &str| corners_of_triangles(name, &std::fs::read(fixtures("encodings").join(name)).unwrap());
+    let of = |name: &str| {
+        corners_of_triangles(name, &std::fs::read(folder_of_fixtures("encodings").join(name)).unwrap())
+    };
     let expected = of("ascii.vtp");
     assert_eq!(expected.len(), 21);
     for name in ["bone.obj", "ascii.stl", "binary.stl"] {

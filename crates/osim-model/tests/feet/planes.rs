@@ -50,7 +50,7 @@ fn pin_joint(angle: &str) -> String {
 }
 
 /// The XML of a force between the floor and all three spheres.
-const FORCE: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
+const FORCE_ON_ALL_GEOMETRY: &str = "<HuntCrossleyForce name=\"all\"><HuntCrossleyForce::ContactParametersSet name=\"contact_parameters\"><objects>\
                    <HuntCrossleyForce::ContactParameters><geometry>floor ball_s platform_s handle_s</geometry>\
                    <stiffness>1e6</stiffness></HuntCrossleyForce::ContactParameters></objects>\
                    </HuntCrossleyForce::ContactParametersSet></HuntCrossleyForce>";
@@ -78,7 +78,7 @@ fn a_floor_on_a_platform_turns_with_it() {
     let model = model_with_platform(
         &pin_joint("0.3"),
         &half_space_xml("/bodyset/platform", "0 0.5 0", "0 0 -1.5707963267948966"),
-        FORCE,
+        FORCE_ON_ALL_GEOMETRY,
     );
     let surface = surface_of_only_plane(&model);
     let (sine, cosine) = (0.3_f64.sin(), 0.3_f64.cos());
@@ -100,19 +100,30 @@ fn only_spheres_that_move_against_a_plane_press_on_it() {
     };
     let level = "0 0 -1.5707963267948966";
     // Neither the platform's own sphere nor that of the handle, which is welded to it.
-    let carried =
-        model_with_platform(&pin_joint("0"), &half_space_xml("/bodyset/platform", "0 0 0", level), FORCE);
+    let carried = model_with_platform(
+        &pin_joint("0"),
+        &half_space_xml("/bodyset/platform", "0 0 0", level),
+        FORCE_ON_ALL_GEOMETRY,
+    );
     assert_eq!(names(&carried), ["ball_s"]);
-    let on_ground = model_with_platform(&pin_joint("0"), &half_space_xml("/ground", "0 0 0", level), FORCE);
+    let on_ground = model_with_platform(
+        &pin_joint("0"),
+        &half_space_xml("/ground", "0 0 0", level),
+        FORCE_ON_ALL_GEOMETRY,
+    );
     assert_eq!(names(&on_ground), ["ball_s", "platform_s", "handle_s"]);
     // A platform that is welded to ground, and what is welded to it, are terrain.
     let welded = "<WeldJoint name=\"p\"><socket_parent_frame>/ground</socket_parent_frame><socket_child_frame>/bodyset/platform\
                   </socket_child_frame></WeldJoint>";
     assert_eq!(
-        names(&model_with_platform(welded, &half_space_xml("/ground", "0 0 0", level), FORCE)),
+        names(&model_with_platform(
+            welded,
+            &half_space_xml("/ground", "0 0 0", level),
+            FORCE_ON_ALL_GEOMETRY
+        )),
         ["ball_s"]
     );
-    let off = FORCE.replace(
+    let off = FORCE_ON_ALL_GEOMETRY.replace(
         "<HuntCrossleyForce::ContactParametersSet",
         "<appliesForce>false</appliesForce><HuntCrossleyForce::ContactParametersSet",
     );

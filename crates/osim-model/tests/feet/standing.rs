@@ -16,14 +16,14 @@ struct Slider<'c> {
     more: &'c str,
 }
 
-const UP: Slider<'_> =
+const VERTICAL_SLIDER: Slider<'_> =
     Slider { coordinate: "height", axis: "0 1 0", more: "<default_value>0.5</default_value>" };
 
 fn body_xml(name: &str, mass: f64) -> String {
     format!("<Body name=\"{name}\"><mass>{mass}</mass></Body>")
 }
 
-fn frame(body: &str) -> String {
+fn frame_element(body: &str) -> String {
     if body == "ground" { "/ground".into() } else { format!("/bodyset/{body}") }
 }
 
@@ -40,8 +40,8 @@ fn joint_xml(parent: &str, child: &str, moves: &[Slider<'_>]) -> String {
     format!(
         "<CustomJoint name=\"{parent}_{child}\"><socket_parent_frame>{}</socket_parent_frame><socket_child_frame>{}\
          </socket_child_frame><coordinates>{}</coordinates><SpatialTransform>{}</SpatialTransform></CustomJoint>",
-        frame(parent),
-        frame(child),
+        frame_element(parent),
+        frame_element(child),
         coordinates.collect::<String>(),
         axes.collect::<String>()
     )
@@ -52,7 +52,7 @@ fn sphere_xml(name: &str, body: &str, height: f64) -> String {
     format!(
         "<ContactSphere name=\"{name}\"><socket_frame>{}</socket_frame><location>0 {height} 0</location><radius>0.04</radius>\
          </ContactSphere>",
-        frame(body)
+        frame_element(body)
     )
 }
 
@@ -61,7 +61,7 @@ fn floor_xml(name: &str, body: &str, slope: f64) -> String {
     let turned = slope - std::f64::consts::FRAC_PI_2;
     format!(
         "<ContactHalfSpace name=\"{name}\"><socket_frame>{}</socket_frame><orientation>0 0 {turned}</orientation></ContactHalfSpace>",
-        frame(body)
+        frame_element(body)
     )
 }
 
@@ -121,7 +121,7 @@ fn foot_on_spheres(mass: f64, heights: &[f64], joints: String) -> ModelParts {
 }
 
 fn foot_on_vertical_slider(mass: f64, heights: &[f64]) -> ModelParts {
-    foot_on_spheres(mass, heights, joint_xml("ground", "foot", &[UP]))
+    foot_on_spheres(mass, heights, joint_xml("ground", "foot", &[VERTICAL_SLIDER]))
 }
 
 fn rest_on_all_spheres(standing: &Standing) -> RestOnFloor {
@@ -222,7 +222,7 @@ fn the_load_is_the_weight_of_the_bodies_that_the_coordinate_moves() {
     let mut parts = foot_on_spheres(
         10.0,
         &[-0.1],
-        joint_xml("ground", "cart", &[along]) + &joint_xml("cart", "foot", &[UP]),
+        joint_xml("ground", "cart", &[along]) + &joint_xml("cart", "foot", &[VERTICAL_SLIDER]),
     );
     parts.bodies.push_str(&body_xml("cart", 7.0));
     let standing = parts.only_standing();
@@ -236,7 +236,7 @@ fn the_load_includes_all_bodies_below_the_joint() {
     parts.bodies = ["trunk 2", "arm 4", "leg 8", "head 16", "foot 1"]
         .map(|one| one.split_once(' ').map(|(name, mass)| body_xml(name, mass.parse().unwrap())).unwrap())
         .concat();
-    parts.joints = joint_xml("ground", "trunk", &[UP]);
+    parts.joints = joint_xml("ground", "trunk", &[VERTICAL_SLIDER]);
     for (above, below) in [("trunk", "arm"), ("trunk", "leg"), ("trunk", "head"), ("leg", "foot")] {
         parts.joints.push_str(&joint_xml(above, below, &[]));
     }
@@ -257,7 +257,7 @@ fn a_platform_under_a_foot_does_not_count_as_standing() {
         // A foot that is joined to the platform, too.
         parts.joints =
             joint_xml("ground", "plate", &[Slider { coordinate: "plate_ty", axis: "0 1 0", more }])
-                + &joint_xml("plate", "foot", &[UP]);
+                + &joint_xml("plate", "foot", &[VERTICAL_SLIDER]);
         let standing = parts.only_standing();
         assert_eq!((lift_of(&standing).coordinate.as_str(), standing.mass_kg), ("height", Some(10.0)));
     }
@@ -290,12 +290,12 @@ fn a_body_that_no_coordinate_lifts_has_a_reason() {
     assert_eq!(why(weld.replace("Weld", "Pin")), NotLifted::Pinned);
     // Its axis is x.
     assert_eq!(why(weld.replace("Weld", "Slider")), NotLifted::Slides);
-    let held = |more| why(joint_xml("ground", "foot", &[Slider { more, ..UP }]));
+    let held = |more| why(joint_xml("ground", "foot", &[Slider { more, ..VERTICAL_SLIDER }]));
     assert_eq!(held("<locked>true</locked>"), NotLifted::Locked { coordinate: "height".into() });
     let prescribed = "<prescribed>true</prescribed><prescribed_function><Constant><value>0.5</value></Constant></prescribed_function>";
     assert_eq!(held(prescribed), NotLifted::Driven { coordinate: "height".into() });
     let along = Slider { coordinate: "along", axis: "1 0 0", more: "" };
-    let mut coupled = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[UP, along]));
+    let mut coupled = foot_on_spheres(10.0, &[-0.1], joint_xml("ground", "foot", &[VERTICAL_SLIDER, along]));
     coupled.constraints = "<CoordinateCouplerConstraint name=\"c\"><coupled_coordinates_function><LinearFunction><coefficients>1 0\
                            </coefficients></LinearFunction></coupled_coordinates_function><independent_coordinate_names>along\
                            </independent_coordinate_names><dependent_coordinate_name>height</dependent_coordinate_name>\

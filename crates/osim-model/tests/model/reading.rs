@@ -5,11 +5,11 @@
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
-use osim_model::{Companion, Document, Irregularity, Limbs, Model, Origin, Property, Selection, SetId};
+use osim_model::{Companion, Document, Irregularity, Limbs, Model, Property, Selection, SetId, ValueOrigin};
 
 /// The stiffness and radius in the fixtures of `format/`: a foot of 61.5 kg on a sphere of radius 0.0325 m.
-const STIFFNESS: f64 = 1_234_567.8;
-const RADIUS: f64 = 0.0325;
+const STIFFNESS_OF_FILE: f64 = 1_234_567.8;
+const RADIUS_OF_FILE: f64 = 0.0325;
 
 /// Bytes of a file in `fixtures/`.
 #[track_caller]
@@ -29,7 +29,7 @@ fn read<T>(file: &str, then: impl FnOnce(&Model) -> T) -> T {
 }
 
 /// The effective value of `property` in the first force; for a radius, in the first sphere of the force.
-fn value_in_first_force(model: &Model, property: Property) -> (f64, Origin) {
+fn value_in_first_force(model: &Model, property: Property) -> (f64, ValueOrigin) {
     let force = &model.forces()[0];
     let value = match property {
         Property::Radius => &model.sphere(force.spheres()[0]).unwrap().radius,
@@ -39,7 +39,7 @@ fn value_in_first_force(model: &Model, property: Property) -> (f64, Origin) {
 }
 
 #[track_caller]
-fn assert_property(file: &str, property: Property, expected: f64, origin: Origin) {
+fn assert_property(file: &str, property: Property, expected: f64, origin: ValueOrigin) {
     let seen = read(file, |model| value_in_first_force(model, property));
     assert_eq!(seen, (expected, origin), "{property} of {file}");
 }
@@ -58,19 +58,19 @@ fn numbers_are_read_as_opensim_reads_them() {
         ("number_instruction", 4e6),
         ("number_exponent_reference", 1e6),
         ("number_long", 1e6),
-        ("markup_upper_case_tag", STIFFNESS),
-        ("markup_nested_property", STIFFNESS),
-        ("markup_commented_force", STIFFNESS),
-        ("markup_blanks_in_tags", STIFFNESS),
-        ("markup_more_attributes", STIFFNESS),
-        ("markup_same_tags_elsewhere", STIFFNESS),
-        ("duplicate_stiffness", STIFFNESS),
-        ("duplicate_objects", STIFFNESS),
-        ("duplicate_forceset", STIFFNESS),
+        ("markup_upper_case_tag", STIFFNESS_OF_FILE),
+        ("markup_nested_property", STIFFNESS_OF_FILE),
+        ("markup_commented_force", STIFFNESS_OF_FILE),
+        ("markup_blanks_in_tags", STIFFNESS_OF_FILE),
+        ("markup_more_attributes", STIFFNESS_OF_FILE),
+        ("markup_same_tags_elsewhere", STIFFNESS_OF_FILE),
+        ("duplicate_stiffness", STIFFNESS_OF_FILE),
+        ("duplicate_objects", STIFFNESS_OF_FILE),
+        ("duplicate_forceset", STIFFNESS_OF_FILE),
     ] {
-        assert_property(file, Property::Stiffness, expected, Origin::Element);
+        assert_property(file, Property::Stiffness, expected, ValueOrigin::Element);
     }
-    assert_property("number_17_digits", Property::StaticFriction, 0.8, Origin::Element);
+    assert_property("number_17_digits", Property::StaticFriction, 0.8, ValueOrigin::Element);
 }
 
 #[test]
@@ -99,9 +99,9 @@ fn contact_parameters_are_found_in_all_their_spellings() {
         "components_hunt_crossley",
         "v20001",
     ] {
-        assert_property(file, Property::Stiffness, STIFFNESS, Origin::Element);
+        assert_property(file, Property::Stiffness, STIFFNESS_OF_FILE, ValueOrigin::Element);
     }
-    assert_property("parameters_wrapper_wins", Property::Stiffness, 77.0, Origin::Element);
+    assert_property("parameters_wrapper_wins", Property::Stiffness, 77.0, ValueOrigin::Element);
     read("parameters_misnamed", |model| {
         assert!(model.forces()[0].sets.is_empty());
         let said = &model.irregularities;
@@ -111,18 +111,18 @@ fn contact_parameters_are_found_in_all_their_spellings() {
 
 #[test]
 fn defaults_replace_missing_elements() {
-    assert_property("defaults_smooth", Property::HertzSmoothing, 111.0, Origin::Defaults);
-    assert_property("defaults_smooth", Property::Dissipation, 2.25, Origin::Element);
-    assert_property("defaults_contact_parameters", Property::Stiffness, 765_432.1, Origin::Defaults);
-    assert_property("defaults_contact_parameters", Property::Dissipation, 1.75, Origin::Defaults);
-    assert_property("defaults_sphere_radius", Property::Radius, 0.044, Origin::Defaults);
+    assert_property("defaults_smooth", Property::HertzSmoothing, 111.0, ValueOrigin::Defaults);
+    assert_property("defaults_smooth", Property::Dissipation, 2.25, ValueOrigin::Element);
+    assert_property("defaults_contact_parameters", Property::Stiffness, 765_432.1, ValueOrigin::Defaults);
+    assert_property("defaults_contact_parameters", Property::Dissipation, 1.75, ValueOrigin::Defaults);
+    assert_property("defaults_sphere_radius", Property::Radius, 0.044, ValueOrigin::Defaults);
     assert_eq!(read("defaults_body_mass", |model| model.bodies()[0].mass.number), 58.5);
-    assert_property("defaults_twice", Property::HertzSmoothing, 111.0, Origin::Defaults);
-    assert_property("defaults_after_forces", Property::HertzSmoothing, 111.0, Origin::Defaults);
+    assert_property("defaults_twice", Property::HertzSmoothing, 111.0, ValueOrigin::Defaults);
+    assert_property("defaults_after_forces", Property::HertzSmoothing, 111.0, ValueOrigin::Defaults);
     // These do not count.
-    assert_property("defaults_after_model", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    assert_property("defaults_in_forceset", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    assert_property("defaults_of_materials_only", Property::Dissipation, 0.0, Origin::ClassDefault);
+    assert_property("defaults_after_model", Property::HertzSmoothing, 300.0, ValueOrigin::ClassDefault);
+    assert_property("defaults_in_forceset", Property::HertzSmoothing, 300.0, ValueOrigin::ClassDefault);
+    assert_property("defaults_of_materials_only", Property::Dissipation, 0.0, ValueOrigin::ClassDefault);
     assert!(!read("defaults_applies_force", |model| model.forces()[0].applies));
 }
 
@@ -136,19 +136,24 @@ fn defaults_give_surfaces_and_sockets_too() {
     ] {
         read(file, |model| {
             assert_eq!(model.forces().len(), 1, "{file}");
-            assert_eq!(value_in_first_force(model, Property::Stiffness).0, STIFFNESS, "{file}");
-            assert_eq!(value_in_first_force(model, Property::Radius).0, RADIUS, "{file}");
+            assert_eq!(value_in_first_force(model, Property::Stiffness).0, STIFFNESS_OF_FILE, "{file}");
+            assert_eq!(value_in_first_force(model, Property::Radius).0, RADIUS_OF_FILE, "{file}");
         });
     }
 }
 
 #[test]
 fn class_defaults_are_those_of_opensim() {
-    assert_property("left_out_smoothing", Property::ConstantContactForce, 1e-5, Origin::ClassDefault);
-    assert_property("left_out_smoothing", Property::HertzSmoothing, 300.0, Origin::ClassDefault);
-    assert_property("left_out_smoothing", Property::HuntCrossleySmoothing, 50.0, Origin::ClassDefault);
-    assert_property("left_out_stiffness", Property::Stiffness, 1.0, Origin::ClassDefault);
-    assert_property("left_out_transition_velocity", Property::TransitionVelocity, 0.01, Origin::ClassDefault);
+    assert_property("left_out_smoothing", Property::ConstantContactForce, 1e-5, ValueOrigin::ClassDefault);
+    assert_property("left_out_smoothing", Property::HertzSmoothing, 300.0, ValueOrigin::ClassDefault);
+    assert_property("left_out_smoothing", Property::HuntCrossleySmoothing, 50.0, ValueOrigin::ClassDefault);
+    assert_property("left_out_stiffness", Property::Stiffness, 1.0, ValueOrigin::ClassDefault);
+    assert_property(
+        "left_out_transition_velocity",
+        Property::TransitionVelocity,
+        0.01,
+        ValueOrigin::ClassDefault,
+    );
     for (file, gravity) in [("left_out_gravity", 9.80665), ("no_gravity", 0.0), ("gravity_sideways", 3.71)] {
         read(file, |model| assert_eq!(model.gravity(), Some(gravity), "{file}"));
     }
@@ -203,7 +208,7 @@ fn surfaces_are_recognised_by_class_not_by_name_or_order() {
         });
     }
     // The component counts before the member of the set of the same name.
-    assert_property("geometry_two_of_a_name", Property::Radius, 0.055, Origin::Element);
+    assert_property("geometry_two_of_a_name", Property::Radius, 0.055, ValueOrigin::Element);
     let fault = Model::parse(fixture("format/geometry_unknown.osim")).unwrap_err();
     assert_eq!(fault.code(), "unresolved");
     assert!(fault.to_string().contains("'heel_l'") && fault.position.is_some(), "{fault}");
@@ -236,7 +241,7 @@ fn frames_lead_to_their_body_in_every_spelling() {
             let sphere = &model.sphere(model.forces()[0].spheres()[0]).unwrap();
             assert_eq!(sphere.body.as_deref(), Some("calcn_r"), "{file}");
             assert!(!sphere.fixed, "{file}");
-            assert_eq!(sphere.radius.number, RADIUS, "{file}");
+            assert_eq!(sphere.radius.number, RADIUS_OF_FILE, "{file}");
             let limbs = model.limbs(&model.force_ids()[..1]);
             assert_eq!(limbs.if_known().map(<[_]>::len), Some(1), "{file}: {limbs:?}");
         });

@@ -5,12 +5,12 @@
 
 use osim_model::{Document, Model};
 
-const FOOT: &str = include_str!("../data/one_foot.osim");
-const STIFFNESS: &str = "<stiffness>1000000</stiffness>";
+const ONE_FOOT: &str = include_str!("../data/one_foot.osim");
+const STIFFNESS_ELEMENT: &str = "<stiffness>1000000</stiffness>";
 
 fn foot_with(more: &str) -> String {
-    assert!(FOOT.contains(STIFFNESS));
-    FOOT.replace(STIFFNESS, &format!("{more}{STIFFNESS}"))
+    assert!(ONE_FOOT.contains(STIFFNESS_ELEMENT));
+    ONE_FOOT.replace(STIFFNESS_ELEMENT, &format!("{more}{STIFFNESS_ELEMENT}"))
 }
 
 #[track_caller]
@@ -58,7 +58,7 @@ fn in_old_documents_the_first_of_both_flags_counts() {
 fn a_location_is_three_words() {
     let location = |text: &str| {
         let radius = "<radius>0.03</radius>";
-        let text = FOOT.replace(radius, &format!("{radius}<location>{text}</location>"));
+        let text = ONE_FOOT.replace(radius, &format!("{radius}<location>{text}</location>"));
         Model::parse(text).map(|model| model.spheres()[0].location_m)
     };
     assert_eq!(location("0.1, 0.2\u{b}0.3").unwrap(), [0.1, 0.2, 0.3]);

@@ -13,8 +13,8 @@ use crate::objects::sets::{FORCE_SET, GEOMETRY_SET, refuse_partial_model};
 use crate::{ContactLayout, NewContact, Plan};
 
 /// The letter for the floor in a note's list of elements that the program made.
-pub(super) const MADE_FLOOR: char = 'h';
-const FLOOR: &str = "floor";
+pub(super) const MARK_OF_MADE_FLOOR: char = 'h';
+const NAME_OF_FLOOR: &str = "floor";
 
 /// `model` with the contacts of `layout`: spheres, one force for each sphere, and a floor if the model has none. Every other byte
 /// stays. A name that the model already uses gets a number; `layout` then has the new names.
@@ -51,7 +51,7 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     let own = find_floor(model)?;
     let made_floor = match &own {
         Some(_) => None,
-        None => Some(names.reserve(if layout.floor.is_empty() { FLOOR } else { &layout.floor })?),
+        None => Some(names.reserve(if layout.floor.is_empty() { NAME_OF_FLOOR } else { &layout.floor })?),
     };
     let plane = plane_path(own.as_ref(), made_floor.as_deref());
     refuse_non_utf8_name(model, &plane)?;
@@ -89,12 +89,12 @@ pub fn add_contacts(model: &Model, layout: &mut ContactLayout) -> Result<Rebuilt
     objects.extend(force_objects);
     let document = model.document();
     let (tree, root) = (document.tree(), document.data_root());
-    let mut made: String = made_floor.iter().map(|_| MADE_FLOOR).collect();
+    let mut made: String = made_floor.iter().map(|_| MARK_OF_MADE_FLOOR).collect();
     let mut edits = FORCE_SET.add(tree, root, &forces, &mut made);
     edits.extend(GEOMETRY_SET.add(tree, root, &geometry, &mut made));
     let beside_others = !model.forces().is_empty();
     if !beside_others {
-        made.push(Note::ALL_ADDED);
+        made.push(Note::ALL_ADDED_MARK);
     }
     let mut rebuilt = RebuiltModel::new(edited(model, edits)?, objects, made);
     rebuilt.earlier_note = EarlierNote::KeptBeside;
@@ -137,7 +137,7 @@ fn force_node(
 
 fn plane_path(own: Option<&HalfSpace>, made: Option<&str>) -> String {
     own.map(|plane| plane.path.clone())
-        .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(FLOOR)))
+        .unwrap_or_else(|| format!("/contactgeometryset/{}", made.unwrap_or(NAME_OF_FLOOR)))
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]

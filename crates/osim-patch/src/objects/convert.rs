@@ -17,7 +17,7 @@ use crate::objects::sets::{GEOMETRY_SET, refuse_partial_model};
 use crate::rules;
 
 /// The properties that only smoothed forces have.
-const SMOOTHING: [Property; 3] =
+const SMOOTHING_PROPERTIES: [Property; 3] =
     [Property::ConstantContactForce, Property::HertzSmoothing, Property::HuntCrossleySmoothing];
 
 #[derive(Debug, Clone, PartialEq)]
@@ -294,7 +294,7 @@ fn value_origin(property: Property, sphere: &Sphere, pair: &SpherePlanePair) -> 
 /// The properties among `values` that forces of `kind` have.
 fn values_of_class(kind: ForceKind, mut values: Vec<(Property, f64)>) -> Vec<(Property, f64)> {
     if kind == ForceKind::HuntCrossley {
-        values.retain(|(property, _)| !SMOOTHING.contains(property));
+        values.retain(|(property, _)| !SMOOTHING_PROPERTIES.contains(property));
     }
     values
 }
@@ -340,7 +340,7 @@ pub(super) fn add_smoothing(
 /// Edits of object groups: members that are forces get the new names of these forces.
 fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String>)]) -> Vec<Edit> {
     let groups = tree
-        .child(model, crate::objects::sets::FORCES)
+        .child(model, crate::objects::sets::FORCE_SET_TAG)
         .and_then(|set| tree.child(set, "groups"))
         .into_iter()
         .flat_map(|groups| tree.children(groups))
@@ -359,7 +359,7 @@ fn renamed_members(tree: &Tree, model: ElementId, renamed: &[(String, Vec<String
             None => vec![word.to_owned()],
         });
         let words = words.collect::<Vec<_>>().join(" ");
-        changed.then(|| Edit { span: raw.span, text: crate::insert::escaped(&words) })
+        changed.then(|| Edit { span: raw.span, text: crate::insert::escaped_attribute(&words) })
     };
     groups.filter_map(edit).collect()
 }
@@ -385,7 +385,7 @@ impl NewContact {
         if kind == ForceKind::SmoothSphereHalfSpace {
             return add_smoothing(&mut self.values, self.radius_m, &Convert::new(kind));
         }
-        self.values.retain(|(property, _)| !SMOOTHING.contains(property));
+        self.values.retain(|(property, _)| !SMOOTHING_PROPERTIES.contains(property));
         Ok(())
     }
 

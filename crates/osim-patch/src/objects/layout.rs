@@ -38,7 +38,7 @@ impl NewContact {
     }
 }
 
-/// Contacts to add to a model.
+/// Contacts to add to a model: spheres, a force for each of them, and the name of a floor.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContactLayout {
     /// The contacts, in the order in which they are written.

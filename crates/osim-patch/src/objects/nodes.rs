@@ -6,7 +6,7 @@ use osim_model::{
     Class, Document, Fault, FileId, Force, ForceKind, HalfSpace, Model, Orientation, Property, Sphere,
 };
 
-use crate::insert::Node;
+use crate::insert::{Node, escaped_attribute};
 use crate::objects::rebuilt::{ObjectAction, ObjectChange, TakenNames, refuse_non_utf8_name};
 use crate::{NewContact, change};
 
@@ -26,9 +26,9 @@ const GROUND_FRAME: ParentFrame<'static> = ParentFrame { name: "ground", path: "
 impl ParentFrame<'_> {
     fn node(&self, version: u32) -> Node {
         if version < FIRST_WITH_SOCKET_FRAME {
-            Node::leaf("body_name", crate::insert::escaped(self.name))
+            Node::leaf("body_name", escaped_attribute(self.name))
         } else {
-            Node::leaf("socket_frame", crate::insert::escaped(self.path))
+            Node::leaf("socket_frame", escaped_attribute(self.path))
         }
     }
 }
@@ -100,7 +100,6 @@ pub(super) fn force(
     values: &ForceValues<'_>,
     applies: bool,
 ) -> Result<Node, Fault> {
-    let escaped = crate::insert::escaped;
     let values_of = |class: Class| {
         let value = |property: Property| {
             let given = values.numbers.iter().find(|(known, _)| *known == property).map(|(_, value)| *value);
@@ -118,7 +117,8 @@ pub(super) fn force(
     };
     Ok(match kind {
         ForceKind::HuntCrossley => {
-            let geometry = format!("{} {}", escaped(surfaces.sphere), escaped(surfaces.plane));
+            let geometry =
+                format!("{} {}", escaped_attribute(surfaces.sphere), escaped_attribute(surfaces.plane));
             let mut parameters = vec![Node::leaf("geometry", geometry)];
             parameters.extend(values_of(Class::ContactParameters)?);
             let list =
@@ -132,8 +132,8 @@ pub(super) fn force(
         }
         _ => {
             let mut children = vec![
-                Node::leaf("socket_sphere", escaped(surfaces.sphere)),
-                Node::leaf("socket_half_space", escaped(surfaces.plane)),
+                Node::leaf("socket_sphere", escaped_attribute(surfaces.sphere)),
+                Node::leaf("socket_half_space", escaped_attribute(surfaces.plane)),
             ];
             children.extend(on_or_off(Class::SmoothSphereHalfSpaceForce));
             children.extend(values_of(Class::SmoothSphereHalfSpaceForce)?);

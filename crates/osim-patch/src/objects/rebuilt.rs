@@ -10,7 +10,7 @@ use osim_model::{
 };
 
 named! {
-    /// What happens to an object.
+    /// What a change does to a whole object: it adds, removes or connects it.
     pub enum ObjectAction {
         Added = "added",
         Removed = "removed",

@@ -11,7 +11,7 @@ use osim_model::{
 
 use crate::edit::{Edit, edited};
 use crate::insert::with_white_space_before;
-use crate::objects::add::MADE_FLOOR;
+use crate::objects::add::MARK_OF_MADE_FLOOR;
 use crate::objects::rebuilt::{
     EarlierNote, ObjectAction, ObjectChange, OuterSpans, RebuiltModel, geometry_names, geometry_references,
 };
@@ -54,7 +54,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
     }
     remove_others(model, others, (&mut elements, &mut objects, &mut going_names))?;
     let mut made = model.note.as_ref().map(|note| note.added_to_file.clone()).unwrap_or_default();
-    if made.contains(MADE_FLOOR) {
+    if made.contains(MARK_OF_MADE_FLOOR) {
         let planes = |force: &Force| -> Vec<HalfSpace> {
             force.sets.iter().flat_map(|set| model.half_spaces_of(set)).collect()
         };
@@ -66,7 +66,7 @@ pub fn remove(model: &Model, selected: &Selected, others: &[ComponentId]) -> Res
             elements.push(floor.element);
             going_names.insert(floor.name.clone());
             objects.push(removed("ContactHalfSpace", [&floor.name, &floor.path], None));
-            made.retain(|letter| letter != MADE_FLOOR);
+            made.retain(|letter| letter != MARK_OF_MADE_FLOOR);
         }
     }
     refuse_users(model, &elements, &going_names)?;
@@ -130,7 +130,7 @@ fn refuse_other_file(model: &Model, file: FileId, path: &str) -> Result<(), Faul
 /// The forces that were added to `model` and are recorded in its note; `None` if the note has no such record.
 pub fn added_forces(model: &Model) -> Option<Vec<ForceId>> {
     let note = model.note.as_ref()?;
-    let all = note.added_to_file.contains(Note::ALL_ADDED);
+    let all = note.added_to_file.contains(Note::ALL_ADDED_MARK);
     let is_named = note.is_added_force();
     let is_added = |force: &&Force| {
         if all { force.sets.iter().any(|set| set.half_spaces > 0) } else { is_named(&force.name) }

@@ -6,7 +6,7 @@ use crate::edit::Edit;
 use crate::insert::{EmptyForm, Node, append, fill, insert, with_white_space_before};
 
 /// The elements of a model around its sets, in the order in which OpenSim writes them.
-const ORDER_IN_MODEL: [&str; 15] = [
+const ORDER_OF_SETS_IN_MODEL: [&str; 15] = [
     "Ground",
     "gravity",
     "credits",
@@ -17,13 +17,13 @@ const ORDER_IN_MODEL: [&str; 15] = [
     "JointSet",
     "ControllerSet",
     "ConstraintSet",
-    FORCES,
+    FORCE_SET_TAG,
     "MarkerSet",
-    GEOMETRY,
+    GEOMETRY_SET_TAG,
     "ProbeSet",
     "ComponentSet",
 ];
-const OBJECTS: &str = "objects";
+const OBJECTS_TAG: &str = "objects";
 
 /// `ForceSet` or `ContactGeometrySet`, with the letters by which a note says which elements of it the program made. With them, removing
 /// the members restores the file.
@@ -39,7 +39,7 @@ pub(super) struct ObjectSet {
 }
 
 pub(super) const FORCE_SET: ObjectSet = ObjectSet {
-    tag: FORCES,
+    tag: FORCE_SET_TAG,
     whole: 'f',
     objects: 'o',
     opened: [
@@ -48,7 +48,7 @@ pub(super) const FORCE_SET: ObjectSet = ObjectSet {
     ],
 };
 pub(super) const GEOMETRY_SET: ObjectSet = ObjectSet {
-    tag: GEOMETRY,
+    tag: GEOMETRY_SET_TAG,
     whole: 'g',
     objects: 'O',
     opened: [
@@ -73,14 +73,14 @@ impl ObjectSet {
     ) -> Vec<Edit> {
         let Some(set) = self.element(tree, model) else {
             made.push(self.whole);
-            let objects = Node::parent(OBJECTS, members.to_vec());
+            let objects = Node::parent(OBJECTS_TAG, members.to_vec());
             let whole = Node::object(self.tag, &self.tag.to_ascii_lowercase(), vec![objects]);
-            return insert(tree, model, &ORDER_IN_MODEL, &[whole]);
+            return insert(tree, model, &ORDER_OF_SETS_IN_MODEL, &[whole]);
         };
         let [of_set, of_objects] = &self.opened;
-        let Some(objects) = tree.child(set, OBJECTS) else {
+        let Some(objects) = tree.child(set, OBJECTS_TAG) else {
             made.push(self.objects);
-            let list = Node::parent(OBJECTS, members.to_vec());
+            let list = Node::parent(OBJECTS_TAG, members.to_vec());
             return match append_first(tree, set, &list) {
                 Some(edit) => vec![edit],
                 None => fill_empty(tree, set, &[list], of_set, made),
@@ -119,7 +119,7 @@ impl ObjectSet {
         if let Some(form) = form(of_set) {
             return Some(form.restored(tree, set));
         }
-        let objects = tree.child(set, OBJECTS)?;
+        let objects = tree.child(set, OBJECTS_TAG)?;
         if made.contains(self.objects) {
             return whole(objects);
         }
@@ -131,7 +131,7 @@ impl ObjectSet {
 fn append_first(tree: &Tree, set: ElementId, list: &Node) -> Option<Edit> {
     let list = std::slice::from_ref(list);
     match tree.children(set).next() {
-        Some(_) => insert(tree, set, &[OBJECTS, "groups"], list).pop(),
+        Some(_) => insert(tree, set, &[OBJECTS_TAG, "groups"], list).pop(),
         None => append(tree, set, list),
     }
 }
@@ -149,8 +149,8 @@ fn fill_empty(
 }
 
 /// The sets that whole objects go into.
-pub(super) const FORCES: &str = "ForceSet";
-const GEOMETRY: &str = "ContactGeometrySet";
+pub(super) const FORCE_SET_TAG: &str = "ForceSet";
+const GEOMETRY_SET_TAG: &str = "ContactGeometrySet";
 
 /// Refuses a model in several files: a set in another file may belong to other models, too.
 pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
@@ -167,7 +167,7 @@ pub(super) fn refuse_partial_model(model: &Model) -> Result<(), Fault> {
         ));
     }
     for (element, file) in document.included_files() {
-        if [FORCES, GEOMETRY].contains(&tree.name(element)) {
+        if [FORCE_SET_TAG, GEOMETRY_SET_TAG].contains(&tree.name(element)) {
             let (path, span) = (tree.name(element).to_owned(), tree.open_span(element));
             return Err(Fault::at_span(FaultKind::IncludedFile { path, file }, span));
         }

@@ -3,11 +3,11 @@
 use osim_model::{ElementId, Fault, Irregularity, Model};
 
 use crate::edit::{Edit, edited};
-use crate::insert::escaped;
+use crate::insert::escaped_attribute;
 use crate::objects::rebuilt::{EarlierNote, ObjectAction, ObjectChange, RebuiltModel};
 
 /// The tags of sockets, for reports.
-const TAGS: [&str; 7] = [
+const SOCKET_TAGS: [&str; 7] = [
     "socket_frame",
     "socket_parent",
     "socket_parent_frame",
@@ -26,8 +26,8 @@ pub fn connect_sockets(model: &Model) -> Result<RebuiltModel, Fault> {
     let (mut edits, mut objects) = (Vec::new(), Vec::new());
     let mut connect = |owner: &str, taken: &str, socket: ElementId| {
         let tag = tree.name(socket);
-        edits.push(Edit { span: tree.raw_text(socket).span, text: escaped(taken) });
-        let class = TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket");
+        edits.push(Edit { span: tree.raw_text(socket).span, text: escaped_attribute(taken) });
+        let class = SOCKET_TAGS.into_iter().find(|known| *known == tag).unwrap_or("socket");
         let name = owner.rsplit('/').next().unwrap_or_default();
         objects.push(ObjectChange::new(ObjectAction::Connected, class, [name, owner], Some(taken)));
     };

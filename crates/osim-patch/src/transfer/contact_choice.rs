@@ -7,19 +7,19 @@ use osim_model::{
     sphere_sets,
 };
 
-use crate::builder::{NewValue, PlanBuilder};
+use crate::builder::{NewNumber, PlanBuilder};
 use crate::change::{predsim_factor, property_factor};
 use crate::radii::Radii;
 use crate::transfer::reference::{Reference, ReferenceContact, ScalingRule, Transfer};
 
 /// Two dimensionless contacts with at most this relative difference are equal.
-const SAME_CONTACT: f64 = 1e-6;
+const SAME_CONTACT_TOLERANCE: f64 = 1e-6;
 /// Gravity, m/s², for the comparison of contacts of one model. Its value does not matter, because it cancels.
-const ANY_GRAVITY: f64 = 9.80665;
+const ARBITRARY_GRAVITY: f64 = 9.80665;
 
 /// The contact of the reference that each sphere of the model gets.
 pub(crate) enum ContactChoice<'t> {
-    /// All spheres get one contact.
+    /// All spheres of the model get this one contact of the reference.
     One(&'t ReferenceContact),
     /// All spheres get the contact of one named sphere of the reference; the radius of that sphere (m) is also used.
     Named { contact: &'t ReferenceContact, radius_m: f64 },
@@ -79,7 +79,7 @@ impl<'t> ContactChoice<'t> {
         let base = dimensionless_contact(first)?;
         let mut same = true;
         for contact in contacts {
-            same &= dimensionless_contact(contact)?.agrees_with(&base, SAME_CONTACT);
+            same &= dimensionless_contact(contact)?.agrees_with(&base, SAME_CONTACT_TOLERANCE);
         }
         if same {
             return Ok(Self::One(first));
@@ -148,7 +148,7 @@ impl<'t> ContactChoice<'t> {
         };
         let base = dimensionless_contact(first)?;
         for other in contacts {
-            if !dimensionless_contact(other)?.agrees_with(&base, SAME_CONTACT) {
+            if !dimensionless_contact(other)?.agrees_with(&base, SAME_CONTACT_TOLERANCE) {
                 let fact = MissingFact::ReferenceContactOfForce { force: force.path.clone() };
                 return Err(Fault::new(fact).at_element(force.path.clone()));
             }
@@ -183,7 +183,7 @@ fn dimensionless_contact(contact: &ReferenceContact) -> Result<DimensionlessCont
         mass_kg: 1.0,
         radius_m: contact.radius_m,
         sphere_count: 1.0,
-        gravity_m_s2: ANY_GRAVITY,
+        gravity_m_s2: ARBITRARY_GRAVITY,
     };
     Ok(DimensionlessContact::of(&contact.contact, &Scale::new(values).map_err(Fault::new)?))
 }
@@ -224,7 +224,7 @@ pub(crate) fn plan_several_sets(
         };
         let Some((factor, by)) = scaled else { continue };
         let factor = factor * composite_ratio(plan, force, chosen, property)?;
-        plan.change_sets(force, property, |from| NewValue::times(from, factor, by))?;
+        plan.change_sets(force, property, |from| NewNumber::times(from, factor, by))?;
     }
     Ok(())
 }

@@ -11,9 +11,9 @@ use osim_model::{
 use crate::builder::{PlanBuilder, change_composite, scale_with_radius};
 use crate::change::{ChangedBy, GravityChange, predsim_factor, property_factor};
 use crate::objects::keeps_sphere_inside;
-use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER};
-use crate::radii::{Radii, SphereRule};
-use crate::rules::{self, GRAVITY_STAYS, PLACES_STAY, warn_forces};
+use crate::plan::{Masses, NoteFacts, Plan, PlanContents, TRANSFER_OPERATION};
+use crate::radii::{Radii, SphereRadiusRule};
+use crate::rules::{self, REMARK_GRAVITY_STAYS, REMARK_PLACES_STAY, warn_forces};
 use crate::transfer::contact_choice::{self, ContactChoice, ReferenceRadii};
 use crate::transfer::reference::{ReferenceContact, ScalingRule, Transfer};
 
@@ -43,15 +43,17 @@ pub fn transfer(model: &Model, selected: &Selected, wanted: &Transfer) -> Result
     let followed = |sphere: SphereId| wanted.follow.as_ref().and_then(|follow| follow.sphere(sphere));
     let reference_radii = ReferenceRadii::of(&wanted.reference);
     let rule_of = |sphere: SphereId| match (followed(sphere), wanted.radius) {
-        (Some(followed), RadiusRule::Isometric) => SphereRule::Like(followed.radius_m),
-        (Some(followed), RadiusRule::Metres(_)) => SphereRule::Rule(RadiusRule::Metres(followed.radius_m)),
-        (Some(followed), _) => SphereRule::Followed(followed.radius_m),
+        (Some(followed), RadiusRule::Isometric) => SphereRadiusRule::Like(followed.radius_m),
+        (Some(followed), RadiusRule::Metres(_)) => {
+            SphereRadiusRule::Rule(RadiusRule::Metres(followed.radius_m))
+        }
+        (Some(followed), _) => SphereRadiusRule::Followed(followed.radius_m),
         // As large against the body as the reference's.
         (None, RadiusRule::Isometric) => {
             let radius = chosen.radius_for(model, sphere, &reference_radii);
-            SphereRule::Like(radius.map_or(f64::NAN, |radius| radius * isometric))
+            SphereRadiusRule::Like(radius.map_or(f64::NAN, |radius| radius * isometric))
         }
-        (None, other) => SphereRule::Rule(other),
+        (None, other) => SphereRadiusRule::Rule(other),
     };
     if wanted.radius == RadiusRule::Isometric && wanted.follow.is_none() {
         chosen.refuse_unclear_radii(model, selected, &wanted.reference)?;
@@ -170,15 +172,15 @@ fn plan_with_note_and_remarks(
     } else if wanted.follow.is_some() {
         remarks.push("body masses stay as they are; spheres follow their bodies".into());
     } else if !moves.is_empty() {
-        remarks.push(rules::LEVEL.into());
+        remarks.push(rules::REMARK_LEVEL.into());
     } else {
-        remarks.push(PLACES_STAY.into());
+        remarks.push(REMARK_PLACES_STAY.into());
         rules::remark_on_bottoms(&mut remarks, Some(radii));
     }
     // Nothing is to be set in OpenSim where the target is the model's own gravity.
     let other_gravity = wanted.target_gravity_m_s2.is_some_and(|target| model.gravity() != Some(target));
     if other_gravity && !changes.is_empty() {
-        remarks.push(GRAVITY_STAYS.into());
+        remarks.push(REMARK_GRAVITY_STAYS.into());
     }
     let reference = &wanted.reference;
     let count = |count: f64| match wanted.counts_cancel {
@@ -207,7 +209,7 @@ fn plan_with_note_and_remarks(
             // Without a target, the gravity that the reference's contacts were made for.
             gravity_m_s2: wanted.target_gravity_m_s2.or(wanted.reference.gravity_m_s2).or(model.gravity()),
             scope: if all { Scope::All } else { Scope::Partial },
-            operation: TRANSFER,
+            operation: TRANSFER_OPERATION,
         },
     )
 }
@@ -242,7 +244,7 @@ fn check_factor_spread(
 }
 
 /// Numbers with a smaller relative difference than this look equal to a reader.
-const SAME_TO_THE_EYE: f64 = 1e-3;
+const LOOKS_EQUAL_TOLERANCE: f64 = 1e-3;
 
 /// A remark that compares x̂ under body weight and c_r between the reference and the result.
 fn compare_with_reference(
@@ -299,7 +301,7 @@ fn compare_with_reference(
     };
     let (x_there, c_there) = describe(&from.contact, &there)?;
     let (x_here, c_here) = describe(&contact, &here)?;
-    let as_much = |here: f64, there: f64| (here / there - 1.0).abs() < SAME_TO_THE_EYE;
+    let as_much = |here: f64, there: f64| (here / there - 1.0).abs() < LOOKS_EQUAL_TOLERANCE;
     let text = if as_much(x_here, x_there) && as_much(c_here, c_there) {
         format!(
             "the contacts sink in as deep ({x_here:.3} R) and bounce as much ({c_here:.3}) as in the reference"

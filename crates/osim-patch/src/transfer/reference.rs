@@ -123,7 +123,7 @@ pub struct Transfer {
     /// Whether each sphere has a sphere of the same name in the reference and the number of spheres that share the weight is
     /// not known: only the ratio of the two numbers then matters.
     pub counts_cancel: bool,
-    /// The rule for the radii.
+    /// The rule for the new radii of the spheres.
     pub radius: RadiusRule,
     pub properties: PropertySet,
     /// Whether α follows the radius or the mass (14).

@@ -10,13 +10,13 @@ use osim_patch::{ChangedBy, Plan, Rescale, Transfer, reference_of_model, rescale
 
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 
-fn mass(kg: f64) -> Mass {
+fn mass_of_bodies(kg: f64) -> Mass {
     Mass { kg, source: MassSource::ContactsMass }
 }
 
 /// A rescaling from 10 kg to 80 kg: lengths become exactly twice as large.
 fn rescale_to_80_kg() -> Rescale {
-    Rescale::new(80.0, mass(10.0))
+    Rescale::new(80.0, mass_of_bodies(10.0))
 }
 
 fn try_rescaled(text: &str, change: impl FnOnce(&mut Rescale)) -> Result<Plan, Fault> {
@@ -30,7 +30,7 @@ fn plan_of_rescaling(text: &str, change: impl FnOnce(&mut Rescale)) -> Plan {
     try_rescaled(text, change).unwrap()
 }
 
-fn codes(plan: &Plan) -> Vec<FindingCode> {
+fn finding_codes(plan: &Plan) -> Vec<FindingCode> {
     plan.findings.iter().map(osim_model::Finding::code).collect()
 }
 
@@ -118,9 +118,9 @@ fn friction_is_scaled_only_on_request_with_a_finding() {
         "</dissipation>",
         "</dissipation><viscous_friction>0.5</viscous_friction><transition_velocity>0.2</transition_velocity>",
     );
-    assert!(!codes(&plan_of_rescaling(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
+    assert!(!finding_codes(&plan_of_rescaling(&text, |_| ())).contains(&FindingCode::FrictionNotSimilar));
     let plan = plan_of_rescaling(&text, |wanted| wanted.properties = PropertySet::default().with_friction());
-    assert!(codes(&plan).contains(&FindingCode::FrictionNotSimilar));
+    assert!(finding_codes(&plan).contains(&FindingCode::FrictionNotSimilar));
     // Speeds follow the root of the length (2): numbers from theory.md's rule with rho = 2, computed by hand.
     assert!(
         (change_of_property(&plan, Property::TransitionVelocity).to - 0.2 * std::f64::consts::SQRT_2).abs()
@@ -139,14 +139,14 @@ fn the_transition_velocity_of_a_hunt_crossley_force_is_the_forces_own() {
     let change = change_of_property(&plan, Property::TransitionVelocity);
     assert_eq!(change.set, None);
     assert!((change.factor.unwrap() - std::f64::consts::SQRT_2).abs() < 1e-15);
-    assert!(!codes(&plan).contains(&FindingCode::FrictionNotSimilar));
+    assert!(!finding_codes(&plan).contains(&FindingCode::FrictionNotSimilar));
 }
 
 #[test]
 fn a_force_that_is_switched_off_is_named() {
     let off = ONE_FOOT.replace("<stiffness>", "<appliesForce>false</appliesForce><stiffness>");
-    assert!(codes(&plan_of_rescaling(&off, |_| ())).contains(&FindingCode::DisabledForce));
-    assert!(!codes(&plan_of_rescaling(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(finding_codes(&plan_of_rescaling(&off, |_| ())).contains(&FindingCode::DisabledForce));
+    assert!(!finding_codes(&plan_of_rescaling(ONE_FOOT, |_| ())).contains(&FindingCode::DisabledForce));
 }
 
 #[test]
@@ -168,7 +168,7 @@ fn a_given_radius_is_set_at_an_equal_mass_too() {
     let same =
         |rule| plan_of_rescaling(ONE_FOOT, |wanted| (wanted.target_mass_kg, wanted.radius) = (10.0, rule));
     assert!(same(RadiusRule::Isometric).is_empty());
-    assert_eq!(codes(&same(RadiusRule::Keep)).last(), Some(&FindingCode::AlreadyAtTarget));
+    assert_eq!(finding_codes(&same(RadiusRule::Keep)).last(), Some(&FindingCode::AlreadyAtTarget));
     assert_eq!(change_of_property(&same(RadiusRule::Factor(2.0)), Property::Stiffness).factor, Some(0.25));
 }
 
@@ -178,8 +178,8 @@ fn a_computed_value_within_rounding_of_the_old_one_is_no_change() {
         let text = ONE_FOOT.replace("1000000", &osim_model::messages::shortest(stiffness));
         let models = [ONE_FOOT, text.as_str()].map(|text| Model::parse(text).unwrap());
         let selected = Selection::default().apply(&models[0]).unwrap();
-        let reference = reference_of_model(&models[0], &selected, mass(10.0), 1.0).unwrap();
-        let wanted = Transfer::new(reference, mass(10.0), 1.0);
+        let reference = reference_of_model(&models[0], &selected, mass_of_bodies(10.0), 1.0).unwrap();
+        let wanted = Transfer::new(reference, mass_of_bodies(10.0), 1.0);
         transfer(&models[1], &selected, &wanted).unwrap().changes.len()
     };
     assert_eq!(plan_with(1e6), 0);

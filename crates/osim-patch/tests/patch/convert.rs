@@ -9,7 +9,7 @@ const BOTH_CLASSES: [ForceKind; 2] = [ForceKind::SmoothSphereHalfSpace, ForceKin
 
 /// A model with `forces`, a foot with a sphere, a floor and a wall.
 fn foot_document(forces: &str) -> String {
-    document(40000, "", forces, GEOMETRY)
+    document_of_parts(40000, "", forces, GEOMETRY)
 }
 
 const GEOMETRY: &str = r#"
@@ -17,7 +17,7 @@ const GEOMETRY: &str = r#"
 				<ContactHalfSpace name="wall"><socket_frame>/ground</socket_frame><location>0.5 0 0</location></ContactHalfSpace>
 				<ContactSphere name="heel"><socket_frame>/bodyset/foot_r</socket_frame><location>0 0 0</location><radius>0.032</radius></ContactSphere>"#;
 
-fn document(version: u32, defaults: &str, forces: &str, geometry: &str) -> String {
+fn document_of_parts(version: u32, defaults: &str, forces: &str, geometry: &str) -> String {
     format!(
         r#"<OpenSimDocument Version="{version}">
 	<Model name="foot">{defaults}
@@ -146,7 +146,8 @@ fn converted_forces_act_as_before_with_any_defaults() {
                     ForceKind::HuntCrossley => SMOOTH.replace("{own}", own),
                     _ => hunt_crossley_force("foot", own, &[material_xml("heel floor", "1e6", "0", "0")]),
                 };
-                let made = convert_text(&document(version, &defaults_xml(off), &force, &geometry), to);
+                let made =
+                    convert_text(&document_of_parts(version, &defaults_xml(off), &force, &geometry), to);
                 let [force] = made.rebuilt.model().forces() else { panic!("one force") };
                 assert_eq!((force.kind, force.applies), (to, acts), "{version} {off} {own}");
             }
@@ -161,7 +162,8 @@ fn properties_absent_from_defaults_are_not_written() {
         "<defaults><HuntCrossleyForce name=\"default\"><transition_velocity>0.2</transition_velocity></HuntCrossleyForce></defaults>",
     ] {
         let force = SMOOTH.replace("{own}", "");
-        let made = convert_text(&document(40000, defaults, &force, GEOMETRY), ForceKind::HuntCrossley);
+        let made =
+            convert_text(&document_of_parts(40000, defaults, &force, GEOMETRY), ForceKind::HuntCrossley);
         let model = made.rebuilt.model();
         assert!(!String::from_utf8_lossy(model.document().bytes()).contains("appliesForce"));
         // The force that was there had OpenSim's.

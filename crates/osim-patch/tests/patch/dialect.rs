@@ -11,7 +11,7 @@ fn sphere_in_force() -> String {
     String::from_utf8(fixture(SPHERE_IN_FORCE)).unwrap()
 }
 
-fn converted(text: &str, to: ForceKind) -> Result<Converted, osim_model::Fault> {
+fn converted_model(text: &str, to: ForceKind) -> Result<Converted, osim_model::Fault> {
     let model = Model::parse(text).unwrap();
     convert(&model, &Selection::default().apply_to_all(&model).unwrap(), &Convert::new(to))
 }
@@ -30,7 +30,7 @@ fn two_feet() -> String {
 #[test]
 fn sphere_and_plane_become_members_of_the_geometry_set() {
     for to in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
-        let made = converted(&two_feet(), to).unwrap();
+        let made = converted_model(&two_feet(), to).unwrap();
         let model = made.rebuilt.model();
         assert!(!model.spheres().iter().any(Sphere::is_inside_force));
         let places: Vec<_> = model
@@ -63,7 +63,7 @@ fn sphere_and_plane_become_members_of_the_geometry_set() {
 fn names_that_are_taken_get_a_number() {
     let taken = "<ContactGeometrySet name=\"contactgeometryset\"><objects><ContactHalfSpace name=\"floor\"><socket_frame>/ground\
                  </socket_frame></ContactHalfSpace></objects></ContactGeometrySet>";
-    let made = converted(
+    let made = converted_model(
         &sphere_in_force().replace("\t</Model>", &format!("\t\t{taken}\n\t</Model>")),
         ForceKind::SmoothSphereHalfSpace,
     );
@@ -80,7 +80,7 @@ fn elements_of_the_first_version_keep_their_meaning() {
     let constant =
         |model: &Model| model.forces()[0].checked(SetId::FIRST, Property::ConstantContactForce).unwrap();
     assert_eq!(constant(&model), Some(1.5e-5));
-    let made = converted(&first, ForceKind::SmoothSphereHalfSpace).unwrap();
+    let made = converted_model(&first, ForceKind::SmoothSphereHalfSpace).unwrap();
     assert_eq!(constant(made.rebuilt.model()), Some(1.5e-5));
     // It took the place in a frame for a place of the body.
     let offset = "<components><PhysicalOffsetFrame name=\"sole\"><socket_parent>..</socket_parent><translation>0 1 0</translation>\
@@ -89,9 +89,9 @@ fn elements_of_the_first_version_keep_their_meaning() {
         text.replace("</Body>", offset)
             .replace("_frame>/bodyset/calcn_r</socket_sphere", "_frame>/bodyset/calcn_r/sole</socket_sphere")
     };
-    let fault = converted(&on_frame(&first), ForceKind::SmoothSphereHalfSpace).unwrap_err();
+    let fault = converted_model(&on_frame(&first), ForceKind::SmoothSphereHalfSpace).unwrap_err();
     assert!(fault.to_string().contains("ignored where frame /bodyset/calcn_r/sole is"), "{fault}");
-    assert!(converted(&on_frame(&sphere_in_force()), ForceKind::SmoothSphereHalfSpace).is_ok());
+    assert!(converted_model(&on_frame(&sphere_in_force()), ForceKind::SmoothSphereHalfSpace).is_ok());
 }
 
 #[test]

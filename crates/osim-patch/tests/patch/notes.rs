@@ -8,14 +8,14 @@ use osim_model::compare::ScaleFile;
 use osim_model::{FileId, MassRequest, MassSource, Model, Selection};
 use osim_patch::{Plan, Rescale, note, rescale};
 
-fn patched(plan: &Plan, model: &Model) -> String {
+fn patched_text(plan: &Plan, model: &Model) -> String {
     String::from_utf8_lossy(&plan.patched(model, FileId::MAIN).unwrap()).into_owned()
 }
 
 /// The fixture with a note that its contacts were made for 62 kg.
 fn fixture_with_note(name: &str) -> String {
     let model = Model::parse(fixture(name)).unwrap();
-    patched(&note(&model, 62.0, Some(9.81), None).unwrap(), &model)
+    patched_text(&note(&model, 62.0, Some(9.81), None).unwrap(), &model)
 }
 
 fn credits_fixtures() -> Vec<String> {
@@ -84,9 +84,9 @@ fn a_replaced_note_keeps_its_content() {
         // The same mass again: nothing to change.
         let again = note(&model, 62.0, Some(9.81), None).unwrap();
         assert!(again.is_empty() && again.findings.iter().any(|w| w.code().as_str() == "nothing-to-change"));
-        assert_eq!(patched(&again, &model), once, "{name}");
+        assert_eq!(patched_text(&again, &model), once, "{name}");
         // Another one: the note is replaced, and only that.
-        let other = patched(&note(&model, 70.0, Some(9.81), None).unwrap(), &model);
+        let other = patched_text(&note(&model, 70.0, Some(9.81), None).unwrap(), &model);
         assert_eq!(other.replace("made for 70 kg", "made for 62 kg"), once, "{name}");
     }
 }
@@ -148,7 +148,7 @@ fn a_note_has_a_new_size_only_for_bodies_whose_spheres_all_followed() {
     assert_eq!(size(&follow("*heel_r"), "calcn_r"), None);
     assert!(follow("*").note().unwrap().has_placed_spheres());
     // What was placed stays so while spheres stay, whatever is done to parameters.
-    let all = patched(&follow("*"), &model);
+    let all = patched_text(&follow("*"), &model);
     let again = given(all).with_note().rescaled_to(25.0);
     assert!(again.plan().note().unwrap().has_placed_spheres());
 }
@@ -203,7 +203,7 @@ fn a_note_lists_every_operation_and_changes_by_others() {
     assert_eq!(noted_operations(&text), ["note", "rescale from 62"]);
     let edited = text.replacen("<dissipation>", "<dissipation>1", 1);
     let model = Model::parse(edited).unwrap();
-    let again = patched(&note(&model, 124.0, Some(9.81), Some(2.0)).unwrap(), &model);
+    let again = patched_text(&note(&model, 124.0, Some(9.81), Some(2.0)).unwrap(), &model);
     assert_eq!(noted_operations(&again), ["note", "rescale from 62", "others", "note"]);
     assert_eq!(Model::parse(again).unwrap().noted_stance_limbs(), Some(2.0));
 }

@@ -6,7 +6,7 @@ use osim_model::{FileId, ForceKind, Model, Property, Scope, Selected, Selection}
 use osim_patch::{ContactLayout, NewContact, Plan, add_contacts, note_of_remaining, remove};
 
 /// The sets of models without contacts, in every form in which files have them.
-const SETS: [&str; 12] = [
+const SETS_TO_FILL: [&str; 12] = [
     "",
     "\n\t\t<ForceSet>\n\t\t\t<objects/>\n\t\t</ForceSet>\n\t\t<ContactGeometrySet>\n\t\t\t<objects />\n\t\t</ContactGeometrySet>",
     "\n\t\t<ForceSet name=\"forceset\"/>\n\t\t<ContactGeometrySet name=\"c\" />",
@@ -47,7 +47,7 @@ fn layout_of_kind(kind: ForceKind) -> ContactLayout {
 fn added_contacts_are_read_with_the_wanted_values() {
     for version in [20302, 30000, 30505, 40000] {
         for kind in [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley] {
-            for sets in SETS {
+            for sets in SETS_TO_FILL {
                 let model = Model::parse(document_with_sets(version, sets)).unwrap();
                 let rebuilt = add_contacts(&model, &mut layout_of_kind(kind)).unwrap();
                 let built = rebuilt.model();
@@ -112,7 +112,7 @@ fn defaults_do_not_change_added_contacts() {
 
 #[test]
 fn removing_added_contacts_restores_the_file() {
-    for sets in SETS {
+    for sets in SETS_TO_FILL {
         let text = document_with_sets(40000, sets);
         let model = Model::parse(text.clone()).unwrap();
         let rebuilt = add_contacts(&model, &mut layout_of_kind(ForceKind::SmoothSphereHalfSpace)).unwrap();
@@ -128,7 +128,7 @@ fn removing_added_contacts_restores_the_file() {
 
 #[test]
 fn added_contacts_can_be_removed_in_two_parts() {
-    for (sets, kind) in SETS
+    for (sets, kind) in SETS_TO_FILL
         .into_iter()
         .flat_map(|sets| [ForceKind::SmoothSphereHalfSpace, ForceKind::HuntCrossley].map(|kind| (sets, kind)))
     {
@@ -209,7 +209,7 @@ fn a_removal_restores_the_old_note() {
         format!("<credits><![CDATA[A & B; {OLD_NOTE}]]></credits>"),
         format!("<credits>A;\n {}\n</credits>", OLD_NOTE.replace(' ', "\n\t")),
     ] {
-        for sets in SETS {
+        for sets in SETS_TO_FILL {
             let text = document_with_sets(40000, sets)
                 .replace("<Model name=\"leg\">", &format!("<Model name=\"leg\">{credits}"));
             let model = Model::parse(text.clone()).unwrap();

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use osim_model::{
-    Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Origin, Property, PropertySet,
-    RadiusRule, Scope, Selection,
+    Companion, Document, FileId, Mass, MassRequest, MassSource, Model, Property, PropertySet, RadiusRule,
+    Scope, Selection, ValueOrigin,
 };
 use osim_patch::{Plan, Rescale, rescale};
 
@@ -15,7 +15,7 @@ fn rescale_to(target_mass_kg: f64, origin_kg: f64) -> Rescale {
     Rescale::new(target_mass_kg, contacts_mass)
 }
 
-fn plan(model: &Model, wanted: &Rescale) -> Plan {
+fn plan_rescale(model: &Model, wanted: &Rescale) -> Plan {
     let selected = Selection::default().apply(model).unwrap();
     rescale(model, &selected, wanted).unwrap()
 }
@@ -26,7 +26,7 @@ fn rescaled(text: &str, change: impl FnOnce(&mut Rescale), note: bool) -> (Plan,
     let origin = MassRequest::default().contacts_mass(&model).unwrap().0.kg;
     let mut wanted = rescale_to(8.0 * origin, origin);
     change(&mut wanted);
-    let mut plan = plan(&model, &wanted);
+    let mut plan = plan_rescale(&model, &wanted);
     if !note {
         plan.drop_note();
     }
@@ -50,7 +50,8 @@ fn changes_name_the_line_of_the_number_or_of_the_object_that_gets_it() {
 
 #[test]
 fn origins_have_the_names_of_the_json() {
-    let names = [Origin::Element, Origin::Defaults, Origin::ClassDefault].map(Origin::as_str);
+    let names =
+        [ValueOrigin::Element, ValueOrigin::Defaults, ValueOrigin::ClassDefault].map(ValueOrigin::as_str);
     assert_eq!(names, ["element", "defaults", "class default"]);
 }
 
@@ -123,7 +124,7 @@ fn every_file_of_a_standalone_pair_gets_its_edits_and_the_model_beside_it_none()
     let beside: Vec<FileId> = model.companions().map(|(file, _)| file).collect();
     let [main, geometry, bones_file] = [FileId::MAIN, beside[0], beside[1]];
     let mut wanted = rescale_to(8.0, 1.0);
-    let plan_of = |wanted: &Rescale| plan(&model, wanted);
+    let plan_of = |wanted: &Rescale| plan_rescale(&model, wanted);
     let grown = plan_of(&wanted);
     let text = |plan: &Plan, file| String::from_utf8(plan.patched(&model, file).unwrap()).unwrap();
     let digest = &grown.note().unwrap().digest;

@@ -11,16 +11,16 @@ use osim_model::{Document, FileId, MassRequest, Model, Property, RadiusRule, Sel
 use osim_patch::{Edit, Plan, Rescale, rescale, splice};
 use proptest::prelude::*;
 
-/// Bytes of all files in `fixtures/`.
+/// Bytes of the small files in `fixtures/format` and `fixtures/bad`, which are then damaged.
 fn bytes_of_fixtures() -> &'static [Vec<u8>] {
-    static SEEDS: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
-    SEEDS.get_or_init(|| {
+    static FIXTURE_BYTES: OnceLock<Vec<Vec<u8>>> = OnceLock::new();
+    FIXTURE_BYTES.get_or_init(|| {
         let names = fixtures("format").into_iter().chain(fixtures("bad"));
         names.map(|name| fixture(&name)).filter(|bytes| bytes.len() < 16_000).collect()
     })
 }
 
-/// A way to damage a file.
+/// A way to damage the bytes of a file, with the place and what happens there.
 #[derive(Debug, Clone)]
 enum Damage {
     Replace(usize, u8),
@@ -30,7 +30,7 @@ enum Damage {
     Cut(usize),
 }
 
-const SHARDS: [&str; 24] = [
+const TEXTS_TO_INSERT: [&str; 24] = [
     "<",
     ">",
     "/",
@@ -62,7 +62,7 @@ fn any_damage() -> impl Strategy<Value = Damage> {
     prop_oneof![
         4 => (at.clone(), any::<u8>()).prop_map(|(at, byte)| Damage::Replace(at, byte)),
         2 => (at.clone(), 1..60_usize).prop_map(|(at, length)| Damage::Remove(at, length)),
-        4 => (at.clone(), prop::sample::select(&SHARDS[..])).prop_map(|(at, text)| Damage::Insert(at, text)),
+        4 => (at.clone(), prop::sample::select(&TEXTS_TO_INSERT[..])).prop_map(|(at, text)| Damage::Insert(at, text)),
         2 => (at.clone(), 1..400_usize).prop_map(|(at, length)| Damage::Double(at, length)),
         1 => at.prop_map(Damage::Cut),
     ]
@@ -111,7 +111,7 @@ fn plan_of_rescaling(model: &Model, factor: f64, radius: RadiusRule) -> Option<P
 }
 
 /// Asserts that the pieces of a document cover the file without gaps or overlaps.
-fn assert_pieces_tile(document: &Document) {
+fn assert_pieces_cover_file(document: &Document) {
     let tree = document.tree();
     let mut at = 0;
     for piece in tree.pieces() {
@@ -124,7 +124,7 @@ fn assert_pieces_tile(document: &Document) {
 }
 
 /// Asserts that the output is the input with only the spans of `edits` replaced.
-fn only_spans_change(before: &[u8], after: &[u8], edits: &[Edit]) {
+fn assert_only_edits_change_bytes(before: &[u8], after: &[u8], edits: &[Edit]) {
     let mut edits: Vec<&Edit> = edits.iter().collect();
     edits.sort_by_key(|edit| edit.span.start);
     let (mut old, mut new) = (0, 0);
@@ -149,18 +149,18 @@ fn value_after_change<'m>(model: &'m Model, change: &osim_patch::NumberChange) -
     force.value(set, change.property)
 }
 
-/// Checks all rules of the round trip on one file; `true` if the file was rescaled.
+/// Rescales one file, and asserts that only the edits change bytes and that each new number is read back; `true` if the file was rescaled.
 fn check_round_trip(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
     let Ok(document) = Document::parse(bytes) else { return false };
     assert_eq!(document.bytes(), bytes);
-    assert_pieces_tile(&document);
+    assert_pieces_cover_file(&document);
     assert_eq!(splice(bytes, &[]).unwrap(), bytes, "without edits the bytes changed");
     let Ok(model) = Model::read(document) else { return false };
     let _ = model.limbs(&model.force_ids());
     let Some(plan) = plan_of_rescaling(&model, factor, radius) else { return false };
     let (edits, patched) =
         (plan.edits(&model, FileId::MAIN).unwrap(), plan.patched(&model, FileId::MAIN).unwrap());
-    only_spans_change(bytes, &patched, &edits);
+    assert_only_edits_change_bytes(bytes, &patched, &edits);
     if plan.is_empty() {
         assert_eq!(patched, bytes);
         return true;
@@ -178,7 +178,7 @@ fn check_round_trip(bytes: &[u8], factor: f64, radius: RadiusRule) -> bool {
 }
 
 #[test]
-fn every_fixture_survives_a_rescaling_and_its_inverse() {
+fn rescaling_a_fixture_changes_only_the_edited_bytes() {
     let mut rescaled = 0;
     for name in fixtures("format").into_iter().chain(fixtures("table1")).chain(fixtures("bad")) {
         let bytes = fixture(&name);
@@ -206,7 +206,7 @@ fn rescaling_back_restores_the_numbers_up_to_rounding() {
         for (change, original) in back.changes.iter().zip(&there.changes) {
             let error = (change.to - original.from).abs() / original.from;
             assert!(
-                error <= crate::given::TIGHT,
+                error <= crate::given::TIGHT_TOLERANCE,
                 "{name}: {} of {} is off by {error}",
                 change.property,
                 change.path
@@ -233,7 +233,7 @@ proptest! {
     }
 
     #[test]
-    fn reading_random_markup_never_panics(shards in prop::collection::vec(prop::sample::select(&SHARDS[..]), 0..40)) {
+    fn reading_random_markup_never_panics(shards in prop::collection::vec(prop::sample::select(&TEXTS_TO_INSERT[..]), 0..40)) {
         let text = format!("<OpenSimDocument Version='40000'><Model>{}</Model></OpenSimDocument>", shards.concat());
         check_round_trip(text.as_bytes(), 2.0, RadiusRule::Isometric);
     }

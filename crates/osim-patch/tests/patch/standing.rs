@@ -7,7 +7,7 @@ use crate::given::{assert_close, fixture, foot, given, smooth};
 use osim_model::Property;
 
 #[test]
-fn a_standalone_pair_changes_together() {
+fn standalone_force_set_and_geometry_set_change_together() {
     let pair = || {
         given(fixture("format/standalone_ForceSet.xml"))
             .with_companion(fixture("format/standalone_ContactGeometrySet.xml"))

@@ -203,7 +203,7 @@ impl DesignInputs {
 
 /// The largest number of iterations for a radius, if dissipation and load both depend on it. Each iteration brings the radius at least
 /// three times closer.
-const MOST_ITERATIONS: u32 = 60;
+const MOST_RADIUS_ITERATIONS: u32 = 60;
 
 /// A smoothed contact that does not move, by (C.9) at speed 0.
 #[derive(Clone, Copy)]
@@ -279,7 +279,7 @@ pub(super) fn solve_at_rest(
 ) -> Result<(Option<Sizing>, Option<AtRest>), RequestFault> {
     let mut radius = inputs.radius_m;
     let mut solution = (None, None);
-    for _ in 0..MOST_ITERATIONS {
+    for _ in 0..MOST_RADIUS_ITERATIONS {
         let at_rest = AtRest::from_wanted(wanted, radius, inputs.gravity_m_s2)?;
         let sizing = match known.solve_smoothed(at_rest.map_or(1.0, |known| known.speed_state)) {
             Ok(sizing) => Some(sizing),

@@ -56,7 +56,7 @@ pub struct ContactTable {
 pub struct ContactRow {
     /// Line in the file of the table; the header is line 1.
     pub line: u64,
-    /// Name of the sphere.
+    /// Name of the new sphere in this row of the table.
     pub name: String,
     /// Name of the body that carries the sphere.
     pub body: String,
@@ -74,16 +74,16 @@ impl ContactTable {
     pub fn read(bytes: &[u8]) -> Result<Self, TableFault> {
         let whole = |message| TableFault { line: None, column: None, message };
         let sheet = Sheet::read(bytes).map_err(whole)?;
-        let columns = Columns::from_header(&sheet)?;
+        let columns = ContactColumns::from_header(&sheet)?;
         let mut lines: HashMap<String, u64> = HashMap::new();
         let mut rows = Vec::new();
         for row in &sheet.rows {
             let cells = ContactCells { sheet: &sheet, row };
-            let row = cells.contact(&columns)?;
+            let row = cells.read_contact(&columns)?;
             if let Some(first) = lines.insert(row.name.clone(), row.line) {
                 let message =
                     format!("the name '{}' is in line {first} already: each contact needs its own", row.name);
-                return Err(cells.fault(columns.name, message));
+                return Err(cells.fault_at(columns.name, message));
             }
             rows.push(row);
         }
@@ -100,19 +100,19 @@ struct ContactCells<'s> {
 }
 
 impl ContactCells<'_> {
-    fn contact(&self, columns: &Columns) -> Result<ContactRow, TableFault> {
-        let name = self.cell(columns.name);
-        refuse_name(name).map_err(|fault| self.fault(columns.name, fault.phrase()))?;
-        let body = self.cell(columns.body);
+    fn read_contact(&self, columns: &ContactColumns) -> Result<ContactRow, TableFault> {
+        let name = self.cell_text(columns.name);
+        refuse_name(name).map_err(|fault| self.fault_at(columns.name, fault.phrase()))?;
+        let body = self.cell_text(columns.body);
         if body.is_empty() || body.eq_ignore_ascii_case(NO_BODY) {
             let message = match body {
                 "" => format!("the cell is empty: name the body that carries {name}"),
                 body => format!("'{body}' is not a body: name the body that carries {name}"),
             };
-            return Err(self.fault(columns.body, message));
+            return Err(self.fault_at(columns.body, message));
         }
         let place = match columns.of_body {
-            Some(columns_of_body) => TablePlace::OfBody(self.place(columns_of_body)?),
+            Some(columns_of_body) => TablePlace::OfBody(self.read_place(columns_of_body)?),
             None => {
                 let triple = |columns: Option<[usize; 3]>| {
                     columns.map_or(Ok(None), |columns_of_body| self.optional_place(columns_of_body))
@@ -122,48 +122,52 @@ impl ContactCells<'_> {
         };
         if let TablePlace::Exported { global_m: None, local_m: None } = place {
             let first = columns.local.or(columns.global).map_or(columns.name, |[x, ..]| x);
-            return Err(self.fault(first, format!("{name} has no position, neither global nor local")));
+            return Err(self.fault_at(first, format!("{name} has no position, neither global nor local")));
         }
-        let radius_m = columns.radius.map(|column| self.radius(column)).transpose()?;
+        let radius_m = columns.radius.map(|column| self.read_radius(column)).transpose()?;
         Ok(ContactRow { line: self.row.line, name: name.to_owned(), body: body.to_owned(), place, radius_m })
     }
 
-    fn radius(&self, column: usize) -> Result<f64, TableFault> {
-        let radius = self.number(column)?;
+    fn read_radius(&self, column: usize) -> Result<f64, TableFault> {
+        let radius = self.read_number(column)?;
         if radius > 0.0 {
             return Ok(radius);
         }
-        Err(self.fault(column, format!("'{}' is not a radius, expected metres above 0", self.cell(column))))
+        Err(self.fault_at(
+            column,
+            format!("'{}' is not a radius, expected metres above 0", self.cell_text(column)),
+        ))
     }
 
-    fn place(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
-        Ok([self.number(x)?, self.number(y)?, self.number(z)?])
+    fn read_place(&self, [x, y, z]: [usize; 3]) -> Result<[f64; 3], TableFault> {
+        Ok([self.read_number(x)?, self.read_number(y)?, self.read_number(z)?])
     }
 
     /// Three numbers from the cells of the `columns`; `None` if all three cells are empty or nan.
     fn optional_place(&self, columns: [usize; 3]) -> Result<Option<[f64; 3]>, TableFault> {
-        let is_blank =
-            |&column: &usize| self.cell(column).is_empty() || self.cell(column).eq_ignore_ascii_case("nan");
-        if columns.iter().all(is_blank) { Ok(None) } else { self.place(columns).map(Some) }
+        let is_blank = |&column: &usize| {
+            self.cell_text(column).is_empty() || self.cell_text(column).eq_ignore_ascii_case("nan")
+        };
+        if columns.iter().all(is_blank) { Ok(None) } else { self.read_place(columns).map(Some) }
     }
 
-    fn number(&self, column: usize) -> Result<f64, TableFault> {
-        let cell = self.cell(column);
+    fn read_number(&self, column: usize) -> Result<f64, TableFault> {
+        let cell = self.cell_text(column);
         if cell.is_empty() {
-            return Err(self.fault(column, "the cell is empty, expected a number"));
+            return Err(self.fault_at(column, "the cell is empty, expected a number"));
         }
         match self.sheet.number(cell) {
             Ok(value) if value.abs() <= LARGEST_LENGTH_M => Ok(value),
-            Ok(_) => Err(self.fault(column, format!("'{cell}' is beyond 1e9, expected metres"))),
-            Err(why) => Err(self.fault(column, format!("'{cell}' {why}"))),
+            Ok(_) => Err(self.fault_at(column, format!("'{cell}' is beyond 1e9, expected metres"))),
+            Err(why) => Err(self.fault_at(column, format!("'{cell}' {why}"))),
         }
     }
 
-    fn cell(&self, column: usize) -> &str {
+    fn cell_text(&self, column: usize) -> &str {
         self.row.cells.get(column).map_or("", String::as_str)
     }
 
-    fn fault(&self, column: usize, message: impl Display) -> TableFault {
+    fn fault_at(&self, column: usize, message: impl Display) -> TableFault {
         let line = self.row.line;
         let header = self.sheet.header.get(column).map_or("", String::as_str);
         let message = format!("column '{header}': {message}");
@@ -209,7 +213,7 @@ const EXPECTED_COLUMNS: &str =
     "name, body, x, y, z and radius (columns whose names begin with # are ignored), or MuSkeMo's own";
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-struct Columns {
+struct ContactColumns {
     name: usize,
     body: usize,
     radius: Option<usize>,
@@ -218,7 +222,7 @@ struct Columns {
     global: Option<[usize; 3]>,
 }
 
-impl Columns {
+impl ContactColumns {
     /// Finds the columns in the header.
     ///
     /// # Errors

@@ -7,7 +7,7 @@ use osim_inspect::StandingBody;
 use osim_model::feet::{Movements, Sole, angle};
 use osim_model::messages::{Input, Phrase, four_significant, phrase, readable, shown};
 use osim_model::{
-    Anatomy, DVec3, Force, ForceId, JointDistances, Model, Question, Side, Suspicion, probable_units,
+    Anatomy, BoneLengths, DVec3, Force, ForceId, Model, Question, Side, Suspicion, probable_units,
     without_side,
 };
 use osim_patch::{ObjectAction, Plan, RebuiltModel};
@@ -193,20 +193,20 @@ pub(crate) fn remark_on_other_planes(
 /// If a sphere is farther from the joints of its body than this, the program asks whether that is intended. The unit is the longest
 /// distance between joints around the body. Published spheres are closer than half of the limit; places in centimetres would be at some
 /// tens.
-const FAR_FROM_JOINTS: f64 = 3.0;
-/// A usual distance of a sphere from the joints, in the same unit as [`FAR_FROM_JOINTS`]: from the ankle to the ball of a human foot, over
-/// the length of the shank.
-const USUAL_DISTANCE: f64 = 0.4;
+const FAR_FROM_JOINTS_IN_BONES: f64 = 3.0;
+/// A usual distance of a sphere from the joints, in the same unit as [`FAR_FROM_JOINTS_IN_BONES`]: from the ankle to the ball of a human
+/// foot, over the length of the shank.
+const USUAL_DISTANCE_IN_BONES: f64 = 0.4;
 /// Length of a foot over the usual thickness of the pad below its bones: 0.26 m over 13 mm.
 const FOOT_LENGTH_OVER_PAD: f64 = 20.0;
 /// The program asks about scale factors of bones that are larger than this. The bones of a giraffe are 38 times as long as those of a
 /// mouse: the cube root of 1190 kg over 0.0209 kg.
-const LARGEST_SCALE: f64 = 50.0;
+const LARGEST_UNIT_SCALE: f64 = 50.0;
 
 /// Positions of the joints of a model on its bodies.
 pub(crate) struct JointPositions {
     anatomy: Option<Anatomy>,
-    distances: JointDistances,
+    distances: BoneLengths,
 }
 
 /// The distance of a place from the joints of its body.
@@ -240,10 +240,10 @@ impl DistanceFromJoints {
 
     /// The question about a place that is too far from the joints of the body; `at` names the table and the line.
     pub(crate) fn question_about_place(&self, at: &str, name: &str, body: &str) -> Option<Suspicion> {
-        if self.relative() <= FAR_FROM_JOINTS {
+        if self.relative() <= FAR_FROM_JOINTS_IN_BONES {
             return None;
         }
-        let units = probable_units(self.relative() / USUAL_DISTANCE);
+        let units = probable_units(self.relative() / USUAL_DISTANCE_IN_BONES);
         let units: Vec<String> = units
             .iter()
             .map(|(unit, per_metre)| format!("divide them by {per_metre} if they are in {unit}"))
@@ -285,10 +285,10 @@ pub(crate) fn question_about_pad(sole: &Sole, pad_m: f64) -> Option<Suspicion> {
 
 /// The question about a scale factor of bones that is larger than between any two animals.
 pub(crate) fn question_about_scale(scales: &[BodyScale]) -> Option<Suspicion> {
-    let usual = 1.0 / LARGEST_SCALE..=LARGEST_SCALE;
+    let usual = 1.0 / LARGEST_UNIT_SCALE..=LARGEST_UNIT_SCALE;
     let factors = scales.iter().flat_map(|scale| scale.factors.map(|factor| (scale, factor)));
     let (scale, factor) = factors.into_iter().find(|(_, factor)| !usual.contains(factor))?;
-    let percent = match factor > LARGEST_SCALE {
+    let percent = match factor > LARGEST_UNIT_SCALE {
         true => format!("; if it is in percent, write {}", readable(factor / 100.0)),
         false => String::new(),
     };

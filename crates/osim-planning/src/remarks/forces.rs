@@ -118,7 +118,7 @@ fn with_advice(found: FindingWithRemedy) -> Finding {
 
 /// If the transition velocities of friction differ by less than this (relative), as for masses within 1.8 times, the difference has little
 /// effect.
-const SIMILAR_SPEEDS: f64 = 0.1;
+const SIMILAR_SPEED_TOLERANCE: f64 = 0.1;
 
 /// A remark on transition velocities of friction that stay those of the reference. `None` if the body is about as large as the reference,
 /// or has no friction. The slip speed at which friction is full follows √R (isometric: M^(1/6)), like all speeds of a body.
@@ -126,7 +126,7 @@ pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phra
     let masses = plan.masses.as_ref()?;
     let ratios = Ratios::isometric(masses.target_mass_kg / masses.contacts_mass.kg).ok()?;
     let factor = ratios.transition_velocity();
-    if (factor - 1.0).abs() <= SIMILAR_SPEEDS || !built.forces().iter().any(has_friction) {
+    if (factor - 1.0).abs() <= SIMILAR_SPEED_TOLERANCE || !built.forces().iter().any(has_friction) {
         return None;
     }
     let text = format!(
@@ -138,13 +138,13 @@ pub(crate) fn remark_on_kept_friction(plan: &Plan, built: &Model) -> Option<Phra
 }
 
 fn has_friction(force: &Force) -> bool {
-    const FRICTION: [Property; 3] =
+    const FRICTION_PROPERTIES: [Property; 3] =
         [Property::StaticFriction, Property::DynamicFriction, Property::ViscousFriction];
     let value = |set, property| force.checked(set, property).ok().flatten();
     force
         .sets
         .iter()
-        .any(|set| FRICTION.iter().any(|&one| value(set.id, one).is_some_and(|value| value > 0.0)))
+        .any(|set| FRICTION_PROPERTIES.iter().any(|&one| value(set.id, one).is_some_and(|value| value > 0.0)))
 }
 
 /// The version number of the first documents of OpenSim 4; OpenSim 1 to 3 wrote smaller numbers.

@@ -9,11 +9,11 @@ use osim_requests::DropHeight;
 use serde::Serialize;
 
 /// Bodies fall from a quarter of the radius, as in the paper's drop tests.
-const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
+const HEIGHT_OF_FALLS: DropHeight = DropHeight::Radii(0.25);
 /// The number of moments of a fall that are shown.
 const MOMENTS_OF_FALL: usize = 361;
 /// The duration of a fall, in √(R/g). A body that bounces like feet is at rest before.
-const DURATION_UNITS: f64 = 12.0;
+const DURATION_IN_TIME_UNITS: f64 = 12.0;
 
 /// A body that falls on its contacts.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -40,7 +40,7 @@ impl BodyFall {
             let largest = body.kinds.iter().map(|kind| kind.radius_m).fold(0.0, f64::max);
             Some((largest / weight.gravity_m_s2).sqrt())
         });
-        let duration_s = DURATION_UNITS * radii.fold(0.0, f64::max);
+        let duration_s = DURATION_IN_TIME_UNITS * radii.fold(0.0, f64::max);
         bodies.iter().map(|body| Self::of_body(body, duration_s)).collect()
     }
 
@@ -50,7 +50,7 @@ impl BodyFall {
             why_not: Some(failure.message.to_string()),
             ..Self::default()
         };
-        let report = match series::run_drop_test(body, DROP_HEIGHT, duration_s, MOMENTS_OF_FALL) {
+        let report = match series::run_drop_test(body, HEIGHT_OF_FALLS, duration_s, MOMENTS_OF_FALL) {
             Ok(report) => report,
             Err(failure) => return none(failure),
         };
@@ -68,9 +68,9 @@ impl BodyFall {
 }
 
 /// The height from which animals of the paper's Table 1 fall, in radii, as in the drop tests of the paper.
-const DROP_HEIGHT_RADII: f64 = 0.25;
+const ANIMAL_DROP_HEIGHT_RADII: f64 = 0.25;
 /// The duration of the animals' falls, in √(R/g). In this unit, bodies of all sizes fall alike.
-const ANIMAL_DURATION_UNITS: f64 = 12.0;
+const ANIMAL_DURATION_IN_TIME_UNITS: f64 = 12.0;
 const ANIMAL_MOMENTS: usize = 181;
 const ANIMALS_SHOWN: [&str; 3] = ["mouse", "human", "giraffe"];
 
@@ -109,8 +109,8 @@ impl AnimalFall {
 fn heights_in_radii(contact: &Contact, animal: &Animal) -> Result<Vec<f64>, DropError> {
     let scale = animal.scale();
     let radius_m = scale.radius_m();
-    let duration_s = ANIMAL_DURATION_UNITS * (radius_m / scale.gravity_m_s2()).sqrt();
-    let report: DropReport = DropTest::of(contact, &scale, DROP_HEIGHT_RADII, duration_s)?.run()?;
+    let duration_s = ANIMAL_DURATION_IN_TIME_UNITS * (radius_m / scale.gravity_m_s2()).sqrt();
+    let report: DropReport = DropTest::of(contact, &scale, ANIMAL_DROP_HEIGHT_RADII, duration_s)?.run()?;
     let last = report.series.len().saturating_sub(1);
     let moment = |index: usize| report.series.get(index * last / (ANIMAL_MOMENTS - 1));
     Ok((0..ANIMAL_MOMENTS).filter_map(moment).map(|sample| sample.height_m / radius_m).collect())

@@ -22,7 +22,7 @@ pub use falls::{AnimalFall, BodyFall};
 /// A model at its default pose, in ground, m.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Scene {
-    /// Forward, up (against gravity) and to the right, of length 1.
+    /// The directions forward, up (against gravity) and to the right of the scene, each of length 1.
     pub axes: [[f64; 3]; 3],
     pub bodies: Vec<PlacedBody>,
     /// Contact spheres that move and whose bodies have a place, in file order.
@@ -164,9 +164,9 @@ fn placed_spheres(
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct BodyLine {
     pub body: String,
-    /// Place of the joint above.
+    /// Place of the joint above the body, where its line begins, m.
     pub from_m: [f64; 3],
-    /// Place of the joint below.
+    /// Place of a joint below the body, where its line ends, m.
     pub to_m: [f64; 3],
 }
 
@@ -239,21 +239,21 @@ impl BoneSurfaces {
 }
 
 /// Units in a metre: lengths are whole numbers of hundredths of a millimetre.
-const UNITS_PER_M: f64 = 1e5;
+const COORDINATE_UNITS_PER_M: f64 = 1e5;
 
 /// A length in whole hundredths of a millimetre; or a component of an axis in hundred-thousandths.
 fn in_view_units(metres: f64) -> i32 {
-    (metres * UNITS_PER_M).round() as i32
+    (metres * COORDINATE_UNITS_PER_M).round() as i32
 }
 
 /// The largest number of frames that are shown. Of a longer recording every second, third, ... frame is shown.
-const MOST_FRAMES: usize = 600;
+const MOST_PLAYED_FRAMES: usize = 600;
 
 /// A model along a recording, frame by frame: its bodies, and the forces of its contacts and of plates.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlayedRecording {
     pub time_s: Vec<f64>,
-    /// Bodies whose place is known.
+    /// Names of the bodies whose places are known in all frames of the recording.
     pub bodies: Vec<String>,
     /// Axes x, y and z and the origin of each body in ground, frame by frame, in hundred-thousandths.
     pub poses: Vec<i32>,
@@ -284,7 +284,7 @@ impl PlayedRecording {
     /// The frames of `result`, with the remarks for `request` in the words of `dialect`.
     pub fn of(result: &MotionResult, request: &MotionRequest, dialect: &dyn Dialect) -> Self {
         let states = &result.states;
-        let step = states.frames().div_ceil(MOST_FRAMES).max(1);
+        let step = states.frames().div_ceil(MOST_PLAYED_FRAMES).max(1);
         let frames: Vec<usize> = (0..states.frames()).step_by(step).collect();
         let poses = Poses::of(&result.opened.model, &result.recording, &frames);
         let feet = result.summary.feet.iter().enumerate().map(|(index, foot)| {

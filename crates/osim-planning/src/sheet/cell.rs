@@ -7,7 +7,7 @@ use osim_model::messages::is_visible;
 /// The apostrophe before a cell that spreadsheets have to read as text.
 const TEXT_MARK: char = '\'';
 /// The beginning of an escape, which writes a letter as its number, such as `\u{1b}`.
-const ESCAPE: &str = "\\u{";
+const ESCAPE_BEGIN: &str = "\\u{";
 
 /// The text as a cell of CSV; [`from_cell`] reads it back.
 ///
@@ -55,7 +55,7 @@ pub fn without_text_mark(cell: &str) -> &str {
 /// The text of a cell that [`cell`] wrote.
 pub fn from_cell(cell: &str) -> Cow<'_, str> {
     let text = without_text_mark(cell);
-    let mut pieces = text.split(ESCAPE);
+    let mut pieces = text.split(ESCAPE_BEGIN);
     let first = pieces.next().unwrap_or_default();
     if first.len() == text.len() {
         return text.into();
@@ -66,7 +66,7 @@ pub fn from_cell(cell: &str) -> Cow<'_, str> {
             out.push(letter);
             out.push_str(rest);
         } else {
-            out.push_str(ESCAPE);
+            out.push_str(ESCAPE_BEGIN);
             out.push_str(piece);
         }
     }
@@ -79,12 +79,12 @@ fn is_formula(text: &str) -> bool {
 }
 
 fn with_escapes(text: &str) -> Cow<'_, str> {
-    if !text.contains(controls_terminal) && !text.contains(ESCAPE) {
+    if !text.contains(controls_terminal) && !text.contains(ESCAPE_BEGIN) {
         return text.into();
     }
     let mut out = String::with_capacity(text.len() + 8);
     for (at, letter) in text.char_indices() {
-        let is_like_an_escape = || text.get(at..).is_some_and(|rest| rest.starts_with(ESCAPE));
+        let is_like_an_escape = || text.get(at..).is_some_and(|rest| rest.starts_with(ESCAPE_BEGIN));
         if controls_terminal(letter) || is_like_an_escape() {
             out.extend(letter.escape_unicode());
         } else {

@@ -168,7 +168,7 @@ fn has_decimal_comma(cell: &str) -> bool {
 }
 
 /// The message about a cell for which `is_broken_formula` is true, as the end of a sentence that begins with the cell.
-pub const BROKEN_FORMULA: &str =
+pub const BROKEN_FORMULA_MESSAGE: &str =
     "is a broken formula of the spreadsheet: repair it there, and save the table again";
 
 /// Whether the cell is the text that spreadsheets write for a formula without a value, such as `#REF!` and `#N/A`.
@@ -196,7 +196,7 @@ pub(crate) fn is_broken_formula(cell: &str) -> bool {
 
 fn with_decimal_point(cell: &str, delimiter: u8) -> Result<Cow<'_, str>, &'static str> {
     if is_broken_formula(cell) {
-        return Err(BROKEN_FORMULA);
+        return Err(BROKEN_FORMULA_MESSAGE);
     }
     match (cell.matches(',').count(), cell.contains('.')) {
         (0, _) => Ok(cell.into()),

@@ -30,7 +30,7 @@ impl GridPoint<'_> {
         each.collect::<Vec<_>>().join("_")
     }
 
-    pub(super) fn number(&self, wanted: AxisName) -> Option<f64> {
+    pub(super) fn value_of_axis(&self, wanted: AxisName) -> Option<f64> {
         self.values.iter().find(|(name, _)| *name == wanted).map(|(_, value)| value.number)
     }
 }

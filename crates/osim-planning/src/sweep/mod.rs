@@ -51,7 +51,7 @@ pub struct MadeVariant {
 
 impl MadeVariant {
     pub fn row(self, sha256: String) -> Vec<String> {
-        row(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
+        row_of_table(self.number, self.file, self.asked, &self.variant, (&self.worse, sha256))
     }
 
     /// A digest that is equal for variants whose contacts have equal numbers.
@@ -150,7 +150,7 @@ impl<'s> SweepPlan<'s> {
 
     pub fn table_header(&self) -> Vec<String> {
         header(match self.ladder {
-            Some(_) => LADDER_COLUMNS.map(str::to_owned).to_vec(),
+            Some(_) => COLUMNS_OF_LADDER.map(str::to_owned).to_vec(),
             None => {
                 self.request.grid.iter().map(|axis| format!("{GRID_PREFIX}{}", axis.name.as_str())).collect()
             }
@@ -174,8 +174,8 @@ impl<'s> SweepPlan<'s> {
             }
         };
         for index in points {
-            let job = self.job(index)?;
-            self.variant(&job).map_err(|mut failure| {
+            let job = self.job_of_variant(index)?;
+            self.make_variant(&job).map_err(|mut failure| {
                 failure.message = message_with_point(&failure, &job);
                 // A question stays a failure, because its code answers it; so does a number of the model that is wrong whatever is asked.
                 let is_of_model = failure.line.is_some() && self.original.has_wrong_number();
@@ -214,9 +214,9 @@ impl<'s> SweepPlan<'s> {
     /// What is wrong, with the point.
     pub fn make(&self, index: usize) -> Result<MadeVariant, Failure> {
         let job = self
-            .job(index)
+            .job_of_variant(index)
             .map_err(|fault| Failure::outside(self.model.name(), "refused", fault.phrase()))?;
-        let mut variant = self.variant(&job).map_err(|failure| {
+        let mut variant = self.make_variant(&job).map_err(|failure| {
             let mut placed = failure.clone();
             placed.message = message_with_point(&failure, &job);
             placed
@@ -233,11 +233,11 @@ impl<'s> SweepPlan<'s> {
         })
     }
 
-    fn variant(&self, job: &VariantJob) -> Result<Variant, Failure> {
+    fn make_variant(&self, job: &VariantJob) -> Result<Variant, Failure> {
         Variant::of_stages(self.request, &self.model, &job.stages, &job.operation, job.target_mass_kg)
     }
 
-    fn job(&self, index: usize) -> Result<VariantJob, RequestFault> {
+    fn job_of_variant(&self, index: usize) -> Result<VariantJob, RequestFault> {
         match &self.ladder {
             Some(ladder) => self.job_of_step(ladder, index),
             None => self.job_of_point(&point_at(&self.request.grid, index)),
@@ -248,7 +248,7 @@ impl<'s> SweepPlan<'s> {
         Ok(VariantJob {
             asked: point.values.iter().map(|(_, value)| value.exact()).collect(),
             operation: format!("sweep {point}"),
-            target_mass_kg: point.number(AxisName::TargetMass),
+            target_mass_kg: point.value_of_axis(AxisName::TargetMass),
             stages: variant::stages_at(self.request, point)?,
         })
     }
@@ -285,15 +285,15 @@ const PROPERTY_COLUMNS: [Property; 6] = [
 /// The beginning of the name of a column with the values of an axis.
 const GRID_PREFIX: &str = "grid_";
 /// The column with the stiffness that each step of a ladder aims at.
-const LADDER_COLUMNS: [&str; 1] = ["wanted_dimensionless_stiffness"];
+const COLUMNS_OF_LADDER: [&str; 1] = ["wanted_dimensionless_stiffness"];
 /// The column with x̂ under the body weight by the Hertz law. The k̂ of a ladder's steps follows from it.
 const HERTZ_INDENTATION: &str = "relative_indentation_hertz";
 /// The column with x̂ under the body weight by the law of the force's class.
 const MODEL_LAW_INDENTATION: &str = "relative_indentation_model_law";
 /// The column with the codes of errors and warnings that the original model does not have.
-const WORSE_COLUMN: &str = "worse";
+const WORSE_FINDINGS_COLUMN: &str = "worse";
 /// The columns with the number of the point or step, from 1, and with the file of the variant.
-const FIRST_COLUMNS: [&str; 2] = ["index", "file"];
+const FIRST_COLUMNS_OF_SWEEP: [&str; 2] = ["index", "file"];
 
 /// Names of all columns: number and file, values of the grid or ladder (`asked`), parameters of the contacts, and figures.
 fn header(asked: Vec<String>) -> Vec<String> {
@@ -303,11 +303,11 @@ fn header(asked: Vec<String>) -> Vec<String> {
         MODEL_LAW_INDENTATION,
         "dimensionless_stiffness",
         "restitution",
-        WORSE_COLUMN,
+        WORSE_FINDINGS_COLUMN,
         "sha256",
     ]
     .map(str::to_owned);
-    let first = FIRST_COLUMNS.map(str::to_owned).into_iter();
+    let first = FIRST_COLUMNS_OF_SWEEP.map(str::to_owned).into_iter();
     first.chain(asked).chain(properties).chain(follows).collect()
 }
 
@@ -315,15 +315,16 @@ fn header(asked: Vec<String>) -> Vec<String> {
 fn is_header<C: AsRef<str>>(columns: &[C]) -> bool {
     let others = header(Vec::new()).len();
     let Some(count) = columns.len().checked_sub(others) else { return false };
-    let asked: Vec<&str> = columns.iter().skip(FIRST_COLUMNS.len()).take(count).map(AsRef::as_ref).collect();
+    let asked: Vec<&str> =
+        columns.iter().skip(FIRST_COLUMNS_OF_SWEEP.len()).take(count).map(AsRef::as_ref).collect();
     let is_grid = asked.iter().all(|column| column.starts_with(GRID_PREFIX));
     let whole = header(asked.iter().map(|&column| column.to_owned()).collect());
-    (is_grid || asked == LADDER_COLUMNS) && columns.iter().map(AsRef::as_ref).eq(whole)
+    (is_grid || asked == COLUMNS_OF_LADDER) && columns.iter().map(AsRef::as_ref).eq(whole)
 }
 
 /// The cells of one variant. `worse` has the codes of errors and warnings that the original model does not have; `sha256` is the digest of
 /// the bytes.
-fn row(
+fn row_of_table(
     number: usize,
     file: String,
     asked: Vec<String>,

@@ -195,14 +195,14 @@ pub(super) type StepChanges = Vec<PreparedChange>;
 /// Values that do not go together.
 pub(super) fn stages_at(request: &SweepRequest, point: &GridPoint<'_>) -> Result<StepChanges, RequestFault> {
     let (indentation, restitution) =
-        (point.number(AxisName::Indentation), point.number(AxisName::Restitution));
+        (point.value_of_axis(AxisName::Indentation), point.value_of_axis(AxisName::Restitution));
     let wanted = &request.wanted;
     let designs = indentation.is_some()
         || restitution.is_some()
         || wanted.has_design()
         || wanted.contact_stiffness.is_some();
     let mut stages = StepChanges::new();
-    if let Some(target_mass_kg) = point.number(AxisName::TargetMass) {
+    if let Some(target_mass_kg) = point.value_of_axis(AxisName::TargetMass) {
         if designs {
             return Err(RequestFault::general(
                 "target_mass and a design (indentation, restitution, ...) contradict each other in one sweep",

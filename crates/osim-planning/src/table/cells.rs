@@ -12,7 +12,7 @@ use osim_requests::values::typed_numbers::trimmed;
 use serde_json::{Map, Value};
 
 use crate::opening::{find_preset, looks_like_file};
-use crate::sheet::{BROKEN_FORMULA, Row, Sheet, is_broken_formula};
+use crate::sheet::{BROKEN_FORMULA_MESSAGE, Row, Sheet, is_broken_formula};
 use crate::table::columns::{CellKind, Column, Columns};
 use crate::verbs::changing_verbs;
 
@@ -64,23 +64,26 @@ impl RowCells {
         };
         for (column, cell) in filled_cells(row, columns) {
             if column.kind != CellKind::UserColumn && is_broken_formula(cell) {
-                return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA}")));
+                return Err(RowFault::of(&column.header, format!("'{cell}' {BROKEN_FORMULA_MESSAGE}")));
             }
             match column.kind {
                 CellKind::Model => cells.model = path_below(folder, cell),
                 CellKind::Path => cells.set_path(&column.field, path_below(folder, cell)),
                 CellKind::From => {
-                    let presets = presets(row, columns, folder);
+                    let presets = presets_file_of_row(row, columns, folder);
                     let from = preset_or_model_path(folder, cell, presets.as_deref(), files);
                     cells.set_field(&column.field, path::to_value(&from));
                 }
                 CellKind::Value => cells.set_field(&column.field, number(cell, sheet, column)?),
-                CellKind::List => cells.set_field(&column.field, items(cell, &[';']).collect::<Vec<_>>()),
+                CellKind::List => {
+                    cells.set_field(&column.field, cell_items(cell, &[';']).collect::<Vec<_>>())
+                }
                 CellKind::ListWithCommas => {
-                    cells.set_field(&column.field, items(cell, &[';', ',']).collect::<Vec<_>>());
+                    cells.set_field(&column.field, cell_items(cell, &[';', ',']).collect::<Vec<_>>());
                 }
                 CellKind::Paths => {
-                    let paths = items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
+                    let paths =
+                        cell_items(cell, &[';']).map(|item| path::to_value(&path_below(folder, item)));
                     cells.set_field(&column.field, paths.collect::<Vec<Value>>());
                 }
                 CellKind::Flag if is_yes(cell, column)? => cells.set_field(&column.field, true),
@@ -98,7 +101,7 @@ impl RowCells {
         Ok(cells)
     }
 
-    pub(super) fn has(&self, flag: &str) -> bool {
+    pub(super) fn has_flag(&self, flag: &str) -> bool {
         self.fields.get(flag) == Some(&Value::Bool(true))
     }
 
@@ -116,7 +119,7 @@ impl RowCells {
     }
 }
 
-fn items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
+fn cell_items<'c>(cell: &'c str, marks: &[char]) -> impl Iterator<Item = &'c str> {
     cell.split(marks).map(trimmed).filter(|item| !item.is_empty())
 }
 
@@ -149,7 +152,7 @@ fn verb_of_row(row: &Row, columns: &Columns) -> Result<Verb, RowFault> {
     Err(RowFault::general(message))
 }
 
-fn presets(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
+fn presets_file_of_row(row: &Row, columns: &Columns, folder: &Path) -> Option<PathBuf> {
     let (_, cell) = filled_cells(row, columns).find(|(column, _)| column.field == "presets")?;
     Some(path_below(folder, cell))
 }
@@ -214,9 +217,9 @@ const MASS_COLUMNS: [Input; 3] = [Input::TargetMass, Input::ContactsMass, Input:
 
 /// The masses in each of the [`MASS_COLUMNS`], kg, from the lightest to the heaviest.
 #[derive(Debug, Default)]
-pub(super) struct Masses(BTreeMap<Input, Vec<f64>>);
+pub(super) struct MassesOfTable(BTreeMap<Input, Vec<f64>>);
 
-impl Masses {
+impl MassesOfTable {
     /// Collects the masses from all rows of a table. A cell that is not a number is refused later, when its row is read.
     pub(super) fn of(sheet: &Sheet, columns: &Columns) -> Self {
         let read = |input: Input| {

@@ -9,7 +9,7 @@ use osim_requests::{CHANGING, silent_fields};
 use crate::verbs::changing_verbs;
 
 /// The field of `fit` with the file of the model.
-const FIT_MODEL: &str = "file";
+const MODEL_COLUMN_OF_FIT: &str = "file";
 
 /// Other headers of the column `model`, without blanks and marks.
 const OTHER_HEADERS_OF_MODEL: [&str; 5] = ["file", "path", "filename", "modelfile", "modelpath"];
@@ -38,7 +38,7 @@ pub(super) enum CellKind {
 
 /// The field of a verb that has the path of the model.
 pub(super) fn model_field(verb: Verb) -> &'static str {
-    if verb == Verb::Fit { FIT_MODEL } else { "models" }
+    if verb == Verb::Fit { MODEL_COLUMN_OF_FIT } else { "models" }
 }
 
 #[derive(Debug)]
@@ -94,7 +94,9 @@ impl Columns {
             return Err(message);
         }
         let Some(model) = columns.iter().find(|column| column.kind == CellKind::Model) else {
-            return Err(format!("no column 'model' in the first row, which has {}", quote(header)).into());
+            return Err(
+                format!("no column 'model' in the first row, which has {}", quoted_cells(header)).into()
+            );
         };
         let model = model.header.clone();
         Ok(Self { columns, model })
@@ -122,7 +124,7 @@ impl Columns {
     }
 }
 
-fn quote(header: &[String]) -> String {
+fn quoted_cells(header: &[String]) -> String {
     let cells: Vec<String> = header.iter().map(|cell| format!("'{cell}'")).collect();
     if cells.is_empty() { "nothing".to_owned() } else { cells.join(", ") }
 }
@@ -208,13 +210,13 @@ fn did_you_mean(cell: &str, name: &str, known: &BTreeMap<String, Option<CellKind
 fn fields() -> BTreeMap<String, Option<CellKind>> {
     let of_verb = |verb: Verb| {
         let names = silent_fields(verb).into_iter().map(|(name, _)| name);
-        let named = names.filter(|name| !["models", "set", FIT_MODEL].contains(&name.as_str()));
-        named.filter_map(move |name| Some((name.clone(), kind(&option_named(verb, &name)?))))
+        let named = names.filter(|name| !["models", "set", MODEL_COLUMN_OF_FIT].contains(&name.as_str()));
+        named.filter_map(move |name| Some((name.clone(), kind_of_cells(&option_named(verb, &name)?))))
     };
     CHANGING.iter().copied().flat_map(of_verb).collect()
 }
 
-fn kind(option: &Entry) -> Option<CellKind> {
+fn kind_of_cells(option: &Entry) -> Option<CellKind> {
     if option.is_of_run {
         return None;
     }

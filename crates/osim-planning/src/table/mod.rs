@@ -15,7 +15,7 @@ use serde_json::{Map, Value, json};
 
 use crate::prepared_change::PreparedChange;
 use crate::sheet::{Row, Sheet};
-use crate::table::cells::{Masses, RowCells};
+use crate::table::cells::{MassesOfTable, RowCells};
 use crate::table::columns::{Columns, model_field};
 use crate::verbs::prepare;
 pub use cells::RowFault;
@@ -23,7 +23,7 @@ pub use cells::RowFault;
 pub struct Table {
     sheet: Sheet,
     columns: Columns,
-    masses: Masses,
+    masses: MassesOfTable,
     /// The folder at which relative paths in the table begin.
     folder: PathBuf,
     yes: Vec<Question>,
@@ -60,7 +60,7 @@ impl Table {
     pub fn read(bytes: &[u8], folder: &Path, keeps_others: bool) -> Result<Self, Phrase> {
         let sheet = Sheet::read(bytes)?;
         let columns = Columns::from_header(&sheet.header, keeps_others)?;
-        let masses = Masses::of(&sheet, &columns);
+        let masses = MassesOfTable::of(&sheet, &columns);
         Ok(Self { sheet, columns, masses, folder: folder.to_owned(), yes: Vec::new() })
     }
 
@@ -185,16 +185,16 @@ fn output(cells: &RowCells, call: &OutputOptions) -> Result<OutputOptions, RowFa
     if cells.output.is_some() && cells.output_dir.is_some() {
         return Err(RowFault::of("output-dir", "the row has an output already: leave one cell empty"));
     }
-    if named && cells.has("in_place") {
+    if named && cells.has_flag("in_place") {
         return Err(RowFault::of("in-place", "the row has an output already: leave one cell empty"));
     }
     let mut output = OutputOptions::default();
     output.output.clone_from(&cells.output);
     output.geometry_output.clone_from(&cells.geometry_output);
     output.output_dir.clone_from(if named { &cells.output_dir } else { &call.output_dir });
-    output.in_place = cells.has("in_place") || (call.in_place && !named);
-    output.no_backup = cells.has("no_backup") || call.no_backup;
-    output.force = cells.has("force") || call.force;
-    output.no_note = cells.has("no_note") || call.no_note;
+    output.in_place = cells.has_flag("in_place") || (call.in_place && !named);
+    output.no_backup = cells.has_flag("no_backup") || call.no_backup;
+    output.force = cells.has_flag("force") || call.force;
+    output.no_note = cells.has_flag("no_note") || call.no_note;
     Ok(output)
 }

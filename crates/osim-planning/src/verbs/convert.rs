@@ -13,7 +13,7 @@ use crate::remarks::{
 };
 
 /// The remark that spheres and planes inside forces were moved to the geometry set.
-const GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
+const REMARK_GEOMETRY_TAKEN_OUT: &str = "spheres and planes that forces kept inside themselves, as in Moco 0.1 to 0.3, are in the ContactGeometrySet: OpenSim 4.2 and \
      later read the model now, and Moco 0.1 to 0.3 does not any more";
 
 struct ConvertPlanner {
@@ -124,7 +124,7 @@ impl Planner for ConvertPlanner {
         let mut plan = Plan::from_objects(rebuilt, summary.into()).with_note(note);
         plan.findings.extend(findings);
         plan.remarks.extend(remarks_on_renamed_forces(&renamed));
-        plan.remarks.extend(taken_out.then(|| GEOMETRY_TAKEN_OUT.into()));
+        plan.remarks.extend(taken_out.then(|| REMARK_GEOMETRY_TAKEN_OUT.into()));
         plan.remarks.extend(missing_names);
         plan.remarks.extend(old_document);
         if changes_class {

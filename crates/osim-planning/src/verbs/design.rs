@@ -40,7 +40,7 @@ pub(crate) fn prepare(request: DesignRequest) -> Result<PreparedChange, RequestF
 /// # Errors
 /// Options that have no effect, or contradict each other.
 pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFault> {
-    check(&request)?;
+    refuse_useless_options(&request)?;
     Ok(DesignPlanner {
         selection: request.choice.selection(),
         masses: request.masses.request(),
@@ -50,7 +50,7 @@ pub(super) fn planner(request: DesignRequest) -> Result<DesignPlanner, RequestFa
     })
 }
 
-fn check(request: &DesignRequest) -> Result<(), RequestFault> {
+fn refuse_useless_options(request: &DesignRequest) -> Result<(), RequestFault> {
     let wanted = &request.wanted;
     let refused = |input, message| Err(RequestFault::refused(input, message));
     if request.masses.contacts_mass.is_some() {

@@ -8,7 +8,7 @@ use osim_requests::{Acceleration, Count, NoteRequest, RequestFault};
 
 use crate::prepared_change::PreparedChange;
 
-/// The content of the new note.
+/// What a new note says about contacts: the mass that they were made for, or only how many limbs share the weight.
 enum NewNote {
     /// The mass that the contacts were made for, kg, and perhaps the number of limbs that share the weight.
     Mass(f64, Option<f64>),
@@ -54,12 +54,12 @@ pub(super) fn prepare(request: NoteRequest) -> Result<PreparedChange, RequestFau
     let masses = MassOptions { contacts_mass, ..MassOptions::default() };
     let gravity_m_s2 = contacts_gravity.map(Acceleration::get);
     let known_masses = masses.request();
-    let planner = move |model: &Model| plan(model, &noted, gravity_m_s2, &known_masses);
+    let planner = move |model: &Model| plan_note(model, &noted, gravity_m_s2, &known_masses);
     let inspection = InspectionOptions { masses, set_files, answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Note, models, output, inspection, planner))
 }
 
-fn plan(
+fn plan_note(
     model: &Model,
     noted: &NewNote,
     gravity_m_s2: Option<f64>,

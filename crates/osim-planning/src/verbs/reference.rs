@@ -23,9 +23,9 @@ use crate::prepared_change::file_name;
 /// The mass of the reference that counts, if its contacts are published ones for another mass than the mass of its bodies.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum MassOfPublished {
-    /// The caller decides: the program asks.
+    /// The program asks the caller which mass the contacts were made for.
     AskCaller,
-    /// The mass of the bodies counts.
+    /// The contacts count as made for the mass of the model's bodies.
     OfBodies,
 }
 

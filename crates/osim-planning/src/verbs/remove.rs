@@ -20,12 +20,12 @@ pub(super) fn prepare(request: RemoveRequest) -> Result<PreparedChange, RequestF
     }
     refuse_geometry_output(&output)?;
     let selection = choice.selection();
-    let planner = move |model: &Model| plan(model, &selection);
+    let planner = move |model: &Model| plan_removal(model, &selection);
     let inspection = InspectionOptions { choice, answers, ..InspectionOptions::default() };
     Ok(PreparedChange::new(Verb::Remove, models, output, inspection, planner))
 }
 
-fn plan(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
+fn plan_removal(model: &Model, selection: &Selection) -> Result<Plan, Fault> {
     // Without a choice, the forces that this program added are removed: there is no need to ask.
     let added = added_forces(model).filter(|_| selection.select.is_empty());
     let selected = match added {

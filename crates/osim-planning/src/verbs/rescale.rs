@@ -7,7 +7,7 @@ use osim_model::messages::{Input, Verb, phrase, readable};
 use osim_model::{
     Fault, MassRequest, MissingFact, Model, Note, NoteDoubt, RadiusRule, ScaledSinceNote, Selection,
 };
-use osim_patch::{Plan, RESCALE_FOLLOWING_NOTE, RESCALE_FOLLOWING_SCALE_FILE, Rescale, rescale};
+use osim_patch::{OPERATION_FOLLOWING_NOTE, OPERATION_FOLLOWING_SCALE_FILE, Plan, Rescale, rescale};
 use osim_requests::options::{InspectionOptions, ScalingOptions};
 use osim_requests::{Acceleration, Radius, RequestError, RequestFault, RescaleRequest};
 
@@ -124,7 +124,7 @@ impl Planner for RescalePlanner {
 }
 
 /// The factors in a ScaleSet and in a note agree if they differ by at most this (relative).
-const FACTOR_TOLERANCE: f64 = 1e-4;
+const EQUAL_FACTORS_TOLERANCE: f64 = 1e-4;
 
 /// The source of the scale factors with which spheres follow their bodies.
 pub(super) enum BodyFactors {
@@ -140,8 +140,8 @@ impl BodyFactors {
     pub(super) const fn operation(&self) -> &'static str {
         match self {
             Self::Nothing => "rescale",
-            Self::Note => RESCALE_FOLLOWING_NOTE,
-            Self::File(_) => RESCALE_FOLLOWING_SCALE_FILE,
+            Self::Note => OPERATION_FOLLOWING_NOTE,
+            Self::File(_) => OPERATION_FOLLOWING_SCALE_FILE,
         }
     }
 
@@ -181,7 +181,7 @@ fn factors_since_note(model: &Model) -> Result<ScaleFile, Fault> {
 fn check_factors_agree(since: &ScaledSinceNote, file: &ScaleFile) -> Result<(), Fault> {
     for (body, noted) in &since.factors {
         let given = file.required_factors(body)?;
-        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= FACTOR_TOLERANCE * b.abs();
+        let same = |(a, b): (&f64, &f64)| (a - b).abs() <= EQUAL_FACTORS_TOLERANCE * b.abs();
         if !noted.iter().zip(&given).all(same) {
             return Err(Fault::refused(format!(
                 "the ScaleSet scales {body} by {}, and by the note in the file it was scaled by {}: expected the ScaleSet \

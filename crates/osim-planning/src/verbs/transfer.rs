@@ -11,7 +11,7 @@ use osim_model::{
     Anatomy, CountedSpheres, Fault, GravityFor, MassRequest, MissingFact, Model, Property, RadiusAxis,
     RadiusRule, Selected, Selection, implausible_mass, moving_spheres,
 };
-use osim_patch::{Plan, Reference, ScalingRule, TRANSFER_FOLLOWING_BODIES, Transfer, transfer};
+use osim_patch::{OPERATION_FOLLOWING_BODIES, Plan, Reference, ScalingRule, Transfer, transfer};
 use osim_requests::options::{CountOptions, FollowOptions, InspectionOptions, RuleChoice, ScalingOptions};
 use osim_requests::{Acceleration, Kilograms, Positive, Radius, RequestError, RequestFault, TransferRequest};
 
@@ -228,7 +228,7 @@ impl TransferPlanner {
         };
         let counts = self.sphere_counts(model, selected, reference, generic)?;
         let radius = self.scaling.radius.map(Radius::rule);
-        let verb = if follow.is_some() { TRANSFER_FOLLOWING_BODIES } else { "transfer" };
+        let verb = if follow.is_some() { OPERATION_FOLLOWING_BODIES } else { "transfer" };
         let operation = operation_with_radius(verb, radius);
         if matches!(radius, Some(RadiusRule::Factor(_))) {
             refuse_repetition(model, &operation, self.may_repeat)?;

@@ -11,16 +11,16 @@ use osim_requests::Request;
 
 /// A human of 62 kg on 6 spheres on each foot.
 const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
-const NO_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
-const NO_GRAVITY: &str = include_str!("../../../../fixtures/format/no_gravity.osim");
+const MODEL_WITHOUT_SIDES: &str = include_str!("../../../../fixtures/format/no_sides.osim");
+const MODEL_WITHOUT_GRAVITY: &str = include_str!("../../../../fixtures/format/no_gravity.osim");
 const PLAYER_AND_BALL: &str = include_str!("../../../../fixtures/format/player_and_ball.osim");
 /// A model whose feet have one `HuntCrossleyForce` each, with sets of parameters for the floor, the heel and the toe.
-const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
-const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
-const DECIMAL_COMMA: &str = include_str!("../../../../fixtures/bad/number_decimal_comma.osim");
+const MODEL_OF_THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+const MODEL_OF_MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+const MODEL_WITH_DECIMAL_COMMA: &str = include_str!("../../../../fixtures/bad/number_decimal_comma.osim");
 
 /// The weight M g of the foot, N.
-const WEIGHT: f64 = 600.0;
+const WEIGHT_N: f64 = 600.0;
 
 /// The modulus E₁* with which one sphere of the foot `SOLE` is in equilibrium at `x_hat` under `load`: (11) and (A.4).
 fn stiffness_for(x_hat: f64, load: f64) -> f64 {
@@ -56,7 +56,7 @@ fn nothing_is_found_in_a_foot_within_every_limit() {
 #[test]
 fn hertz_holds_up_to_0_16_at_body_weight() {
     assert_limit(FindingCode::BeyondHertz, |of_limit| SmoothContact {
-        stiffness: stiffness_for(0.16 * of_limit, WEIGHT),
+        stiffness: stiffness_for(0.16 * of_limit, WEIGHT_N),
         ..SOLE
     });
 }
@@ -64,21 +64,21 @@ fn hertz_holds_up_to_0_16_at_body_weight() {
 #[test]
 fn hertz_holds_up_to_0_16_at_two_body_weights() {
     assert_limit(FindingCode::BeyondHertzAtTwo, |of_limit| SmoothContact {
-        stiffness: stiffness_for(0.16 * of_limit, 2.0 * WEIGHT),
+        stiffness: stiffness_for(0.16 * of_limit, 2.0 * WEIGHT_N),
         ..SOLE
     });
 }
 
 #[test]
 fn a_sphere_beyond_hertz_at_one_body_weight_is_not_reported_again_at_two() {
-    let result = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, WEIGHT), ..SOLE }]);
+    let result = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, WEIGHT_N), ..SOLE }]);
     assert!(has(&result, FindingCode::BeyondHertz) && !has(&result, FindingCode::BeyondHertzAtTwo));
 }
 
 #[test]
 fn a_sphere_sinks_in_from_its_centre_on() {
     for (x_hat, sunk) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
-        let result = check_foot(&[SmoothContact { stiffness: stiffness_for(x_hat, WEIGHT), ..SOLE }]);
+        let result = check_foot(&[SmoothContact { stiffness: stiffness_for(x_hat, WEIGHT_N), ..SOLE }]);
         let found = (has(&result, FindingCode::SunkIn), has(&result, FindingCode::BeyondHertz));
         assert_eq!(found, (sunk, !sunk), "{x_hat}");
     }
@@ -123,7 +123,7 @@ fn contact_sets_in_over_0_31_of_the_radius_at_most() {
 #[test]
 fn just_touching_a_sphere_carries_a_tenth_of_its_load_at_most() {
     assert_limit(FindingCode::ForceBeforeContact, |of_limit| SmoothContact {
-        constant_contact_force: touching(0.1 * WEIGHT * of_limit),
+        constant_contact_force: touching(0.1 * WEIGHT_N * of_limit),
         ..SOLE
     });
 }
@@ -131,7 +131,7 @@ fn just_touching_a_sphere_carries_a_tenth_of_its_load_at_most() {
 #[test]
 fn a_sphere_floats_that_carries_its_load_before_it_touches() {
     for (of_weight, floats) in [(1.0 - 1e-6, false), (1.0 + 1e-6, true)] {
-        let sphere = SmoothContact { constant_contact_force: touching(of_weight * WEIGHT), ..SOLE };
+        let sphere = SmoothContact { constant_contact_force: touching(of_weight * WEIGHT_N), ..SOLE };
         assert_eq!(has(&check_foot(&[sphere]), FindingCode::Floats), floats, "{of_weight}");
     }
 }
@@ -142,17 +142,17 @@ fn each_finding_has_the_value_of_its_figure_and_the_limit() {
     for (code, sphere, expected) in [
         (
             FindingCode::BeyondHertz,
-            SmoothContact { stiffness: stiffness_for(0.25, WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(0.25, WEIGHT_N), ..SOLE },
             "under body weight on one limb spheres sink in 0.25 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::BeyondHertzAtTwo,
-            SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT_N), ..SOLE },
             "under two body weights on one limb spheres sink in 0.2 R, and Hertz theory holds up to 0.16 R (heel_r)",
         ),
         (
             FindingCode::SunkIn,
-            SmoothContact { stiffness: stiffness_for(1.25, WEIGHT), ..SOLE },
+            SmoothContact { stiffness: stiffness_for(1.25, WEIGHT_N), ..SOLE },
             "too soft: at body weight on one limb spheres sink 1.25 R into the floor (x/R by Hertz) (heel_r)",
         ),
         (
@@ -235,10 +235,13 @@ fn a_finding_about_parameters_is_placed_at_the_force() {
 #[test]
 fn the_line_of_a_finding_is_that_of_the_parameter_set_of_the_sphere() {
     // The heel, of 2.25 s/m, is damped most; its set begins on the line before its spheres.
-    let result = check_text(THREE_MATERIALS);
+    let result = check_text(MODEL_OF_THREE_MATERIALS);
     let damped = find(&result, FindingCode::BeyondHuntCrossley);
     assert_eq!(damped.place.as_deref(), Some("/forceset/contact_r"));
-    assert_eq!(damped.line, line_of(THREE_MATERIALS, "<geometry>heel_r</geometry>").map(|line| line - 1));
+    assert_eq!(
+        damped.line,
+        line_of(MODEL_OF_THREE_MATERIALS, "<geometry>heel_r</geometry>").map(|line| line - 1)
+    );
 }
 
 // What keeps figures away.
@@ -249,9 +252,9 @@ fn with_stance(text: &str, stance: Stance) -> CheckResult {
 
 #[test]
 fn a_model_without_gravity_gets_a_finding() {
-    assert!(has(&with_stance(NO_GRAVITY, Stance::default()), FindingCode::NoGravity));
+    assert!(has(&with_stance(MODEL_WITHOUT_GRAVITY, Stance::default()), FindingCode::NoGravity));
     let given = Stance { gravity_m_s2: Some(9.81), ..Stance::default() };
-    assert!(!has(&with_stance(NO_GRAVITY, given), FindingCode::NoGravity));
+    assert!(!has(&with_stance(MODEL_WITHOUT_GRAVITY, given), FindingCode::NoGravity));
 }
 
 #[test]
@@ -262,10 +265,10 @@ fn gravity_is_not_reported_missing_if_figures_fail_for_another_reason() {
 
 #[test]
 fn an_unknown_sphere_count_is_asked_for_until_it_is_given() {
-    let asked = with_stance(NO_SIDES, Stance::default());
+    let asked = with_stance(MODEL_WITHOUT_SIDES, Stance::default());
     assert!(message(&asked, FindingCode::CountUnknown).contains("left or right cannot be determined"));
     let given = Stance { spheres: Some(2.0), ..Stance::default() };
-    assert!(!has(&with_stance(NO_SIDES, given), FindingCode::CountUnknown));
+    assert!(!has(&with_stance(MODEL_WITHOUT_SIDES, given), FindingCode::CountUnknown));
     assert!(!has(&with_stance(HUMAN, Stance::default()), FindingCode::CountUnknown));
 }
 
@@ -277,7 +280,7 @@ fn a_sphere_count_does_not_help_if_no_body_of_two_was_chosen() {
 
 #[test]
 fn mixed_radii_are_reported() {
-    assert!(has(&check_text(MIXED_RADII), FindingCode::MixedRadii));
+    assert!(has(&check_text(MODEL_OF_MIXED_RADII), FindingCode::MixedRadii));
 }
 
 // The result.
@@ -328,9 +331,9 @@ fn a_file_name_that_is_not_text_keeps_its_bytes() {
 
 #[test]
 fn a_result_reaches_the_severity_of_its_worst_finding() {
-    let remark = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT), ..SOLE }]);
+    let remark = check_foot(&[SmoothContact { stiffness: stiffness_for(0.2, 2.0 * WEIGHT_N), ..SOLE }]);
     let warning = check_foot(&[SmoothContact { hertz_smoothing: 100.0, ..SOLE }]);
-    let error = check_foot(&[SmoothContact { constant_contact_force: touching(1.5 * WEIGHT), ..SOLE }]);
+    let error = check_foot(&[SmoothContact { constant_contact_force: touching(1.5 * WEIGHT_N), ..SOLE }]);
     for (result, expected) in [
         (&check_foot(&[SOLE]), [false; 3]),
         (&remark, [true, false, false]),
@@ -382,5 +385,5 @@ fn only_a_model_that_can_be_changed_gets_commands() {
     };
     assert_eq!((remedies(true), remedies(false)), (1, 0));
     // "1,5e6" is no number, so that a change of it is refused.
-    assert!(!try_what_can_change(&options, &Model::parse(DECIMAL_COMMA).unwrap()).numbers);
+    assert!(!try_what_can_change(&options, &Model::parse(MODEL_WITH_DECIMAL_COMMA).unwrap()).numbers);
 }

@@ -154,7 +154,7 @@ fn changes_and_bytes(call: &Value, text: &str, presets: &InMemory) -> Result<(Va
     Ok((json!([changes, objects]), String::from_utf8(bytes).unwrap()))
 }
 
-fn calls() -> Vec<Value> {
+fn calls_of_all_verbs() -> Vec<Value> {
     vec![
         json!({"verb": "rescale", "target_mass": 100, "contacts_mass": 61}),
         json!({"verb": "set", "set": {"radius": "x1.5", "stiffness": "x2"}}),
@@ -187,7 +187,7 @@ fn fixed_objects_count_nowhere_and_stay_as_they_are() {
         for (plain, with) in known_numbers(&bare).into_iter().zip(known_numbers(&whole)) {
             assert_eq!(plain, with, "seed {seed}\n{whole}");
         }
-        for call in calls() {
+        for call in calls_of_all_verbs() {
             match (changes_and_bytes(&call, &bare, &files), changes_and_bytes(&call, &whole, &files)) {
                 (Ok((plain, _)), Ok((with, bytes))) => {
                     assert_eq!(plain, with, "seed {seed}, {call}");

@@ -119,7 +119,7 @@ fn try_some(files: &ChangedFiles<'_>, name: &str, number: usize, compared: &mut 
             let request = Request::from_json(call.to_string().as_bytes()).expect(&what);
             let Ok(change) = prepare(request, files) else { continue };
             let Ok(opened) = change.open(Path::new(name), files) else { continue };
-            if let Some(plan) = compare(&change, &opened, files, compared, &what) {
+            if let Some(plan) = compare_with_the_run(&change, &opened, files, compared, &what) {
                 written = written.or_else(|| plan.patched(&opened.model, FileId::MAIN).ok());
                 break;
             }
@@ -128,7 +128,7 @@ fn try_some(files: &ChangedFiles<'_>, name: &str, number: usize, compared: &mut 
     written
 }
 
-fn compare(
+fn compare_with_the_run(
     change: &PreparedChange,
     opened: &OpenModel,
     files: &dyn Files,

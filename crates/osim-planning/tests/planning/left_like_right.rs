@@ -6,13 +6,13 @@ use osim_model::{FindingCode, Selection};
 use serde_json::{Value, json};
 
 /// A human of 62 kg on 6 spheres on each foot.
-const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
-const UNEQUAL_RADII: &str = include_str!("../../../../fixtures/format/unequal_radii.osim");
-const UNEQUAL_STIFFNESS: &str = include_str!("../../../../fixtures/format/unequal_stiffness.osim");
+const HUMAN_MODEL: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_sphere.osim");
+const MODEL_OF_UNEQUAL_RADII: &str = include_str!("../../../../fixtures/format/unequal_radii.osim");
+const MODEL_OF_UNEQUAL_STIFFNESS: &str = include_str!("../../../../fixtures/format/unequal_stiffness.osim");
 /// A model whose feet have one force each, for spheres of 0.05 and 0.025 m.
-const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+const MODEL_OF_MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
 /// A model in which each force has a set of parameters for the heel and a set for the toe.
-const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+const MODEL_OF_THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
 
 #[track_caller]
 fn assert_copied(text: &str, expected: &Value) {
@@ -29,8 +29,12 @@ fn with_text_replaced(text: &str, start: &str, old: &str, new: &str) -> String {
 
 #[test]
 fn a_left_force_gets_each_number_of_the_right_one_that_it_lacks() {
-    let text =
-        with_text_replaced(UNEQUAL_STIFFNESS, "contact_heel_l", "<dissipation>2.25<", "<dissipation>1<");
+    let text = with_text_replaced(
+        MODEL_OF_UNEQUAL_STIFFNESS,
+        "contact_heel_l",
+        "<dissipation>2.25<",
+        "<dissipation>1<",
+    );
     let text = with_text_replaced(&text, "contact_toe_l", "<stiffness>1200000<", "<stiffness>1000000<");
     assert_copied(&text, &json!({"stiffness": 1e6, "dissipation": 2.25}));
 }
@@ -38,7 +42,7 @@ fn a_left_force_gets_each_number_of_the_right_one_that_it_lacks() {
 #[test]
 fn a_left_sphere_gets_the_radius_of_the_right_one() {
     // Up to 10 % is as in published models. A third pair shows which radius is meant; without it, one is as likely as the other.
-    let unequal = UNEQUAL_RADII.replace("<radius>0.035<", "<radius>0.045<");
+    let unequal = MODEL_OF_UNEQUAL_RADII.replace("<radius>0.035<", "<radius>0.045<");
     assert_copied(&unequal, &Value::Null);
     let text =
         with_text_replaced(&unequal, "<ContactSphere name=\"toe_l\"", "<radius>0.045<", "<radius>0.0325<");
@@ -47,21 +51,26 @@ fn a_left_sphere_gets_the_radius_of_the_right_one() {
 
 #[test]
 fn radii_of_several_spheres_cannot_be_copied_by_one_value() {
-    let text =
-        with_text_replaced(MIXED_RADII, "<ContactSphere name=\"heel_l\"", "<radius>0.05<", "<radius>0.06<");
+    let text = with_text_replaced(
+        MODEL_OF_MIXED_RADII,
+        "<ContactSphere name=\"heel_l\"",
+        "<radius>0.05<",
+        "<radius>0.06<",
+    );
     assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn parameters_of_several_sets_cannot_be_copied_by_one_value() {
-    let text = with_text_replaced(THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
+    let text =
+        with_text_replaced(MODEL_OF_THREE_MATERIALS, "contact_l", "<stiffness>800000<", "<stiffness>900000<");
     assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn a_constant_contact_force_of_0_is_not_copied() {
     let text = with_text_replaced(
-        UNEQUAL_STIFFNESS,
+        MODEL_OF_UNEQUAL_STIFFNESS,
         "contact_heel_r",
         "<constant_contact_force>1.5e-05<",
         "<constant_contact_force>0<",
@@ -73,7 +82,7 @@ fn a_constant_contact_force_of_0_is_not_copied() {
 fn the_side_that_is_a_slip_is_put_right_whichever_it_is() {
     for side in ["l", "r"] {
         let text = with_text_replaced(
-            HUMAN,
+            HUMAN_MODEL,
             &format!("name=\"contact_s1_{side}\""),
             "<stiffness>1000000<",
             "<stiffness>1e7<",
@@ -88,29 +97,29 @@ fn the_side_that_is_a_slip_is_put_right_whichever_it_is() {
 #[test]
 fn no_remedy_is_proposed_if_the_wrong_side_is_not_known() {
     // Two feet of two forces each, and one foot is stiffer: no number is published.
-    assert_copied(UNEQUAL_STIFFNESS, &Value::Null);
+    assert_copied(MODEL_OF_UNEQUAL_STIFFNESS, &Value::Null);
 }
 
 #[test]
 fn forces_that_were_chosen_by_name_are_not_chosen_otherwise() {
     let selection = Selection { select: vec!["contact_*".parse().unwrap()], ..Selection::default() };
     let options = InspectOptions { selection, ..InspectOptions::default() };
-    let result = check_with("model.osim", UNEQUAL_STIFFNESS, &options);
+    let result = check_with("model.osim", MODEL_OF_UNEQUAL_STIFFNESS, &options);
     assert_eq!(find(&result, FindingCode::LeftRightDiffer).remedy, None);
 }
 
 #[test]
 fn a_force_whose_name_is_a_pattern_is_not_chosen_by_name() {
-    let text = UNEQUAL_STIFFNESS.replace("contact_heel", "contact[heel]");
+    let text = MODEL_OF_UNEQUAL_STIFFNESS.replace("contact_heel", "contact[heel]");
     assert_copied(&text, &Value::Null);
 }
 
 #[test]
 fn the_side_that_differs_gets_the_value_of_the_other() {
-    let start = HUMAN.find("name=\"contact_s1_l\"").unwrap();
-    let (before, force) = HUMAN.split_at(start);
+    let start = HUMAN_MODEL.find("name=\"contact_s1_l\"").unwrap();
+    let (before, force) = HUMAN_MODEL.split_at(start);
     let text = format!("{before}{}", force.replacen("<stiffness>1000000<", "<stiffness>2500000<", 1));
-    assert_ne!(text, HUMAN);
+    assert_ne!(text, HUMAN_MODEL);
     let result = check_with("human.osim", &text, &InspectOptions::default());
     let expected = json!({"verb": "set", "set": {"stiffness": 1e6}, "select": ["contact_s1_l"]});
     assert_eq!(remedy(&result, FindingCode::LeftRightDiffer), expected);

@@ -10,41 +10,41 @@ use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use crate::checks::{check_with, fields_of_remedy, find, has};
+use crate::checks::{check_with, find, has, remedy_without_models};
 
 /// A model in which two spheres of each foot, s5 and s6, are 21.8 mm lower than the other four; all have R = 0.032 m.
-const UNEVEN: &str = include_str!("../../../../fixtures/check/uneven_bottoms.osim");
+const UNEVEN_MODEL: &str = include_str!("../../../../fixtures/check/uneven_bottoms.osim");
 /// A model with a heel of 0.0325 m whose bottom is 2.5 mm inside the floor.
-const HEEL: &str = include_str!("../../../../fixtures/check/within_limits.osim");
+const HEEL_MODEL: &str = include_str!("../../../../fixtures/check/within_limits.osim");
 /// A model of a human's feet without contacts, and a table of contacts for it: heels of 0.03 m at y = 0.01 m, balls of 0.025 m at y = 0.005
 /// m.
-const FEET: &str = include_str!("../../../../fixtures/feet/human_40000.osim");
-const TABLE: &str = include_str!("../../../../fixtures/contact_tables/own.csv");
-const NAME: &str = "model.osim";
+const FEET_MODEL: &str = include_str!("../../../../fixtures/feet/human_40000.osim");
+const TABLE_OF_PLACES: &str = include_str!("../../../../fixtures/contact_tables/own.csv");
+const MODEL_NAME: &str = "model.osim";
 
-fn planned(text: &str, fields: &Value) -> Result<(Model, Plan), String> {
+fn plan_of_fields(text: &str, fields: &Value) -> Result<(Model, Plan), String> {
     let mut fields = fields.clone();
-    fields["models"] = json!([NAME]);
-    let files = InMemory::from_iter([(NAME, text), ("table.csv", TABLE)]);
+    fields["models"] = json!([MODEL_NAME]);
+    let files = InMemory::from_iter([(MODEL_NAME, text), ("table.csv", TABLE_OF_PLACES)]);
     let request = Request::from_json(fields.to_string().as_bytes()).map_err(|fault| format!("{fault:?}"))?;
     let change = prepare(request, &files).map_err(|error| format!("{error:?}"))?;
-    let opened = change.open(Path::new(NAME), &files).map_err(|failure| failure.message.to_string())?;
+    let opened = change.open(Path::new(MODEL_NAME), &files).map_err(|failure| failure.message.to_string())?;
     let plan = change.plan(&opened, &files).map_err(|failure| failure.message.to_string())?;
     Ok((opened.model, plan))
 }
 
 fn text_after(text: &str, fields: &Value) -> String {
-    let (model, plan) = planned(text, fields).unwrap();
+    let (model, plan) = plan_of_fields(text, fields).unwrap();
     String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap()
 }
 
-fn inspected(text: &str) -> Inspection {
-    InspectOptions::default().inspect(NAME, &Model::parse(text).unwrap(), None)
+fn inspection_of_text(text: &str) -> Inspection {
+    InspectOptions::default().inspect(MODEL_NAME, &Model::parse(text).unwrap(), None)
 }
 
 /// The heights of the bottoms of one side above the floor, m.
 fn heights_of_bottoms(text: &str, side: &str) -> Vec<f64> {
-    let bodies = inspected(text).standing;
+    let bodies = inspection_of_text(text).standing;
     let bottoms = bodies.iter().flat_map(|body| &body.bottoms).filter(|bottom| bottom.sphere.ends_with(side));
     bottoms.map(|bottom| bottom.height_m).collect()
 }
@@ -65,46 +65,46 @@ fn is_level(text: &str) -> bool {
 
 /// The remarks of a change about bottoms that it moves.
 fn remarks_on_moved_bottoms(text: &str, fields: &Value) -> Vec<String> {
-    let (_, plan) = planned(text, fields).unwrap();
+    let (_, plan) = plan_of_fields(text, fields).unwrap();
     let own = plan.findings.iter().filter(|finding| finding.code() == FindingCode::BottomsMoved);
     own.map(|finding| finding.message.to_string()).collect()
 }
 
 #[test]
 fn an_uneven_foot_has_a_remedy_after_which_nothing_is_wrong() {
-    let found = check_with(NAME, UNEVEN, &InspectOptions::default());
+    let found = check_with(MODEL_NAME, UNEVEN_MODEL, &InspectOptions::default());
     let remedy = find(&found, FindingCode::UnevenBottoms).remedy.as_ref();
-    assert_eq!(fields_of_remedy(remedy), json!({"verb": "set", "level": true}));
-    let after = text_after(UNEVEN, &json!({"verb": "set", "level": true}));
-    assert!(is_level(&after) && !is_level(UNEVEN));
-    let found = check_with(NAME, &after, &InspectOptions::default());
+    assert_eq!(remedy_without_models(remedy), json!({"verb": "set", "level": true}));
+    let after = text_after(UNEVEN_MODEL, &json!({"verb": "set", "level": true}));
+    assert!(is_level(&after) && !is_level(UNEVEN_MODEL));
+    let found = check_with(MODEL_NAME, &after, &InspectOptions::default());
     assert_eq!((found.counts.error, found.counts.warning, found.steps.len()), (0, 0, 0));
     assert!(!has(&found, FindingCode::UnlevelFoot));
     // The lowest stays where it was.
-    assert!((lowest_bottom(&after) - lowest_bottom(UNEVEN)).abs() < 1e-12);
+    assert!((lowest_bottom(&after) - lowest_bottom(UNEVEN_MODEL)).abs() < 1e-12);
     // Once more it changes nothing.
-    assert!(planned(&after, &json!({"verb": "set", "level": true})).unwrap().1.is_empty());
+    assert!(plan_of_fields(&after, &json!({"verb": "set", "level": true})).unwrap().1.is_empty());
 }
 
 #[test]
 fn feet_are_level_with_the_radii_that_they_get() {
     let request =
         json!({"verb": "set", "set": {"radius": "x1.5"}, "select": ["*1_r", "*5_l"], "level": true});
-    let after = text_after(UNEVEN, &request);
+    let after = text_after(UNEVEN_MODEL, &request);
     // Spheres of forces that are not chosen stay: s1_r alone on its foot, and s5_l on its.
-    assert!(planned(UNEVEN, &request).unwrap().1.moves.is_empty());
+    assert!(plan_of_fields(UNEVEN_MODEL, &request).unwrap().1.moves.is_empty());
     assert!(!is_level(&after));
     let after = text_after(&after, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
     assert!(is_level(&after));
     // A radius that grows makes its own bottom the lowest.
-    let all = text_after(UNEVEN, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
+    let all = text_after(UNEVEN_MODEL, &json!({"verb": "set", "set": {"radius": "x2"}, "level": true}));
     assert!(is_level(&all));
-    assert!((lowest_bottom(&all) - (lowest_bottom(UNEVEN) - 0.032)).abs() < 1e-12);
+    assert!((lowest_bottom(&all) - (lowest_bottom(UNEVEN_MODEL) - 0.032)).abs() < 1e-12);
 }
 
 #[test]
 fn a_factor_is_not_applied_twice_because_feet_were_made_level_with_it() {
-    let first = text_after(UNEVEN, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
+    let first = text_after(UNEVEN_MODEL, &json!({"verb": "set", "set": {"stiffness": "x2"}, "level": true}));
     assert!(first.contains("by set stiffness=x2 level;"), "{first}");
     for again in [
         json!({"verb": "set", "set": {"stiffness": "x2"}}),
@@ -112,34 +112,38 @@ fn a_factor_is_not_applied_twice_because_feet_were_made_level_with_it() {
     ] {
         let mut again = again;
         again["in_place"] = json!(true);
-        assert!(planned(&first, &again).is_err(), "{again}");
+        assert!(plan_of_fields(&first, &again).is_err(), "{again}");
     }
 }
 
 #[test]
 fn a_request_that_sets_nothing_is_refused() {
-    assert!(planned(UNEVEN, &json!({"verb": "set"})).unwrap_err().contains("Missing"));
-    assert!(planned(UNEVEN, &json!({"verb": "set", "level": false})).unwrap_err().contains("Missing"));
+    assert!(plan_of_fields(UNEVEN_MODEL, &json!({"verb": "set"})).unwrap_err().contains("Missing"));
+    assert!(
+        plan_of_fields(UNEVEN_MODEL, &json!({"verb": "set", "level": false}))
+            .unwrap_err()
+            .contains("Missing")
+    );
 }
 
 #[test]
 fn added_spheres_are_level_where_that_is_asked() {
     let add = |level: bool| {
         let request = json!({"verb": "add", "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level});
-        text_after(FEET, &request)
+        text_after(FEET_MODEL, &request)
     };
     let (plain, level) = (add(false), add(true));
     // 0.01 - 0.03 and 0.005 - 0.025 are level as they are: then nothing moves.
     assert!(is_level(&plain));
     assert_eq!(plain.matches("<location>").count(), level.matches("<location>").count());
-    let high = TABLE.replace("ball_r,calcn_r,0.16,0.005", "ball_r,calcn_r,0.16,0.015");
+    let high = TABLE_OF_PLACES.replace("ball_r,calcn_r,0.16,0.005", "ball_r,calcn_r,0.16,0.015");
     let files = |level: bool| {
-        let files = InMemory::from_iter([(NAME, FEET), ("table.csv", &high)]);
+        let files = InMemory::from_iter([(MODEL_NAME, FEET_MODEL), ("table.csv", &high)]);
         let request = json!({
-            "verb": "add", "models": [NAME], "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level,
+            "verb": "add", "models": [MODEL_NAME], "contacts": "table.csv", "class": "smooth", "indentation": 0.16, "level": level,
         });
         let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), &files).unwrap();
-        let opened = change.open(Path::new(NAME), &files).unwrap();
+        let opened = change.open(Path::new(MODEL_NAME), &files).unwrap();
         let plan = change.plan(&opened, &files).unwrap();
         (String::from_utf8(plan.patched(&opened.model, FileId::MAIN).unwrap()).unwrap(), plan)
     };
@@ -158,7 +162,7 @@ fn added_spheres_are_level_where_that_is_asked() {
 #[test]
 fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
     // 2.5 mm and 32.5 mm more.
-    let said = remarks_on_moved_bottoms(HEEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
+    let said = remarks_on_moved_bottoms(HEEL_MODEL, &json!({"verb": "set", "set": {"radius": "x2"}}));
     let [said] = said.as_slice() else { panic!("{said:?}") };
     assert!(
         said.starts_with("the default pose was 2.5 mm inside the floor and is 35 mm inside the floor now; "),
@@ -166,33 +170,37 @@ fn a_change_after_which_the_default_pose_no_longer_stands_says_so() {
     );
     assert!(said.ends_with("; the spheres then carry the body)"), "{said}");
     // Bottoms that stay, and little that moves.
-    assert!(remarks_on_moved_bottoms(HEEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty());
+    assert!(
+        remarks_on_moved_bottoms(HEEL_MODEL, &json!({"verb": "set", "set": {"radius": "x1.05"}})).is_empty()
+    );
     let body =
         json!({"verb": "rescale", "target_mass": 61.5, "contacts_mass": 7.6875, "radius": "isometric"});
-    assert_eq!(remarks_on_moved_bottoms(HEEL, &body).len(), 1);
+    assert_eq!(remarks_on_moved_bottoms(HEEL_MODEL, &body).len(), 1);
     let mut level = body.clone();
     level["level"] = json!(true);
-    assert!(remarks_on_moved_bottoms(HEEL, &level).is_empty());
+    assert!(remarks_on_moved_bottoms(HEEL_MODEL, &level).is_empty());
 }
 
 #[test]
 fn a_body_that_is_still_to_be_scaled_is_not_judged_by_its_pose() {
-    assert!(remarks_on_moved_bottoms(HEEL, &json!({"verb": "rescale", "target_mass": 492.0})).is_empty());
+    assert!(
+        remarks_on_moved_bottoms(HEEL_MODEL, &json!({"verb": "rescale", "target_mass": 492.0})).is_empty()
+    );
 }
 
 #[test]
 fn a_model_that_did_not_stand_does_not_lose_its_stand() {
     for height in ["0.9", "-0.5"] {
-        let text =
-            HEEL.replace("<location>0 -0.05 0</location>", &format!("<location>0 {height} 0</location>"));
-        assert_ne!(text, HEEL);
+        let text = HEEL_MODEL
+            .replace("<location>0 -0.05 0</location>", &format!("<location>0 {height} 0</location>"));
+        assert_ne!(text, HEEL_MODEL);
         assert!(remarks_on_moved_bottoms(&text, &json!({"verb": "set", "set": {"radius": "x2"}})).is_empty());
     }
 }
 
 #[test]
 fn a_change_that_makes_a_foot_uneven_says_so() {
-    let level = text_after(UNEVEN, &json!({"verb": "set", "level": true, "no_note": true}));
+    let level = text_after(UNEVEN_MODEL, &json!({"verb": "set", "level": true, "no_note": true}));
     // R = 0.032 becomes 0.0416: 9.6 mm, 0.231 of the largest radius.
     let said = remarks_on_moved_bottoms(
         &level,

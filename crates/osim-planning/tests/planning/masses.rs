@@ -6,7 +6,7 @@ use osim_inspect::{InspectOptions, MassMismatch};
 use osim_model::{FindingCode, MassRequest, Model, Note, Scope, Step};
 
 /// A model with six spheres of the preset falisse2022, which is made for 62 kg, under a body of 90 kg.
-const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
+const MODEL_FOR_OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
 // Contacts of a preset under another body.
 
@@ -18,16 +18,16 @@ fn assert_other_mass(text: &str, found: bool) {
 
 #[test]
 fn contacts_of_a_preset_under_another_body_are_recognised() {
-    let text = message(&check_text(OTHER_MASS), FindingCode::ContactsOfAnotherMass);
+    let text = message(&check_text(MODEL_FOR_OTHER_MASS), FindingCode::ContactsOfAnotherMass);
     assert_eq!(text, "the contacts are for 62 kg (Falisse et al. 2022), the body weighs 90 kg");
 }
 
 #[test]
 fn contacts_of_a_preset_under_its_own_body_are_right() {
-    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>60<"), false);
+    assert_other_mass(&MODEL_FOR_OTHER_MASS.replace("<mass>88<", "<mass>60<"), false);
     // Masses within 2 % count as one: 1.24 kg here.
-    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>61.23<"), false);
-    assert_other_mass(&OTHER_MASS.replace("<mass>88<", "<mass>61.25<"), true);
+    assert_other_mass(&MODEL_FOR_OTHER_MASS.replace("<mass>88<", "<mass>61.23<"), false);
+    assert_other_mass(&MODEL_FOR_OTHER_MASS.replace("<mass>88<", "<mass>61.25<"), true);
 }
 
 #[test]
@@ -41,31 +41,31 @@ fn contacts_with_one_other_number_are_not_those_of_the_preset() {
         ("<dissipation>2<", "<dissipation>2.000003<", false),
         ("<dissipation>2<", "<dissipation>0.000001<", false),
     ] {
-        let text = OTHER_MASS.replacen(own, other, 1);
-        assert_ne!(text, OTHER_MASS);
+        let text = MODEL_FOR_OTHER_MASS.replacen(own, other, 1);
+        assert_ne!(text, MODEL_FOR_OTHER_MASS);
         assert_other_mass(&text, found);
     }
 }
 
 #[test]
 fn five_spheres_are_not_the_six_of_the_preset() {
-    let start = OTHER_MASS.rfind("<SmoothSphereHalfSpaceForce").unwrap();
-    let end =
-        OTHER_MASS.rfind("</SmoothSphereHalfSpaceForce>").unwrap() + "</SmoothSphereHalfSpaceForce>".len();
-    assert_other_mass(&format!("{}{}", &OTHER_MASS[..start], &OTHER_MASS[end..]), false);
+    let start = MODEL_FOR_OTHER_MASS.rfind("<SmoothSphereHalfSpaceForce").unwrap();
+    let end = MODEL_FOR_OTHER_MASS.rfind("</SmoothSphereHalfSpaceForce>").unwrap()
+        + "</SmoothSphereHalfSpaceForce>".len();
+    assert_other_mass(&format!("{}{}", &MODEL_FOR_OTHER_MASS[..start], &MODEL_FOR_OTHER_MASS[end..]), false);
 }
 
 #[test]
 fn spheres_without_figures_are_not_those_of_a_preset() {
     // A dissipation below 0: the spheres are counted, and nothing is computed of them.
-    assert_other_mass(&OTHER_MASS.replacen("<dissipation>2<", "<dissipation>-2<", 1), false);
+    assert_other_mass(&MODEL_FOR_OTHER_MASS.replacen("<dissipation>2<", "<dissipation>-2<", 1), false);
 }
 
 #[test]
 fn a_mass_of_contacts_from_the_caller_counts() {
     let has_finding = |masses| {
         let options = InspectOptions { masses, ..InspectOptions::default() };
-        has(&check_with("model.osim", OTHER_MASS, &options), FindingCode::ContactsOfAnotherMass)
+        has(&check_with("model.osim", MODEL_FOR_OTHER_MASS, &options), FindingCode::ContactsOfAnotherMass)
     };
     assert!(!has_finding(MassRequest { contacts_mass_kg: Some(90.0), ..MassRequest::default() }));
     // What the model weighs says nothing about its contacts.

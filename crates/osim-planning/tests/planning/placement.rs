@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::checks::fields_of_remedy;
+use crate::checks::remedy_without_models;
 use osim_inspect::{CheckResult, InspectOptions};
 use osim_model::compare::SpherePlacements;
 use osim_model::{Anatomy, FileId, FindingCode, Mass, MassSource, Model, Selection, Severity};
@@ -15,24 +15,29 @@ const RIGHT_PLACES: &str = include_str!("../../../../fixtures/check/known_contac
 const CHILD_BONES: &str = include_str!("../../../../fixtures/check/spheres_misplaced.osim");
 /// A model with scaled bones, whose spheres are those of no published model. The toe joint is 163.41 · 0.8 / 0.913924 = 143.04 mm from the
 /// origin of the calcaneus.
-const UNPUBLISHED: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
+const UNPUBLISHED_MODEL: &str = include_str!("../../../../fixtures/check/spheres_not_compared.osim");
 /// The generic model, and the model that the real Scale Tool made from it.
-const GENERIC: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
-const SCALED: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
+const GENERIC_MODEL: &str = include_str!("../../../../fixtures/scale_tool/generic_smooth.osim");
+const SCALED_MODEL: &str = include_str!("../../../../fixtures/scale_tool/scaled_smooth.osim");
 
-const PLACES: [FindingCode; 3] =
+const CODES_ABOUT_PLACES: [FindingCode; 3] =
     [FindingCode::SpheresLeftBehind, FindingCode::SpheresMisplaced, FindingCode::SpheresNotCompared];
 
 /// The codes of the findings about places, by one file alone.
 fn codes_without_reference(text: &str) -> Vec<FindingCode> {
-    codes(&check(text, None))
+    codes_found(&check_text(text, None))
 }
 
-fn codes(found: &CheckResult) -> Vec<FindingCode> {
-    found.findings.iter().map(|finding| finding.code()).filter(|code| PLACES.contains(code)).collect()
+fn codes_found(found: &CheckResult) -> Vec<FindingCode> {
+    found
+        .findings
+        .iter()
+        .map(|finding| finding.code())
+        .filter(|code| CODES_ABOUT_PLACES.contains(code))
+        .collect()
 }
 
-fn check(text: &str, generic: Option<&str>) -> CheckResult {
+fn check_text(text: &str, generic: Option<&str>) -> CheckResult {
     let (options, model) = (InspectOptions::default(), Model::parse(text).unwrap());
     let mut inspected = options.inspect("scaled.osim", &model, None);
     inspected.placement = generic.map(|generic| {
@@ -93,7 +98,7 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
         (100.0, FindingCode::SpheresNotCompared),
     ] {
         assert_eq!(
-            codes_without_reference(&with_x(UNPUBLISHED, "s2_r", millimetres)),
+            codes_without_reference(&with_x(UNPUBLISHED_MODEL, "s2_r", millimetres)),
             [expected],
             "{millimetres}"
         );
@@ -103,8 +108,8 @@ fn spheres_beyond_any_published_reach_are_reported_and_others_are_not() {
 #[test]
 fn a_joint_nearer_than_a_radius_does_not_show_the_length_of_a_bone() {
     // The toe joint 20 mm from the origin, on spheres of 32 mm; the mesh is no standard one, so that there is no L.
-    assert!(UNPUBLISHED.contains(">0.14304034 "));
-    let near = UNPUBLISHED.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
+    assert!(UNPUBLISHED_MODEL.contains(">0.14304034 "));
+    let near = UNPUBLISHED_MODEL.replace(">0.14304034 ", ">0.02 ").replace("foot.vtp", "hoof.stl");
     assert_eq!(codes_without_reference(&near), [FindingCode::SpheresNotCompared]);
     // At 40 mm it is the next joint, and spheres are beyond it.
     assert_eq!(codes_without_reference(&near.replace(">0.02 ", ">0.04 ")), [FindingCode::SpheresMisplaced]);
@@ -120,9 +125,10 @@ fn a_foot_is_filled_as_in_published_models() {
         (0.0, FindingCode::SpheresNotCompared),
         (-50.0, FindingCode::SpheresMisplaced),
     ] {
-        let text = ["s5_r", "s6_r"].iter().fold(UNPUBLISHED.to_owned(), |text, name| with_x(&text, name, x));
+        let text =
+            ["s5_r", "s6_r"].iter().fold(UNPUBLISHED_MODEL.to_owned(), |text, name| with_x(&text, name, x));
         assert_eq!(codes_without_reference(&text), [expected], "{x}");
-        let found = check(&text, None);
+        let found = check_text(&text, None);
         let odd = found.findings.iter().find(|one| one.code() == FindingCode::SpheresMisplaced);
         let odd = odd.map(|odd| odd.message.to_string());
         assert!(odd.as_ref().is_none_or(|odd| odd.contains("of the foot's length")), "{odd:?}");
@@ -133,14 +139,14 @@ fn a_foot_is_filled_as_in_published_models() {
 fn bones_that_nobody_scaled_give_no_finding_about_places() {
     // Unscaled bones, and meshes in millimetres.
     for (size, mesh) in [("1", "foot.vtp"), ("0.001", "hoof.stl")] {
-        let text = UNPUBLISHED.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
+        let text = UNPUBLISHED_MODEL.replace("0.8 0.8 0.8", &[size; 3].join(" ")).replace("foot.vtp", mesh);
         assert_eq!(codes_without_reference(&text), [], "{size}");
     }
 }
 
 #[test]
 fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
-    let found = check(SCALED, Some(GENERIC));
+    let found = check_text(SCALED_MODEL, Some(GENERIC_MODEL));
     let behind: Vec<String> = found
         .findings
         .iter()
@@ -154,7 +160,7 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
     assert_eq!(behind.len(), 7);
     // 0.9 / √(1.02 · 0.95) is 0.914: near enough for level soles.
     let expected = json!({"verb": "transfer", "from": "generic.osim", "follow_bodies": true, "level": true});
-    assert_eq!(fields_of_remedy(found.findings[0].remedy.as_ref()), expected);
+    assert_eq!(remedy_without_models(found.findings[0].remedy.as_ref()), expected);
     // What the spheres do where they should not be is judged, too, but nothing else has a command.
     assert!(
         found.findings.iter().all(|one| one.remedy.is_none() || one.code() == FindingCode::SpheresLeftBehind)
@@ -164,22 +170,26 @@ fn compared_with_the_model_that_was_scaled_each_sphere_has_its_place() {
 
 #[test]
 fn the_generic_model_itself_has_no_findings() {
-    assert_eq!(codes(&check(GENERIC, Some(GENERIC))), []);
+    assert_eq!(codes_found(&check_text(GENERIC_MODEL, Some(GENERIC_MODEL))), []);
 }
 
 #[test]
 fn a_sphere_that_somebody_moved_is_a_warning_without_a_command() {
-    let moved = SCALED.replacen("<location>-0.01 -0.04", "<location>-0.011 -0.04", 1);
-    let moved = if moved == SCALED { SCALED.replacen("-0.040000000000000001", "-0.041", 1) } else { moved };
-    assert_ne!(moved, SCALED);
-    let found = check(&moved, Some(GENERIC));
+    let moved = SCALED_MODEL.replacen("<location>-0.01 -0.04", "<location>-0.011 -0.04", 1);
+    let moved = if moved == SCALED_MODEL {
+        SCALED_MODEL.replacen("-0.040000000000000001", "-0.041", 1)
+    } else {
+        moved
+    };
+    assert_ne!(moved, SCALED_MODEL);
+    let found = check_text(&moved, Some(GENERIC_MODEL));
     assert!(found.findings.iter().any(|one| one.code() == FindingCode::SpheresMisplaced));
     assert!(found.findings.iter().all(|one| one.remedy.is_none()), "a transfer would ask");
 }
 
 #[test]
 fn a_model_that_cannot_be_compared_says_why() {
-    let found = check(SCALED, Some(RIGHT_PLACES));
+    let found = check_text(SCALED_MODEL, Some(RIGHT_PLACES));
     let why = found.findings.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("no sphere of the same name"), "{}", why.message);
 }
@@ -205,7 +215,7 @@ fn bones_of(text: &str, size: &str) -> String {
 #[test]
 fn the_note_counts_more_than_all_other_evidence() {
     let scaled = bones_of(&with_note(RIGHT_PLACES, "note"), "0.6306 0.6397 0.6306");
-    let found = check(&scaled, None);
+    let found = check_text(&scaled, None);
     let left =
         found.findings.iter().find(|finding| finding.code() == FindingCode::SpheresLeftBehind).unwrap();
     // 0.6306 / 0.913924 and 0.6397 / 0.913924.
@@ -213,10 +223,12 @@ fn the_note_counts_more_than_all_other_evidence() {
     let by_note = json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true});
     let mut level = by_note.clone();
     level["level"] = json!(true);
-    assert_eq!(fields_of_remedy(left.remedy.as_ref()), level);
+    assert_eq!(remedy_without_models(left.remedy.as_ref()), level);
     // Stretched by more than 20 %: bottoms are not kept.
-    let stretched = check(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.9 0.6"), None);
-    assert!(stretched.findings.iter().any(|finding| fields_of_remedy(finding.remedy.as_ref()) == by_note));
+    let stretched = check_text(&bones_of(&with_note(RIGHT_PLACES, "note"), "0.6 0.9 0.6"), None);
+    assert!(
+        stretched.findings.iter().any(|finding| remedy_without_models(finding.remedy.as_ref()) == by_note)
+    );
 }
 
 #[test]
@@ -234,9 +246,9 @@ fn a_sphere_moved_after_the_note_makes_the_note_no_evidence_of_places() {
 
 #[test]
 fn after_a_rescaling_the_printed_command_does_not_keep_bottoms() {
-    let found = check(&bones_of(&with_note(RIGHT_PLACES, "rescale"), "0.6306 0.6397 0.6306"), None);
+    let found = check_text(&bones_of(&with_note(RIGHT_PLACES, "rescale"), "0.6306 0.6397 0.6306"), None);
     let remedies = found.findings.iter().filter_map(|finding| finding.remedy.as_ref());
-    let remedies: Vec<Value> = remedies.map(|remedy| fields_of_remedy(Some(remedy))).collect();
+    let remedies: Vec<Value> = remedies.map(|remedy| remedy_without_models(Some(remedy))).collect();
     assert_eq!(remedies, [json!({"verb": "rescale", "target_mass": 62.0, "follow_bodies": true})]);
 }
 
@@ -247,29 +259,31 @@ fn a_note_that_is_not_believed_leads_to_no_command() {
         "<dissipation>2.1<",
         1,
     );
-    let found = check(&scaled, None);
-    assert!(codes(&found).contains(&FindingCode::SpheresLeftBehind));
+    let found = check_text(&scaled, None);
+    assert!(codes_found(&found).contains(&FindingCode::SpheresLeftBehind));
     assert!(found.findings.iter().all(|finding| finding.remedy.is_none()), "{:?}", found.findings);
 }
 
 #[test]
 fn bones_of_other_software_are_not_measured_as_those_of_open_sim() {
-    for text in [UNPUBLISHED.replace("foot.vtp", "foot.stl"), bones_of(UNPUBLISHED, "0.001 0.001 0.001")] {
+    for text in
+        [UNPUBLISHED_MODEL.replace("foot.vtp", "foot.stl"), bones_of(UNPUBLISHED_MODEL, "0.001 0.001 0.001")]
+    {
         assert!(!codes_without_reference(&text).contains(&FindingCode::SpheresMisplaced));
     }
 }
 
 #[test]
 fn a_wrong_original_is_reported_and_the_evidence_of_the_file_stays() {
-    let found = check(CHILD_BONES, Some(RIGHT_PLACES));
+    let found = check_text(CHILD_BONES, Some(RIGHT_PLACES));
     // The same bodies: compared, and no layout is looked at.
-    assert!(!codes(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes(&found));
+    assert!(!codes_found(&found).contains(&FindingCode::SpheresNotCompared), "{:?}", codes_found(&found));
     // A joint that the factors of the meshes do not explain: not a scaled copy.
     let unlike = RIGHT_PLACES.replacen("0.16341 -0.00183 0.00099", "0.16341 -0.00183 0.2", 1);
-    let found = check(CHILD_BONES, Some(&unlike));
-    let said: Vec<_> = found.findings.iter().filter(|one| PLACES.contains(&one.code())).collect();
-    assert_eq!(codes(&found).len(), 2, "{said:?}");
-    assert!(codes(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
+    let found = check_text(CHILD_BONES, Some(&unlike));
+    let said: Vec<_> = found.findings.iter().filter(|one| CODES_ABOUT_PLACES.contains(&one.code())).collect();
+    assert_eq!(codes_found(&found).len(), 2, "{said:?}");
+    assert!(codes_found(&found).contains(&FindingCode::SpheresMisplaced), "by the layout in the file");
     let why = said.iter().find(|one| one.code() == FindingCode::SpheresNotCompared).unwrap();
     assert!(why.message.to_string().contains("not a scaled copy of that one"), "{}", why.message);
     assert!(said.iter().all(|one| one.remedy.is_none()));
@@ -279,10 +293,10 @@ fn a_wrong_original_is_reported_and_the_evidence_of_the_file_stays() {
 fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() {
     for (scaled, generic) in [
         // In one of the two models alone: renamed there.
-        (SCALED.replace("heel_r", "hind_r"), GENERIC.to_owned()),
-        (SCALED.to_owned(), GENERIC.replace("heel_r", "hind_r")),
+        (SCALED_MODEL.replace("heel_r", "hind_r"), GENERIC_MODEL.to_owned()),
+        (SCALED_MODEL.to_owned(), GENERIC_MODEL.replace("heel_r", "hind_r")),
     ] {
-        let found = check(&scaled, Some(&generic));
+        let found = check_text(&scaled, Some(&generic));
         let missing: Vec<String> = found
             .findings
             .iter()
@@ -298,16 +312,16 @@ fn a_sphere_without_a_counterpart_is_reported_and_nothing_is_said_to_be_right() 
 
 #[test]
 fn spheres_that_this_program_resized_are_placed_again() {
-    let model = Model::parse(SCALED).unwrap();
+    let model = Model::parse(SCALED_MODEL).unwrap();
     let selected = Selection::default().apply(&model).unwrap();
     let mass = Mass { kg: 62.0, source: MassSource::ContactsMass };
     let mut plan = rescale(&model, &selected, &Rescale::new(40.0, mass)).unwrap();
     plan.name_operation("rescale");
     let resized = String::from_utf8(plan.patched(&model, FileId::MAIN).unwrap()).unwrap();
     let change = |text: &str| {
-        let found = check(text, Some(GENERIC));
+        let found = check_text(text, Some(GENERIC_MODEL));
         let behind = found.findings.iter().find(|one| one.code() == FindingCode::SpheresLeftBehind).unwrap();
-        fields_of_remedy(behind.remedy.as_ref())
+        remedy_without_models(behind.remedy.as_ref())
     };
     let expected = json!({
         "verb": "transfer", "from": "generic.osim", "follow_bodies": true, "moved_spheres": "replace", "level": true,
@@ -322,8 +336,9 @@ fn spheres_that_this_program_resized_are_placed_again() {
 #[test]
 fn symptoms_of_misplaced_spheres_come_after_them_and_have_no_command() {
     // Beyond the toe joint, and a hundredth as stiff.
-    let text = with_x(UNPUBLISHED, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
-    let found = check(&text, None);
+    let text =
+        with_x(UNPUBLISHED_MODEL, "s2_r", 1.45 * 143.04).replace("<stiffness>1000000<", "<stiffness>10000<");
+    let found = check_text(&text, None);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
     let warned: Vec<_> = found.findings.iter().filter(|one| one.severity == Severity::Warning).collect();
     assert!(warned.len() > 1, "{warned:?}");
@@ -337,13 +352,13 @@ fn a_command_that_would_be_refused_for_a_shared_sphere_is_not_proposed() {
                     <ElasticFoundationForce::ContactParameters><geometry>heel_r</geometry>\
                     </ElasticFoundationForce::ContactParameters></objects></HuntCrossleyForce::ContactParametersSet>\
                     </ElasticFoundationForce>";
-    let at = SCALED
+    let at = SCALED_MODEL
         .find("<ForceSet")
-        .map(|at| at + SCALED[at..].find("<objects>").unwrap() + "<objects>".len())
+        .map(|at| at + SCALED_MODEL[at..].find("<objects>").unwrap() + "<objects>".len())
         .unwrap();
-    let shared = format!("{}{obstacle}{}", &SCALED[..at], &SCALED[at..]);
+    let shared = format!("{}{obstacle}{}", &SCALED_MODEL[..at], &SCALED_MODEL[at..]);
     assert!(Model::parse(shared.as_str()).unwrap().forces_of_other_classes().contains_key("heel_r"));
-    let found = check(&shared, Some(GENERIC));
-    assert_eq!(codes(&found).len(), 1);
+    let found = check_text(&shared, Some(GENERIC_MODEL));
+    assert_eq!(codes_found(&found).len(), 1);
     assert!(found.findings.iter().all(|one| one.remedy.is_none()));
 }

@@ -20,7 +20,7 @@ const HUMAN: &str = include_str!("../../../../fixtures/table1/human_62kg_smooth_
 /// A model of 10 kg on one sphere.
 const ONE_FOOT: &str = include_str!("../../../osim-model/tests/data/one_foot.osim");
 /// A model with the contacts of `HUMAN` under a body of 90 kg.
-const OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
+const MODEL_FOR_OTHER_MASS: &str = include_str!("../../../../fixtures/check/contacts_of_another_mass.osim");
 
 /// The human with a tenth of its stiffness, so that its spheres sink in up to the centre.
 fn human() -> String {
@@ -31,13 +31,13 @@ fn human() -> String {
 const HUNT_CROSSLEY: &str = include_str!("../../../../fixtures/table1/human_62kg_hunt_crossley.osim");
 /// A model of 53 kg on a sphere of 0.05 m and one of 0.025 m on each foot. Both spheres have the same set of parameters: E₁* = 1.2345678
 /// MPa, α = 2.25 s/m.
-const MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
+const MODEL_OF_MIXED_RADII: &str = include_str!("../../../../fixtures/format/mixed_radii.osim");
 /// A model in which each force has a set of parameters for the heel and a set for the toe.
-const THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
+const MODEL_OF_THREE_MATERIALS: &str = include_str!("../../../../fixtures/format/three_materials.osim");
 /// A model with three spheres on the right and two on the left, of 0.0325 m.
-const UNEQUAL_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
+const MODEL_OF_UNEQUAL_COUNTS: &str = include_str!("../../../../fixtures/format/unequal_counts.osim");
 /// A model whose force has its numbers in `<defaults>`, which no change touches.
-const DEFAULTS: &str = include_str!("../../../../fixtures/format/defaults_hunt_crossley.osim");
+const MODEL_WITH_DEFAULTS: &str = include_str!("../../../../fixtures/format/defaults_hunt_crossley.osim");
 
 /// The result of `check` for the model `text`, which is called `name`.
 fn check(name: &str, text: &str) -> CheckResult {
@@ -61,7 +61,7 @@ fn design_of(result: &CheckResult, code: FindingCode) -> Value {
     fields
 }
 
-fn multiplied(property: &str, factor: f64) -> Value {
+fn set_request_with_factor(property: &str, factor: f64) -> Value {
     json!({"verb": "set", "set": {property: format!("x{factor}")}})
 }
 
@@ -122,7 +122,7 @@ fn a_model_after_its_remedy_has_no_such_finding() {
 
 #[test]
 fn contacts_of_another_body_are_rescaled_from_its_mass_to_this_one() {
-    let result = check_text(OTHER_MASS);
+    let result = check_text(MODEL_FOR_OTHER_MASS);
     // Both masses are in it, so that no load has to be given.
     let expected = json!({"verb": "rescale", "target_mass": 90.0, "contacts_mass": 62.0});
     assert_eq!(remedy(&result, FindingCode::ContactsOfAnotherMass), expected);
@@ -176,24 +176,24 @@ fn the_hertz_law_has_no_constant_indentation_to_bring_down() {
 
 #[test]
 fn spheres_of_two_sizes_under_one_set_of_parameters_are_all_made_stiffer() {
-    let result = check_text(&MIXED_RADII.replace(">1234567.8<", ">123456.78<"));
+    let result = check_text(&MODEL_OF_MIXED_RADII.replace(">1234567.8<", ">123456.78<"));
     // mpmath: the toe is in 3.71040 R deep; (3.71040/0.16)^(3/2) is 111.67249, rounded up.
-    assert_eq!(remedy(&result, FindingCode::SunkIn), multiplied("stiffness", 111.673));
+    assert_eq!(remedy(&result, FindingCode::SunkIn), set_request_with_factor("stiffness", 111.673));
 }
 
 #[test]
 fn materials_of_several_sets_are_multiplied_too() {
-    let result = check_text(&THREE_MATERIALS.replace("<stiffness>", "<stiffness>0.0"));
+    let result = check_text(&MODEL_OF_THREE_MATERIALS.replace("<stiffness>", "<stiffness>0.0"));
     let Some(Request::Set(set)) = &find(&result, FindingCode::SunkIn).remedy else { panic!() };
     assert!(matches!(set.set.as_slice(), [(Property::Stiffness, Assignment::Factor(_))]));
 }
 
 #[test]
 fn spheres_that_are_not_counted_are_made_stiffer_until_they_are() {
-    let soft = UNEQUAL_COUNTS.replace(">1234567.8<", ">123456.78<");
+    let soft = MODEL_OF_UNEQUAL_COUNTS.replace(">1234567.8<", ">123456.78<");
     let uncounted = check_text(&soft);
     // mpmath: each of two spheres on the left is in 2.61513 R deep; (2.61513/0.16)^(3/2) is 66.07840, rounded up.
-    assert_eq!(remedy(&uncounted, FindingCode::SunkIn), multiplied("stiffness", 66.079));
+    assert_eq!(remedy(&uncounted, FindingCode::SunkIn), set_request_with_factor("stiffness", 66.079));
 
     let stance = Stance { spheres: Some(3.0), ..Stance::default() };
     let options = InspectOptions { stance, ..InspectOptions::default() };
@@ -308,7 +308,7 @@ fn sets_that_stand_alone_are_named_again() {
 
 #[test]
 fn masses_of_a_rescaling_have_the_digits_that_people_read() {
-    let text = OTHER_MASS.replace("<mass>88<", "<mass>88.123456789<");
+    let text = MODEL_FOR_OTHER_MASS.replace("<mass>88<", "<mass>88.123456789<");
     let expected = json!({"verb": "rescale", "target_mass": 90.123457, "contacts_mass": 62.0});
     assert_eq!(remedy(&check_text(&text), FindingCode::ContactsOfAnotherMass), expected);
 }
@@ -331,7 +331,7 @@ fn a_preset_is_not_proposed_under_another_gravity_than_the_models() {
 
 #[test]
 fn a_model_that_cannot_be_changed_has_findings_and_no_remedy() {
-    let result = check_text(DEFAULTS);
+    let result = check_text(MODEL_WITH_DEFAULTS);
     assert!(has(&result, FindingCode::BeyondHertz) && has(&result, FindingCode::BeyondHuntCrossley));
     assert!(result.findings.iter().all(|finding| finding.remedy.is_none()), "{result:?}");
 }

@@ -14,7 +14,7 @@ use crate::rules::fixtures;
 /// Folders with models that include files, models with contacts of several kinds, and animals of several sizes.
 const FOLDERS: [&str; 3] = ["check", "format", "table1"];
 
-fn models(files: &InMemory) -> Vec<PathBuf> {
+fn models_of_folders(files: &InMemory) -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let of_folder = |folder: &str| std::fs::read_dir(root.join(folder)).unwrap();
     let paths = FOLDERS.into_iter().flat_map(|folder| {
@@ -28,7 +28,7 @@ fn models(files: &InMemory) -> Vec<PathBuf> {
 fn the_changed_model_is_what_its_bytes_are_read_as() {
     let files = fixtures();
     let mut compared = 0;
-    for path in models(&files) {
+    for path in models_of_folders(&files) {
         for call in [
             json!({"verb": "rescale", "target_mass": 100, "contacts_mass": 62}),
             json!({"verb": "convert", "to": "hunt-crossley"}),

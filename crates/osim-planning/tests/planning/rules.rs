@@ -99,12 +99,12 @@ pub fn fixtures() -> InMemory {
     files
 }
 
-fn codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<FindingCode> {
+fn finding_codes<'f>(findings: impl IntoIterator<Item = &'f Finding>) -> BTreeSet<FindingCode> {
     findings.into_iter().map(Finding::code).collect()
 }
 
 /// Codes of the findings of `check` in a model.
-fn codes_of_check(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
+fn codes_found(model: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     codes_of_request(&json!({"verb": "check", "models": [model]}).to_string(), files)
 }
 
@@ -113,7 +113,7 @@ fn codes_of_check_request(request: &CheckRequest, model: &Path, files: &InMemory
     let opened = open_with(model, inspector.set_files.companion_paths(), files).unwrap();
     let inspected = inspector.inspect(&opened).unwrap();
     let found = inspector.check(&opened.model, &inspected, None, files);
-    codes(found.findings.iter().map(|found| &found.finding))
+    finding_codes(found.findings.iter().map(|found| &found.finding))
 }
 
 /// Codes of the findings of a request that changes or inspects a model.
@@ -125,10 +125,10 @@ fn codes_of_request(request: &str, files: &InMemory) -> BTreeSet<FindingCode> {
     }
     let opened = open_with(&model, CompanionPaths::default(), files).unwrap();
     if let Request::Inspect(request) = &request {
-        return codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().findings);
+        return finding_codes(&Inspector::for_inspect(request, files).inspect(&opened).unwrap().findings);
     }
     let plan = prepare(request, files).unwrap().plan(&opened, files).unwrap();
-    codes(&plan.findings)
+    finding_codes(&plan.findings)
 }
 
 /// Codes of the findings in a model with the text `good`, and with `bad` in its place.
@@ -136,9 +136,9 @@ fn codes_with_piece(mut files: InMemory, model: &str, good: &str, bad: &str) -> 
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(model);
     let text = std::fs::read_to_string(path).unwrap();
     assert!(text.contains(good), "{model} has no {good}");
-    let before = codes_of_check(model, &files);
+    let before = codes_found(model, &files);
     files.add(model, text.replacen(good, bad, 1).into_bytes());
-    [before, codes_of_check(model, &files)]
+    [before, codes_found(model, &files)]
 }
 
 /// Codes of the findings in the good and in the bad example of a rule; `None` if a test in another file makes the example.
@@ -150,7 +150,7 @@ fn codes_of_example(example: Example) -> Option<[BTreeSet<FindingCode>; 2]> {
             let [good, bad] = [good, bad].map(|text| format!("<{tag}>{text}</{tag}>"));
             Some(codes_with_piece(files, "check/within_limits.osim", &good, &bad))
         }
-        Example::Models { good, bad } => Some([good, bad].map(|model| codes_of_check(model, &files))),
+        Example::Models { good, bad } => Some([good, bad].map(|model| codes_found(model, &files))),
         Example::Request { good, bad } => Some([good, bad].map(|request| codes_of_request(request, &files))),
         _ => None,
     }

@@ -13,11 +13,11 @@ use serde_json::{Value, json};
 
 use crate::rules::fixtures;
 
-const HUMAN: &str = "feet/human_40000.osim";
-const FOOT: &str = "feet/Geometry/r_human_foot.vtp";
+const HUMAN_MODEL: &str = "feet/human_40000.osim";
+const MESH_OF_FOOT: &str = "feet/Geometry/r_human_foot.vtp";
 
 /// Codes of the findings of `check`, with the meshes in the folder of the model.
-fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
+fn codes_found(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
     let request = json!({"verb": "check", "models": [model]}).to_string();
     let Request::Check(request) = Request::from_json(request.as_bytes()).unwrap() else { panic!("no check") };
     let inspector = Inspector::for_check(&request, files);
@@ -30,27 +30,27 @@ fn codes_of_check(model: &Path, files: &dyn Files) -> BTreeSet<FindingCode> {
 /// Code of the fault with which a request is refused.
 fn code_of_refusal(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).unwrap_err().message.to_string()
 }
 
 /// Codes of the findings in the model after a request.
 fn codes_after(request: &Value, files: &dyn Files) -> BTreeSet<FindingCode> {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
     let plan = change.plan_beside(&opened, files).unwrap();
     model_findings(&plan.changed_model(&opened.model).unwrap()).iter().map(Finding::code).collect()
 }
 
 fn add_request() -> Value {
-    json!({"verb": "add", "models": [HUMAN], "feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"})
+    json!({"verb": "add", "models": [HUMAN_MODEL], "feet": ["calcn_r", "calcn_l"], "count": 3, "pad": 0.01, "from": "falisse2022"})
 }
 
 /// The fixtures with a changed mesh of the right foot.
 fn with_foot_mesh(change: impl Fn(&str) -> String) -> InMemory {
     let mut files = fixtures();
-    let mesh = String::from_utf8(files.read(Path::new(FOOT)).unwrap()).unwrap();
-    files.add(FOOT, change(&mesh).into_bytes());
+    let mesh = String::from_utf8(files.read(Path::new(MESH_OF_FOOT)).unwrap()).unwrap();
+    files.add(MESH_OF_FOOT, change(&mesh).into_bytes());
     files
 }
 
@@ -81,17 +81,17 @@ fn a_mesh_in_another_unit_is_asked_about_and_named() {
         let said = code_of_refusal(&request, &files);
         let start = "mesh r_human_foot.vtp on calcn_r is ";
         assert!(said.starts_with(start) && said.contains(way_out), "{said}");
-        assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh), "{factor}");
+        assert!(codes_found(Path::new(HUMAN_MODEL), &files).contains(&FindingCode::OddMesh), "{factor}");
         request["yes"] = json!([Question::ImplausibleScale.as_str(), Question::TiltedFoot.as_str()]);
         assert!(!refusal_or_nothing(&request, &files).contains(start));
     }
-    assert!(!codes_of_check(Path::new(HUMAN), &fixtures()).contains(&FindingCode::OddMesh));
+    assert!(!codes_found(Path::new(HUMAN_MODEL), &fixtures()).contains(&FindingCode::OddMesh));
     assert!(codes_after(&add_request(), &fixtures()).is_empty());
 }
 
 fn refusal_or_nothing(request: &Value, files: &dyn Files) -> String {
     let change = prepare(Request::from_json(request.to_string().as_bytes()).unwrap(), files).unwrap();
-    let opened = open_with(Path::new(HUMAN), CompanionPaths::default(), files).unwrap();
+    let opened = open_with(Path::new(HUMAN_MODEL), CompanionPaths::default(), files).unwrap();
     change.plan_beside(&opened, files).err().map(|fault| fault.message.to_string()).unwrap_or_default()
 }
 
@@ -111,7 +111,7 @@ fn one_broken_vertex_of_a_mesh_gives_no_finding() {
     let said = code_of_refusal(&add_request(), &files);
     assert!(said.contains("r_human_foot.vtp: point 1 is 1"), "{said}");
     assert!(said.contains("take it out of the file; or give the places in a table"), "{said}");
-    assert!(codes_of_check(Path::new(HUMAN), &files).contains(&FindingCode::OddMesh));
+    assert!(codes_found(Path::new(HUMAN_MODEL), &files).contains(&FindingCode::OddMesh));
 }
 
 /// A table of contacts with four spheres on each foot. `change` gets the side and the place of each sphere.
@@ -145,7 +145,7 @@ fn odd_places_in_a_table_give_findings_in_the_new_model() {
         let mut files = fixtures();
         files.add("places.csv", rows.clone().into_bytes());
         let request =
-            json!({"verb": "add", "models": [HUMAN], "contacts": "places.csv", "from": "falisse2022"});
+            json!({"verb": "add", "models": [HUMAN_MODEL], "contacts": "places.csv", "from": "falisse2022"});
         assert_eq!(codes_after(&request, &files), expected.into_iter().collect(), "{rows}");
     }
 }
@@ -210,7 +210,7 @@ fn meshes_of_published_models_are_named_where_they_were_scaled_and_not_before() 
         paths.filter(|path| path.extension().is_some_and(|end| end == "osim")).filter(with_foot).collect();
     assert!(models.len() >= 14, "{} models with feet", models.len());
     for model in models {
-        let has = |files: &dyn Files| codes_of_check(&model, files).contains(&FindingCode::OddMesh);
+        let has = |files: &dyn Files| codes_found(&model, files).contains(&FindingCode::OddMesh);
         let said = [has(&Disk), has(&Scaled(1000.0)), has(&Scaled(0.001)), has(&Scaled(1.5))];
         assert_eq!(said, [false, true, true, false], "{}", model.display());
     }

@@ -11,7 +11,7 @@ use osim_planning::scene::{BoneSurfaces, PlayedRecording, Scene};
 use osim_requests::MotionRequest;
 use serde_json::Value;
 
-fn read(name: &str) -> Vec<u8> {
+fn read_fixture(name: &str) -> Vec<u8> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures").join(name);
     std::fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
@@ -23,7 +23,7 @@ fn numbers_in_json(value: &Value) -> Vec<f64> {
 fn recorded_walk() -> (InMemory, MotionRequest) {
     let mut files = InMemory::default();
     for name in ["walker.osim", "walk.mot", "plates.sto", "plates.xml"] {
-        files.add(name, read(&format!("motion/{name}")));
+        files.add(name, read_fixture(&format!("motion/{name}")));
     }
     let named = |name: &str| Some(PathBuf::from(name));
     let request = MotionRequest {
@@ -93,7 +93,7 @@ fn forces_of_feet_are_those_of_the_motion_and_plates_have_a_place() {
 
 #[test]
 fn spheres_at_rest_carry_the_body_weight_together() {
-    let model = Model::parse(read("table1/human_62kg_smooth_sphere.osim")).unwrap();
+    let model = Model::parse(read_fixture("table1/human_62kg_smooth_sphere.osim")).unwrap();
     let scene = serde_json::to_value(Scene::of(&model, &InspectOptions::default())).unwrap();
     let spheres = scene["spheres"].as_array().unwrap();
     assert_eq!((spheres.len(), scene["planes"].as_array().unwrap().len()), (12, 1));
@@ -106,10 +106,10 @@ fn spheres_at_rest_carry_the_body_weight_together() {
 /// The places of the left foot are those of the right foot with z negated, because make_feet.py writes both.
 #[test]
 fn bones_are_on_their_bodies_and_missing_ones_are_named() {
-    let model = Model::parse(read("feet/human_40000.osim")).unwrap();
+    let model = Model::parse(read_fixture("feet/human_40000.osim")).unwrap();
     let mut files = InMemory::default();
     for name in ["r_human_foot.vtp", "l_human_foot.vtp"] {
-        files.add(name, read(&format!("feet/Geometry/{name}")));
+        files.add(name, read_fixture(&format!("feet/Geometry/{name}")));
     }
     assert!(files.exists(Path::new("r_human_foot.vtp")));
     let bones = serde_json::to_value(BoneSurfaces::of(&model, Path::new("human.osim"), &files)).unwrap();

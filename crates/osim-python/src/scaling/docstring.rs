@@ -33,7 +33,7 @@ impl Returns {
 }
 
 /// The rules for the common modulus of two surfaces, by their names in Python. The first is OpenSim's rule, and the default.
-pub(crate) const RULES: [(&str, MixingRule); 2] =
+pub(crate) const MIXING_RULES: [(&str, MixingRule); 2] =
     [("sherman", MixingRule::Sherman), ("johnson", MixingRule::Johnson)];
 
 /// The type of an argument that is an array or one number, in docstrings.
@@ -49,7 +49,7 @@ pub(super) struct Argument {
 impl Argument {
     /// Describes the argument for the rule for the common modulus of two surfaces.
     pub(super) fn rule() -> Self {
-        let names = RULES.map(|(name, _)| format!("\"{name}\""));
+        let names = MIXING_RULES.map(|(name, _)| format!("\"{name}\""));
         let [first, ..] = &names;
         Self { name: "rule", kind: format!("{{{}}}, default {first}", names.join(", ")), symbol: P }
     }
@@ -76,7 +76,7 @@ pub(super) fn docstring(
     text.push_str(&other_symbols(&forms, &arguments, returns));
     text.push_str("\nParameters\n----------\n");
     for Argument { name, kind, symbol } in &arguments {
-        text.push_str(&format!("{name} : {kind}\n    {}.\n", meaning(symbol, symbol.unit)));
+        text.push_str(&format!("{name} : {kind}\n    {}.\n", meaning_with_unit(symbol, symbol.unit)));
     }
     let is_array = arguments.iter().any(|argument| argument.kind.starts_with(ARRAY_TYPE));
     let kind = if is_array { "float or numpy.ndarray" } else { "float" };
@@ -104,7 +104,7 @@ fn other_symbols(
         for symbol in equation.symbols.iter().filter(|symbol| is_symbol_in(symbol.symbol, form.formula)) {
             if !known.contains(symbol) {
                 known.push(*symbol);
-                text.push_str(&format!("    {}\n", meaning(symbol, symbol.unit)));
+                text.push_str(&format!("    {}\n", meaning_with_unit(symbol, symbol.unit)));
             }
         }
     }
@@ -115,7 +115,7 @@ fn other_symbols(
 fn computed_quantity(forms: &[(&'static Equation, &'static Form)], returns: Returns) -> String {
     let unit = forms.first().map_or("", |(_, form)| form.unit);
     match returns {
-        Returns::Value(symbol) => meaning(&symbol, unit),
+        Returns::Value(symbol) => meaning_with_unit(&symbol, unit),
         Returns::Factor(symbol) => {
             format!("The factor, without unit, of {}: {}", symbol.symbol, symbol.meaning)
         }
@@ -134,7 +134,7 @@ fn summary(forms: &[(&'static Equation, &'static Form)]) -> String {
     }
 }
 
-fn meaning(symbol: &Symbol, unit: &str) -> String {
+fn meaning_with_unit(symbol: &Symbol, unit: &str) -> String {
     let unit = if unit == "1" { "without unit".to_owned() } else { format!("in {unit}") };
     format!("{}: {}; {unit}", symbol.symbol, symbol.meaning)
 }

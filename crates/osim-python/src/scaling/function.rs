@@ -3,11 +3,11 @@
 use contact_scaling::equations::{self, Equation, Form};
 use contact_scaling::modulus::MixingRule;
 
-use crate::scaling::docstring::{ARRAY_TYPE, Argument, Parameter, RULES, Returns, docstring};
+use crate::scaling::docstring::{ARRAY_TYPE, Argument, MIXING_RULES, Parameter, Returns, docstring};
 use crate::scaling::equation_error::EquationError;
 
 pub(crate) fn rule_by_name(name: &str) -> Option<MixingRule> {
-    RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
+    MIXING_RULES.iter().find(|(rule_name, _)| *rule_name == name).map(|(_, rule)| *rule)
 }
 
 /// An equation with plain numbers in and one number out, all in SI units.

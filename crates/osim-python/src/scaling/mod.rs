@@ -13,7 +13,7 @@ mod laws;
 mod smooth;
 mod spheres;
 
-pub(crate) use docstring::{Parameter, RULES};
+pub(crate) use docstring::{MIXING_RULES, Parameter};
 pub(crate) use equation_error::EquationError;
 pub(crate) use function::{Function, RustFunction, rule_by_name};
 pub(crate) use laws::continuation_steps;

@@ -13,35 +13,35 @@ pub(super) const SMOOTH: &[Function] = &[
     function!(constant_indentation_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_CF), "SmoothSphere::constant_indentation_force",
-        law(hertz(composite_modulus, radius, shape_factor)?, BeyondHertz { constant_contact_force, ..BeyondHertz::UNUSED })?
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?, BeyondHertz { constant_contact_force, ..BeyondHertz::UNUSED })?
             .constant_indentation_force(indentation)),
     function!(smooth_elastic_force(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(F_S), "SmoothSphere::elastic_force",
-        law(hertz(composite_modulus, radius, shape_factor)?,
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .elastic_force(indentation)),
     function!(smooth_elastic_stiffness(
             composite_modulus: E, radius: R, constant_contact_force: CF, hertz_smoothing: BD, indentation: X,
             shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::stiffness",
-        law(hertz(composite_modulus, radius, shape_factor)?,
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { constant_contact_force, hertz_smoothing, ..BeyondHertz::UNUSED })?
             .stiffness(indentation)),
     function!(contact_state(hertz_smoothing: BD, indentation: X)
         -> Value(S_C), "SmoothSphere::contact_state",
-        law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { hertz_smoothing, ..BeyondHertz::UNUSED })?.contact_state(indentation)),
+        smooth_law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { hertz_smoothing, ..BeyondHertz::UNUSED })?.contact_state(indentation)),
     function!(smooth_force(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, speed: SPEED, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::force",
-        law(hertz(composite_modulus, radius, shape_factor)?,
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .force(indentation, speed)),
     function!(speed_state(dissipation: ALPHA, hunt_crossley_smoothing: BV, speed: SPEED)
         -> Value(SPEED_STATE), "SmoothSphere::speed_state",
-        law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { dissipation, hunt_crossley_smoothing, ..BeyondHertz::UNUSED })?
+        smooth_law(Hertz::sphere(1.0, 1.0)?, BeyondHertz { dissipation, hunt_crossley_smoothing, ..BeyondHertz::UNUSED })?
             .speed_state(speed)),
     function!(speed_state_at_rest(dissipation: ALPHA, hunt_crossley_smoothing: BV)
         -> Value(SPEED_STATE), "smoothing::speed_state_at_rest",
@@ -50,14 +50,14 @@ pub(super) const SMOOTH: &[Function] = &[
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(F_SMOOTH), "SmoothSphere::rest_force",
-        law(hertz(composite_modulus, radius, shape_factor)?,
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_force(indentation)),
     function!(smooth_rest_stiffness(
             composite_modulus: E, radius: R, dissipation: ALPHA, constant_contact_force: CF, hertz_smoothing: BD,
             hunt_crossley_smoothing: BV, indentation: X, shape_factor: ETA = 1.0)
         -> Value(K), "SmoothSphere::rest_stiffness",
-        law(hertz(composite_modulus, radius, shape_factor)?,
+        smooth_law(hertz(composite_modulus, radius, shape_factor)?,
             BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing })?
             .rest_stiffness(indentation)),
 ];
@@ -85,7 +85,7 @@ impl BeyondHertz {
     };
 }
 
-fn law(hertz: Hertz, beyond: BeyondHertz) -> Result<SmoothSphere, DomainError> {
+fn smooth_law(hertz: Hertz, beyond: BeyondHertz) -> Result<SmoothSphere, DomainError> {
     let BeyondHertz { dissipation, constant_contact_force, hertz_smoothing, hunt_crossley_smoothing } =
         beyond;
     let smoothing = SmoothingValues { constant_contact_force, hertz_smoothing, hunt_crossley_smoothing };

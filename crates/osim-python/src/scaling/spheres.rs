@@ -104,7 +104,7 @@ impl SphereListFunction {
         let spheres = Columns::new(names(), &lists)?.each(|row| {
             let named = names().zip(row.iter().copied());
             EquationError::unless_finite(named.clone())?;
-            self.raised(row).map_err(|failure| failure.with_argument(named))
+            self.raised_spheres(row).map_err(|failure| failure.with_argument(named))
         })?;
         if spheres.is_empty() {
             return Err(EquationError::no_sphere());
@@ -121,7 +121,7 @@ impl SphereListFunction {
         rest.map_err(|error| EquationError::from(error).with_argument(std::iter::once((LOAD.name, load_n))))
     }
 
-    fn raised(&self, row: &[f64]) -> Result<RaisedSpheres, EquationError> {
+    fn raised_spheres(&self, row: &[f64]) -> Result<RaisedSpheres, EquationError> {
         let Some((&height, values)) = row.split_last() else { return Err(EquationError::arguments(0)) };
         Ok(RaisedSpheres::new((self.alike)(values)?, height)?)
     }

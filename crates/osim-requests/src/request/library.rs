@@ -83,7 +83,7 @@ impl SweepRequest {
         {
             let message = phrase![
                 "{count} models would be made, more than 10,000: confirm it with {}, or give fewer values";
-                &Question::ManyModels.answer()
+                &Question::ManyModels.answer_option()
             ];
             return Err(RequestFault::general(message));
         }

@@ -9,7 +9,7 @@ use crate::request::Request;
 use crate::spell::speller::{Field, FieldValue, Fields, FrontEnd, Speller, is_assignment, is_positional};
 
 /// Name of the program.
-const PROGRAM: &str = "osim-contact-scale";
+const PROGRAM_NAME: &str = "osim-contact-scale";
 
 /// The command line: `--mass KG`, `design MODEL --indentation 0.16`.
 ///
@@ -65,7 +65,7 @@ impl Speller for CommandLine {
     /// POSIX shell expands.
     fn request(&self, request: &Request) -> String {
         let fields = Fields::of(request);
-        let mut words = vec![PROGRAM.to_owned(), fields.verb.name().to_owned()];
+        let mut words = vec![PROGRAM_NAME.to_owned(), fields.verb.name().to_owned()];
         words.extend(fields.positional.iter().flat_map(positional_words));
         words.extend(fields.options.iter().flat_map(|field| option_words(fields.verb, field)));
         words.join(" ")
@@ -105,7 +105,7 @@ fn spelled_assignment((name, value): &Field) -> String {
 
 impl FrontEnd for CommandLine {
     fn command(&self, call: &Call) -> String {
-        format!("{PROGRAM} {}", self.call(call))
+        format!("{PROGRAM_NAME} {}", self.call(call))
     }
 
     fn word(&self, name: &str) -> String {
@@ -180,7 +180,7 @@ mod tests {
     #[track_caller]
     fn assert_spelled(request: &Value, expected: &str) {
         let request = Request::from_json(request.to_string().as_bytes()).unwrap();
-        assert_eq!(CommandLine.request(&request), format!("{PROGRAM} {expected}"));
+        assert_eq!(CommandLine.request(&request), format!("{PROGRAM_NAME} {expected}"));
     }
 
     #[test]

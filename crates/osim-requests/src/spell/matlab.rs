@@ -55,12 +55,12 @@ impl Speller for Matlab {
             .positional
             .iter()
             .map(|(_, value)| match value {
-                FieldValue::List(items) if items.len() == 1 => literal(&items[0]),
-                value => literal(value),
+                FieldValue::List(items) if items.len() == 1 => value_literal(&items[0]),
+                value => value_literal(value),
             })
             .collect();
         for (name, value) in fields.outside_groups(&[FieldGroup::Shown]) {
-            arguments.extend([quoted(&option_name(name)), literal(value)]);
+            arguments.extend([quoted(&option_name(name)), value_literal(value)]);
         }
         function_call(fields.verb, &arguments)
     }
@@ -94,7 +94,7 @@ const RESERVED_NAMES: &str = "break case catch classdef continue else elseif end
     persistent return spmd switch try while";
 
 /// The largest number of letters in the name of a struct field in MATLAB.
-const LONGEST_NAME: usize = 63;
+const LONGEST_MATLAB_NAME: usize = 63;
 
 /// The name of an option in MATLAB: `TargetMass` for `target_mass`.
 fn option_name(name: &str) -> String {
@@ -105,23 +105,23 @@ fn option_name(name: &str) -> String {
     name.split('_').map(capital).collect()
 }
 
-fn literal(value: &FieldValue) -> String {
+fn value_literal(value: &FieldValue) -> String {
     match value {
         FieldValue::Flag => "true".to_owned(),
         FieldValue::Number(number) => digits(number),
         FieldValue::Text(text) => quoted(text),
         FieldValue::List(items) if items.iter().all(|item| matches!(item, FieldValue::Number(_))) => {
-            format!("[{}]", items.iter().map(literal).collect::<Vec<_>>().join(", "))
+            format!("[{}]", items.iter().map(value_literal).collect::<Vec<_>>().join(", "))
         }
-        FieldValue::List(items) => cell_array(items.iter().map(literal)),
+        FieldValue::List(items) => cell_array(items.iter().map(value_literal)),
         FieldValue::Map(entries) if entries.iter().all(|(name, _)| is_field_name(name)) => {
             let pairs: Vec<String> =
-                entries.iter().flat_map(|(name, value)| [quoted(name), literal(value)]).collect();
+                entries.iter().flat_map(|(name, value)| [quoted(name), value_literal(value)]).collect();
             format!("struct({})", pairs.join(", "))
         }
         FieldValue::Map(entries) => {
             let names = cell_array(entries.iter().map(|(name, _)| quoted(name)));
-            let values = cell_array(entries.iter().map(|(_, value)| literal(value)));
+            let values = cell_array(entries.iter().map(|(_, value)| value_literal(value)));
             format!("containers.Map({names}, {values})")
         }
     }
@@ -133,7 +133,7 @@ fn is_field_name(name: &str) -> bool {
     let is_name = name.starts_with(|first: char| first.is_ascii_alphabetic());
     is_word
         && is_name
-        && name.len() <= LONGEST_NAME
+        && name.len() <= LONGEST_MATLAB_NAME
         && !RESERVED_NAMES.split(' ').any(|reserved| reserved == name)
 }
 

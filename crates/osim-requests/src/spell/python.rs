@@ -12,10 +12,10 @@ const IMPORT_LINE: &str = "import osim_contact_scale as ocs";
 const PRINT_RESULT: &str = "print(result)";
 
 /// Fields without a keyword in the function that plans a change of one model; methods of the plan do their work.
-const DONE_BY_PLAN: [&str; 2] = ["dry_run", "report"];
+const OPTIONS_OF_PLAN: [&str; 2] = ["dry_run", "report"];
 
 /// Fields that a row of a table has, but not a call for all rows.
-const ONLY_IN_ROWS: [&str; 2] = ["output", "geometry_output"];
+const OPTIONS_OF_ROWS: [&str; 2] = ["output", "geometry_output"];
 
 /// Python: `mass=KG`, `ocs.design("model.osim", indentation=0.16)`.
 ///
@@ -96,8 +96,8 @@ fn call_of(fields: &Fields) -> String {
     let mut arguments: Vec<String> =
         fields.positional.iter().flat_map(|field| positional_arguments(fields.verb, field)).collect();
     let left_out: &[&str] = match fields.verb {
-        Verb::Batch => &ONLY_IN_ROWS,
-        _ if fields.changes => &DONE_BY_PLAN,
+        Verb::Batch => &OPTIONS_OF_ROWS,
+        _ if fields.changes => &OPTIONS_OF_PLAN,
         _ => &[],
     };
     let groups: &[FieldGroup] = match fields.verb {

@@ -6,7 +6,7 @@ use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::Value;
 
-use crate::values::typed_numbers::{LENGTHS, factor, number, number_in, trimmed};
+use crate::values::typed_numbers::{LENGTH_UNITS, factor, number, number_in, trimmed};
 
 /// Assignments to properties, in the given order.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -47,7 +47,7 @@ pub fn assignment(name: &str, text: &str) -> Result<(Property, Assignment), Stri
     let value = match factor(text) {
         Some(factor) => number(factor).map(Assignment::Factor),
         None if property == Property::Radius => {
-            number_in(text, "a radius in m", LENGTHS).map(Assignment::Value)
+            number_in(text, "a radius in m", LENGTH_UNITS).map(Assignment::Value)
         }
         None => number(text).map(Assignment::Value),
     };

@@ -53,35 +53,35 @@ pub struct BodyScale {
 }
 
 /// The expected form of scale factors, for messages.
-const EXPECTED: &str =
+const EXPECTED_SCALE: &str =
     "expected BODY=x,y,z with three factors above 0, or BODY=f with one, like calcn_r=1.1,1.05,1.1";
 /// The largest plausible scale factor; the smallest is its inverse.
-const LARGEST_FACTOR: f64 = 1e9;
+const LARGEST_SCALE_FACTOR: f64 = 1e9;
 
 impl FromStr for BodyScale {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let (body, factors) = text.split_once('=').ok_or(EXPECTED)?;
+        let (body, factors) = text.split_once('=').ok_or(EXPECTED_SCALE)?;
         let factors: Vec<f64> = factors
             .split(',')
             .map(positive_number)
             .collect::<Result<_, _>>()
-            .map_err(|_| EXPECTED.to_owned())?;
+            .map_err(|_| EXPECTED_SCALE.to_owned())?;
         let factors = match *factors {
             [x, y, z] => [x, y, z],
             [factor] => [factor; 3],
-            _ => return Err(EXPECTED.to_owned()),
+            _ => return Err(EXPECTED_SCALE.to_owned()),
         };
         if !factors.iter().all(is_factor) {
-            return Err(format!("{EXPECTED}, each from 1e-9 to 1e9"));
+            return Err(format!("{EXPECTED_SCALE}, each from 1e-9 to 1e9"));
         }
         Ok(Self { body: trimmed(body).to_owned(), factors })
     }
 }
 
 fn is_factor(factor: &f64) -> bool {
-    (1.0 / LARGEST_FACTOR..=LARGEST_FACTOR).contains(factor)
+    (1.0 / LARGEST_SCALE_FACTOR..=LARGEST_SCALE_FACTOR).contains(factor)
 }
 
 impl fmt::Display for BodyScale {

@@ -17,7 +17,7 @@ use crate::values::typed_numbers::{
 };
 
 /// The largest number of values of a grid.
-const MOST_VALUES: u32 = 100_000;
+const MOST_GRID_VALUES: u32 = 100_000;
 
 /// The quantity that varies along an axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -149,11 +149,12 @@ fn axis_value(name: AxisName, text: &str) -> Result<GridValue, String> {
 fn axis_range(name: AxisName, text: &str) -> Result<Vec<GridValue>, String> {
     let expected = || {
         format!(
-            "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST_VALUES}, such as x0.1..x10/9"
+            "expected a range FROM..TO/COUNT with numbers above 0 and a COUNT from 2 to {MOST_GRID_VALUES}, such as x0.1..x10/9"
         )
     };
-    let range =
-        Range::read(text, MOST_VALUES).filter(|range| range.are_factors().is_some()).ok_or_else(expected)?;
+    let range = Range::read(text, MOST_GRID_VALUES)
+        .filter(|range| range.are_factors().is_some())
+        .ok_or_else(expected)?;
     let (first, last) = (axis_value(name, range.first)?, axis_value(name, range.last)?);
     if first.number <= 0.0 || last.number <= 0.0 {
         return Err(expected());
@@ -230,7 +231,7 @@ pub struct Grid {
 }
 
 /// The largest number of points along an axis: more make a figure slow and show nothing more.
-const MOST_POINTS: u32 = 200;
+const MOST_VALUES_OF_PLOT_AXIS: u32 = 200;
 
 impl Grid {
     /// An axis of factors from `from` to `to`.
@@ -251,7 +252,7 @@ impl FromStr for Grid {
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = || {
             format!(
-                "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST_POINTS}"
+                "expected FROM..TO/COUNT like 1e5..1e7/25, or factors like x0.1..x10/25, and a COUNT from 2 to {MOST_VALUES_OF_PLOT_AXIS}"
             )
         };
         let range =
@@ -264,8 +265,8 @@ impl FromStr for Grid {
         if from >= to {
             return Err("the first value must be below the last".to_owned());
         }
-        if count > MOST_POINTS {
-            return Err(format!("expected 2 to {MOST_POINTS} values"));
+        if count > MOST_VALUES_OF_PLOT_AXIS {
+            return Err(format!("expected 2 to {MOST_VALUES_OF_PLOT_AXIS} values"));
         }
         Ok(Self { from, to, count, factors })
     }

@@ -8,7 +8,7 @@ use osim_model::RadiusRule;
 use osim_model::messages::{readable, shortest};
 
 use crate::values::serial::values_as_text;
-use crate::values::typed_numbers::{LENGTHS, factor, not_negative, positive, trimmed};
+use crate::values::typed_numbers::{LENGTH_UNITS, factor, not_negative, positive, trimmed};
 
 /// `isometric`, `keep`, metres, or a factor such as `x1.5`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,10 @@ impl FromStr for Radius {
             ("isometric", _) => Ok(RadiusRule::Isometric),
             ("keep", _) => Ok(RadiusRule::Keep),
             (_, Some(number)) => positive(number, "a factor like x1.5", &[]).map(RadiusRule::Factor),
-            (_, None) => positive(text, "isometric, keep, a radius in metres or a factor like x1.5", LENGTHS)
-                .map(RadiusRule::Metres),
+            (_, None) => {
+                positive(text, "isometric, keep, a radius in metres or a factor like x1.5", LENGTH_UNITS)
+                    .map(RadiusRule::Metres)
+            }
         };
         rule.map(Self)
     }
@@ -54,7 +56,7 @@ impl fmt::Display for Radius {
 }
 
 /// The expected form of a radius, for messages.
-const EXPECTED: &str = "isometric, follow or a radius in metres";
+const EXPECTED_RADIUS: &str = "isometric, follow or a radius in metres";
 /// The largest accepted radius, m.
 const LARGEST_LENGTH_M: f64 = 1e9;
 
@@ -77,9 +79,9 @@ impl FromStr for NewRadius {
         match text {
             "isometric" => Ok(Self::Isometric),
             "follow" => Ok(Self::Follow),
-            _ => match positive(text, EXPECTED, LENGTHS)? {
+            _ => match positive(text, EXPECTED_RADIUS, LENGTH_UNITS)? {
                 metres if metres <= LARGEST_LENGTH_M => Ok(Self::Metres(metres)),
-                _ => Err(format!("expected {EXPECTED}, at most 1e9")),
+                _ => Err(format!("expected {EXPECTED_RADIUS}, at most 1e9")),
             },
         }
     }
@@ -133,7 +135,7 @@ impl FromStr for DropHeight {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let expected = "a length in metres, or a multiple of the radius like x0.25";
-        let parse = |text: &str| not_negative(text, expected, LENGTHS);
+        let parse = |text: &str| not_negative(text, expected, LENGTH_UNITS);
         match factor(text) {
             Some(number) => parse(number).map(Self::Radii),
             None => parse(text).map(Self::Metres),

@@ -40,8 +40,8 @@ impl WrittenPath {
 
     fn path(self) -> Result<PathBuf, &'static str> {
         match self {
-            Self::Text(text) if text.is_empty() => Err(EMPTY_NAME),
-            Self::Bytes { bytes } if bytes.is_empty() => Err(EMPTY_NAME),
+            Self::Text(text) if text.is_empty() => Err(EMPTY_PATH_MESSAGE),
+            Self::Bytes { bytes } if bytes.is_empty() => Err(EMPTY_PATH_MESSAGE),
             Self::Text(text) => Ok(text.into()),
             Self::Bytes { bytes } => of_bytes(bytes).map(PathBuf::from),
         }
@@ -61,10 +61,10 @@ fn of_bytes(bytes: Vec<u8>) -> Result<OsString, &'static str> {
 }
 
 /// The expected form of a path, for messages.
-const EXPECTED: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
+const EXPECTED_PATH: &str = "expected the name of a file, as text or as {\"bytes\": [...]}";
 
 /// The message about an empty name.
-const EMPTY_NAME: &str = "it is empty, expected the name of a file";
+const EMPTY_PATH_MESSAGE: &str = "it is empty, expected the name of a file";
 
 /// A path as a value of JSON.
 pub fn to_value(path: &Path) -> serde_json::Value {
@@ -90,7 +90,7 @@ impl Optional {
     /// A value that is neither a path nor null.
     pub fn deserialize<'d, D: Deserializer<'d>>(deserializer: D) -> Result<Option<PathBuf>, D::Error> {
         let written =
-            Option::<WrittenPath>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))?;
+            Option::<WrittenPath>::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED_PATH))?;
         written.map(WrittenPath::path).transpose().map_err(D::Error::custom)
     }
 }
@@ -119,10 +119,11 @@ impl List {
             One(WrittenPath),
             Many(Vec<WrittenPath>),
         }
-        let written = match OneOrMany::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED))? {
-            OneOrMany::One(path) => vec![path],
-            OneOrMany::Many(paths) => paths,
-        };
+        let written =
+            match OneOrMany::deserialize(deserializer).map_err(|_| D::Error::custom(EXPECTED_PATH))? {
+                OneOrMany::One(path) => vec![path],
+                OneOrMany::Many(paths) => paths,
+            };
         written.into_iter().map(WrittenPath::path).collect::<Result<_, _>>().map_err(D::Error::custom)
     }
 }

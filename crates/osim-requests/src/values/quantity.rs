@@ -8,7 +8,8 @@ use serde::Serialize;
 
 use crate::values::serial::{values_as_text, values_from_text};
 use crate::values::typed_numbers::{
-    LENGTHS, MASSES, UnitSpelling, converted, not_negative, plain_number, positive, positive_number, trimmed,
+    LENGTH_UNITS, MASS_UNITS, UnitSpelling, converted, not_negative, plain_number, positive, positive_number,
+    trimmed,
 };
 
 macro_rules! quantities {
@@ -71,7 +72,7 @@ fn within(text: &str, expected: &str, units: &[UnitSpelling], is_in: fn(f64) -> 
 
 quantities! {
     /// A mass in kg, above 0.
-    Kilograms = |text| positive(text, "a mass in kg", MASSES),
+    Kilograms = |text| positive(text, "a mass in kg", MASS_UNITS),
         {"type": "number", "exclusiveMinimum": 0};
 
     /// An acceleration in m/s², above 0.
@@ -86,7 +87,7 @@ quantities! {
     NotNegative = |text| not_negative(text, "a number", &[]), {"type": "number", "minimum": 0};
 
     /// A length in m, 0 or more.
-    Metres = |text| not_negative(text, "metres", LENGTHS), {"type": "number", "minimum": 0};
+    Metres = |text| not_negative(text, "metres", LENGTH_UNITS), {"type": "number", "minimum": 0};
 
     /// A number of either sign, in the unit of its field.
     Signed = |text| plain(text, "a number", f64::is_finite), {"type": "number"};
@@ -142,7 +143,7 @@ quantities! {
 impl Kilograms {
     /// A number, with its unit or without, such as `20`, `20kg` or `20g`.
     pub fn with_unit(text: &str) -> Option<Self> {
-        converted(text, MASSES).map(Self).or_else(|| text.parse().ok())
+        converted(text, MASS_UNITS).map(Self).or_else(|| text.parse().ok())
     }
 }
 

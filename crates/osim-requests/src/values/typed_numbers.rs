@@ -13,7 +13,7 @@ pub fn trimmed(text: &str) -> &str {
 pub type UnitSpelling = (&'static str, f64);
 
 /// Units of mass, in kg. A pound is 0.45359237 kg by definition, an ounce its 16th part.
-pub(crate) const MASSES: &[UnitSpelling] = &[
+pub(crate) const MASS_UNITS: &[UnitSpelling] = &[
     ("kg", 1.0),
     ("mg", 1e-6),
     ("g", 1e-3),
@@ -24,7 +24,7 @@ pub(crate) const MASSES: &[UnitSpelling] = &[
 ];
 
 /// Units of length, in m. An inch is 0.0254 m by definition.
-pub(crate) const LENGTHS: &[UnitSpelling] =
+pub(crate) const LENGTH_UNITS: &[UnitSpelling] =
     &[("mm", 1e-3), ("cm", 1e-2), ("um", 1e-6), ("µm", 1e-6), ("m", 1.0), ("inch", 0.0254), ("in", 0.0254)];
 
 /// A finite number above 0. A number with one of `units` is refused, and the message gives the converted number.

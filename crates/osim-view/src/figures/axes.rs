@@ -3,7 +3,7 @@
 use contact_plots::{Axis, Limit};
 use contact_scaling::limits;
 use osim_inspect::series::{
-    self, ContactBody, ForceUnit, IndentationUnit, SphereKind, Units, bodies_and_kinds,
+    self, ContactBody, ForceUnit, IndentationUnit, PlotUnits, SphereKind, bodies_and_kinds,
 };
 use osim_model::files::Failure;
 use osim_model::messages::{Dialect, Phrase, counted, readable};
@@ -18,7 +18,7 @@ pub enum AxisUnits {
 }
 
 /// The wanted units. The default is x/R, with newtons if the figure has one contact, and with shares of the weight if it has several.
-pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> Units {
+pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> PlotUnits {
     let single = bodies_and_kinds(bodies).count() == 1;
     let indentation = match wanted {
         Some(AxisUnits::Real) => IndentationUnit::Millimetre,
@@ -26,17 +26,17 @@ pub fn units_for(bodies: &[ContactBody], wanted: Option<AxisUnits>) -> Units {
     };
     let shares = wanted.map_or(!single, |wanted| wanted == AxisUnits::Dimensionless);
     let force = if shares { ForceUnit::WeightShare } else { ForceUnit::Newton };
-    Units { indentation, force }
+    PlotUnits { indentation, force }
 }
 
-pub(super) fn indentation_axis(units: Units) -> Axis {
+pub(super) fn indentation_axis(units: PlotUnits) -> Axis {
     Axis::new(match units.indentation {
         IndentationUnit::Relative => "relative indentation x̂ = x/R (–)",
         IndentationUnit::Millimetre => "indentation x (mm)",
     })
 }
 
-pub(super) fn force_axis(units: Units) -> Axis {
+pub(super) fn force_axis(units: PlotUnits) -> Axis {
     Axis::new(match units.force {
         ForceUnit::Newton => "force of one sphere (N)",
         ForceUnit::WeightShare => "force of one sphere / its share Mg/n (–)",
@@ -59,7 +59,7 @@ pub(super) fn plot_failure(bodies: &[ContactBody], why: impl Into<Phrase>) -> Fa
 }
 
 /// The limit of the Hertz law as a line, if it is the same for all bodies on this axis.
-pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
+pub(super) fn hertz_limit(units: PlotUnits) -> Vec<Limit> {
     match units.indentation {
         IndentationUnit::Relative => {
             let at = limits::INDENTATION.value;
@@ -71,7 +71,7 @@ pub(super) fn hertz_limit(units: Units) -> Vec<Limit> {
 }
 
 /// Lines where the contact state is t and 1 − t (C.6).
-pub(super) fn threshold_limits(kind: &SphereKind, units: Units) -> Vec<Limit> {
+pub(super) fn threshold_limits(kind: &SphereKind, units: PlotUnits) -> Vec<Limit> {
     let limit = |(state, at): (f64, f64)| Limit::vertical(format!("state {state}"), at);
     series::thresholds(kind, units).into_iter().map(limit).collect()
 }

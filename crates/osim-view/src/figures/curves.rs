@@ -3,7 +3,7 @@
 use contact_plots::{Area, Axis, Curve, Dash, Figure, Limit, Look, Mark, Panel, Paper, Point, figure};
 use contact_scaling::limits;
 use osim_inspect::series::{
-    self, ContactBody, DropSeries, ForceSeries, IndentationUnit, LoopSeries, SphereKind, Units,
+    self, ContactBody, DropSeries, ForceSeries, IndentationUnit, LoopSeries, PlotUnits, SphereKind,
 };
 use osim_model::files::Failure;
 use osim_model::messages::Phrase;
@@ -31,9 +31,9 @@ pub(super) struct KindOfSphereLaws {
 ///
 /// # Errors
 /// The weight of a body is not known, and forces are shares of the weight.
-pub fn force(
+pub fn contact_force(
     bodies: &[ContactBody],
-    units: Units,
+    units: PlotUnits,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
@@ -68,7 +68,7 @@ pub fn force(
 }
 
 /// A panel with all force laws of one kind of sphere, where the force before contact is shaded; or with one law for each of several kinds.
-pub(super) fn force_panel(laws: Vec<KindOfSphereLaws>, units: Units) -> Panel {
+pub(super) fn force_panel(laws: Vec<KindOfSphereLaws>, units: PlotUnits) -> Panel {
     let mut panel = Panel::new("", indentation_axis(units), force_axis(units));
     panel.limits = hertz_limit(units);
     let rest = |at| Mark { label: "at rest under body weight".to_owned(), at, look: Look::OWN };
@@ -120,7 +120,7 @@ fn end_of_force_axis(drawn: &[KindOfSphereLaws]) -> Option<f64> {
     (highest > top && top > 0.0).then_some(top)
 }
 
-fn rest_text(x: f64, units: Units) -> String {
+fn rest_text(x: f64, units: PlotUnits) -> String {
     match units.indentation {
         IndentationUnit::Relative => format!("x̂ = {x:.2}"),
         IndentationUnit::Millimetre => format!("{x:.1} mm"),
@@ -135,7 +135,7 @@ fn rest_text(x: f64, units: Units) -> String {
 /// The weight of a body is not known.
 pub fn loops(
     bodies: &[ContactBody],
-    units: Units,
+    units: PlotUnits,
     height: DropHeight,
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
@@ -169,7 +169,7 @@ pub fn loops(
 /// The weight of a body is not known.
 pub fn impact_loops(
     bodies: &[ContactBody],
-    units: Units,
+    units: PlotUnits,
     height: DropHeight,
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
@@ -196,7 +196,7 @@ pub fn impact_loops(
 fn loop_figure(
     title: String,
     motion: &str,
-    units: Units,
+    units: PlotUnits,
     at_rest: Vec<Point>,
     loops: Vec<LoopSeries>,
 ) -> Figure {
@@ -216,7 +216,7 @@ fn loop_figure(
 fn impact_loop(
     body: &ContactBody,
     kind: &SphereKind,
-    units: Units,
+    units: PlotUnits,
     height: DropHeight,
 ) -> Result<LoopSeries, Failure> {
     series::hysteresis(body, kind, units, series::impact_speed(body, kind, height)?)
@@ -231,9 +231,9 @@ fn with_body_name(name: &str, series: LoopSeries) -> LoopSeries {
 ///
 /// # Errors
 /// No body has a smoothed law.
-pub fn state(
+pub fn contact_state(
     bodies: &[ContactBody],
-    units: Units,
+    units: PlotUnits,
     limits: Option<(f64, f64)>,
     wanted_title: Option<&str>,
 ) -> Result<Figure, Failure> {
@@ -262,7 +262,7 @@ pub fn state(
 }
 
 /// A panel with the smoothed state of one body and the step without smoothing, or with the states of several bodies.
-pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: Units) -> Panel {
+pub(super) fn state_panel(states: Vec<(String, Vec<Point>)>, units: PlotUnits) -> Panel {
     let mut panel = Panel::new("", indentation_axis(units), Axis::covering("contact state (–)", 0.0, 1.05));
     if let [(_, points)] = states.as_slice() {
         let ends = points.first().zip(points.last()).map(|(first, last)| (first.0, last.0));
@@ -283,7 +283,7 @@ pub(super) const TIME_IN_SECONDS: &str = "time t (s)";
 pub(super) const DIMENSIONLESS_TIME: &str = "non-dimensional time t/√(R/g) (–)";
 
 /// If no duration is given, a fall is drawn until all bodies are at rest, and longer by this factor.
-const DRAWN_AFTER_REST: f64 = 1.15;
+const DURATION_OVER_REST_TIME: f64 = 1.15;
 
 /// Force over body weight of bodies that fall from `height`, against time and against dimensionless time, as in Fig. 4. The fall lasts
 /// `duration_s`, else 20 √(R/g) of the slowest body; the figure ends soon after all bodies are at rest. `from` is the height in words.
@@ -304,7 +304,7 @@ pub fn drops(
     let falls = bodies.iter().map(|body| series::drop_force(body, height, followed_s));
     let falls: Vec<DropSeries> = falls.collect::<Result<_, _>>()?;
     let at_rest = |unit: &dyn Fn(&DropSeries) -> f64| {
-        DRAWN_AFTER_REST * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)
+        DURATION_OVER_REST_TIME * falls.iter().map(|fall| fall.settled_s / unit(fall)).fold(0.0, f64::max)
     };
     let at_rest_s = at_rest(&|_| 1.0);
     let ends_early = duration_s.is_none() && at_rest_s > 0.0 && at_rest_s < followed_s;

@@ -11,7 +11,7 @@ use crate::figures::axes::{AxisUnits, plot_failure, units_for};
 use crate::figures::heat::{heat, table_figure};
 use crate::figures::motion::motion;
 use crate::figures::paper::{fig_c5, fig4};
-use crate::figures::{drops, feet, force, loops, state};
+use crate::figures::{contact_force, contact_state, drops, feet, loops};
 
 /// Draws the figure that `request` describes, of `bodies` or of a table. The size of the paper is not yet known.
 ///
@@ -48,7 +48,7 @@ fn drawing_of_bodies(
     let duration = request.fall.duration.map(Positive::get);
     let limits = request.looks.x_range.map(Span::ends);
     let drawn = match request.kind {
-        Some(PlotKind::State) => state(bodies, units, limits, title)?,
+        Some(PlotKind::State) => contact_state(bodies, units, limits, title)?,
         Some(PlotKind::Loop) => loops(bodies, units, height, title)?,
         Some(PlotKind::Drop) => {
             drops(bodies, height, &height.describe("m", "sphere radii"), duration, title)?
@@ -63,7 +63,7 @@ fn drawing_of_bodies(
         }
         Some(PlotKind::Fig4) => fig4(title)?,
         Some(PlotKind::FigC5) => fig_c5(title)?,
-        _ => force(bodies, units, limits, title)?,
+        _ => contact_force(bodies, units, limits, title)?,
     };
     drawn.distinct().map(Drawing::Panels).map_err(|error| failure_of_plot(error, bodies))
 }

@@ -73,7 +73,7 @@ fn block_of_foot(foot: &Foot, other: Option<&Foot>) -> Block {
 }
 
 /// The largest number of names, and of heights, that a remark lists.
-const NAMES_LISTED: usize = 12;
+const MOST_NAMES_LISTED: usize = 12;
 
 /// A shift of a foot by less than this, m, is not mentioned.
 const SMALL_SHIFT_M: f64 = 1e-6;
@@ -86,7 +86,7 @@ fn remarks_on_foot(foot: &Foot, before: Option<(&Foot, DVec3)>) -> Vec<String> {
     if !foot.unplaced.is_empty() {
         remarks.push(format!(
             "Not drawn, as the default pose of a joint cannot be calculated: {}.",
-            listed(&foot.unplaced, NAMES_LISTED)
+            listed(&foot.unplaced, MOST_NAMES_LISTED)
         ));
     }
     if let Some((_, shift)) = before
@@ -118,7 +118,7 @@ fn remark_on_floor(foot: &Foot) -> Option<String> {
         }
         FloorPlace::Several(heights) => {
             let heights: Vec<String> = heights.iter().map(|height| metres(*height)).collect();
-            Some(format!("Floors are at {}; none is drawn.", listed(&heights, NAMES_LISTED)))
+            Some(format!("Floors are at {}; none is drawn.", listed(&heights, MOST_NAMES_LISTED)))
         }
         FloorPlace::None if !foot.spheres.is_empty() => Some("The model has no level floor.".to_owned()),
         _ => None,
@@ -154,8 +154,8 @@ fn view(foot: &Foot, before: Option<(&Foot, DVec3)>, from: ViewSide) -> View {
     if let Some((other, shift)) = before {
         add_state_before(&mut view, foot, other, shift, from);
     }
-    let on_view = |point: DVec3| projected(foot, point, from);
-    view.outlines.extend(outlines(foot, DVec3::ZERO, from, State::Now));
+    let on_view = |point: DVec3| projected_on_view(foot, point, from);
+    view.outlines.extend(foot_outlines(foot, DVec3::ZERO, from, State::Now));
     view.balls.extend(foot.spheres.iter().map(|sphere| Ball {
         name: sphere.name.clone(),
         centre: on_view(sphere.centre_m),
@@ -181,13 +181,15 @@ fn add_state_before(view: &mut View, foot: &Foot, other: &Foot, shift: DVec3, fr
     let differs = |sphere: &&FootSphere| !drawn.contains(moved(sphere.centre_m), sphere.radius_m);
     view.balls.extend(other.spheres.iter().filter(differs).map(|sphere| Ball {
         name: String::new(),
-        centre: projected(foot, moved(sphere.centre_m), from),
+        centre: projected_on_view(foot, moved(sphere.centre_m), from),
         radius: MM_PER_M * sphere.radius_m,
         state: State::Before,
         misplaced: false,
     }));
-    let (here, there) =
-        (outlines(foot, DVec3::ZERO, from, State::Before), outlines(other, shift, from, State::Before));
+    let (here, there) = (
+        foot_outlines(foot, DVec3::ZERO, from, State::Before),
+        foot_outlines(other, shift, from, State::Before),
+    );
     let close = |a: &Outline, b: &Outline| {
         let near = |(p, q): (&Point, &Point)| (p.0 - q.0).hypot(p.1 - q.1) <= MM_PER_M * SAME_PLACE_M;
         a.points.len() == b.points.len() && a.points.iter().zip(&b.points).all(near)
@@ -224,14 +226,14 @@ impl<'f> SortedSpheres<'f> {
     }
 }
 
-fn projected(foot: &Foot, point: DVec3, from: ViewSide) -> Point {
+fn projected_on_view(foot: &Foot, point: DVec3, from: ViewSide) -> Point {
     let [forward, up, right] = foot.axes.coordinates(point);
     (MM_PER_M * forward, MM_PER_M * if from == ViewSide::Right { up } else { right })
 }
 
-fn outlines(foot: &Foot, shift: DVec3, from: ViewSide, state: State) -> Vec<Outline> {
+fn foot_outlines(foot: &Foot, shift: DVec3, from: ViewSide, state: State) -> Vec<Outline> {
     let line = |points: &Vec<DVec3>| {
-        let points = points.iter().map(|&point| DVec2::from(projected(foot, point + shift, from)));
+        let points = points.iter().map(|&point| DVec2::from(projected_on_view(foot, point + shift, from)));
         silhouette(&points.collect::<Vec<_>>()).into_iter().map(DVec2::into).collect()
     };
     let lines = foot.bones.iter().map(|bone| Outline { points: line(&bone.points_m), state });
@@ -296,7 +298,7 @@ fn missing_bones_in_words(state: &ModelFeet, dialect: &dyn Dialect) -> Option<St
     if !names.is_empty() {
         let text = phrase![
             "no bones are drawn of {}: name the folder of the meshes with {}";
-            listed(&names, NAMES_LISTED), Input::GeometryDir.with_placeholder("DIR")
+            listed(&names, MOST_NAMES_LISTED), Input::GeometryDir.with_placeholder("DIR")
         ];
         reasons.push(text.spelled(dialect));
     }

@@ -6,7 +6,7 @@ use contact_plots::{Figure, Panel, Point, Width};
 use contact_scaling::drop_test::{DropTest, DropValues};
 use contact_scaling::table1::{self, Animal, HEIGHT_RADII};
 use contact_scaling::{Contact, ContactValues, Scale, SmoothingValues, falisse2022};
-use osim_inspect::series::{self, ContactBody, ForceUnit, IndentationUnit, SphereKind, Units};
+use osim_inspect::series::{self, ContactBody, ForceUnit, IndentationUnit, PlotUnits, SphereKind};
 use osim_model::files::Failure;
 use osim_model::messages::readable;
 
@@ -28,14 +28,14 @@ fn table_failure(error: impl Display) -> Failure {
 }
 
 /// Duration of the computed drops of Fig. 4, s.
-const DURATION_S: f64 = 1.1;
+const DURATION_OF_FALLS_S: f64 = 1.1;
 /// End of the time axis of Fig. 4, s. At this time both animals are at rest.
 const END_OF_FIG_4_S: f64 = 0.5;
 /// Number of points for each √(R/g), so that the curves of all animals have equally many points.
 const SAMPLES_PER_UNIT_OF_TIME: f64 = 40.0;
 
 /// End of the force axes of Fig. 4, body weights.
-const MOST_BODY_WEIGHTS: f64 = 3.0;
+const END_OF_FORCE_AXIS_BW: f64 = 3.0;
 
 /// Fig. 4, the effect of scaling the dissipation: drops of the mouse and the giraffe, with α = 2 s/m for both and with α scaled by
 /// (14).
@@ -60,15 +60,15 @@ pub fn fig4(title: Option<&str>) -> Result<Figure, Failure> {
         width: Width::Page,
         columns: 2,
         panels: vec![
-            panel(&same, TIME_IN_SECONDS, &before),
-            panel("α scaled by (14)", TIME_IN_SECONDS, &after),
-            panel(&same, DIMENSIONLESS_TIME, &before),
-            panel("α scaled by (14)", DIMENSIONLESS_TIME, &after),
+            panel_of_fig_4(&same, TIME_IN_SECONDS, &before),
+            panel_of_fig_4("α scaled by (14)", TIME_IN_SECONDS, &after),
+            panel_of_fig_4(&same, DIMENSIONLESS_TIME, &before),
+            panel_of_fig_4("α scaled by (14)", DIMENSIONLESS_TIME, &after),
         ],
     })
 }
 
-/// The drop of one animal.
+/// The fall of one animal of Table 1, as a curve of its force.
 struct AnimalDrop {
     taxon: &'static str,
     /// Points of the drop: time in s, and force in body weights.
@@ -77,14 +77,14 @@ struct AnimalDrop {
     time_unit_s: f64,
 }
 
-fn panel(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
+fn panel_of_fig_4(title: &str, time: &str, falls: &[AnimalDrop]) -> Panel {
     let in_seconds = time == TIME_IN_SECONDS;
     let unit_s = |fall: &AnimalDrop| if in_seconds { 1.0 } else { fall.time_unit_s };
     let drawn = falls.iter().map(|fall| (fall.taxon, fall.points.as_slice(), unit_s(fall)));
     let mut panel = drop_panel(drawn, time, in_seconds.then_some(END_OF_FIG_4_S));
     panel.title = title.to_owned();
     // All panels have one scale, so that they can be compared.
-    panel.y.range = Some((0.0, MOST_BODY_WEIGHTS));
+    panel.y.range = Some((0.0, END_OF_FORCE_AXIS_BW));
     panel
 }
 
@@ -94,8 +94,8 @@ fn drop_of_animal(animal: &Animal, scale_dissipation: bool) -> Result<AnimalDrop
     let dissipation =
         if scale_dissipation { values.dissipation } else { falisse2022().contact.dissipation() };
     let contact = Contact::new(ContactValues { dissipation, ..values }).map_err(table_failure)?;
-    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_S).map_err(table_failure)?;
-    let samples = (SAMPLES_PER_UNIT_OF_TIME * DURATION_S / scale.time_s()) as usize;
+    let test = DropTest::of(&contact, &scale, HEIGHT_RADII, DURATION_OF_FALLS_S).map_err(table_failure)?;
+    let samples = (SAMPLES_PER_UNIT_OF_TIME * DURATION_OF_FALLS_S / scale.time_s()) as usize;
     let values = DropValues { samples, ..test.values() };
     let test = DropTest::new(test.spheres().iter().copied(), values).map_err(table_failure)?;
     let report = test.run().map_err(table_failure)?;
@@ -109,7 +109,7 @@ const FIG_C5_ANIMAL: &str = "emu";
 /// The curves of Fig. C.5 extend this far above and below the floor, in radii.
 const WIDTH_OF_FIG_C5_RADII: f64 = 0.5;
 
-const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
+const PLOT_UNITS: PlotUnits = PlotUnits { indentation: IndentationUnit::Relative, force: ForceUnit::Newton };
 
 /// Fig. C.5, the effect of smoothing: the smoothed law of a sphere of 15 mm (the emu of ten spheres) with OpenSim's default cf and bd,
 /// and with scaled ones.
@@ -122,7 +122,7 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     let default = ContactValues { smoothing: Some(SmoothingValues::OPENSIM_DEFAULT), ..values };
     let (mut panels, mut states) = (Vec::new(), Vec::new());
     for (name, values) in [("default cf, bd", default), ("scaled cf, bd", values)] {
-        let body = body(&emu, Contact::new(values).map_err(table_failure)?);
+        let body = body_of_fig_c5(&emu, Contact::new(values).map_err(table_failure)?);
         panels.push(force_panel_of(name, &body)?);
         states.push(state_panel_of(name, &body)?);
     }
@@ -145,7 +145,7 @@ pub fn fig_c5(title: Option<&str>) -> Result<Figure, Failure> {
     })
 }
 
-fn body(scale: &Scale, contact: Contact) -> ContactBody {
+fn body_of_fig_c5(scale: &Scale, contact: Contact) -> ContactBody {
     let unknown = Failure::outside(FIG_C5_ANIMAL, "plot", "Fig. C.5 says nothing of weight");
     ContactBody::without_weight(
         FIG_C5_ANIMAL.to_owned(),
@@ -158,19 +158,19 @@ fn force_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
     let mut laws = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
         let reach_m = (-WIDTH_OF_FIG_C5_RADII * kind.radius_m, WIDTH_OF_FIG_C5_RADII * kind.radius_m);
-        let series = series::force(body, kind, UNITS, reach_m)?;
+        let series = series::force(body, kind, PLOT_UNITS, reach_m)?;
         laws.push(KindOfSphereLaws { name: body.name.clone(), series, remark: String::new() });
     }
-    Ok(Panel { title: title.to_owned(), ..force_panel(laws, UNITS) })
+    Ok(Panel { title: title.to_owned(), ..force_panel(laws, PLOT_UNITS) })
 }
 
 fn state_panel_of(title: &str, body: &ContactBody) -> Result<Panel, Failure> {
     let mut states = Vec::new();
     let mut limits = Vec::new();
     for (body, kind) in series::bodies_and_kinds(std::slice::from_ref(body)) {
-        let points = series::contact_state(body, kind, UNITS, None)?;
+        let points = series::contact_state(body, kind, PLOT_UNITS, None)?;
         states.extend(points.map(|points| (body.name.clone(), points)));
-        limits.extend(threshold_limits(kind, UNITS));
+        limits.extend(threshold_limits(kind, PLOT_UNITS));
     }
-    Ok(Panel { title: title.to_owned(), limits, ..state_panel(states, UNITS) })
+    Ok(Panel { title: title.to_owned(), limits, ..state_panel(states, PLOT_UNITS) })
 }

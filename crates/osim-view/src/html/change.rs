@@ -96,7 +96,7 @@ pub(super) fn add_change_sections(
 ) -> DrawnStates {
     add_changes_section(fragment, changed.plan);
     let (inspected, checked) = changed.before;
-    if fragment.is_wanted(findings::SECTION.0) {
+    if fragment.is_wanted(findings::SECTION_HEAD.0) {
         match changed.after {
             Some((_, found)) => {
                 let (in_file, gravity_m_s2) = (changed.in_file, changed.target_gravity_m_s2);
@@ -109,7 +109,7 @@ pub(super) fn add_change_sections(
     if let Some(recording) = &changed.recording {
         fragment.add_section(recording.id, recording.title, &maud::PreEscaped(recording.html.clone()));
     }
-    if let Some(reference) = changed.reference.filter(|_| fragment.is_wanted(reference::SECTION.0)) {
+    if let Some(reference) = changed.reference.filter(|_| fragment.is_wanted(reference::SECTION_HEAD.0)) {
         reference::section(fragment, reference, &changed.bodies);
     }
     let ChangedModelOnPage { before_under_new_weight, after, reference, .. } = changed;
@@ -118,7 +118,7 @@ pub(super) fn add_change_sections(
     if fragment.detail.is_alone() {
         plots::add_sections(fragment, &drawn, dialect);
     }
-    if fragment.is_wanted(sphere_figures::SECTION.0) {
+    if fragment.is_wanted(sphere_figures::SECTION_HEAD.0) {
         let after = after.map(|(after, _)| after);
         let mut states = states_of_change(inspected, before_under_new_weight, after);
         let reference_figures = reference.and_then(|reference| reference.figures.as_ref());
@@ -290,7 +290,7 @@ fn table_of_moves(topics: &mut Topics, moves: &[&PlaceChange]) -> Markup {
     let rows = html! {
         @for moved in moves {
             tr {
-                th scope="row" { (moved.sphere) }
+                th scope="row" { (moved.geometry) }
                 @for value in moved.from.iter().chain(&moved.to) { td { (centre(*value)) } }
                 td { (topics.links_to_equations(moved.by.as_str())) }
             }

@@ -12,9 +12,9 @@ use crate::html::special_models::{DrawnStates, Indentation, ModelFacts, is_too_d
 use crate::report::explain::{ErrorCode, error};
 
 /// The mark of models that an earlier run has already changed.
-pub(super) const EARLIER_MARK: &str = " †";
+pub(super) const DONE_EARLIER_MARK: &str = " †";
 /// The text in a cell if the factors of a property are not equal.
-const UNEQUAL_FACTORS: &str = "unequal";
+const UNEQUAL_WORD: &str = "unequal";
 /// Properties whose old and new values are columns of the table.
 const PROPERTIES_SHOWN: [Property; 3] = [Property::Radius, Property::Stiffness, Property::Dissipation];
 
@@ -101,7 +101,7 @@ impl Entry {
             let second_line = match factor {
                 Some(factor) => format!("×{}", four_significant(factor)),
                 None if earlier.unequal_factors.iter().any(|name| name == property.name()) => {
-                    UNEQUAL_FACTORS.to_owned()
+                    UNEQUAL_WORD.to_owned()
                 }
                 None => String::new(),
             };
@@ -163,7 +163,7 @@ fn cell_of_property(plan: &Plan, property: Property) -> Cell {
     let Some(first) = ratios.next() else { return Cell::default() };
     let same = |ratio: f64| four_significant(ratio) == four_significant(first);
     let factor =
-        if ratios.all(same) { format!("×{}", four_significant(first)) } else { UNEQUAL_FACTORS.to_owned() };
+        if ratios.all(same) { format!("×{}", four_significant(first)) } else { UNEQUAL_WORD.to_owned() };
     let from = range_in_words(changes.iter().map(|change| change.from));
     let to = range_in_words(changes.iter().map(|change| change.to));
     Cell { text: format!("{from} → {to}"), second_line: factor, ..Cell::default() }
@@ -240,7 +240,7 @@ pub struct RunRow {
     pub contacts_mass_kg: Option<f64>,
     /// The mass that the new contacts are made for, kg.
     pub target_mass_kg: Option<f64>,
-    /// Number of changed values and places.
+    /// Number of values and sphere locations that the run changed in the model.
     pub changes: usize,
 }
 

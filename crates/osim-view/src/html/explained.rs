@@ -12,10 +12,10 @@ use osim_model::{FindingCode, Rule, Severity};
 use osim_planning::rules;
 
 use crate::report::explain::{self, ErrorCode, equations};
-use crate::report::layout::OUTSIDE;
+use crate::report::layout::OUTSIDE_MARK;
 
 /// The anchor and the heading of the section with all explanations.
-pub(super) const SECTION: (&str, &str) = ("explained", "Equations and findings explained");
+pub(super) const SECTION_HEAD: (&str, &str) = ("explained", "Equations and findings explained");
 
 /// The equations, findings and errors that a page names. Each is explained once.
 #[derive(Debug, Clone, Default)]
@@ -47,7 +47,7 @@ impl Topics {
         match explain::equation(name) {
             Some(equation) => {
                 self.equations.insert(equation.label);
-                html! { a href={ "#" (anchor("equation", equation.label)) } { (shown) } }
+                html! { a href={ "#" (anchor_of_topic("equation", equation.label)) } { (shown) } }
             }
             None => html! { (shown) },
         }
@@ -67,13 +67,13 @@ impl Topics {
     /// The code of a finding, linked to its explanation.
     pub(super) fn link_to_finding(&mut self, code: FindingCode) -> Markup {
         self.codes.insert(code);
-        html! { a.code href={ "#" (anchor("finding", code.as_str())) } { (code.as_str()) } }
+        html! { a.code href={ "#" (anchor_of_topic("finding", code.as_str())) } { (code.as_str()) } }
     }
 
     /// The code of an error linked to its explanation.
     pub(super) fn link_to_error(&mut self, error: &'static ErrorCode) -> Markup {
         self.errors.insert(error.code);
-        html! { a.code href={ "#" (anchor("error", error.code)) } { (error.code) } }
+        html! { a.code href={ "#" (anchor_of_topic("error", error.code)) } { (error.code) } }
     }
 }
 
@@ -92,7 +92,7 @@ fn first_bracketed_equation(text: &str) -> Option<(&str, &str, &str)> {
     }
 }
 
-fn anchor(kind: &str, name: &str) -> String {
+fn anchor_of_topic(kind: &str, name: &str) -> String {
     let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '-' };
     format!("{kind}-{}", name.chars().map(plain).collect::<String>())
 }
@@ -101,7 +101,7 @@ fn anchor(kind: &str, name: &str) -> String {
 pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> String {
     let equations: Vec<&Equation> =
         equations().filter(|equation| topics.equations.contains(equation.label)).collect();
-    let (id, title) = SECTION;
+    let (id, title) = SECTION_HEAD;
     html! {
         section id=(id) aria-labelledby="explained-title" {
             h2 id="explained-title" { (title) }
@@ -126,19 +126,19 @@ pub(super) fn explained_section(topics: &Topics, dialect: &dyn Dialect) -> Strin
 /// The anchor and the explanation of each topic, in the order of the registers.
 pub(super) fn explanations_by_anchor(topics: &Topics, dialect: &dyn Dialect) -> Vec<(String, Markup)> {
     let equations = equations().filter(|equation| topics.equations.contains(equation.label));
-    let equations =
-        equations.map(|equation| (anchor("equation", equation.label), explained_equation(equation, dialect)));
+    let equations = equations
+        .map(|equation| (anchor_of_topic("equation", equation.label), explained_equation(equation, dialect)));
     let codes = rules::with_code(|code| topics.codes.contains(&code))
-        .map(|rule| (anchor("finding", rule.code.as_str()), explained_rule(rule, dialect)));
+        .map(|rule| (anchor_of_topic("finding", rule.code.as_str()), explained_rule(rule, dialect)));
     let errors = topics.errors.iter().filter_map(|code| explain::error(code));
-    let errors = errors.map(|error| (anchor("error", error.code), explained_error(error, dialect)));
+    let errors = errors.map(|error| (anchor_of_topic("error", error.code), explained_error(error, dialect)));
     equations.chain(codes).chain(errors).collect()
 }
 
 fn explained_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
     let spelled = |template: &'static str| Phrase::template(template).spelled(dialect);
     html! {
-        div.explained id=(anchor("equation", equation.label)) {
+        div.explained id=(anchor_of_topic("equation", equation.label)) {
             h4 { (reference(equation.label)) " " (equation.title) }
             @for form in equation.forms {
                 p.formula { code { (form.formula) } @if !form.variant.is_empty() { " " span.quiet { (form.variant) } } }
@@ -158,7 +158,7 @@ fn explained_equation(equation: &Equation, dialect: &dyn Dialect) -> Markup {
 
 fn explained_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
     html! {
-        div.explained id=(anchor("finding", rule.code.as_str())) {
+        div.explained id=(anchor_of_topic("finding", rule.code.as_str())) {
             h4 { (rule.code.as_str()) }
             p { (rule.what().spelled(dialect)) " " (rule.why().spelled(dialect)) }
             p { b { "What to do: " } (rule.advice().spelled(dialect)) "." }
@@ -168,7 +168,7 @@ fn explained_rule(rule: &Rule, dialect: &dyn Dialect) -> Markup {
 
 fn explained_error(error: &ErrorCode, dialect: &dyn Dialect) -> Markup {
     html! {
-        div.explained id=(anchor("error", error.code)) {
+        div.explained id=(anchor_of_topic("error", error.code)) {
             h4 { (error.code) }
             p { (as_sentence(&error.means().spelled(dialect))) }
             p { b { "What to do: " } (as_sentence(&error.way_out().spelled(dialect))) }
@@ -195,7 +195,7 @@ pub(super) fn breakable_path(path: &str) -> Markup {
 
 /// A figure that is outside its limit, with a sign that stays on the same line.
 pub(super) fn marked_outside(figure: &str) -> String {
-    format!("{figure}\u{a0}{OUTSIDE}")
+    format!("{figure}\u{a0}{OUTSIDE_MARK}")
 }
 
 pub(super) fn as_sentence(clause: &str) -> String {

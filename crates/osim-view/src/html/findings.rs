@@ -8,7 +8,7 @@ use crate::html::explained::severity_tag;
 use crate::html::fragment::{Fragment, table};
 use crate::html::page_frame::command_line;
 
-pub(super) const SECTION: (&str, &str) = ("findings", "Findings");
+pub(super) const SECTION_HEAD: (&str, &str) = ("findings", "Findings");
 
 /// Adds the section about the findings of one model.
 pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckResult) {
@@ -19,7 +19,7 @@ pub(super) fn add_verdicts_and_findings(fragment: &mut Fragment, check: &CheckRe
         @if check.findings.is_empty() { p { "No findings: all values are within the limits." } }
         (list)
     };
-    fragment.add_section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
 }
 
 /// Findings of the model after the change.
@@ -67,7 +67,7 @@ pub(super) fn add_findings_of_change(fragment: &mut Fragment, now: &CheckResult,
             @if items.is_empty() { p.quiet { "Nothing." } } @else { (list_of_items(&items)) }
         }
     };
-    fragment.add_section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
 }
 
 /// Pairs each finding about the new model with the same or a similar finding about the old model, if there is one.

@@ -3,20 +3,20 @@
 use maud::{Markup, html};
 use osim_model::messages::Dialect;
 
-use crate::html::entry::{Cell, EARLIER_MARK, Entry};
+use crate::html::entry::{Cell, DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, breakable_path};
 use crate::html::fragment::header_cell;
 use crate::html::special_models::ChosenModels;
 use crate::html::{overview, plots};
 
 pub(super) const MODELS: (&str, &str) = ("models", "Models");
-pub(super) const IN_FULL: (&str, &str) = ("in-full", "Each model in full");
+pub(super) const MODELS_IN_FULL_SECTION: (&str, &str) = ("in-full", "Each model in full");
 
-pub(super) const FAILURES_END: &str = "</tbody></table></div>\n";
-pub(super) const TABLE_END: &str = "</tbody></table></div></section>\n";
-pub(super) const DETAILS_BEGIN: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
+pub(super) const END_OF_FAILURES: &str = "</tbody></table></div>\n";
+pub(super) const END_OF_TABLE: &str = "</tbody></table></div></section>\n";
+pub(super) const BEGIN_OF_DETAILS: &str = "<section id=\"in-full\" aria-labelledby=\"in-full-title\">\
                                         <h2 id=\"in-full-title\">Each model in full</h2>\n";
-pub(super) const SECTION_END: &str = "</section>\n";
+pub(super) const END_OF_SECTION: &str = "</section>\n";
 
 /// The set of columns in the table of models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,7 +102,7 @@ pub(super) fn row(entry: &Entry, columns: Columns, details: Option<usize>, topic
             @if entry.cells.is_empty() {
                 td.words colspan=(columns.headers().len()) { (entry.outcome) (code(entry, topics)) }
             } @else {
-                td.words { (entry.outcome) @if entry.earlier { (EARLIER_MARK) } }
+                td.words { (entry.outcome) @if entry.earlier { (DONE_EARLIER_MARK) } }
                 @for cell in &entry.cells { (table_cell(cell)) }
                 @if empty > 0 { td colspan=(empty) {} }
             }
@@ -121,7 +121,7 @@ fn table_cell(cell: &Cell) -> Markup {
 
 /// The beginning of the first section, before the table of failed models.
 pub(super) fn overview_opening(counts: &Markup) -> String {
-    let (id, title) = overview::SECTION;
+    let (id, title) = overview::SECTION_HEAD;
     format!(
         "<section id=\"{id}\" aria-labelledby=\"glance-title\"><h2 id=\"glance-title\">{title}</h2>{}\n",
         counts.0
@@ -163,7 +163,7 @@ pub(super) fn failure(entry: &Entry, topics: &mut Topics) -> String {
 pub(super) fn details(entry: &Entry, number: usize, inside: &str) -> String {
     let summary = html! {
         h3 { (breakable_path(&entry.model)) } " "
-        span.quiet { (entry.summary) @if entry.earlier { (EARLIER_MARK) } }
+        span.quiet { (entry.summary) @if entry.earlier { (DONE_EARLIER_MARK) } }
     };
     format!(
         "<details><summary>{}</summary><div class=\"model\" id=\"model-{number}\">{inside}</div></details>\n",
@@ -178,10 +178,10 @@ pub(super) fn code(entry: &Entry, topics: &mut Topics) -> Markup {
 
 // The models of a library that are drawn, with the reasons.
 
-pub(super) const SECTION: (&str, &str) = ("chosen", "Plots of special models");
+pub(super) const SECTION_HEAD: (&str, &str) = ("chosen", "Plots of special models");
 
 pub(super) fn section(chosen: &ChosenModels, dialect: &dyn Dialect) -> Markup {
-    let (id, title) = SECTION;
+    let (id, title) = SECTION_HEAD;
     let models = chosen.models_to_draw();
     let feet = models.iter().any(|(one, _)| !one.drawn.feet.is_empty());
     html! {

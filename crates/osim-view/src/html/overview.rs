@@ -9,13 +9,13 @@ use osim_model::messages::{counted, four_significant};
 use osim_model::{FindingCode, Severity};
 
 use crate::figures::{self, Indentations};
-use crate::html::entry::{EARLIER_MARK, Entry};
+use crate::html::entry::{DONE_EARLIER_MARK, Entry};
 use crate::html::explained::{Topics, marked_outside, severity_tag};
 use crate::html::fragment::table;
 use crate::html::special_models::{Indentation, is_too_deep};
 
-pub(super) const SECTION: (&str, &str) = ("glance", "At a glance");
-pub(super) const CHART: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
+pub(super) const SECTION_HEAD: (&str, &str) = ("glance", "At a glance");
+pub(super) const CHART_OF_INDENTATIONS: (&str, &str) = ("indentation", "Relative indentation at rest, x̂");
 
 /// The largest number of references that are named. Each row of a manifest may have its own reference.
 const MOST_REFERENCES: usize = 5;
@@ -96,7 +96,7 @@ impl PageCounts {
             }
             @for reference in &self.references { p { b { "Reference: " } (reference) "." } }
             @if self.earlier > 0 {
-                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (EARLIER_MARK) "." }
+                p { (counted(self.earlier, "model")) " done by an earlier run of this call, marked with" (DONE_EARLIER_MARK) "." }
             }
         }
     }
@@ -125,7 +125,7 @@ impl PageCounts {
 
     /// The chart with x̂ of all models.
     pub(super) fn chart(&self) -> Markup {
-        let (id, title) = CHART;
+        let (id, title) = CHART_OF_INDENTATIONS;
         let (now, limit) =
             (if self.before.is_empty() { "models" } else { "after" }, limits::INDENTATION.value);
         let states: Vec<Indentations<'_>> =
@@ -161,7 +161,7 @@ impl PageCounts {
 
 /// The section "at a glance" of a page about one model.
 pub(super) fn overview_of_one_model(entry: &Entry, code: &Markup) -> Markup {
-    let (id, title) = SECTION;
+    let (id, title) = SECTION_HEAD;
     html! {
         section id=(id) aria-labelledby="glance-title" {
             h2 id="glance-title" { (title) }

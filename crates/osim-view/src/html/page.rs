@@ -9,7 +9,7 @@ use crate::html::explained::{self, Topics, file_name};
 use crate::html::fragment::Fragment;
 use crate::html::models_table::{self, Columns};
 use crate::html::overview::{self, PageCounts};
-use crate::html::special_models::{ChosenModels, MAX_DRAWN};
+use crate::html::special_models::{ChosenModels, MOST_DRAWN_MODELS};
 use crate::html::{Entry, page_frame};
 
 /// The largest number of models with details. Other models only have a row in the table.
@@ -153,22 +153,22 @@ impl<'d, S: DeferredText> Page<'d, S> {
         if self.counts.failed > 0 {
             page.write_all(models_table::failures_opening(self.head.columns).as_bytes())?;
             self.parts.failures.write_to(page)?;
-            page.write_all(models_table::FAILURES_END.as_bytes())?;
+            page.write_all(models_table::END_OF_FAILURES.as_bytes())?;
         }
         page.write_all(findings.as_bytes())?;
-        page.write_all(models_table::SECTION_END.as_bytes())?;
+        page.write_all(models_table::END_OF_SECTION.as_bytes())?;
         self.write_call(page)?;
         page.write_all(terminal_safe(&self.counts.chart().0).as_bytes())?;
         page.write_all(models_table::table_opening(self.head.columns, &remarks_on_omissions).as_bytes())?;
         self.parts.rows.write_to(page)?;
-        page.write_all(models_table::TABLE_END.as_bytes())?;
+        page.write_all(models_table::END_OF_TABLE.as_bytes())?;
         if !self.chosen.is_empty() {
             page.write_all(terminal_safe(&models_table::section(&self.chosen, self.dialect).0).as_bytes())?;
         }
         if self.shown_in_full > 0 {
-            page.write_all(models_table::DETAILS_BEGIN.as_bytes())?;
+            page.write_all(models_table::BEGIN_OF_DETAILS.as_bytes())?;
             self.parts.details.write_to(page)?;
-            page.write_all(models_table::SECTION_END.as_bytes())?;
+            page.write_all(models_table::END_OF_SECTION.as_bytes())?;
         }
         Ok(())
     }
@@ -187,18 +187,19 @@ impl<'d, S: DeferredText> Page<'d, S> {
     }
 
     fn all_sections(&self) -> Vec<(&'static str, &'static str)> {
-        let mut sections = vec![overview::SECTION, page_frame::ASKED];
+        let mut sections = vec![overview::SECTION_HEAD, page_frame::COMMAND_SECTION];
         match &self.head.model {
             Some(_) => sections.extend(&self.sections),
             None => {
-                sections.extend(Some(overview::CHART).filter(|_| self.counts.now.len() > 1));
+                sections.extend(Some(overview::CHART_OF_INDENTATIONS).filter(|_| self.counts.now.len() > 1));
                 sections.push(models_table::MODELS);
-                sections.extend(Some(models_table::SECTION).filter(|_| !self.chosen.is_empty()));
-                sections.extend(Some(models_table::IN_FULL).filter(|_| self.shown_in_full > 0));
+                sections.extend(Some(models_table::SECTION_HEAD).filter(|_| !self.chosen.is_empty()));
+                sections
+                    .extend(Some(models_table::MODELS_IN_FULL_SECTION).filter(|_| self.shown_in_full > 0));
             }
         }
-        sections.extend(Some(explained::SECTION).filter(|_| !self.topics.is_empty()));
-        sections.push(page_frame::ORIGIN);
+        sections.extend(Some(explained::SECTION_HEAD).filter(|_| !self.topics.is_empty()));
+        sections.push(page_frame::ORIGIN_SECTION);
         sections
     }
 
@@ -212,7 +213,7 @@ impl<'d, S: DeferredText> Page<'d, S> {
                 self.dialect.command(&call)
             ));
         }
-        if self.chosen.models > MAX_DRAWN {
+        if self.chosen.models > MOST_DRAWN_MODELS {
             let plot = Verb::Plot
                 .call_with_model()
                 .with_value(Input::Kind, "force")
@@ -220,8 +221,8 @@ impl<'d, S: DeferredText> Page<'d, S> {
             remarks_on_omissions.push(format!(
                 "At most {} models have plots; “{}” says why each was chosen. For any other, ask for a page of its own, or \
                  for a picture: {}",
-                MAX_DRAWN,
-                models_table::SECTION.1,
+                MOST_DRAWN_MODELS,
+                models_table::SECTION_HEAD.1,
                 self.dialect.command(&plot)
             ));
         }

@@ -4,18 +4,18 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use osim_model::messages::Verb;
 use osim_requests::verb_entry;
 
-const STYLE: &str = include_str!("style.css");
+const STYLE_SHEET: &str = include_str!("style.css");
 
-pub(super) const ASKED: (&str, &str) = ("asked", "The command of this page");
-pub(super) const ORIGIN: (&str, &str) = ("origin", "Program and citation");
+pub(super) const COMMAND_SECTION: (&str, &str) = ("asked", "The command of this page");
+pub(super) const ORIGIN_SECTION: (&str, &str) = ("origin", "Program and citation");
 
 /// The text by which pages of this program are recognised; the version number follows.
 pub const GENERATOR: &str = "<meta name=\"generator\" content=\"osim-contact-scale ";
 
 /// The reference of the paper, van Bijlert (2026), as in CITATION.cff.
-const PAPER: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
+const PAPER_CITATION: &str = "van Bijlert, P. A. (2026). Scaling contact force parameters across body size, limb \
                                 count, and number of contact spheres. Journal of Biomechanics.";
-const DOI: &str = "10.1016/j.jbiomech.2026.113420";
+const PAPER_DOI: &str = "10.1016/j.jbiomech.2026.113420";
 
 /// The beginning of the page, up to the first section.
 pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> String {
@@ -25,7 +25,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
         meta name="color-scheme" content="light dark";
         (PreEscaped(GENERATOR)) (env!("CARGO_PKG_VERSION")) (PreEscaped("\">"))
         title { (title) }
-        style { (PreEscaped(STYLE)) }
+        style { (PreEscaped(STYLE_SHEET)) }
     };
     let top = html! {
         a.skip href="#content" { "Skip to the content" }
@@ -46,7 +46,7 @@ pub(super) fn opening(title: &str, class: &str, sections: &[(&str, &str)]) -> St
 
 /// The purpose of the verb, and the `command` that makes the page again.
 pub(super) fn purpose(verb: Verb, command: &str) -> String {
-    let (id, title) = ASKED;
+    let (id, title) = COMMAND_SECTION;
     html! {
         section id=(id) aria-labelledby="asked-title" {
             h2 id="asked-title" { (title) }
@@ -71,14 +71,14 @@ pub(super) fn command_line(command: &str) -> Markup {
 
 /// The end of the page, after the last model.
 pub(super) fn origin_and_closing() -> String {
-    let (id, title) = ORIGIN;
+    let (id, title) = ORIGIN_SECTION;
     let end = html! {
         section id=(id) aria-labelledby="origin-title" {
             h2 id="origin-title" { (title) }
             dl {
                 dt { "Program" } dd { "osim-contact-scale " (env!("CARGO_PKG_VERSION")) }
                 dt { "Cite the paper" }
-                dd { (PAPER) " " a href={ "https://doi.org/" (DOI) } { "doi:" (DOI) } }
+                dd { (PAPER_CITATION) " " a href={ "https://doi.org/" (PAPER_DOI) } { "doi:" (PAPER_DOI) } }
                 dt { "Cite the software" }
                 dd { "The osim-contact-scale developers. osim-contact-scale, version " (env!("CARGO_PKG_VERSION")) "." }
             }
@@ -115,7 +115,7 @@ mod tests {
         for colour in colours {
             for attribute in ["fill", "stroke"] {
                 let rule = format!(".plot [{attribute}=\"#{colour}\"]{{{attribute}:");
-                assert!(STYLE.contains(&rule), "{rule}");
+                assert!(STYLE_SHEET.contains(&rule), "{rule}");
             }
         }
     }
@@ -126,9 +126,11 @@ mod tests {
         let Ok(file) = std::fs::read_to_string(path) else { return };
         let file = on_one_line(&file);
         assert!(
-            file.contains(DOI) && file.contains("Journal of Biomechanics") && file.contains("year: 2026")
+            file.contains(PAPER_DOI)
+                && file.contains("Journal of Biomechanics")
+                && file.contains("year: 2026")
         );
-        let title = PAPER.split("). ").nth(1).and_then(|rest| rest.split(". ").next()).unwrap();
+        let title = PAPER_CITATION.split("). ").nth(1).and_then(|rest| rest.split(". ").next()).unwrap();
         assert!(file.contains(title), "{title}");
         assert!(file.contains(&format!("version: {}", env!("CARGO_PKG_VERSION"))));
     }

@@ -2,7 +2,7 @@
 
 use contact_plots::{Drawing, Figure, Paper};
 use maud::{Markup, PreEscaped, html};
-use osim_inspect::series::{ContactBody, ForceUnit, IndentationUnit, Units};
+use osim_inspect::series::{ContactBody, ForceUnit, IndentationUnit, PlotUnits};
 use osim_model::files::Failure;
 use osim_model::messages::Dialect;
 use osim_planning::{ModelFeet, MotionRemark, MotionResult};
@@ -14,13 +14,14 @@ use crate::html::fragment::{Fragment, Section, table};
 use crate::html::special_models::DrawnStates;
 use crate::report::results::motion_feet;
 
-const CONTACT_PLOTS: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
+const PLOTS_SECTION: (&str, &str) = ("plots", "Plots of force, dissipation and a drop test");
 /// Id and title of the section about the contact state. It is only shown if the caller names it, so not in reports.
-const STATE: (&str, &str) = ("state", "Contact state against indentation");
+const STATE_SECTION: (&str, &str) = ("state", "Contact state against indentation");
 /// The units of the plots: shares of the weight against x/R. Bodies of all sizes fit into one figure with these.
-const UNITS: Units = Units { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
+const PLOT_UNITS: PlotUnits =
+    PlotUnits { indentation: IndentationUnit::Relative, force: ForceUnit::WeightShare };
 /// The height of falls in the plots: a quarter of the radius, as in the paper's drop tests.
-const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
+const HEIGHT_OF_FALLS: DropHeight = DropHeight::Radii(0.25);
 
 /// Adds the sections with the feet and the plots of `drawn`. Without feet or bodies, no such section.
 pub(super) fn add_sections(fragment: &mut Fragment, drawn: &DrawnStates, dialect: &dyn Dialect) {
@@ -30,9 +31,9 @@ pub(super) fn add_sections(fragment: &mut Fragment, drawn: &DrawnStates, dialect
     if drawn.bodies.is_empty() {
         return;
     }
-    if fragment.is_wanted(CONTACT_PLOTS.0) {
+    if fragment.is_wanted(PLOTS_SECTION.0) {
         let plots = figures(&drawn.bodies, drawn.has_reference, dialect);
-        fragment.add_section(CONTACT_PLOTS.0, CONTACT_PLOTS.1, &plots);
+        fragment.add_section(PLOTS_SECTION.0, PLOTS_SECTION.1, &plots);
     }
     state_section(fragment, &drawn.bodies);
 }
@@ -40,11 +41,17 @@ pub(super) fn add_sections(fragment: &mut Fragment, drawn: &DrawnStates, dialect
 /// Adds the section about the contact state of a smoothed law, if the caller names the section. A law without smoothing has no such
 /// section.
 fn state_section(fragment: &mut Fragment, bodies: &[ContactBody]) {
-    let svg = || svg_or_failure(bodies, figures::state(bodies, UNITS, None, Some("Contact state"))).ok();
-    let svg = fragment.is_named(STATE.0).then(svg).flatten();
+    let svg = || {
+        svg_or_failure(bodies, figures::contact_state(bodies, PLOT_UNITS, None, Some("Contact state"))).ok()
+    };
+    let svg = fragment.is_named(STATE_SECTION.0).then(svg).flatten();
     if let Some(svg) = svg {
         let what = "How softly contact begins: from 0, no contact, to 1. Where curves lie on each other, the dimensionless smoothing is the same.";
-        fragment.add_section(STATE.0, STATE.1, &html! { div.plots { (plot_with_caption(what, &svg)) } });
+        fragment.add_section(
+            STATE_SECTION.0,
+            STATE_SECTION.1,
+            &html! { div.plots { (plot_with_caption(what, &svg)) } },
+        );
     }
 }
 
@@ -61,14 +68,14 @@ pub(super) fn figures(bodies: &[ContactBody], has_reference: bool, dialect: &dyn
     };
     let from = "a quarter of the sphere radius";
     let drawn = [
-        (pressed, figures::force(bodies, UNITS, None, Some("Force against indentation"))),
+        (pressed, figures::contact_force(bodies, PLOT_UNITS, None, Some("Force against indentation"))),
         (
             "Force while a sphere goes in and out. The area inside is the energy that dissipation takes.",
-            figures::impact_loops(bodies, UNITS, DROP_HEIGHT, Some("Dissipation")),
+            figures::impact_loops(bodies, PLOT_UNITS, HEIGHT_OF_FALLS, Some("Dissipation")),
         ),
         (
             "A fall from a quarter of the radius, against time in seconds (A) and in dimensionless form (B).",
-            figures::drops(bodies, DROP_HEIGHT, from, None, Some("Drop test")),
+            figures::drops(bodies, HEIGHT_OF_FALLS, from, None, Some("Drop test")),
         ),
     ]
     .map(|(what, figure)| (what, svg_or_failure(bodies, figure)));
@@ -97,7 +104,7 @@ fn svg_or_failure(bodies: &[ContactBody], figure: Result<Figure, Failure>) -> Re
 const FEET_SECTION: (&str, &str) = ("feet", "Feet from the side and from above");
 
 /// The largest number of meshes that are listed; if there are more, the page has their number.
-const MAX_LISTED_MESHES: usize = 12;
+const MOST_LISTED_MESHES: usize = 12;
 
 /// The figure of the feet, with its caption.
 pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
@@ -113,7 +120,7 @@ pub(super) fn feet_figure(states: &[ModelFeet]) -> Option<Markup> {
     Some(html! {
         figure { div.plot.feet role="group" aria-label="Feet" tabindex="0" { (PreEscaped(svg)) } figcaption { (caption) } }
         @if !missing.is_empty() {
-            p.aside { "No bones are drawn of " (osim_model::messages::listed(&missing, MAX_LISTED_MESHES)) ": they are neither beside the model nor in its folder Geometry." }
+            p.aside { "No bones are drawn of " (osim_model::messages::listed(&missing, MOST_LISTED_MESHES)) ": they are neither beside the model nor in its folder Geometry." }
         }
     })
 }

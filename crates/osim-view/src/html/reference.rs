@@ -10,7 +10,7 @@ use crate::html::fragment::{Fragment, table};
 use crate::report::extent::Extent;
 use crate::report::similarity::{about, cells, gaps, headings};
 
-pub(super) const SECTION: (&str, &str) = ("reference", "The contact beside that of the reference");
+pub(super) const SECTION_HEAD: (&str, &str) = ("reference", "The contact beside that of the reference");
 /// Numbers are equal if they differ by less than this, relative to the larger number.
 const RELATIVE_ROUNDING: f64 = 1e-9;
 
@@ -49,7 +49,7 @@ pub(super) fn section(fragment: &mut Fragment, reference: &ReferenceState, bodie
         (table("Contacts beside the reference's", caption, &headers, &rows))
         (table_of_parameters(body, bodies))
     };
-    fragment.add_section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
 }
 
 /// The reference in one clause, for a page about many models.

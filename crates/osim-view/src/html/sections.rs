@@ -15,7 +15,7 @@ use crate::html::{explained, plots};
 /// The equations and codes that links in a section lead to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Explained {
-    /// The anchor of the explanation.
+    /// The id of the element with the explanation, for links.
     pub id: String,
     /// The equation, finding or error, explained; an element with that anchor.
     pub html: String,

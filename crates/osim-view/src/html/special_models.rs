@@ -84,9 +84,9 @@ fn contact_text(body: &ContactBody) -> Option<String> {
 // Which models of a library are special, and why: those that a page draws.
 
 /// The largest number of models of a library that get plots.
-pub(crate) const MAX_DRAWN: usize = 10;
+pub(crate) const MOST_DRAWN_MODELS: usize = 10;
 /// The largest number of different dimensionless contacts that are counted. If there are more, the page names no most common contact.
-const MAX_COUNTED_CONTACTS: usize = 256;
+const MOST_COUNTED_CONTACTS: usize = 256;
 
 #[derive(Debug, Default)]
 pub(crate) struct DrawnStates {
@@ -138,7 +138,7 @@ impl ChosenModels {
         replace_if_better(&mut self.heaviest, facts.mass_kg, &one, |new, old| new > old);
         replace_if_better(&mut self.lightest, facts.mass_kg, &one, |new, old| new < old);
         if let Some(contact) = &facts.contact {
-            let room = self.contacts.len() < MAX_COUNTED_CONTACTS;
+            let room = self.contacts.len() < MOST_COUNTED_CONTACTS;
             match self.contacts.get_mut(contact) {
                 Some((count, _)) => *count += 1,
                 None if room => drop(self.contacts.insert(contact.clone(), (1, Rc::clone(&one)))),
@@ -157,8 +157,8 @@ impl ChosenModels {
     /// The models to draw, each with the reasons for its choice.
     pub(crate) fn models_to_draw(&self) -> Vec<(&Candidate, Vec<String>)> {
         let mut chosen: Vec<(&Candidate, Vec<String>)> = Vec::new();
-        for (one, why) in self.extremes() {
-            let room = chosen.len() < MAX_DRAWN;
+        for (one, why) in self.models_at_extremes() {
+            let room = chosen.len() < MOST_DRAWN_MODELS;
             match chosen.iter_mut().find(|(other, _)| other.number == one.number) {
                 Some((_, reasons)) => reasons.push(why),
                 None if room => chosen.push((one, vec![why])),
@@ -170,7 +170,7 @@ impl ChosenModels {
             let of_severity = self.findings.iter().filter(|((_, how_bad), _)| *how_bad == severity);
             for ((code, _), (count, one)) in of_severity {
                 let shown = chosen.iter().any(|(other, _)| other.facts.codes.contains_key(code));
-                if !shown && chosen.len() < MAX_DRAWN {
+                if !shown && chosen.len() < MOST_DRAWN_MODELS {
                     let why = match count {
                         1 => format!("the only one with the finding {}", code.as_str()),
                         count => format!("the first of {count} with the finding {}", code.as_str()),
@@ -182,7 +182,7 @@ impl ChosenModels {
         chosen
     }
 
-    fn extremes(&self) -> Vec<(&Candidate, String)> {
+    fn models_at_extremes(&self) -> Vec<(&Candidate, String)> {
         let mut reasons: Vec<(&Candidate, String)> = Vec::new();
         if let Some((_, one)) = &self.most_found {
             reasons.push((one, format!("most errors and warnings ({})", one.facts.counts.describe("none"))));

@@ -9,13 +9,13 @@ use crate::html::explained::{first_names_and_count, marked_outside};
 use crate::html::fragment::{Fragment, scrollable, table};
 use crate::report::extent::Extent;
 use crate::report::inspection::spheres::{
-    CAPTION, FigureText, Spheres, equally_deep, heading, key, limit, value,
+    FigureText, Spheres, UNEVEN_CAPTION, equally_deep, heading, key, limit, value,
 };
-use crate::report::layout::OUTSIDE;
+use crate::report::layout::OUTSIDE_MARK;
 
-pub(super) const SECTION: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
+pub(super) const SECTION_HEAD: (&str, &str) = ("figures", "Load, indentation and restitution of the spheres");
 /// The largest number of columns of numbers in one table.
-const MAX_COLUMNS: usize = 6;
+const MOST_FIGURE_COLUMNS: usize = 6;
 
 /// The figures of the model in one state, and the name of this state.
 pub(super) struct ModelState<'s> {
@@ -71,7 +71,7 @@ struct SphereGroup<'s> {
 /// Adds the section about the spheres. If figures are missing, a sentence says why.
 pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
     let groups = sphere_groups(states);
-    let groups_per_table = (MAX_COLUMNS / states.len().max(1)).max(1);
+    let groups_per_table = (MOST_FIGURE_COLUMNS / states.len().max(1)).max(1);
     let why =
         states.iter().find_map(|state| state.figures.why_no_body_weight.as_ref()).map(ToString::to_string);
     let mut body = html! {
@@ -93,9 +93,9 @@ pub(super) fn section(fragment: &mut Fragment, states: &[ModelState<'_>]) {
         body = html! { (body) (own_heights_table(state)) };
     }
     if outside {
-        body = html! { (body) p.quiet { (OUTSIDE) " outside the limit; Findings says more." } };
+        body = html! { (body) p.quiet { (OUTSIDE_MARK) " outside the limit; Findings says more." } };
     }
-    fragment.add_section(SECTION.0, SECTION.1, &body);
+    fragment.add_section(SECTION_HEAD.0, SECTION_HEAD.1, &body);
 }
 
 /// The table of spheres at their own heights; empty if all bottoms are at one height.
@@ -113,7 +113,7 @@ fn own_heights_table(state: &ModelState<'_>) -> Markup {
             }
         }
     };
-    let caption = format!("{}: {CAPTION}.", state.name);
+    let caption = format!("{}: {UNEVEN_CAPTION}.", state.name);
     table("Spheres at their own heights", &caption, &["limb", "Hertz", "the model's law", " spheres"], &rows)
 }
 

@@ -12,17 +12,17 @@ use osim_requests::{CheckRequest, Request};
 
 use crate::report::extent::Layout;
 use crate::report::layout::{csv_text, severity, sign, table, wrapped_with_path};
-use crate::report::messages::{NO_CONTACTS, in_a_cell};
+use crate::report::messages::{NO_CONTACTS_CELL, failure_in_cell};
 use crate::report::similarity;
 
 /// Columns of a terminal before the words of a row.
-const INDENT: usize = 18;
+const ROW_INDENT: usize = 18;
 
 /// The word in the place of a question, in rows of findings that answer none of the questions.
 const ROW_OF_FILE: &str = "file";
 
 /// The largest number of models, and of findings of one rule, that are named. If there are more, the text has their number.
-const NAMED: usize = 3;
+const MOST_NAMES_LISTED: usize = 3;
 
 // Findings of one model, for people.
 
@@ -79,7 +79,7 @@ impl AnswerRow<'_> {
     fn text(&self, layout: Layout) -> String {
         let word = self.sign.as_str();
         let text = format!("{word:<8} {:<8} {}", self.on, self.text);
-        layout.wrapped(&text, &" ".repeat(INDENT)).replacen(word, &sign(self.sign, layout.colour), 1)
+        layout.wrapped(&text, &" ".repeat(ROW_INDENT)).replacen(word, &sign(self.sign, layout.colour), 1)
     }
 }
 
@@ -89,7 +89,7 @@ struct AnswerRows<'c> {
     /// Questions of the table, such as "does it stand?", whose answer is not known, by the reason.
     unknown: BTreeMap<String, Vec<&'c str>>,
     good: Vec<AnswerRow<'c>>,
-    /// Questions that only have findings which the published model has, too.
+    /// Questions all of whose findings the known contacts were published with.
     published: Vec<&'c str>,
 }
 
@@ -119,7 +119,8 @@ impl<'c> AnswerRows<'c> {
         let files: Vec<_> = files.filter(|finding| !is_as_published(finding)).collect();
         for alike in files.chunk_by(|a, b| a.code() == b.code()) {
             // A few are told one by one: they may have nothing in common but the rule.
-            let rows_of_rule = if alike.len() > NAMED { vec![alike] } else { alike.chunks(1).collect() };
+            let rows_of_rule =
+                if alike.len() > MOST_NAMES_LISTED { vec![alike] } else { alike.chunks(1).collect() };
             for findings in rows_of_rule {
                 let Some(first) = findings.first() else { continue };
                 let text = row_text(first.message.to_string(), first.place.as_deref(), findings);
@@ -134,7 +135,7 @@ impl<'c> AnswerRows<'c> {
         rows
     }
 
-    /// All good answers in one row.
+    /// One row of the table with all questions whose answer is good; `None` if there are none.
     fn good_in_words(&self) -> Option<String> {
         let good = self.good.iter().map(|row| row.on).filter(|on| !self.published.contains(on));
         let good: Vec<&str> = good.collect();
@@ -167,7 +168,7 @@ fn row_text(mut text: String, place: Option<&str>, findings: &[&FindingWithRemed
     format!("{text} [{code}{others}]")
 }
 
-/// Whether the published model has the finding, too. This does not make the contacts right for a body of another mass.
+/// Whether the known contacts were published with the finding. This does not make the contacts right for a body of another mass.
 fn is_as_published(finding: &FindingWithRemedy) -> bool {
     finding.code() == FindingCode::KnownContacts
         || finding.is_published && finding.code() != FindingCode::ContactsOfAnotherMass
@@ -279,7 +280,7 @@ struct FoundInModels {
 }
 
 /// The folder for results in a command that is proposed for many models.
-const RESULTS: &str = "RESULTS";
+const RESULTS_FOLDER: &str = "RESULTS";
 
 impl LibraryTable {
     /// A table for the models of `call`.
@@ -316,7 +317,7 @@ impl LibraryTable {
 
     /// Adds a model that could not be checked, because of a failure with this code.
     pub fn add_failed(&mut self, model: &str, code: &str) {
-        if in_a_cell(code) == NO_CONTACTS {
+        if failure_in_cell(code) == NO_CONTACTS_CELL {
             self.without_contacts += 1;
         } else {
             self.not_read.push(model.to_owned());
@@ -380,7 +381,7 @@ impl LibraryTable {
     /// One command that corrects all models which can be corrected.
     fn command(&self) -> Option<Request> {
         let first = self.steps.first()?;
-        let output = OutputOptions { output_dir: Some(RESULTS.into()), ..OutputOptions::default() };
+        let output = OutputOptions { output_dir: Some(RESULTS_FOLDER.into()), ..OutputOptions::default() };
         let for_all = |steps: &[Request]| match steps {
             [only] => {
                 let mut request = only.clone();
@@ -396,7 +397,7 @@ impl LibraryTable {
             self.steps.len() == self.counts.len() && self.steps.iter().all(|steps| for_all(steps) == request);
         request.filter(|_| is_for_all).or_else(|| {
             let CheckRequest { deny, format, report, .. } = CheckRequest::default();
-            let output_dir = Some(RESULTS.into());
+            let output_dir = Some(RESULTS_FOLDER.into());
             let call = self.call.clone();
             Some(CheckRequest { fix: true, output_dir, full: false, deny, format, report, ..call }.into())
         })
@@ -424,7 +425,7 @@ impl LibraryTable {
             0 => format!("every file was read; {without}"),
             count => {
                 let names = self.not_read.iter().map(|name| shown_whole(name).to_string());
-                let names = listed(&names.collect::<Vec<_>>(), NAMED);
+                let names = listed(&names.collect::<Vec<_>>(), MOST_NAMES_LISTED);
                 format!("{count} not read: {names}; {without}")
             }
         }

@@ -285,7 +285,7 @@ impl From<&PlaceChange> for ChangeRecord {
             force: None,
             path: moved.path.clone(),
             set: None,
-            sphere: Some(moved.sphere.clone()),
+            sphere: Some(moved.geometry.clone()),
             property: "location",
             from: Amount::Location(moved.from),
             to: Amount::Location(moved.to),

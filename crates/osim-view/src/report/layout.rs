@@ -19,7 +19,7 @@ pub const WIDTH: usize = 80;
 
 /// Options for breaking text into lines of at most `width` columns and of about equal length. Options of a command line are never
 /// broken at their hyphens.
-pub(crate) fn options<'o>(width: usize) -> Options<'o> {
+pub(crate) fn wrap_options<'o>(width: usize) -> Options<'o> {
     Options::new(width)
         .word_separator(WordSeparator::Custom(breakable_words))
         .word_splitter(WordSplitter::NoHyphenation)
@@ -32,7 +32,7 @@ fn paragraph(text: &str) -> String {
 
 /// The text in lines of at most `width` columns. Line ends in names are escaped.
 pub(crate) fn filled(text: &str, width: usize) -> String {
-    textwrap::fill(&paragraph(text), options(width))
+    textwrap::fill(&paragraph(text), wrap_options(width))
 }
 
 /// The text in lines of at most `width` columns. The second and later lines begin with `indent`. Line ends in the text are escaped.
@@ -46,7 +46,7 @@ pub(crate) fn wrapped_with_path(path: &str, text: &str, indent: &str, width: usi
 }
 
 fn wrap_lines(text: &str, indent: &str, width: usize) -> String {
-    let options = options(width).subsequent_indent(indent).break_words(false);
+    let options = wrap_options(width).subsequent_indent(indent).break_words(false);
     format!("{}\n", textwrap::fill(text, options))
 }
 
@@ -83,7 +83,7 @@ fn split_at_ends(text: &str, ends: impl Iterator<Item = usize>) -> impl Iterator
 // Lines of text, broken where a terminal ends.
 
 /// Beginnings of sentences about findings. The second and later lines of such a sentence are indented.
-const TEXT_HEADS: [&str; 3] = ["error: ", "warning: ", "remark: "];
+const SEVERITY_BEGINNINGS: [&str; 3] = ["error: ", "warning: ", "remark: "];
 
 /// Beginnings of commands, which the reader copies as a whole. A terminal breaks long lines, too, but does not copy these breaks.
 const COMMAND_BEGINNINGS: [&str; 3] = ["$ ", "> ", "osim-contact-scale "];
@@ -112,7 +112,8 @@ fn break_long_line(line: &str, width: usize) -> String {
         return line.to_owned();
     }
     let (head, sentence) = split_sentence(text);
-    let hang = display_width(head) + if TEXT_HEADS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
+    let hang = display_width(head)
+        + if SEVERITY_BEGINNINGS.iter().any(|head| text.starts_with(head)) { 2 } else { 0 };
     // Where hardly anything would fit beside the other cells, nothing is won.
     if hang > width / 2 {
         return line.to_owned();
@@ -330,9 +331,9 @@ pub(crate) fn csv_text(records: impl IntoIterator<Item = Vec<String>>) -> Result
 // Colours for verdicts that are readable without them.
 
 /// The mark after a figure that is outside its limit.
-pub const OUTSIDE: char = '!';
+pub const OUTSIDE_MARK: char = '!';
 
-const OUTSIDE_STYLE: Style = AnsiColor::Yellow.on_default().bold();
+const STYLE_OF_OUTSIDE: Style = AnsiColor::Yellow.on_default().bold();
 
 /// Whether a text has colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -343,7 +344,7 @@ pub enum Colour {
     Ansi,
 }
 
-/// A table with every figure that has an [`OUTSIDE`] mark in colour.
+/// A table with every figure that has an [`OUTSIDE_MARK`] mark in colour.
 pub(crate) fn colour_marks(text: &str, colour: Colour) -> String {
     if colour == Colour::Plain {
         return text.to_owned();
@@ -354,7 +355,7 @@ pub(crate) fn colour_marks(text: &str, colour: Colour) -> String {
         // The figure begins after the blanks between the columns.
         let (skipped, figure) = before.rsplit_once("  ").unwrap_or(("", before));
         let gap = if skipped.len() + figure.len() < before.len() { "  " } else { "" };
-        out.push_str(&format!("{skipped}{gap}{OUTSIDE_STYLE}{figure} {OUTSIDE}{OUTSIDE_STYLE:#}"));
+        out.push_str(&format!("{skipped}{gap}{STYLE_OF_OUTSIDE}{figure} {OUTSIDE_MARK}{STYLE_OF_OUTSIDE:#}"));
         rest = after;
     }
     out.push_str(rest);
@@ -366,7 +367,7 @@ pub(crate) fn severity(severity: Severity, colour: Colour) -> String {
     let style = match (colour, severity) {
         (Colour::Plain, _) | (_, Severity::Remark) => Style::new(),
         (Colour::Ansi, Severity::Error) => AnsiColor::Red.on_default().bold(),
-        (Colour::Ansi, Severity::Warning) => OUTSIDE_STYLE,
+        (Colour::Ansi, Severity::Warning) => STYLE_OF_OUTSIDE,
     };
     format!("{style}{}{style:#}", severity.as_str())
 }

@@ -36,12 +36,12 @@ pub fn mass_mismatch(name: &str, mismatch: &MassMismatch, dialect: &dyn Dialect)
 }
 
 /// The text in the row of a model that has no contacts, so that there is nothing to show.
-pub(crate) const NO_CONTACTS: &str = "no contacts";
+pub(crate) const NO_CONTACTS_CELL: &str = "no contacts";
 
 /// The text in the row of a model with a failure, by the code of the failure.
-pub(crate) fn in_a_cell(code: &str) -> &'static str {
+pub(crate) fn failure_in_cell(code: &str) -> &'static str {
     match code {
-        "no-contacts" => NO_CONTACTS,
+        "no-contacts" => NO_CONTACTS_CELL,
         "no-models" => "no models",
         _ => "not read",
     }

@@ -60,13 +60,13 @@ pub fn line(plan: &Plan, model: &str, output: &str) -> String {
 }
 
 /// If all places of spheres are nearer to the origins of their bodies than this, m, the animal is small. In every human, some are farther.
-const SMALL_FOOT_M: f64 = 0.02;
+const SMALL_FOOT_LENGTH_M: f64 = 0.02;
 
 /// The largest number of names in a row of the table of objects. If there are more, the row has their number, so that it fits into one
 /// line.
-const MAX_NAMES_OF_OBJECTS: usize = 3;
+const MOST_OBJECTS_NAMED: usize = 3;
 /// The largest number of names of spheres or forces in a row of the table of changes, which has more columns.
-const MAX_NAMES_OF_CHANGE: usize = 2;
+const MOST_NAMES_IN_CHANGE: usize = 2;
 
 /// The table of added and removed objects, with a row for each class.
 fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String {
@@ -80,7 +80,7 @@ fn table_of_objects(objects: &[ObjectChange], columns: Option<usize>) -> String 
             group.action.as_str(),
             &count,
             group.class,
-            &listed(&group.names, MAX_NAMES_OF_OBJECTS),
+            &listed(&group.names, MOST_OBJECTS_NAMED),
         ]);
     }
     table.right_aligned(&[1]);
@@ -104,7 +104,7 @@ fn table_of_changes(plan: &Plan, columns: Option<usize>) -> String {
     for group in &groups {
         let Some(first) = group.first() else { continue };
         let of = if several.contains(&first.property) {
-            listed(&names(group), MAX_NAMES_OF_CHANGE)
+            listed(&names(group), MOST_NAMES_IN_CHANGE)
         } else {
             name_or_count(group)
         };
@@ -153,7 +153,7 @@ fn table_of_moves(plan: &Plan, columns: Option<usize>) -> String {
     let largest = moves.iter().flat_map(|moved| moved.to).fold(0.0, largest_of);
     let mut table = table(&["centre of", "x", "y", "z", "new x", "new y", "new z", "by"]);
     for moved in moves {
-        let mut cells = vec![moved.sphere.clone()];
+        let mut cells = vec![moved.geometry.clone()];
         cells.extend(moved.from.iter().chain(&moved.to).map(|&metres| coordinate_text(metres, largest)));
         cells.push(moved.by.as_str().to_owned());
         table.add_row(cells);
@@ -168,7 +168,7 @@ fn largest_of(largest: f64, coordinate: f64) -> f64 {
 
 /// A coordinate in metres, with four decimals; with six if the `largest` coordinate is that of a small animal.
 fn coordinate_text(metres: f64, largest: f64) -> String {
-    let (decimals, unit) = if largest < SMALL_FOOT_M { (6, 1e6) } else { (4, 1e4) };
+    let (decimals, unit) = if largest < SMALL_FOOT_LENGTH_M { (6, 1e6) } else { (4, 1e4) };
     format!("{:.decimals$}", (metres * unit).round() / unit + 0.0)
 }
 
@@ -241,7 +241,7 @@ pub fn names<'c>(group: &[&'c NumberChange]) -> Vec<&'c str> {
 pub struct ObjectGroup<'p> {
     /// Whether the objects are added or removed.
     pub action: ObjectAction,
-    /// The class of the objects.
+    /// OpenSim's class of the added or removed objects of this group.
     pub class: &'static str,
     /// The names of the objects, in the order of the plan.
     pub names: Vec<&'p str>,

@@ -113,14 +113,14 @@ pub fn reproduction_text(record: &ReproductionRecord, columns: Option<usize>) ->
     let is_narrow = columns.is_some_and(|columns| columns < LEAST_COLUMNS_OF_TABLE);
     let mut table = table(&["Table 1", "paper", "computed", "difference", "relative", "agrees"]);
     for number in record.table1.iter().flat_map(|animal| &animal.values) {
-        table.add_row(cells(number, is_narrow));
+        table.add_row(cells_of_number(number, is_narrow));
     }
     table.right_aligned(&[1, 2, 3, 4]);
     let formatted = table.trim_fmt();
     let mut lines = formatted.lines();
     let mut text = format!("{}\n", lines.next().unwrap_or_default());
     for animal in &record.table1 {
-        text.push_str(&format!("{}\n", heading(animal)));
+        text.push_str(&format!("{}\n", heading_of_animal(animal)));
         for line in lines.by_ref().take(animal.values.len()) {
             text.push_str(&format!("{line}\n"));
         }
@@ -178,12 +178,12 @@ pub fn reproduction_csv(record: &ReproductionRecord) -> Result<String, csv::Erro
     csv_text(std::iter::once(header.map(str::to_owned).to_vec()).chain(rows))
 }
 
-fn heading(animal: &AnimalRecord) -> String {
+fn heading_of_animal(animal: &AnimalRecord) -> String {
     let [mass, spheres, radius] = [animal.mass_kg, animal.sphere_count, animal.radius_m].map(readable);
     format!("{}: {mass} kg on {} of R = {radius} m", animal.taxon, counted(spheres, "sphere"))
 }
 
-fn cells(number: &NumberRecord, is_narrow: bool) -> Vec<String> {
+fn cells_of_number(number: &NumberRecord, is_narrow: bool) -> Vec<String> {
     let decimals = number.printed.split_once('.').map_or(0, |(_, decimals)| decimals.len()) + MORE_DIGITS;
     let unit = if number.unit.is_empty() { String::new() } else { format!(", {}", number.unit) };
     vec![

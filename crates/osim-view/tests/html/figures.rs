@@ -9,9 +9,9 @@ use osim_view::figures::{self as figures, AxisUnits};
 
 use crate::support::open;
 
-const HEIGHT: DropHeight = DropHeight::Radii(0.25);
+const DROP_HEIGHT: DropHeight = DropHeight::Radii(0.25);
 
-fn body(name: &str) -> ContactBody {
+fn body_called(name: &str) -> ContactBody {
     let model = open(&format!("table1/{name}.osim"));
     let options = InspectOptions::default();
     ContactBody::from_inspected_model(name.to_owned(), &model.model, &options, &|fault| model.failure(fault))
@@ -23,26 +23,26 @@ fn axes(figure: &Figure) -> (&str, &str) {
     (&figure.panels[0].x.label, &figure.panels[0].y.label)
 }
 
-fn curves(figure: &Figure) -> Vec<&str> {
+fn curve_names(figure: &Figure) -> Vec<&str> {
     figure.panels[0].curves.iter().map(|curve| curve.label.as_str()).collect()
 }
 
-fn limits(figure: &Figure) -> Vec<&str> {
+fn limit_names(figure: &Figure) -> Vec<&str> {
     figure.panels[0].limits.iter().map(|limit| limit.label.as_str()).collect()
 }
 
 #[test]
 fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
-    let (mouse, horse) = (body("mouse_smooth_sphere"), body("horse_smooth_sphere"));
+    let (mouse, horse) = (body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere"));
     let one = [mouse];
-    let figure = figures::force(&one, figures::units_for(&one, None), None, None).unwrap();
+    let figure = figures::contact_force(&one, figures::units_for(&one, None), None, None).unwrap();
     assert_eq!(axes(&figure), ("relative indentation x̂ = x/R (–)", "force of one sphere (N)"));
     assert_eq!(figure.title, "Contact force: mouse_smooth_sphere");
-    assert_eq!(curves(&figure), ["Hertz (1)", "Hertz with cf (C.1)", "smoothed, at rest (C.9)"]);
+    assert_eq!(curve_names(&figure), ["Hertz (1)", "Hertz with cf (C.1)", "smoothed, at rest (C.9)"]);
     assert!(figure.description.contains("of mouse_smooth_sphere: the Hertz law"), "{}", figure.description);
     let panel = &figure.panels[0];
     assert_eq!(panel.marks[0].label, "at rest under body weight");
-    assert_eq!(limits(&figure), ["x̂ = 0.16"]);
+    assert_eq!(limit_names(&figure), ["x̂ = 0.16"]);
     // The shade ends where contact begins.
     assert_eq!(
         (panel.areas[0].label.as_str(), panel.areas[0].points.last().unwrap().0),
@@ -50,33 +50,34 @@ fn one_contact_is_drawn_in_newtons_and_several_in_shares_of_the_weight() {
     );
     let [mouse] = one;
     let two = [mouse, horse];
-    let figure = figures::force(&two, figures::units_for(&two, None), None, None).unwrap();
+    let figure = figures::contact_force(&two, figures::units_for(&two, None), None, None).unwrap();
     assert_eq!(axes(&figure).1, "force of one sphere / its share Mg/n (–)");
     assert_eq!(figure.title, "Contact force");
-    assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
+    assert_eq!(curve_names(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
     let figure =
-        figures::force(&two, figures::units_for(&two, Some(AxisUnits::Real)), None, Some("Both")).unwrap();
+        figures::contact_force(&two, figures::units_for(&two, Some(AxisUnits::Real)), None, Some("Both"))
+            .unwrap();
     assert_eq!(axes(&figure).0, "indentation x (mm)");
-    assert_eq!((figure.title.as_str(), limits(&figure).len()), ("Both", 0));
+    assert_eq!((figure.title.as_str(), limit_names(&figure).len()), ("Both", 0));
 }
 
 #[test]
 fn thresholds_and_the_step_are_drawn_for_one_contact_only() {
-    let one = [body("mouse_smooth_sphere")];
-    let figure = figures::state(&one, figures::units_for(&one, None), None, None).unwrap();
-    assert_eq!(limits(&figure), ["state 0.05", "state 0.95"]);
+    let one = [body_called("mouse_smooth_sphere")];
+    let figure = figures::contact_state(&one, figures::units_for(&one, None), None, None).unwrap();
+    assert_eq!(limit_names(&figure), ["state 0.05", "state 0.95"]);
     assert_eq!(axes(&figure).1, "contact state (–)");
-    assert_eq!(curves(&figure), ["binary contact, without smoothing", "smoothed (C.4)"]);
-    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    let figure = figures::state(&two, figures::units_for(&two, None), None, None).unwrap();
-    assert!(limits(&figure).is_empty());
-    assert_eq!(curves(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
+    assert_eq!(curve_names(&figure), ["binary contact, without smoothing", "smoothed (C.4)"]);
+    let two = [body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere")];
+    let figure = figures::contact_state(&two, figures::units_for(&two, None), None, None).unwrap();
+    assert!(limit_names(&figure).is_empty());
+    assert_eq!(curve_names(&figure), ["mouse_smooth_sphere", "horse_smooth_sphere"]);
 }
 
 #[test]
 fn a_law_without_smoothing_has_no_state() {
-    let bodies = [body("mouse_hunt_crossley")];
-    let failure = figures::state(&bodies, figures::units_for(&bodies, None), None, None).unwrap_err();
+    let bodies = [body_called("mouse_hunt_crossley")];
+    let failure = figures::contact_state(&bodies, figures::units_for(&bodies, None), None, None).unwrap_err();
     assert_eq!(
         failure.message.spelled(&CommandLine),
         "a HuntCrossleyForce has no contact state to draw: there, contact is a step; plot force shows its law"
@@ -86,26 +87,29 @@ fn a_law_without_smoothing_has_no_state() {
 
 #[test]
 fn loops_of_one_contact_have_three_speeds_and_those_of_several_one_each() {
-    let one = [body("mouse_smooth_sphere")];
-    let figure = figures::loops(&one, figures::units_for(&one, None), HEIGHT, None).unwrap();
-    assert_eq!((curves(&figure).len(), curves(&figure)[0]), (4, "force at rest"));
+    let one = [body_called("mouse_smooth_sphere")];
+    let figure = figures::loops(&one, figures::units_for(&one, None), DROP_HEIGHT, None).unwrap();
+    assert_eq!((curve_names(&figure).len(), curve_names(&figure)[0]), (4, "force at rest"));
     let described = &figure.description;
     assert!(described.contains("the largest of them that of a fall from 0.25 R."), "{described}");
-    let short = figures::impact_loops(&one, figures::units_for(&one, None), HEIGHT, None).unwrap();
+    let short = figures::impact_loops(&one, figures::units_for(&one, None), DROP_HEIGHT, None).unwrap();
     let (short, whole) = (&short.panels[0].curves[0], &figure.panels[0].curves[3]);
     assert_eq!((&short.label, &short.points), (&whole.label, &whole.points));
-    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    let figure = figures::loops(&two, figures::units_for(&two, None), HEIGHT, None).unwrap();
-    assert_eq!(curves(&figure).len(), 2);
-    assert!(curves(&figure)[1].starts_with("horse_smooth_sphere: "), "{:?}", curves(&figure));
+    let two = [body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere")];
+    let figure = figures::loops(&two, figures::units_for(&two, None), DROP_HEIGHT, None).unwrap();
+    assert_eq!(curve_names(&figure).len(), 2);
+    assert!(curve_names(&figure)[1].starts_with("horse_smooth_sphere: "), "{:?}", curve_names(&figure));
 }
 
 #[test]
 fn drops_stand_over_seconds_and_over_time_without_dimensions() {
-    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
-    let figure = figures::drops(&two, HEIGHT, "a height", Some(0.5), None).unwrap();
+    let two = [body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere")];
+    let figure = figures::drops(&two, DROP_HEIGHT, "a height", Some(0.5), None).unwrap();
     assert!(figure.description.ends_with("They fall from a height."), "{}", figure.description);
-    assert_eq!((limits(&figure), curves(&figure)), (vec!["body weight"], vec![&*two[0].name, &two[1].name]));
+    assert_eq!(
+        (limit_names(&figure), curve_names(&figure)),
+        (vec!["body weight"], vec![&*two[0].name, &two[1].name])
+    );
     assert_eq!(axes(&figure), ("time t (s)", "normal force / body weight (–)"));
     assert_eq!(figure.panels[1].x.label, "non-dimensional time t/√(R/g) (–)");
     // The horse's time passes more slowly, so its fall ends first.
@@ -120,9 +124,10 @@ fn drops_stand_over_seconds_and_over_time_without_dimensions() {
 
 #[test]
 fn a_heat_map_is_about_one_body() {
-    let request = HeatRequest { quantity: QuantityChoice::Restitution, height: HEIGHT, duration_s: None };
+    let request =
+        HeatRequest { quantity: QuantityChoice::Restitution, height: DROP_HEIGHT, duration_s: None };
     let axis = |now: f64| vec![0.5 * now, now, 2.0 * now];
-    let one = [body("mouse_smooth_sphere")];
+    let one = [body_called("mouse_smooth_sphere")];
     // Stiffness does not change the restitution of an impact without gravity: a curve over the dissipation.
     let Ok(Drawing::Panels(curve)) = figures::heat(&one, &request, axis, axis, None) else { panic!() };
     assert_eq!(curve.title, "Restitution: mouse_smooth_sphere");
@@ -131,7 +136,7 @@ fn a_heat_map_is_about_one_body() {
     let peak = HeatRequest { quantity: QuantityChoice::PeakForce, ..request.clone() };
     let Ok(Drawing::HeatMap(map)) = figures::heat(&one, &peak, axis, axis, None) else { panic!() };
     assert_eq!((map.x.len(), map.values.len()), (3, 3));
-    let two = [body("mouse_smooth_sphere"), body("horse_smooth_sphere")];
+    let two = [body_called("mouse_smooth_sphere"), body_called("horse_smooth_sphere")];
     let failure = figures::heat(&two, &request, axis, axis, None).unwrap_err();
     assert_eq!(&*failure.model, "mouse_smooth_sphere, horse_smooth_sphere");
     assert_eq!(
@@ -142,8 +147,8 @@ fn a_heat_map_is_about_one_body() {
 
 #[test]
 fn too_many_curves_are_refused_with_a_way_out() {
-    let bodies: Vec<ContactBody> = (0..12).map(|_| body("mouse_smooth_sphere")).collect();
-    let figure = figures::force(&bodies, figures::units_for(&bodies, None), None, None).unwrap();
+    let bodies: Vec<ContactBody> = (0..12).map(|_| body_called("mouse_smooth_sphere")).collect();
+    let figure = figures::contact_force(&bodies, figures::units_for(&bodies, None), None, None).unwrap();
     let failure = figures::failure_of_plot(figure.distinct().unwrap_err(), &bodies);
     let message = failure.message.spelled(&CommandLine);
     assert!(message.ends_with("expected at most 8: choose with --select GLOB"), "{message}");

@@ -13,7 +13,7 @@ use osim_view::html::{
 
 use crate::support::{self, open, rescaled};
 
-fn page(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
+fn page_text(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Item = Entry>) -> String {
     let mut page = Page::new(head, DeferredParts::<TextInMemory>::default(), front_end);
     entries.into_iter().for_each(|entry| page.add(entry));
     let mut bytes = Vec::new();
@@ -21,7 +21,7 @@ fn page(head: PageHead, front_end: &dyn FrontEnd, entries: impl IntoIterator<Ite
     String::from_utf8(bytes).unwrap()
 }
 
-fn check(model: Option<&str>) -> PageHead {
+fn head_of_check(model: Option<&str>) -> PageHead {
     PageHead::new(
         Verb::Check,
         model.map(str::to_owned),
@@ -30,11 +30,11 @@ fn check(model: Option<&str>) -> PageHead {
     )
 }
 
-fn changes(model: Option<&str>) -> PageHead {
+fn head_of_changes(model: Option<&str>) -> PageHead {
     PageHead::new(Verb::Rescale, model.map(str::to_owned), Columns::Changes, "osim-contact-scale a.osim")
 }
 
-fn entry(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
+fn entry_of_model(model: &OpenModel, detail: DetailLevel, front_end: &dyn FrontEnd) -> Entry {
     let options = InspectOptions::default();
     let (seen, found) = support::inspected(&options, model, front_end);
     let shown = InspectedModelOnPage {
@@ -69,7 +69,8 @@ fn a_figure_and_its_mark_stay_together_and_nothing_is_shown_as_an_escape() {
     let model = open("table1/human_62kg_smooth_sphere.osim");
     let detail = DetailLevel::Alone;
     for name in [Some(&**model.name()), None] {
-        let text = page(check(name), &CommandLine, [entry(&model, detail, &CommandLine)]);
+        let text =
+            page_text(head_of_check(name), &CommandLine, [entry_of_model(&model, detail, &CommandLine)]);
         assert!(text.contains("0.3533\u{a0}!"), "{name:?}");
         assert!(!text.contains("\\u{"), "{name:?}");
     }
@@ -78,8 +79,11 @@ fn a_figure_and_its_mark_stay_together_and_nothing_is_shown_as_an_escape() {
 #[test]
 fn one_model_has_sections_plots_and_explanations() {
     let model = open("check/beyond_hertz.osim");
-    let text =
-        page(check(Some(model.name())), &CommandLine, [entry(&model, DetailLevel::Alone, &CommandLine)]);
+    let text = page_text(
+        head_of_check(Some(model.name())),
+        &CommandLine,
+        [entry_of_model(&model, DetailLevel::Alone, &CommandLine)],
+    );
     assert!(text.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
     assert!(text.contains("<title>Check of contacts: beyond_hertz.osim</title>"));
     for section in [
@@ -105,7 +109,7 @@ fn one_model_has_sections_plots_and_explanations() {
 fn names_from_files_are_escaped_on_a_page() {
     let failure = Failure::outside("<b>.osim", "unreadable", "it is \"not\" <there>".to_owned());
     let head = PageHead::new(Verb::Inspect, None, Columns::Inspections, "inspect '<b>.osim'");
-    let text = page(head, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
+    let text = page_text(head, &CommandLine, [Entry::failed(&failure, &CommandLine)]);
     assert!(!text.contains("<b>.osim") && !text.contains("<there>"));
     assert!(text.contains("&lt;b&gt;.osim") && text.contains("failed: it is &quot;not&quot; &lt;there&gt;"));
     assert_anchors(&text);
@@ -123,12 +127,12 @@ fn a_change_is_shown_before_and_after() {
     row.changes = plan.changes.len();
     let change = || ChangedModelOnPage::new(&plan, (&before, &found), ListedFiles::default());
     let one = entry_of_changed_model(&row, change(), DetailLevel::Alone, &CommandLine);
-    let text = page(changes(Some(model.name())), &CommandLine, [one]);
+    let text = page_text(head_of_changes(Some(model.name())), &CommandLine, [one]);
     assert!(text.contains("<h2 id=\"changes-title\">What changed</h2>"));
     assert!(text.contains("<code>stiffness</code>"), "{text}");
     assert_anchors(&text);
     let one = entry_of_changed_model(&row, change(), DetailLevel::OneOfMany, &CommandLine);
-    let text = page(changes(None), &CommandLine, [one]);
+    let text = page_text(head_of_changes(None), &CommandLine, [one]);
     assert!(text.contains(">62 → 500</td>") && !text.contains("<svg"), "{text}");
     // R follows M^(1/3): 0.032 m × (500/62)^(1/3) = 0.06417 m; E1* likewise, from 1e6 N/m².
     assert!(text.contains("0.032 → 0.06417 <br><span class=\"quiet\">×2.005</span>"), "{text}");
@@ -141,9 +145,9 @@ fn special_models_have_plots_and_the_others_say_how_to_get_them() {
     let models = ["table1/human_62kg_smooth_sphere.osim", "table1/mouse_hunt_crossley.osim"];
     let models: Vec<OpenModel> = models.iter().chain(&[models[1]; 10]).map(|name| open(name)).collect();
     let entries = |front_end: &dyn FrontEnd, detail: DetailLevel| -> Vec<Entry> {
-        models.iter().map(|model| entry(model, detail, front_end)).collect()
+        models.iter().map(|model| entry_of_model(model, detail, front_end)).collect()
     };
-    let text = page(check(None), &CommandLine, entries(&CommandLine, DetailLevel::OneOfFew));
+    let text = page_text(head_of_check(None), &CommandLine, entries(&CommandLine, DetailLevel::OneOfFew));
     // Two bodies, each with three plots and its feet; and the chart of all models.
     assert_eq!(text.matches("<svg").count(), 2 * 4 + 1);
     // Table 1: the mouse's sphere sinks in by 0.56 of its radius, the human's by 0.35.
@@ -160,7 +164,7 @@ fn special_models_have_plots_and_the_others_say_how_to_get_them() {
     assert!(text.contains("<b>12 of 12</b> deeper at rest than x̂ = 0.16"), "{text}");
     assert!(text.contains("limit, x̂ = 0.16"));
     assert_anchors(&text);
-    let text = page(check(None), &Python, entries(&Python, DetailLevel::OneOfMany));
+    let text = page_text(head_of_check(None), &Python, entries(&Python, DetailLevel::OneOfMany));
     assert!(text.contains("ocs.plot(&quot;force&quot;, &quot;model.osim&quot;).save(&quot;FILE.svg&quot;)"));
 }
 
@@ -168,8 +172,8 @@ fn special_models_have_plots_and_the_others_say_how_to_get_them() {
 fn a_page_says_what_it_leaves_out_only_where_it_does() {
     let model = open("check/within_limits.osim");
     let of = |models: usize| {
-        let entries = (0..models).map(|_| entry(&model, DetailLevel::OneOfMany, &CommandLine));
-        page(check(None), &CommandLine, entries)
+        let entries = (0..models).map(|_| entry_of_model(&model, DetailLevel::OneOfMany, &CommandLine));
+        page_text(head_of_check(None), &CommandLine, entries)
     };
     let text = of(1000);
     assert_eq!(text.matches("<details>").count(), 1000);
@@ -182,7 +186,7 @@ fn a_page_says_what_it_leaves_out_only_where_it_does() {
 #[test]
 fn names_may_be_broken_at_folders() {
     let row = |name: &str| Entry::of_row(&RunRow::new(name, "unchanged"), None);
-    let text = page(changes(None), &CommandLine, [row("a/b<c>.osim"), row(r"C:\models\d.osim")]);
+    let text = page_text(head_of_changes(None), &CommandLine, [row("a/b<c>.osim"), row(r"C:\models\d.osim")]);
     assert!(
         text.contains("a/<wbr>b&lt;c&gt;.osim") && text.contains(r"C:\<wbr>models\<wbr>d.osim"),
         "{text}"
@@ -206,7 +210,7 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
         Entry::of_row(&RunRow::new("d.osim", "not begun: the run was stopped"), None),
         Entry::without_contacts("e.osim"),
     ];
-    let text = page(changes(None), &CommandLine, entries);
+    let text = page_text(head_of_changes(None), &CommandLine, entries);
     assert!(text.contains("row 3: a.osim → b.osim"));
     assert!(text.contains(
         "written †</td><td></td><td>0</td><td><span class=\"quiet\">unequal</span></td><td><span class=\"quiet\">×2</span></td>"
@@ -223,9 +227,9 @@ fn rows_say_what_became_of_models_that_are_not_shown() {
 
 #[test]
 fn a_page_that_cannot_be_kept_says_so_at_the_end() {
-    struct Full;
+    struct FullDisk;
 
-    impl osim_view::html::DeferredText for Full {
+    impl osim_view::html::DeferredText for FullDisk {
         fn add(&mut self, _: &str) -> std::io::Result<()> {
             Err(std::io::Error::other("the disk is full"))
         }
@@ -235,8 +239,11 @@ fn a_page_that_cannot_be_kept_says_so_at_the_end() {
         }
     }
 
-    let mut page =
-        Page::new(check(None), DeferredParts { failures: Full, rows: Full, details: Full }, &CommandLine);
+    let mut page = Page::new(
+        head_of_check(None),
+        DeferredParts { failures: FullDisk, rows: FullDisk, details: FullDisk },
+        &CommandLine,
+    );
     page.add(Entry::without_contacts("a.osim"));
     page.add(Entry::without_contacts("b.osim"));
     let error = page.finish(&mut Vec::new()).unwrap_err();

@@ -41,7 +41,7 @@ fn topics_are_told_with_what_to_do() {
 }
 
 #[test]
-fn records_say_their_kind_first() {
+fn records_of_topics_begin_with_their_kind() {
     let record = |name| line(&TopicRecord::new(Topic::find(name).unwrap()[0], &CommandLine));
     let equation = record("level");
     assert!(

@@ -51,17 +51,17 @@ fn schema_of_type<T: JsonSchema>() -> Value {
     Schema::to_value(generator.into_root_schema_for::<T>())
 }
 
-fn fields(object: &Value) -> Vec<&str> {
+fn field_names(object: &Value) -> Vec<&str> {
     object.as_object().unwrap().keys().map(String::as_str).collect()
 }
 
 /// Asserts that a schema requires the fields of `object`, in their order, and only allows `optional` besides them.
 #[track_caller]
 fn assert_lists(schema: &Value, object: &Value, optional: &[&str]) {
-    assert_eq!(schema["required"], json!(fields(object)));
-    let mut listed = fields(&schema["properties"]);
+    assert_eq!(schema["required"], json!(field_names(object)));
+    let mut listed = field_names(&schema["properties"]);
     listed.retain(|field| !optional.contains(field));
-    assert_eq!(listed, fields(object));
+    assert_eq!(listed, field_names(object));
     assert_eq!(schema["properties"].as_object().unwrap().len(), listed.len() + optional.len());
 }
 

@@ -11,12 +11,12 @@ use osim_view::report::{check, inspection, plan};
 
 use crate::support::{inspected, open, rescaled};
 
-const SMOOTH: &str = "table1/human_62kg_smooth_sphere.osim";
-const MIXED: &str = "format/mixed_radii.osim";
+const SMOOTH_MODEL: &str = "table1/human_62kg_smooth_sphere.osim";
+const MODEL_OF_MIXED_RADII: &str = "format/mixed_radii.osim";
 
 #[test]
 fn a_model_is_told_in_80_columns() {
-    let model = open(SMOOTH);
+    let model = open(SMOOTH_MODEL);
     let (seen, _) = inspected(&InspectOptions::default(), &model, &CommandLine);
     let text = inspection::text(&seen, &CommandLine, Layout::default());
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
@@ -59,7 +59,9 @@ fn longest_line(text: &str) -> usize {
 /// Three models in one folder, and one that could not be read.
 fn models() -> inspection::ModelsTable {
     let mut table = inspection::ModelsTable::default();
-    for (fixture, folder) in [(SMOOTH, "adults"), (MIXED, "animals"), ("bad/no_contacts.osim", "animals")] {
+    for (fixture, folder) in
+        [(SMOOTH_MODEL, "adults"), (MODEL_OF_MIXED_RADII, "animals"), ("bad/no_contacts.osim", "animals")]
+    {
         let (mut seen, found) = inspected(&InspectOptions::default(), &open(fixture), &CommandLine);
         seen.model = format!("/study/{folder}/{}", fixture.rsplit('/').next().unwrap());
         table.add(&seen, found.counts);
@@ -97,7 +99,7 @@ fn a_pipe_gets_whole_names_and_all_columns() {
 
 #[test]
 fn every_column_has_a_name_of_its_own_that_matlab_takes() {
-    let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
+    let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH_MODEL), &CommandLine);
     let rows = inspection::csv_rows(&seen, true).unwrap();
     let names: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
     for (index, name) in names.iter().enumerate() {
@@ -122,7 +124,7 @@ fn every_column_has_a_name_of_its_own_that_matlab_takes() {
 
 #[test]
 fn csv_has_one_row_for_each_sphere_that_stands() {
-    let model = open(SMOOTH);
+    let model = open(SMOOTH_MODEL);
     let (seen, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     let rows = inspection::csv_rows(&seen, true).unwrap();
     let spheres: usize = seen.figures.limbs.iter().map(|limb| limb.spheres.len()).sum();
@@ -139,7 +141,7 @@ fn csv_has_one_row_for_each_sphere_that_stands() {
 
 #[test]
 fn findings_are_told_with_what_to_do() {
-    let model = open(MIXED);
+    let model = open(MODEL_OF_MIXED_RADII);
     let (_, found) = inspected(&InspectOptions::default(), &model, &CommandLine);
     let text = check::text(&found, &CommandLine, Layout::default());
     insta::assert_snapshot!("check", text);
@@ -149,7 +151,7 @@ fn findings_are_told_with_what_to_do() {
 fn a_library_of_models_is_shown_as_one_table() {
     let mut library =
         check::LibraryTable::new(CheckRequest { models: vec!["models".into()], ..CheckRequest::default() });
-    for name in [SMOOTH, MIXED, "check/sunk_in.osim", "check/floats.osim"] {
+    for name in [SMOOTH_MODEL, MODEL_OF_MIXED_RADII, "check/sunk_in.osim", "check/floats.osim"] {
         library.add(&inspected(&InspectOptions::default(), &open(name), &CommandLine).1);
     }
     library.add_failed("broken.osim", "malformed-xml");
@@ -158,11 +160,11 @@ fn a_library_of_models_is_shown_as_one_table() {
 
 #[test]
 fn a_plan_is_told_in_full_in_a_line_and_as_a_diff() {
-    let model = open(SMOOTH);
+    let model = open(SMOOTH_MODEL);
     let plan = rescaled(&model.model, 500.0, &CommandLine);
     let dry = "dry run: nothing written";
-    insta::assert_snapshot!("plan", plan::text(&plan, SMOOTH, dry, None));
-    insta::assert_snapshot!("plan_line", plan::line(&plan, SMOOTH, dry));
+    insta::assert_snapshot!("plan", plan::text(&plan, SMOOTH_MODEL, dry, None));
+    insta::assert_snapshot!("plan_line", plan::line(&plan, SMOOTH_MODEL, dry));
     let new = plan.patched(&model.model, FileId::MAIN).unwrap();
     let diff = plan::unified_diff(model.model.document().bytes(), &new, "old.osim", "new.osim");
     let (added, removed) = (diff.matches("\n+").count(), diff.matches("\n-").count());
@@ -175,7 +177,7 @@ fn a_plan_is_told_in_full_in_a_line_and_as_a_diff() {
 
 #[test]
 fn in_full_an_inspection_has_every_digit_and_every_name() {
-    let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
+    let (seen, _) = inspected(&InspectOptions::default(), &open(SMOOTH_MODEL), &CommandLine);
     let [brief, full] = [Extent::Brief, Extent::Full]
         .map(|extent| inspection::text(&seen, &CommandLine, Layout { extent, ..Layout::default() }));
     for sphere in seen.figures.spheres() {
@@ -190,7 +192,7 @@ fn in_full_an_inspection_has_every_digit_and_every_name() {
 #[test]
 fn in_full_a_check_explains_every_finding_and_names_its_spheres() {
     // What is outside limits in published contacts is in brief only counted.
-    let (_, found) = inspected(&InspectOptions::default(), &open(SMOOTH), &CommandLine);
+    let (_, found) = inspected(&InspectOptions::default(), &open(SMOOTH_MODEL), &CommandLine);
     let [brief, full] = [Extent::Brief, Extent::Full]
         .map(|extent| check::text(&found, &CommandLine, Layout { extent, ..Layout::default() }));
     let explained = |text: &str| text.lines().filter(|line| line.starts_with("  Why: ")).count();

@@ -52,7 +52,7 @@ pub const TOE: SmoothContact = SmoothContact {
 };
 
 impl SmoothContact {
-    fn force(&self) -> String {
+    fn force_element(&self) -> String {
         format!(
             "<SmoothSphereHalfSpaceForce name=\"contact_{0}\">
 <socket_sphere>/contactgeometryset/{0}</socket_sphere>
@@ -99,6 +99,6 @@ pub fn foot(spheres: &[SmoothContact]) -> String {
     );
     spheres.iter().enumerate().for_each(|(others, one)| text.push_str(&one.sphere(others)));
     text.push_str("</objects></ContactGeometrySet>\n<ForceSet name=\"forceset\"><objects>\n");
-    spheres.iter().for_each(|one| text.push_str(&one.force()));
+    spheres.iter().for_each(|one| text.push_str(&one.force_element()));
     text + "</objects></ForceSet>\n</Model>\n</OpenSimDocument>\n"
 }

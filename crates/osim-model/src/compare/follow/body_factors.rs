@@ -7,7 +7,7 @@ use foldhash::{HashMap, HashMapExt};
 use glam::DVec3;
 
 use crate::messages::named;
-use crate::model::{Anatomy, AnatomyJoint, Fault, JointDistances};
+use crate::model::{Anatomy, AnatomyJoint, BoneLengths, Fault};
 
 pub(super) const AXIS_NAMES: [&str; 3] = ["x", "y", "z"];
 
@@ -67,7 +67,7 @@ impl BodyIndex {
         self.0.get(body).copied()
     }
 
-    pub(super) fn axes(&self, bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
+    pub(super) fn axes_of_body(&self, bodies: &[BodyFactors], body: &str) -> [Option<AxisFactor>; 3] {
         let found = self.index_of(body).and_then(|at| bodies.get(at));
         found.map(|factors| factors.axes).unwrap_or([None; 3])
     }
@@ -76,11 +76,11 @@ impl BodyIndex {
 // How far a joint is from the origin of a body, in two models.
 
 /// A joint that is nearer to the body's origin than this length, m, is not used to measure the size of the body. In a small animal,
-/// [`SHORTEST_OF_BONE`] allows a shorter distance.
-const SHORTEST_DISTANCE_M: f64 = 0.02;
+/// [`SHORTEST_SHARE_OF_LONGEST_BONE`] allows a shorter distance.
+const SHORTEST_JOINT_DISTANCE_M: f64 = 0.02;
 /// A joint is far enough to measure the size of the body if its distance is this part of the longest bone of the limb: in a rat, bones are
-/// shorter than [`SHORTEST_DISTANCE_M`].
-const SHORTEST_OF_BONE: f64 = 0.2;
+/// shorter than [`SHORTEST_JOINT_DISTANCE_M`].
+const SHORTEST_SHARE_OF_LONGEST_BONE: f64 = 0.2;
 
 /// A joint of both models that lies below one body in each, with its two places. They are seen from the origin of the body at the default
 /// pose.
@@ -96,7 +96,7 @@ pub(super) struct ComparedJoints<'a> {
     reference: &'a Anatomy,
     on_body: HashMap<&'a str, Vec<[&'a AnatomyJoint; 2]>>,
     /// The distances between joints in the reference and in the scaled model.
-    bones: [JointDistances; 2],
+    bones: [BoneLengths; 2],
 }
 
 impl<'a> ComparedJoints<'a> {
@@ -109,7 +109,7 @@ impl<'a> ComparedJoints<'a> {
                 on_body.entry(&there.parent).or_default().push([joint, there]);
             }
         }
-        let bones = [reference, scaled].map(|anatomy| JointDistances::from_joints(&anatomy.joints));
+        let bones = [reference, scaled].map(|anatomy| BoneLengths::from_joints(&anatomy.joints));
         Self { scaled, reference, on_body, bones }
     }
 
@@ -128,9 +128,11 @@ impl<'a> ComparedJoints<'a> {
 }
 
 /// The shortest distance, m, at which a joint measures the size of `body`.
-fn shortest_m(bones: &JointDistances, body: &str) -> f64 {
+fn shortest_m(bones: &BoneLengths, body: &str) -> f64 {
     let longest_m = bones.longest_in_limb(body).or_else(|| bones.longest_around_body(body));
-    longest_m.map_or(SHORTEST_DISTANCE_M, |longest_m| SHORTEST_DISTANCE_M.min(SHORTEST_OF_BONE * longest_m))
+    longest_m.map_or(SHORTEST_JOINT_DISTANCE_M, |longest_m| {
+        SHORTEST_JOINT_DISTANCE_M.min(SHORTEST_SHARE_OF_LONGEST_BONE * longest_m)
+    })
 }
 
 impl ComparedJoint<'_> {

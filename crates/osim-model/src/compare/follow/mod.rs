@@ -25,7 +25,7 @@ use sources::BodyFactorSources;
 // Where the spheres of a scaled model belong, and how large they are there.
 
 /// If a location or radius changed by less than this part of the radius, nobody edited it.
-const UNTOUCHED_RADII: f64 = 1e-6;
+const LARGEST_SHIFT_OF_UNTOUCHED_RADII: f64 = 1e-6;
 
 /// Rules for radii that do not use the factors of bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -213,7 +213,7 @@ fn moved_sphere(
 impl AnatomySphere {
     /// Whether a sphere of a scaled model has the same place and radius as the sphere of the `generic` model.
     pub(crate) fn is_as_in(&self, generic: &Self) -> bool {
-        let limit_m = UNTOUCHED_RADII * generic.radius_m;
+        let limit_m = LARGEST_SHIFT_OF_UNTOUCHED_RADII * generic.radius_m;
         let place_limit_m = limit_m.max(self.rounding_m);
         let mut axes = self.location_m.iter().zip(generic.location_m);
         axes.all(|(here, was)| (here - was).abs() <= place_limit_m)
@@ -353,7 +353,8 @@ impl Factors {
         factors.question_impossible_factors();
         let carrying: HashSet<&str> = carriers.into_iter().collect();
         for sources in all_sources.iter().filter(|sources| carrying.contains(&sources.body)) {
-            let messages = sources.disagreements(&factors.by_name.axes(&factors.bodies, sources.body));
+            let messages =
+                sources.disagreements(&factors.by_name.axes_of_body(&factors.bodies, sources.body));
             factors.findings.extend(messages.into_iter().map(rules::factors_disagree));
         }
         Ok(factors)
@@ -387,7 +388,7 @@ impl Factors {
         if let Some(question) = found.and_then(|found| found.question.clone()) {
             return Err(question);
         }
-        let axes = self.by_name.axes(&self.bodies, body);
+        let axes = self.by_name.axes_of_body(&self.bodies, body);
         let missing: Vec<&str> =
             AXIS_NAMES.iter().zip(&axes).filter(|(_, axis)| axis.is_none()).map(|(name, _)| *name).collect();
         match axes {

@@ -62,7 +62,7 @@ impl<'a> BodyFactorSources<'a> {
         Self { body, by_source, meshes, distance, in_a_copy }
     }
 
-    fn value(&self, source: FactorSource, axis: usize) -> Option<f64> {
+    fn factor_from(&self, source: FactorSource, axis: usize) -> Option<f64> {
         self.by_source.iter().find(|(known, _)| *known == source).and_then(|(_, values)| values[axis])
     }
 
@@ -155,9 +155,9 @@ pub(super) fn choose_factors(all: &[BodyFactorSources<'_>]) -> Vec<[Option<AxisF
         std::array::from_fn(|axis| {
             let first = one.preferred_factor(axis).filter(|first| first.source > FactorSource::Given);
             let shared = || {
-                let other = other.filter(|other| other.value(FactorSource::Given, axis).is_none())?;
+                let other = other.filter(|other| other.factor_from(FactorSource::Given, axis).is_none())?;
                 one.by_source.iter().find_map(|(source, values)| {
-                    other.value(*source, axis)?;
+                    other.factor_from(*source, axis)?;
                     Some(AxisFactor { factor: values[axis]?, source: *source })
                 })
             };
@@ -220,7 +220,7 @@ pub(super) fn inherit_from_body_above(
 ) -> Vec<Phrase> {
     let is_last = |body: &str| scaled.joints_below(body).next().is_none();
     let unknown =
-        |factors: &[BodyFactors], body: &str| by_name.axes(factors, body).iter().all(Option::is_none);
+        |factors: &[BodyFactors], body: &str| by_name.axes_of_body(factors, body).iter().all(Option::is_none);
     let mut pairs: HashMap<String, Vec<&String>> = HashMap::new();
     for body in &scaled.bodies {
         pairs.entry(without_side(body)).or_default().push(body);
@@ -231,7 +231,7 @@ pub(super) fn inherit_from_body_above(
         .filter(|body| is_last(body) && unknown(factors, body))
         .flat_map(|body| pairs.get(&without_side(body)).into_iter().flatten().copied())
         .filter(|body| is_last(body) && carrying.contains(body.as_str()))
-        .filter(|body| !is_given(&by_name.axes(factors, body)))
+        .filter(|body| !is_given(&by_name.axes_of_body(factors, body)))
         .collect();
     let mut inherited: HashSet<&str> = HashSet::new();
     let mut nearest = NearestKnown::new();
@@ -277,7 +277,7 @@ fn nearest_known_above<'a>(
         passed.push(at);
         let Some(joint) = scaled.joint_above(at) else { break None };
         at = &joint.parent;
-        if let [Some(x), Some(y), Some(z)] = by_name.axes(factors, at) {
+        if let [Some(x), Some(y), Some(z)] = by_name.axes_of_body(factors, at) {
             break Some((at, [x, y, z]));
         }
     };
@@ -303,14 +303,14 @@ pub(super) fn add_questions(
     let questions: Vec<Option<FactorQuestion>> = all_sources
         .iter()
         .map(|sources| {
-            let axes = by_name.axes(factors, sources.body);
+            let axes = by_name.axes_of_body(factors, sources.body);
             if is_given(&axes) {
                 return None;
             }
             let of_meshes = || mesh_question(sources).filter(|_| uses_source(&axes, FactorSource::Mesh));
             let of_sides = || {
                 let other = pairs.other_side(sources.body)?;
-                side_question(sources.body, &axes, other.body, &by_name.axes(factors, other.body))
+                side_question(sources.body, &axes, other.body, &by_name.axes_of_body(factors, other.body))
             };
             let nothing = || FactorQuestion::NoSource { body: sources.body.to_owned() };
             of_meshes()

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use crate::model::{MassRequest, Model, NotRead, SizedKind, SizedValue, SizedValues};
 pub use moco::{moco_bounds, refuse_without_moco_phase};
-use ratios::SAME_NUMBER;
+use ratios::SAME_NUMBER_TOLERANCE;
 pub use ratios::{SizeRatios, SizeVerdict, Spread, similarity_formula};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -171,7 +171,7 @@ fn similarity_rows(
 }
 
 fn is_unchanged(factor: f64) -> bool {
-    (factor - 1.0).abs() <= SAME_NUMBER
+    (factor - 1.0).abs() <= SAME_NUMBER_TOLERANCE
 }
 
 /// Compares `values` with the `others`, the numbers of the original. Returns a summary and each factor.

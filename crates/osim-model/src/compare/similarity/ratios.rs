@@ -88,14 +88,14 @@ impl Spread {
 }
 
 /// Numbers that differ by less than this (relative) are equal: documents of old versions have six digits.
-pub(super) const SAME_NUMBER: f64 = 1e-6;
+pub(super) const SAME_NUMBER_TOLERANCE: f64 = 1e-6;
 /// An expected factor that is nearer to 1 than this cannot decide anything.
 const LEAST_EXPECTED_CHANGE: f64 = 1e-3;
 /// How far the median factor may be from the expected factor, as a difference of logarithms: at least this. Bodies are seldom scaled by one
 /// factor along all axes.
 const LEAST_TOLERANCE: f64 = 0.02;
 /// The median factor may also be off by this part of the logarithm of the expected factor, if this is more than [`LEAST_TOLERANCE`].
-const TOLERANCE_SHARE: f64 = 0.25;
+const TOLERANCE_SHARE_OF_FACTOR: f64 = 0.25;
 
 named! {
     /// Whether the numbers of one kind changed as geometric similarity expects.
@@ -139,7 +139,7 @@ impl SizeVerdict {
             0 if spread.median <= 0.0 => Self::Other,
             0 => {
                 let off = libm::log(spread.median) - distance;
-                let is_near = off.abs() <= LEAST_TOLERANCE.max(TOLERANCE_SHARE * distance.abs());
+                let is_near = off.abs() <= LEAST_TOLERANCE.max(TOLERANCE_SHARE_OF_FACTOR * distance.abs());
                 let is_in_range = spread.min <= expected && expected <= spread.max;
                 if is_near || is_in_range { Self::Follows } else { Self::Other }
             }

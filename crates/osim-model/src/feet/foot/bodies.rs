@@ -6,7 +6,7 @@ use crate::feet::default_pose::DefaultPose;
 use crate::model::{Anatomy, ForceId, Model, Side, SphereId};
 
 /// A body belongs to a foot if its origin is at most this part of the model's height above the lowest origin.
-const NEAR_GROUND: f64 = 0.12;
+const NEAR_GROUND_SHARE: f64 = 0.12;
 /// Usual names of foot bodies, for models without a known default pose.
 const FOOT_NAMES: [&str; 10] =
     ["calcn", "calcan", "foot", "toe", "talus", "hoof", "paw", "hallux", "phalan", "metatars"];
@@ -16,7 +16,7 @@ const FOOT_NAMES: [&str; 10] =
 pub struct FootBodies {
     /// Bodies of the foot, those nearest to the trunk first.
     pub bodies: Vec<String>,
-    /// Left or right, if known.
+    /// The side of the body on which the foot is, left or right; `None` if its names do not say it.
     pub side: Option<Side>,
     /// Spheres of the foot, in file order.
     pub spheres: Vec<SphereId>,
@@ -135,7 +135,7 @@ fn feet_near_ground(tree: &BodyTree<'_>, height_m: &dyn Fn(&str) -> Option<f64>)
     let heights: Vec<(&str, f64)> = names.iter().filter_map(|&name| Some((name, height_m(name)?))).collect();
     let low = heights.iter().map(|(_, height)| *height).fold(f64::INFINITY, f64::min);
     let high = heights.iter().map(|(_, height)| *height).fold(f64::NEG_INFINITY, f64::max);
-    let near = |height: f64| high > low && height <= low + NEAR_GROUND * (high - low);
+    let near = |height: f64| high > low && height <= low + NEAR_GROUND_SHARE * (high - low);
     let mut feet: Vec<&str> =
         heights.iter().filter(|(_, height)| near(*height)).map(|(name, _)| *name).filter(sided).collect();
     if heights.len() < names.len() {

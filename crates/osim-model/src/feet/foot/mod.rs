@@ -62,7 +62,7 @@ pub struct FootBone {
 pub struct Foot {
     /// Name of the body of the foot that is nearest to the trunk.
     pub name: String,
-    /// Left or right, if known.
+    /// The side of the body on which the foot is, left or right; `None` if its names do not say it.
     pub side: Option<Side>,
     /// The frame in which all places of the foot are given.
     pub frame: FootFrame,

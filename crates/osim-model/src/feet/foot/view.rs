@@ -14,7 +14,7 @@ const AXIS_NAMES: [[&str; 2]; 3] = [["x", "−x"], ["y", "−y"], ["z", "−z"]]
 pub struct ViewAxes {
     /// Along x of the frame, but level; along y if x points up or down.
     pub forward: DVec3,
-    /// The direction opposite to gravity.
+    /// The upward direction of the view, opposite to gravity.
     pub up: DVec3,
     /// The direction to the right: forward × up.
     pub right: DVec3,
@@ -56,11 +56,11 @@ impl ViewAxes {
 // The line around points.
 
 /// An edge of an outline that is longer than this part of the outline's larger side is replaced by two edges through a point inside.
-const LONGEST_EDGE: f64 = 0.06;
+const LONGEST_EDGE_OF_OUTLINE: f64 = 0.06;
 /// An edge is replaced only if it is also longer than this many times the mean distance of neighbouring points.
 const LONGEST_EDGE_OVER_SPACING: f64 = 5.0;
 /// Points inside the outline that are closer than this part of its size count as one point.
-const CELL_SHARE: f64 = 1.0 / 150.0;
+const ONE_POINT_SHARE: f64 = 1.0 / 150.0;
 /// The largest number of corners of an outline; then no further edge is replaced.
 const MOST_CORNERS: usize = 600;
 
@@ -83,8 +83,8 @@ pub fn silhouette(points: &[DVec2]) -> Vec<DVec2> {
     let corners = || hull.iter().copied();
     let span = corners().fold(DVec2::NEG_INFINITY, DVec2::max) - corners().fold(DVec2::INFINITY, DVec2::min);
     let size = span.max_element();
-    let outline = Outline::new(points, hull, CELL_SHARE * size);
-    let longest = (LONGEST_EDGE * size).max(LONGEST_EDGE_OVER_SPACING * outline.spacing());
+    let outline = Outline::new(points, hull, ONE_POINT_SHARE * size);
+    let longest = (LONGEST_EDGE_OF_OUTLINE * size).max(LONGEST_EDGE_OVER_SPACING * outline.spacing());
     outline.with_short_edges(longest)
 }
 

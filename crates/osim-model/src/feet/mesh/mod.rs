@@ -13,10 +13,10 @@ use foldhash::{HashSet, HashSetExt};
 use glam::DVec3;
 
 use crate::messages::three_significant;
-pub use surface::{MeshFault, Surface};
+pub use surface::{MeshFault, MeshSurface};
 
 /// The largest allowed coordinate or scale factor, so that products of two stay finite.
-const LARGEST_NUMBER: f64 = 1e9;
+const LARGEST_MESH_NUMBER: f64 = 1e9;
 /// A point is on a straight line if its distance from the line is less than this part of the line's length: single precision has seven
 /// digits.
 const LARGEST_LINE_DEVIATION: f64 = 1e-6;
@@ -57,11 +57,11 @@ pub fn mesh_points(name: &str, bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault>
 ///
 /// # Errors
 /// The bytes are not in this format or are cut off; a point is not finite; there are too many points or triangles.
-pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
+pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
     let ending = name.rsplit_once('.').map(|(_, ending)| ending.to_ascii_lowercase());
     let surface = match ending.as_deref() {
         Some("vtp") => vtp::surface(bytes),
-        Some("stl") => obj_and_stl::stl_points(bytes).and_then(Surface::of_corners),
+        Some("stl") => obj_and_stl::stl_points(bytes).and_then(MeshSurface::of_corners),
         Some("obj") => obj_and_stl::obj_surface(bytes),
         _ => Err(MeshFault::UnknownKind),
     }?;
@@ -76,7 +76,7 @@ pub fn mesh_surface(name: &str, bytes: &[u8]) -> Result<Surface, MeshFault> {
 
 /// Whether a number can be a coordinate in any unit of length, or a scale factor.
 pub(crate) fn is_length(value: f64) -> bool {
-    value.abs() <= LARGEST_NUMBER
+    value.abs() <= LARGEST_MESH_NUMBER
 }
 
 /// The points without repeats, if they can be the points of a surface.
@@ -127,12 +127,12 @@ fn are_in_one_line(points: &[[f64; 3]]) -> bool {
 // A point that is far from all others: a broken number, and no part of a bone.
 
 /// The least number of points at which a stray point can be recognised.
-const LEAST_POINTS: usize = 20;
+const LEAST_POINTS_FOR_STRAY: usize = 20;
 /// The reach of a mesh is the distance from its middle within which this share of its points is.
 const SHARE_IN_REACH: f64 = 0.9;
 /// A stray point is farther from the middle than this many times the reach. In real bones (OpenSim's foot, toes and talus) and in
 /// `fixtures/feet`, the farthest point is at 1.00 to 1.47 times the reach.
-const FAR_OVER_REACH: f64 = 2.0;
+const STRAY_OVER_REACH: f64 = 2.0;
 /// The distance, as a part of the reach, within which a stray point has few neighbours. In the meshes of `fixtures/feet`, each point has at
 /// least three neighbours.
 const NEIGHBOUR_DISTANCE: f64 = 0.5;
@@ -153,7 +153,7 @@ struct StrayPoint {
 
 /// The farthest stray point of `points`, which have no repeats.
 fn stray_point(points: &[[f64; 3]]) -> Option<StrayPoint> {
-    if points.len() < LEAST_POINTS {
+    if points.len() < LEAST_POINTS_FOR_STRAY {
         return None;
     }
     let middle: [f64; 3] = std::array::from_fn(|axis| {
@@ -162,7 +162,7 @@ fn stray_point(points: &[[f64; 3]]) -> Option<StrayPoint> {
     let far: Vec<f64> = points.iter().map(|point| distance(*point, middle)).collect();
     let reach = quantile(&mut far.clone(), SHARE_IN_REACH);
     let mut farthest: Vec<usize> = (0..points.len())
-        .filter(|&index| far.get(index).is_some_and(|far| *far > FAR_OVER_REACH * reach))
+        .filter(|&index| far.get(index).is_some_and(|far| *far > STRAY_OVER_REACH * reach))
         .collect();
     farthest.sort_by(|a, b| far.get(*b).partial_cmp(&far.get(*a)).unwrap_or(std::cmp::Ordering::Equal));
     let index = farthest

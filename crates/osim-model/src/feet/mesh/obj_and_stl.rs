@@ -1,6 +1,6 @@
 //! Reads Wavefront files (.obj: the lines that begin with `v` and `f`) and stereolithography files (.stl: text or binary).
 
-use super::surface::{MeshFault, Surface, add, check_point_count, number};
+use super::surface::{MeshFault, MeshSurface, add, check_point_count, parse_number};
 use crate::xml::opensim_text::words;
 
 /// The vertices of an .obj file. Numbers after x, y and z (a weight or a colour) are ignored.
@@ -12,7 +12,7 @@ pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
         if words.next() != Some("v") {
             continue;
         }
-        let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
+        let mut next = || parse_number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
         add(&mut points, [next()?, next()?, next()?])?;
     }
     Ok(points)
@@ -20,8 +20,8 @@ pub(super) fn obj_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 
 /// The vertices and faces of an .obj file. A face gives the numbers of its corners: from 1, or below 0 counted back from the last vertex
 /// before the face.
-pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
-    let mut surface = Surface { points: obj_points(bytes)?, triangles: Vec::new() };
+pub(super) fn obj_surface(bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
+    let mut surface = MeshSurface { points: obj_points(bytes)?, triangles: Vec::new() };
     let text = String::from_utf8_lossy(bytes);
     let mut before = 0_usize;
     for line in text.lines() {
@@ -48,28 +48,29 @@ pub(super) fn obj_surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
 // Stereolithography files, in text or binary.
 
 /// A binary STL file has this many bytes before its triangles: a title and the number of triangles.
-const HEADER_BYTES: usize = 84;
+const STL_HEADER_BYTES: usize = 84;
 /// Bytes of the title at the beginning of a binary STL file.
-const TITLE_BYTES: usize = 80;
+const STL_TITLE_BYTES: usize = 80;
 /// Bytes of one triangle: a normal and three corners in single precision, then two more bytes.
-const TRIANGLE: usize = 50;
+const STL_TRIANGLE_BYTES: usize = 50;
 /// Bytes of the normal at the beginning of a triangle.
-const NORMAL: usize = 12;
+const STL_NORMAL_BYTES: usize = 12;
 
 /// The corners of all triangles of an STL file, three points for each triangle.
 pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
     // Many binary files begin with "solid" too: the size decides.
     let count = bytes
-        .get(TITLE_BYTES..HEADER_BYTES)
+        .get(STL_TITLE_BYTES..STL_HEADER_BYTES)
         .and_then(|count| Some(u32::from_le_bytes(count.try_into().ok()?)));
-    let size =
-        count.and_then(|count| HEADER_BYTES.checked_add(usize::try_from(count).ok()?.checked_mul(TRIANGLE)?));
+    let size = count.and_then(|count| {
+        STL_HEADER_BYTES.checked_add(usize::try_from(count).ok()?.checked_mul(STL_TRIANGLE_BYTES)?)
+    });
     let is_text = bytes.trim_ascii_start().starts_with(b"solid")
-        && bytes.iter().take(4 * HEADER_BYTES).all(|&byte| byte.is_ascii() && byte != 0);
+        && bytes.iter().take(4 * STL_HEADER_BYTES).all(|&byte| byte.is_ascii() && byte != 0);
     if is_text && size != Some(bytes.len()) {
         return text_stl_points(&String::from_utf8_lossy(bytes));
     }
-    match size.and_then(|size| bytes.get(HEADER_BYTES..size)) {
+    match size.and_then(|size| bytes.get(STL_HEADER_BYTES..size)) {
         Some(triangles) => binary_stl_points(triangles),
         None if count.is_none() => {
             Err(MeshFault::NotUnderstood("it is neither a text that begins with \"solid\" nor binary".into()))
@@ -79,10 +80,10 @@ pub(super) fn stl_points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 }
 
 fn binary_stl_points(triangles: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
-    check_point_count(triangles.len() / TRIANGLE)?;
+    check_point_count(triangles.len() / STL_TRIANGLE_BYTES)?;
     let mut points = Vec::new();
-    for triangle in triangles.chunks_exact(TRIANGLE) {
-        let corners = triangle.get(NORMAL..TRIANGLE - 2).unwrap_or_default();
+    for triangle in triangles.chunks_exact(STL_TRIANGLE_BYTES) {
+        let corners = triangle.get(STL_NORMAL_BYTES..STL_TRIANGLE_BYTES - 2).unwrap_or_default();
         let values = corners.as_chunks::<4>().0.iter().map(|bytes| f64::from(f32::from_le_bytes(*bytes)));
         let values: Vec<f64> = values.collect();
         points.extend(values.as_chunks::<3>().0);
@@ -98,7 +99,8 @@ fn text_stl_points(text: &str) -> Result<Vec<[f64; 3]>, MeshFault> {
     let mut words = words(text);
     while let Some(word) = words.next() {
         if word.eq_ignore_ascii_case("vertex") {
-            let mut next = || number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
+            let mut next =
+                || parse_number(words.next().ok_or(MeshFault::Truncated("a vertex"))?, "the vertices");
             points.push([next()?, next()?, next()?]);
             check_point_count(points.len() / 3)?;
         }
@@ -120,10 +122,10 @@ mod tests {
 
     fn binary_stl(title: &[u8], count: u32, triangles: &[[f32; 9]]) -> Vec<u8> {
         let mut bytes = title.to_vec();
-        bytes.resize(TITLE_BYTES, 0);
+        bytes.resize(STL_TITLE_BYTES, 0);
         bytes.extend(count.to_le_bytes());
         for triangle in triangles {
-            bytes.extend([0; NORMAL]);
+            bytes.extend([0; STL_NORMAL_BYTES]);
             bytes.extend(triangle.iter().flat_map(|value| value.to_le_bytes()));
             bytes.extend([0; 2]);
         }

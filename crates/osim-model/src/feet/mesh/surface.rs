@@ -40,14 +40,14 @@ const MOST_TRIANGLES: usize = 400_000;
 
 /// The surface of a mesh, for pictures.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Surface {
+pub struct MeshSurface {
     /// Points of the surface, in file order.
     pub points: Vec<[f64; 3]>,
     /// Triangles, each as three indices of `points`. A face with more corners is divided into triangles.
     pub triangles: Vec<[u32; 3]>,
 }
 
-impl Surface {
+impl MeshSurface {
     /// A surface from `points`, of which each three in a row are one triangle.
     pub(super) fn of_corners(points: Vec<[f64; 3]>) -> Result<Self, MeshFault> {
         let mut surface = Self { points, triangles: Vec::new() };
@@ -97,7 +97,7 @@ pub(super) fn triples<'t>(
     let mut point = [0.0; 3];
     let mut filled = 0;
     for word in words {
-        let value = number(word, what)?;
+        let value = parse_number(word, what)?;
         if let Some(slot) = point.get_mut(filled) {
             *slot = value;
         }
@@ -110,7 +110,7 @@ pub(super) fn triples<'t>(
     if filled == 0 { Ok(points) } else { Err(MeshFault::Truncated(what)) }
 }
 
-pub(super) fn number(word: &str, what: &str) -> Result<f64, MeshFault> {
+pub(super) fn parse_number(word: &str, what: &str) -> Result<f64, MeshFault> {
     let broken = || MeshFault::NotUnderstood(format!("{:?} among {what} is not a number", shortened(word)));
     word.parse().map_err(|_| broken())
 }

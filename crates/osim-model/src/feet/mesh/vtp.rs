@@ -7,7 +7,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::read::ZlibDecoder;
 
-use super::surface::{MOST_POINTS, MeshFault, Surface, check_point_count, shortened, triples};
+use super::surface::{MOST_POINTS, MeshFault, MeshSurface, check_point_count, shortened, triples};
 use crate::xml::opensim_text::{trimmed, words};
 use crate::xml::{ElementId, SyntaxFault, Tree};
 
@@ -25,8 +25,8 @@ pub(super) fn points(bytes: &[u8]) -> Result<Vec<[f64; 3]>, MeshFault> {
 }
 
 /// The points and polygons of all pieces of a .vtp file. Strips and lines are left out: no known bone has any.
-pub(super) fn surface(bytes: &[u8]) -> Result<Surface, MeshFault> {
-    let mut all = Surface::default();
+pub(super) fn surface(bytes: &[u8]) -> Result<MeshSurface, MeshFault> {
+    let mut all = MeshSurface::default();
     for_each_piece(bytes, |tree, piece, coding, points| {
         let start = all.points.len();
         all.points.extend(points);
@@ -162,10 +162,10 @@ fn array_content<'t>(
 
 // Arrays that are not text: base64 or raw, compressed or not.
 
-const ZLIB: &str = "vtkZLibDataCompressor";
+const ZLIB_COMPRESSOR: &str = "vtkZLibDataCompressor";
 /// The largest number of unpacked bytes: those of the largest allowed mesh.
 const MOST_UNPACKED_BYTES: usize = MOST_POINTS * 3 * 8;
-const POINTS_CUT_OFF: MeshFault = MeshFault::Truncated("its points");
+const POINTS_TRUNCATED: MeshFault = MeshFault::Truncated("its points");
 
 /// How a .vtp file encodes its arrays: byte order, header, compression.
 pub(super) struct Coding<'b> {
@@ -195,7 +195,7 @@ impl<'b> Coding<'b> {
     fn decode_appended(&self, offset: usize) -> Result<Vec<u8>, MeshFault> {
         let no_data =
             || MeshFault::NotUnderstood("its points are in <AppendedData>, which is not there".into());
-        let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(POINTS_CUT_OFF)?;
+        let bytes = self.appended.ok_or_else(no_data)?.get(offset..).ok_or(POINTS_TRUNCATED)?;
         if !self.appended_is_text {
             return self.unpacked(bytes);
         }
@@ -207,10 +207,10 @@ impl<'b> Coding<'b> {
         match self.compressor.as_deref() {
             None => {
                 let size = self.header_number(bytes, 0)?;
-                let end = self.header.checked_add(size).ok_or(POINTS_CUT_OFF)?;
-                Ok(bytes.get(self.header..end).ok_or(POINTS_CUT_OFF)?.to_vec())
+                let end = self.header.checked_add(size).ok_or(POINTS_TRUNCATED)?;
+                Ok(bytes.get(self.header..end).ok_or(POINTS_TRUNCATED)?.to_vec())
             }
-            Some(ZLIB) => self.inflated(bytes),
+            Some(ZLIB_COMPRESSOR) => self.inflated(bytes),
             Some(other) => {
                 let other = shortened(other);
                 Err(MeshFault::Unsupported(format!("points packed by {other:?} are not read")))
@@ -226,12 +226,12 @@ impl<'b> Coding<'b> {
         let start = count
             .checked_add(3)
             .and_then(|numbers| numbers.checked_mul(self.header))
-            .ok_or(POINTS_CUT_OFF)?;
-        let mut rest = bytes.get(start..).ok_or(POINTS_CUT_OFF)?;
+            .ok_or(POINTS_TRUNCATED)?;
+        let mut rest = bytes.get(start..).ok_or(POINTS_TRUNCATED)?;
         let mut all = Vec::new();
         for block in 0..count {
             let packed = self.header_number(bytes, 3 + block)?;
-            let (this, behind) = rest.split_at_checked(packed).ok_or(POINTS_CUT_OFF)?;
+            let (this, behind) = rest.split_at_checked(packed).ok_or(POINTS_TRUNCATED)?;
             let size = if block + 1 == count && last > 0 { last } else { full };
             inflate(this, size, &mut all)?;
             rest = behind;
@@ -240,11 +240,11 @@ impl<'b> Coding<'b> {
     }
 
     fn header_number(&self, bytes: &[u8], index: usize) -> Result<usize, MeshFault> {
-        let start = index.checked_mul(self.header).ok_or(POINTS_CUT_OFF)?;
-        let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(POINTS_CUT_OFF)?;
+        let start = index.checked_mul(self.header).ok_or(POINTS_TRUNCATED)?;
+        let bytes = bytes.get(start..).and_then(|bytes| bytes.get(..self.header)).ok_or(POINTS_TRUNCATED)?;
         let add = |value: u64, byte: &u8| value << 8 | u64::from(*byte);
         let value = if self.big_endian { bytes.iter().fold(0, add) } else { bytes.iter().rev().fold(0, add) };
-        usize::try_from(value).map_err(|_| POINTS_CUT_OFF)
+        usize::try_from(value).map_err(|_| POINTS_TRUNCATED)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::feet::convex_hull::{convex_hull, distance, sort_and_dedup, twice_area
 use crate::model::Side;
 
 /// A foot lies flat if its bone points near the ground cover at least this part of its length and width.
-pub(crate) const FLAT_SHARE: f64 = 0.8;
+pub(crate) const FLAT_SIDE_SHARE: f64 = 0.8;
 /// The largest tilt of a foot that covers less, but is round and so still counts as flat, rad: 5 degrees.
 const MOST_TILT_OF_ROUND_FOOT_RAD: f64 = 0.087;
 /// The largest tilt of a foot that lies flat, rad: 10 degrees. The bones of flat human feet rise by up to 4 degrees to the front and 8
@@ -34,7 +34,7 @@ impl Footprint {
     /// must be very small.
     pub fn is_flat(&self) -> bool {
         let flat = |share: f64, tilt: f64| {
-            let most = if share >= FLAT_SHARE { MOST_TILT_RAD } else { MOST_TILT_OF_ROUND_FOOT_RAD };
+            let most = if share >= FLAT_SIDE_SHARE { MOST_TILT_RAD } else { MOST_TILT_OF_ROUND_FOOT_RAD };
             tilt.abs() < most
         };
         flat(self.share_of_length, self.pitch_rad) && flat(self.share_of_width, self.roll_rad)
@@ -250,14 +250,14 @@ fn extremes(corners: &[DVec2], count: usize) -> Vec<DVec2> {
         2 => long.to_vec(),
         3 => {
             let [_, rear, outer, inner] = four_directions(direction_of(&far, long));
-            separate_extremes(corners, [rear, outer, inner], LEAST_EXTREME_DISTANCE * length(long))
+            separate_extremes(corners, [rear, outer, inner], LEAST_EXTREME_DISTANCE * length_of_line(long))
         }
         _ => {
-            let own_extremes = four_extremes(corners, direction_of(&far, long), length(long));
+            let own_extremes = four_extremes(corners, direction_of(&far, long), length_of_line(long));
             if covers(&own_extremes, corners) {
                 own_extremes
             } else {
-                four_extremes(corners, DVec2::X, length(long))
+                four_extremes(corners, DVec2::X, length_of_line(long))
             }
         }
     }
@@ -270,7 +270,7 @@ pub(super) fn lengthwise(corners: &[DVec2]) -> DVec2 {
 }
 
 fn direction_of(corners: &[DVec2], long: [DVec2; 2]) -> DVec2 {
-    let whole = length(long);
+    let whole = length_of_line(long);
     let [rear, front] = if long[0].x <= long[1].x { long } else { [long[1], long[0]] };
     let along = (front - rear) / whole;
     if whole > 0.0 && whole >= LEAST_ELONGATION * extent(corners, along.perp()) { along } else { DVec2::X }
@@ -346,7 +346,7 @@ fn diameter(corners: &[DVec2]) -> [DVec2; 2] {
     let mut long = [first, first];
     for (index, &a) in corners.iter().enumerate() {
         for &b in corners.iter().skip(index + 1) {
-            if distance(a, b) > length(long) * (1.0 + EQUALITY_TOLERANCE) {
+            if distance(a, b) > length_of_line(long) * (1.0 + EQUALITY_TOLERANCE) {
                 long = [a, b];
             }
         }
@@ -376,7 +376,7 @@ fn least_distance(points: &[DVec2]) -> f64 {
     each.fold(f64::INFINITY, f64::min)
 }
 
-fn length([a, b]: [DVec2; 2]) -> f64 {
+fn length_of_line([a, b]: [DVec2; 2]) -> f64 {
     distance(a, b)
 }
 

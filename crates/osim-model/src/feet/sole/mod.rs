@@ -15,13 +15,13 @@ pub use footprint::Footprint;
 
 /// A bone point is near the ground if its height above the lowest point is at most this part of the foot's length or width, whichever is
 /// larger.
-const NEAR_GROUND: f64 = 0.1;
+const NEAR_GROUND_SHARE: f64 = 0.1;
 /// The largest number of spheres under one limb.
 const MOST_SPHERES: usize = 60;
 /// Size of a grid square in which only one bone point counts, m.
 const THINNING_CELL_M: f64 = 1e-3;
 /// The largest number of grid squares along the foot's length: in a long foot, the squares are larger than [`THINNING_CELL_M`].
-const CELLS_PER_LENGTH: f64 = 150.0;
+const THINNING_CELLS_PER_LENGTH: f64 = 150.0;
 
 /// The number and radius of the spheres for each limb, and the distance of the sole below the bones.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -193,7 +193,7 @@ fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
         let least = flat.iter().map(along).fold(f64::INFINITY, f64::min);
         flat.iter().map(along).fold(f64::NEG_INFINITY, f64::max) - least
     };
-    let near = NEAR_GROUND * extent(0).max(extent(1));
+    let near = NEAR_GROUND_SHARE * extent(0).max(extent(1));
     let mut points: Vec<DVec2> =
         flat.iter().filter(|point| point.height <= near).map(|point| point.at).collect();
     sort_and_dedup(&mut points);
@@ -204,7 +204,7 @@ fn points_near_ground(flat: &[FlatPoint]) -> Vec<DVec2> {
 fn thinned(points: &[DVec2]) -> Vec<DVec2> {
     let ends = points.first().zip(points.last());
     let length = ends.map_or(0.0, |(first, last)| last.x - first.x);
-    let cell = THINNING_CELL_M.max(length / CELLS_PER_LENGTH);
+    let cell = THINNING_CELL_M.max(length / THINNING_CELLS_PER_LENGTH);
     let mut seen = HashSet::new();
     let number = |point: &DVec2| (*point / cell).floor().to_array().map(f64::to_bits);
     points.iter().filter(|point| seen.insert(number(point))).copied().collect()

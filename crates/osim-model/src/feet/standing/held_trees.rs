@@ -47,7 +47,7 @@ fn what_holds(
         }
         _ => {
             let root = path.last()?.joint;
-            let is_free = |coordinate| search.states.state(root, coordinate) == CoordinateState::Free;
+            let is_free = |coordinate| search.states.state_of(root, coordinate) == CoordinateState::Free;
             let is_fixed = !root.coordinates.iter().any(is_free)
                 && (!root.coordinates.is_empty() || root.class == "WeldJoint");
             is_fixed.then(|| format!("{} ({}) cannot move", root.name, root.class))

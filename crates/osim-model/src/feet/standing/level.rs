@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::gaps::{SphereFloors, tilt};
+use super::heights_over_floor::{SphereFloors, tilt};
 use crate::feet::default_pose::DefaultPose;
 use crate::feet::fault::PoseFault;
 use crate::messages::{readable, shown};
@@ -97,7 +97,7 @@ impl LevelledFeet<'_> {
 
     /// The height of a sphere above the lowest of its floors; `None` for a sphere without a floor.
     fn over_lowest_floor(&self, sphere: SphereId) -> Result<Option<SphereOverLowestFloor>, PoseFault> {
-        let gaps = self.floors.gaps(self.model, sphere, self.pose)?;
+        let gaps = self.floors.heights_over_floors(self.model, sphere, self.pose)?;
         let lowest = gaps.into_iter().reduce(|a, b| if b.1 < a.1 { b } else { a });
         let Some((normal, gap_m)) = lowest.and_then(|(plane, gap)| Some((plane.surface?.normal, gap))) else {
             return Ok(None);

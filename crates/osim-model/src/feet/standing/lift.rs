@@ -81,8 +81,9 @@ impl<'m> LiftingCoordinateSearch<'m> {
         for (place, parent_joint) in path.iter().enumerate() {
             for (index, coordinate) in parent_joint.joint.coordinates.iter().enumerate() {
                 let name = || coordinate.name.clone();
-                let moves = self.effect(parent_joint, index, normal).unwrap_or(CoordinateEffect::Other);
-                let found = match (moves, self.states.state(parent_joint.joint, coordinate)) {
+                let moves =
+                    self.effect_of_coordinate(parent_joint, index, normal).unwrap_or(CoordinateEffect::Other);
+                let found = match (moves, self.states.state_of(parent_joint.joint, coordinate)) {
                     (CoordinateEffect::Lifts(rise), CoordinateState::Free) => {
                         let more = best
                             .as_ref()
@@ -111,7 +112,7 @@ impl<'m> LiftingCoordinateSearch<'m> {
         best.ok_or(not)
     }
 
-    fn effect(
+    fn effect_of_coordinate(
         &self,
         parent_joint: &ParentJoint<'_>,
         index: usize,

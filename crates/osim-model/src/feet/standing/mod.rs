@@ -1,7 +1,7 @@
 //! How joint trees stand on their floors at the default pose: heights of spheres, the coordinate that lowers the spheres to the floor, and
 //! the depths at which they carry the weight.
 
-mod gaps;
+mod heights_over_floor;
 mod held_trees;
 mod level;
 mod lift;
@@ -16,8 +16,8 @@ use super::contact_planes::{ContactPlane, PlaneSurface, angle};
 use super::default_pose::DefaultPose;
 use super::fault::PoseFault;
 use crate::model::{ForceId, Model, SphereId, loaded_spheres};
-use gaps::{FloorContact, SphereFloors};
-pub use gaps::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
+use heights_over_floor::{FloorContact, SphereFloors};
+pub use heights_over_floor::{RestLaw, RestOnFloor, RestingSphere, SphereOverFloor};
 pub use held_trees::held_roots;
 pub use level::{LevelledSphere, MOST_LEAN_RAD, NotLevelled, levelled_spheres};
 use lift::{JointTree, LiftingCoordinateSearch};
@@ -55,7 +55,7 @@ impl Standing {
         let mut standings = Vec::new();
         for (top, spheres) in spheres_by_tree(model, &floors, &tree, &pose)? {
             let tree = StandingTree { model, floors: &floors, tree: &tree, masses: &masses, top };
-            standings.push(tree.standing(&spheres, &pose, &lifting)?);
+            standings.push(tree.standing_on(&spheres, &pose, &lifting)?);
         }
         add_floor_contacts(model, forces, &floors, &pose, &mut standings)?;
         Ok(standings)
@@ -64,6 +64,7 @@ impl Standing {
     /// The equilibrium of the tree on the `chosen` spheres alone, which carry `share` of its weight by the contact laws of the file. `None`
     /// if the weight or a contact is not known, or no sphere is chosen.
     ///
+    /// # Errors
     /// No depth of the spheres carries the load.
     pub fn rest_on_floor(&self, chosen: &[SphereId], share: f64) -> Option<Result<RestOnFloor, DomainError>> {
         self.rest_under(chosen, share * self.load_n?, RestLaw::OfFile)
@@ -134,7 +135,7 @@ struct StandingTree<'t, 'j> {
 }
 
 impl<'j> StandingTree<'_, 'j> {
-    fn standing(
+    fn standing_on(
         &self,
         spheres: &[SphereId],
         pose: &DefaultPose,
@@ -144,11 +145,11 @@ impl<'j> StandingTree<'_, 'j> {
         let normal = planes.first().map(|(_, surface)| surface.normal);
         let mut over = Vec::new();
         for &sphere in spheres {
-            let gaps = self.floors.gaps(self.model, sphere, pose)?;
+            let gaps = self.floors.heights_over_floors(self.model, sphere, pose)?;
             let least = gaps.iter().map(|(_, gap)| *gap).reduce(f64::min);
             let body = self.model.sphere(sphere).and_then(|sphere| sphere.body.as_deref());
             let tilt_rad = match (body, normal) {
-                (Some(body), Some(normal)) => gaps::tilt(pose.placement(body)?, normal),
+                (Some(body), Some(normal)) => heights_over_floor::tilt(pose.placement(body)?, normal),
                 _ => 0.0,
             };
             over.extend(least.map(|gap_m| SphereOverFloor { sphere, gap_m, tilt_rad }));
@@ -221,7 +222,7 @@ fn add_floor_contacts(
     let mut planes: HashMap<ForceId, HashSet<String>> = HashMap::new();
     for one in &loaded {
         let Some(own) = places.get(&one.sphere).and_then(|&place| standing.get_mut(place)) else { continue };
-        let gaps = floors.gaps(model, one.sphere, pose)?;
+        let gaps = floors.heights_over_floors(model, one.sphere, pose)?;
         let planes = planes.entry(one.force).or_insert_with(|| paths_of_planes(model, one.force));
         own.floor_contacts.extend(SphereFloors::floor_contacts(one, &gaps, planes));
     }

@@ -46,7 +46,7 @@ fn read_joint(offsets: &mut TriplesByBody, components: &Components, joint: Compo
     for end in ["parent", "child"] {
         let frame = components
             .connectee(joint, &format!("{end}_frame"), &[])
-            .and_then(|frame| components.frame(joint, &frame))
+            .and_then(|frame| components.frame_of(joint, &frame))
             .and_then(|found| found.component)
             .filter(|&frame| components.tag(frame) == "PhysicalOffsetFrame");
         if let Some((body, translation)) = frame.and_then(|frame| offset_on_body(components, frame)) {
@@ -70,7 +70,8 @@ fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: C
             .insert(format!("{name} child"), in_child);
     }
     let parent = components.connectee(joint, "parent_frame", &["parent_body"]);
-    let parent = parent.and_then(|parent| components.frame(joint, &parent)).and_then(|found| found.component);
+    let parent =
+        parent.and_then(|parent| components.frame_of(joint, &parent)).and_then(|found| found.component);
     if let (Some(parent), Some(in_parent)) = (parent, document.triple(element, "location_in_parent")) {
         offsets
             .entry(components.name(parent).into_owned())
@@ -80,7 +81,7 @@ fn read_old_joint(offsets: &mut TriplesByBody, components: &Components, joint: C
 }
 
 /// The first document version with a `<GeometrySet>`. Older documents list only the file names of meshes.
-pub(crate) const FIRST_WITH_GEOMETRY_SETS: u32 = 20101;
+pub(crate) const FIRST_VERSION_WITH_GEOMETRY_SETS: u32 = 20101;
 
 pub(crate) fn mesh_file(document: &Document, element: ElementId, tag: &str) -> String {
     let tree = document.tree();
@@ -107,7 +108,7 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
     // Version 1 lists file names. In versions 2 and 3 each display geometry has its own factors, and all share those of <VisibleObject>.
     if let Some(visible) = tree.child(element, "VisibleObject") {
         let common_factors = mesh_scale(document, visible);
-        if document.version() < FIRST_WITH_GEOMETRY_SETS {
+        if document.version() < FIRST_VERSION_WITH_GEOMETRY_SETS {
             let names = mesh_file(document, visible, "geometry_files");
             mesh_list.extend(opensim_text::list_words(&names).map(|name| (name.to_owned(), common_factors)));
         }
@@ -137,7 +138,7 @@ fn meshes(components: &Components, body: ComponentId) -> BTreeMap<String, [f64; 
 fn offset_on_body(components: &Components, frame: ComponentId) -> Option<(String, [f64; 3])> {
     let parent = components.connectee(frame, "parent", &["parent_frame"])?;
     let body =
-        components.frame(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
+        components.frame_of(frame, &parent)?.component.filter(|&found| components.tag(found) == "Body")?;
     let translation =
         components.doc(frame).triple(components.element(frame), "translation").unwrap_or([0.0; 3]);
     Some((components.name(body).into_owned(), translation))
@@ -154,7 +155,7 @@ const BONE_LENGTH_IN_RADII: f64 = 13.0;
 /// The distances between the joints of each body, a measure of the size of bones: from
 /// [`Model::joint_distances`](crate::model::Model::joint_distances).
 #[derive(Debug, Clone, Default)]
-pub struct JointDistances {
+pub struct BoneLengths {
     /// The longest distance between two joints on one body, m: on the named body or a body that is joined to it.
     around_m: BTreeMap<String, f64>,
     /// The longest distance between two joints of the named body alone, m.
@@ -164,7 +165,7 @@ pub struct JointDistances {
     longest_of_all_m: Option<f64>,
 }
 
-impl JointDistances {
+impl BoneLengths {
     /// The distances between `joints`, such as [`Anatomy::joints`](crate::model::Anatomy::joints).
     pub(crate) fn from_joints(joints: &[AnatomyJoint]) -> Self {
         let mut neighbours: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();

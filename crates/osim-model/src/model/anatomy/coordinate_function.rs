@@ -5,14 +5,14 @@ use crate::xml::{ElementId, opensim_text};
 
 /// A function of one coordinate or of time, read from a model file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CoordinateFunction(FunctionKind);
+pub struct CoordinateFunction(CoordinateFunctionKind);
 
 #[derive(Debug, Clone, PartialEq)]
-enum FunctionKind {
+enum CoordinateFunctionKind {
     /// The coefficients of a polynomial, beginning with the highest power. A constant has one coefficient.
     Polynomial(Vec<f64>),
     /// A factor, and the function that it multiplies.
-    Scaled(f64, Box<FunctionKind>),
+    Scaled(f64, Box<CoordinateFunctionKind>),
     /// Straight lines between points: the x values and the y values of the points.
     PiecewiseLinear(Vec<f64>, Vec<f64>),
     /// A cubic spline as the program SIMM defines it.
@@ -20,10 +20,10 @@ enum FunctionKind {
 }
 
 impl CoordinateFunction {
-    pub(crate) const ZERO: Self = Self(FunctionKind::Polynomial(Vec::new()));
+    pub(crate) const ZERO: Self = Self(CoordinateFunctionKind::Polynomial(Vec::new()));
 
     pub fn read(document: &Document, element: ElementId) -> Option<Self> {
-        FunctionKind::read(document, element).map(Self)
+        CoordinateFunctionKind::read(document, element).map(Self)
     }
 
     pub fn value(&self, x: f64) -> f64 {
@@ -35,21 +35,23 @@ impl CoordinateFunction {
     }
 }
 
-impl FunctionKind {
+impl CoordinateFunctionKind {
     fn read(document: &Document, element: ElementId) -> Option<Self> {
         let tree = document.tree();
         match tree.name(element) {
             "Constant" => match tree.child(element, "value") {
-                Some(_) => Some(Self::Polynomial(vec![*numbers(document, element, "value")?.first()?])),
+                Some(_) => {
+                    Some(Self::Polynomial(vec![*finite_numbers(document, element, "value")?.first()?]))
+                }
                 None => Some(Self::Polynomial(Vec::new())),
             },
             "LinearFunction" | "PolynomialFunction" => {
-                Some(Self::Polynomial(numbers(document, element, "coefficients")?))
+                Some(Self::Polynomial(finite_numbers(document, element, "coefficients")?))
             }
             "MultiplierFunction" => {
                 let inner = tree.children(tree.child(element, "function")?).next()?;
                 let scale = match tree.child(element, "scale") {
-                    Some(_) => numbers(document, element, "scale")?.first().copied()?,
+                    Some(_) => finite_numbers(document, element, "scale")?.first().copied()?,
                     None => 1.0,
                 };
                 Some(Self::Scaled(scale, Box::new(Self::read(document, inner)?)))
@@ -98,7 +100,7 @@ impl FunctionKind {
     }
 }
 
-pub(crate) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
+pub(crate) fn finite_numbers(document: &Document, owner: ElementId, tag: &str) -> Option<Vec<f64>> {
     let tree = document.tree();
     let text = tree.text_of(tree.child(owner, tag)?);
     opensim_text::numbers(&text).filter(|values| values.iter().all(|value| value.is_finite()))
@@ -106,7 +108,7 @@ pub(crate) fn numbers(document: &Document, owner: ElementId, tag: &str) -> Optio
 
 /// The points of a curve: at least one, with rising x.
 fn knots(document: &Document, function: ElementId) -> Option<(Vec<f64>, Vec<f64>)> {
-    let (xs, ys) = (numbers(document, function, "x")?, numbers(document, function, "y")?);
+    let (xs, ys) = (finite_numbers(document, function, "x")?, finite_numbers(document, function, "y")?);
     (xs.len() == ys.len() && xs.is_sorted_by(|a, b| a < b)).then_some((xs, ys))
 }
 
@@ -218,9 +220,9 @@ mod tests {
     #[test]
     fn polynomial_functions_have_their_derivative_as_slope() {
         // 2 x^3 - x + 5 at 3: 54 - 3 + 5, and 6 x^2 - 1.
-        let cubic = FunctionKind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
+        let cubic = CoordinateFunctionKind::Polynomial(vec![2.0, 0.0, -1.0, 5.0]);
         assert_eq!((cubic.value(3.0), cubic.slope(3.0)), (56.0, 53.0));
-        let scaled = FunctionKind::Scaled(-0.5, Box::new(cubic));
+        let scaled = CoordinateFunctionKind::Scaled(-0.5, Box::new(cubic));
         assert_eq!((scaled.value(3.0), scaled.slope(3.0)), (-28.0, -26.5));
         assert_eq!((CoordinateFunction::ZERO.value(3.0), CoordinateFunction::ZERO.slope(3.0)), (0.0, 0.0));
     }

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use foldhash::HashSet;
 use glam::DVec3;
 
-use crate::model::anatomy::coordinate_function::numbers;
+use crate::model::anatomy::coordinate_function::finite_numbers;
 use crate::model::anatomy::joint_motion::{JointMotion, Speeds};
 use crate::model::components::{ComponentId, Components, MOST_FRAMES_IN_CHAIN};
 use crate::model::{Document, FileId, MovingPlacement, Placement};
@@ -225,12 +225,11 @@ fn coordinates(document: &Document, joint: ElementId) -> Option<Vec<JointCoordin
         .map(|element| {
             let name = tree.attribute(element, "name").unwrap_or_default().into_owned();
             let default = match tree.child(element, "default_value") {
-                Some(_) => {
-                    numbers(document, element, "default_value").and_then(|values| values.first().copied())
-                }
+                Some(_) => finite_numbers(document, element, "default_value")
+                    .and_then(|values| values.first().copied()),
                 None => Some(0.0),
             };
-            let range = numbers(document, element, "range").and_then(|values| values.try_into().ok());
+            let range = finite_numbers(document, element, "range").and_then(|values| values.try_into().ok());
             let clamped = matches!(document.flag(element, "clamped"), Ok(Some(true)));
             JointCoordinate { name, element, default, range, clamped }
         })
@@ -246,7 +245,7 @@ fn joint_end(
     legacy: &[&str],
 ) -> Option<(Option<String>, Placement)> {
     let connectee = components.connectee(joint, socket, legacy)?;
-    let (body, placement) = placement_on_base(components, components.frame(joint, &connectee)?.component)?;
+    let (body, placement) = placement_on_base(components, components.frame_of(joint, &connectee)?.component)?;
     Some((body.map(|body| components.name(body).into_owned()), placement))
 }
 
@@ -265,7 +264,7 @@ pub(crate) fn placement_on_base(
         }
         placement = own_placement(components, frame, "translation", "orientation").then(&placement);
         let parent = components.connectee(frame, "parent", &["parent_frame"])?;
-        at = components.frame(frame, &parent)?.component;
+        at = components.frame_of(frame, &parent)?.component;
     }
     None
 }

@@ -253,7 +253,7 @@ impl Model {
         let components = self.components();
         let base = |id: ComponentId, socket: &str, others: &[&str]| {
             let connectee = components.connectee(id, socket, others)?;
-            components.base(components.frame(id, &connectee)?.component).ok()
+            components.base(components.frame_of(id, &connectee)?.component).ok()
         };
         let ids = components.tree.iter().map(|(id, _)| id);
         let fixing = ids.filter(|&id| ["WeldConstraint", "PointConstraint"].contains(&components.tag(id)));

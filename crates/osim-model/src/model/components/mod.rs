@@ -40,7 +40,7 @@ pub(crate) struct Connectee {
     pub legacy: bool,
 }
 
-/// What carries a frame.
+/// What carries a frame: ground, or the body to which it is fixed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Carrier {
     Ground,
@@ -50,7 +50,7 @@ pub(crate) enum Carrier {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct FoundFrame {
+pub(crate) struct ConnectedFrame {
     /// The component; `None` is ground, which has no element in any file.
     pub component: Option<ComponentId>,
     /// Whether the written path leads to no component, and the only component with its last name was taken instead.
@@ -58,9 +58,9 @@ pub(crate) struct FoundFrame {
 }
 
 /// The first version in which ground is not a member of the BodySet. From then on, a body called `ground` there is an ordinary body.
-const FIRST_WITHOUT_GROUND: u32 = 30505;
+const FIRST_VERSION_WITHOUT_GROUND_BODY: u32 = 30505;
 /// The ending of a socket's tag in old documents.
-pub(crate) const CONNECTEE_NAME: &str = "_connectee_name";
+pub(crate) const CONNECTEE_ENDING: &str = "_connectee_name";
 /// The longest chain of offset frames on offset frames. A longer chain must be a cycle.
 pub(crate) const MOST_FRAMES_IN_CHAIN: usize = 64;
 
@@ -174,7 +174,7 @@ impl Components {
         let tree = document.tree();
         // The first spelling that is there counts.
         let direct =
-            ["socket_", "socket_", "connector_"].into_iter().zip(["", CONNECTEE_NAME, CONNECTEE_NAME]);
+            ["socket_", "socket_", "connector_"].into_iter().zip(["", CONNECTEE_ENDING, CONNECTEE_ENDING]);
         let spelled = direct.filter_map(|(before, after)| {
             let is_spelled = |tag: &str| {
                 let middle = tag.strip_prefix(before).and_then(|rest| rest.strip_suffix(after));
@@ -216,7 +216,7 @@ impl Components {
         tag == "Body" || tag == "Ground" || tag.ends_with("Frame")
     }
 
-    pub(crate) fn frame(&self, owner: ComponentId, connectee: &Connectee) -> Option<FoundFrame> {
+    pub(crate) fn frame_of(&self, owner: ComponentId, connectee: &Connectee) -> Option<ConnectedFrame> {
         let text = connectee.text.as_str();
         let exact = self.tree.at_path(owner, text).filter(|&id| self.is_frame(id));
         if exact.is_none() && (text == "ground" || text.ends_with("/ground")) {
@@ -225,22 +225,22 @@ impl Components {
                 true => text == "ground",
                 false => self.tree.absolute_path(owner, text).as_deref() == Some("/ground"),
             };
-            return Some(FoundFrame { component: None, by_name: !exact });
+            return Some(ConnectedFrame { component: None, by_name: !exact });
         }
         // Documents that name bodies mean those of the BodySet.
         let body = || self.tree.at_path(owner, &format!("/bodyset/{text}")).filter(|&id| self.is_frame(id));
         if let Some(component) = connectee.legacy.then(body).flatten() {
-            return Some(FoundFrame { component: Some(component), by_name: false });
+            return Some(ConnectedFrame { component: Some(component), by_name: false });
         }
         let (component, by_name) = self.resolve(owner, text, |id| self.is_frame(id))?;
         // An element that names a body takes no path.
         let by_name = if connectee.legacy { text.contains('/') } else { by_name };
-        Some(FoundFrame { component: Some(component), by_name })
+        Some(ConnectedFrame { component: Some(component), by_name })
     }
 
     /// Whether `body` is the body that means ground in old documents.
     pub(crate) fn is_ground(&self, body: ComponentId) -> bool {
-        self.doc(body).version() < FIRST_WITHOUT_GROUND && self.name(body) == "ground"
+        self.doc(body).version() < FIRST_VERSION_WITHOUT_GROUND_BODY && self.name(body) == "ground"
     }
 
     /// The body (or ground) that carries a frame, through any number of offset frames between them.
@@ -260,7 +260,7 @@ impl Components {
             let Some(parent) = self.connectee(id, "parent", &["parent_frame"]) else {
                 return Err(self.unresolved(id, "", "frame it is attached to"));
             };
-            at = match self.frame(id, &parent) {
+            at = match self.frame_of(id, &parent) {
                 Some(found) => found.component,
                 None => return Err(self.unresolved(id, &parent.text, "frame it is attached to")),
             };

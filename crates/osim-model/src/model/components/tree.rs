@@ -343,7 +343,7 @@ impl ComponentTree {
         (!self.list.is_empty()).then_some(ComponentId(0))
     }
 
-    /// The data root that contains `id`.
+    /// The component without parent that contains `id`: the root of the data of its file.
     pub(crate) fn root_of(&self, id: ComponentId) -> ComponentId {
         let mut at = id;
         while let Some(parent) = self.get(at).and_then(|object| object.parent) {
@@ -438,10 +438,10 @@ impl ComponentTree {
 
 /// The name of an element as it appears in paths. In documents before version 3.5, OpenSim removes blanks from names.
 fn name_in_paths(document: &Document, id: ElementId) -> Cow<'_, str> {
-    const FIRST_WITH_BLANKS: u32 = 30500;
+    const FIRST_VERSION_WITH_BLANKS_IN_NAMES: u32 = 30500;
     let name = document.tree().attribute(id, "name").unwrap_or_default();
     let is_blank = |letter: char| letter.is_ascii_whitespace() || letter == '\u{b}';
-    if document.version() >= FIRST_WITH_BLANKS || !name.contains(is_blank) {
+    if document.version() >= FIRST_VERSION_WITH_BLANKS_IN_NAMES || !name.contains(is_blank) {
         return name;
     }
     Cow::Owned(name.chars().filter(|&letter| !is_blank(letter)).collect())

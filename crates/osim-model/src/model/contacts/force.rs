@@ -50,14 +50,14 @@ impl SetId {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Slot {
     pub file: FileId,
-    /// The object that has the property.
+    /// The object of the file whose property this is.
     pub object: ElementId,
     /// Class of the object, which determines the order of its elements.
     pub class: Class,
     pub tag: &'static str,
     /// The bytes of the property's text; `None` if the object has no such element.
     pub span: Option<Range<usize>>,
-    /// First byte to show in an error, from 0: that of the text, or of the object without the text.
+    /// First byte of the place that an error shows, from 0: of the property's text; of the object, if the property has no text.
     pub offset: usize,
 }
 
@@ -127,15 +127,15 @@ impl Sphere {
     }
 
     pub fn radius_slot(&self) -> Slot {
-        self.slot(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
+        self.slot_of_property(self.spelling.radius_tag(), self.radius.span.clone(), self.radius.offset)
     }
 
     pub fn location_slot(&self) -> Slot {
         let offset = self.location_span.as_ref().map_or(self.start, |span| span.start);
-        self.slot(self.spelling.location_tag(), self.location_span.clone(), offset)
+        self.slot_of_property(self.spelling.location_tag(), self.location_span.clone(), offset)
     }
 
-    fn slot(&self, tag: &'static str, span: Option<Range<usize>>, offset: usize) -> Slot {
+    fn slot_of_property(&self, tag: &'static str, span: Option<Range<usize>>, offset: usize) -> Slot {
         Slot { file: self.file, object: self.element, class: self.spelling.class(), tag, span, offset }
     }
 }
@@ -276,7 +276,7 @@ impl Force {
     }
 
     /// The place in the file of `property` of parameter set `set`, or of the force itself; `None` if the class has no such property.
-    pub fn slot(&self, set: SetId, property: Property) -> Option<Slot> {
+    pub fn slot_of_property(&self, set: SetId, property: Property) -> Option<Slot> {
         let in_set = self.set(set).and_then(|set| Some((set, set.value(property)?)));
         let (value, object, class) = match in_set {
             Some((set, value)) => (value, set.element, set.class),

@@ -64,7 +64,7 @@ impl HalfSpace {
     ) -> Option<Self> {
         let (document, element) = (components.doc(id), components.element(id));
         let connectee = components.connectee(id, socket, legacy)?;
-        let frame = components.frame(id, &connectee)?.component;
+        let frame = components.frame_of(id, &connectee)?.component;
         let base = components.base(frame).ok()?;
         let place = match document.property_element(element, location) {
             Some(_) => document.triple(element, location),

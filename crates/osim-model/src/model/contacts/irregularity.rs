@@ -1,13 +1,13 @@
 //! Finds parts of a model that are written wrongly and were read all the same.
 
-use crate::model::components::{CONNECTEE_NAME, ComponentId, Connectee};
+use crate::model::components::{CONNECTEE_ENDING, ComponentId, Connectee};
 use crate::model::contacts::read::{CONTACT_PARAMETERS_SET, ContactReader, Irregularity};
 use crate::model::document::Document;
 use crate::model::fault::FileId;
 use crate::xml::ElementId;
 
 /// The first version of documents that write all connections as sockets.
-const FIRST_WITH_SOCKETS: u32 = 40000;
+const FIRST_VERSION_WITH_SOCKETS: u32 = 40000;
 
 impl ContactReader<'_> {
     /// Records the sockets of joints and of their frames that lead nowhere. OpenSim refuses such a model.
@@ -32,7 +32,7 @@ impl ContactReader<'_> {
 
     fn record_socket(&mut self, id: ComponentId, socket: &'static str, legacy: &[&str]) {
         let (text, line) = match self.components.connectee(id, socket, legacy) {
-            Some(connectee) => match self.components.frame(id, &connectee) {
+            Some(connectee) => match self.components.frame_of(id, &connectee) {
                 Some(found) if found.by_name => {
                     return self.record_component_taken_by_name(id, &connectee, found.component);
                 }
@@ -46,7 +46,7 @@ impl ContactReader<'_> {
             None => {
                 let (document, element) = (self.components.doc(id), self.components.element(id));
                 let empty = document.tree().child(element, &format!("socket_{socket}"));
-                if empty.is_none() && document.version() < FIRST_WITH_SOCKETS {
+                if empty.is_none() && document.version() < FIRST_VERSION_WITH_SOCKETS {
                     return;
                 }
                 (String::new(), document.line(document.tree().span(empty.unwrap_or(element)).start))
@@ -69,7 +69,7 @@ impl ContactReader<'_> {
         let (document, element) = (self.components.doc(id), connectee.element);
         let tag = document.tree().name(element);
         let is_whole = self.components.file_of(id) == FileId::MAIN
-            && (connectee.legacy || (tag.starts_with("socket_") && !tag.ends_with(CONNECTEE_NAME)));
+            && (connectee.legacy || (tag.starts_with("socket_") && !tag.ends_with(CONNECTEE_ENDING)));
         let name = path.rsplit('/').next().unwrap_or_default().to_owned();
         self.irregularities.push(Irregularity::TakenByName {
             owner: self.components.tree.path(id),

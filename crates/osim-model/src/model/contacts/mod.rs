@@ -60,7 +60,7 @@ pub fn loaded_spheres(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSph
     loaded_spheres_if(model, forces, |_| true)
 }
 
-/// [`loaded_spheres`] without ellipsoids.
+/// The spheres of [`loaded_spheres`], but without ellipsoids.
 pub fn loaded_spheres_alone(model: &Model, forces: &[ForceId]) -> Result<Vec<LoadedSphere>, Fault> {
     loaded_spheres_if(model, forces, |sphere| sphere.radii_m.is_none())
 }
@@ -273,7 +273,7 @@ impl Model {
         };
         let is_fixed = |surface: ComponentId| {
             let frame =
-                components.frame(surface, &components.connectee(surface, "frame", &["body_name"])?)?;
+                components.frame_of(surface, &components.connectee(surface, "frame", &["body_name"])?)?;
             Some(self.skeleton().is_fixed(components.base(frame.component).ok()?))
         };
         let meets_ground = |id: ComponentId| {

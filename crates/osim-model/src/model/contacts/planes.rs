@@ -178,7 +178,7 @@ impl Components {
 
     fn parent_frame(&self, frame: ComponentId) -> Option<ComponentId> {
         let parent = self.connectee(frame, "parent", &["parent_frame"])?;
-        self.frame(frame, &parent)?.component
+        self.frame_of(frame, &parent)?.component
     }
 
     /// Rotation of a frame in the body (or ground) that carries it, through all offset frames.

@@ -21,7 +21,7 @@ struct GeometryFrame {
 }
 
 #[derive(Clone, Copy)]
-enum Surface {
+enum ContactGeometry {
     Sphere(SphereId),
     HalfSpace(ComponentId, Carrier),
     Other(ComponentId),
@@ -138,7 +138,7 @@ impl<'r> ContactReader<'r> {
         let Some(connectee) = self.components.connectee(id, socket, legacy) else {
             return Err(self.components.unresolved(id, "", "frame it is attached to"));
         };
-        let Some(found) = self.components.frame(id, &connectee) else {
+        let Some(found) = self.components.frame_of(id, &connectee) else {
             // A geometry set that stands alone points into a model that may not have been read.
             let is_standalone_set = self.components.tag(self.components.tree.root_of(id)) != "Model";
             return if is_standalone_set {
@@ -163,7 +163,7 @@ impl<'r> ContactReader<'r> {
         text: &str,
         element: ElementId,
         socket: Option<&str>,
-    ) -> Result<Surface, Fault> {
+    ) -> Result<ContactGeometry, Fault> {
         let accept = |id: ComponentId| {
             let tag = self.components.tag(id);
             socket.map_or_else(|| GEOMETRY_CLASSES.contains(&tag), |class| class == tag)
@@ -182,12 +182,12 @@ impl<'r> ContactReader<'r> {
         match self.components.tag(id) {
             "ContactSphere" | "ContactEllipsoid" => {
                 let index = self.sphere_components.binary_search(&id).unwrap_or_default();
-                Ok(Surface::Sphere(SphereId(index)))
+                Ok(ContactGeometry::Sphere(SphereId(index)))
             }
             "ContactHalfSpace" => {
-                Ok(Surface::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
+                Ok(ContactGeometry::HalfSpace(id, self.attachment(id, "frame", &["body_name"])?.base))
             }
-            _ => Ok(Surface::Other(id)),
+            _ => Ok(ContactGeometry::Other(id)),
         }
     }
 
@@ -386,14 +386,14 @@ impl Sphere {
 }
 
 impl ParameterSet {
-    fn add(&mut self, surface: Surface) {
+    fn add(&mut self, surface: ContactGeometry) {
         match surface {
-            Surface::Sphere(sphere) => self.spheres.push(sphere),
-            Surface::HalfSpace(id, base) => {
+            ContactGeometry::Sphere(sphere) => self.spheres.push(sphere),
+            ContactGeometry::HalfSpace(id, base) => {
                 self.half_space_bases.push(base);
                 self.half_space_components.push(id);
             }
-            Surface::Other(id) => self.other_surfaces.push(id),
+            ContactGeometry::Other(id) => self.other_surfaces.push(id),
         }
     }
 }

@@ -71,7 +71,7 @@ pub enum FaultKind {
     UnknownBody { body: String },
     /// The caller named a sphere that the reference does not have.
     UnknownReferenceSphere { sphere: String, reference: String, known: Vec<String> },
-    /// The caller's choice leaves no force.
+    /// The options of the caller select none of the model's forces.
     NothingSelected { forces: String },
     /// The change has a warning, and the caller wants no change with warnings (`strict`).
     StrictlyRefused { text: String },

@@ -1,6 +1,6 @@
 //! Facts that the caller has to give, because the files do not contain them.
 
-use crate::messages::{Input, Part, Phrase, phrase, readable};
+use crate::messages::{Input, Phrase, PhrasePart, phrase, readable};
 use crate::model::fault::reasons::{
     FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason, contacts_mass, known_contacts_mass,
     shared_sphere,
@@ -286,7 +286,7 @@ fn where_taken(
     advice: &'static str,
     placeholder: &'static str,
     otherwise: &'static str,
-) -> Part {
+) -> PhrasePart {
     input.either(phrase![advice, input.with_placeholder(placeholder)], otherwise)
 }
 

@@ -12,7 +12,7 @@ mod suspicion;
 use std::ops::Range;
 
 use crate::messages::Phrase;
-use crate::xml::{LineIndex, Position};
+use crate::xml::{LineIndex, TextPosition};
 pub use kind::FaultKind;
 pub use missing_fact::{CountedSpheres, ForcesOfAnimal, MissingFact};
 pub use reasons::{FactorQuestion, GravityFor, NoteDoubt, RadiusChangeReason};
@@ -36,7 +36,7 @@ pub struct Fault {
     /// The bytes to underline in the file `file`.
     pub span: Option<Range<usize>>,
     /// Line and column of `offset`, after [`Fault::located`].
-    pub position: Option<Position>,
+    pub position: Option<TextPosition>,
     /// The line of text around the place, after [`Fault::located`].
     pub excerpt: Option<Excerpt>,
     /// Component path or tag of the element in question.

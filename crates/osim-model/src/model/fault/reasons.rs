@@ -1,6 +1,6 @@
 //! Reasons why the caller has to give a fact: the use of gravity, doubts about a note, unknown factors of bodies.
 
-use crate::messages::{Input, Part, Phrase, Verb, named, phrase, readable};
+use crate::messages::{Input, Phrase, PhrasePart, Verb, named, phrase, readable};
 
 /// The use of gravity in a request, if the file gives no gravity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -204,7 +204,7 @@ impl FactorQuestion {
 }
 
 /// Advice for a verb that takes the scale factors of `bodies`.
-fn body_scale_hint(how: &'static str, bodies: &[&String]) -> Part {
+fn body_scale_hint(how: &'static str, bodies: &[&String]) -> PhrasePart {
     let named = bodies.iter().map(|body| Input::BodyScale.with_value(format!("{body}=x,y,z")).into());
     let named = Phrase::joined(named, " and ").unwrap_or_default();
     Input::BodyScale.either(phrase![how, &named], "")

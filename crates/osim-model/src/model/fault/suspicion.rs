@@ -32,13 +32,13 @@ pub enum MassMistake {
 // A mass among those of the other rows of its table.
 
 /// A mass in a table is compared with other rows only if there are at least this many.
-const FEWEST_ROWS: usize = 3;
+const FEWEST_ROWS_TO_COMPARE: usize = 3;
 /// A mass looks wrong if it is lighter or heavier than all others by more than this factor.
-const USUAL_MARGIN: f64 = 1.3;
+const ODD_MASS_FACTOR: f64 = 1.3;
 /// Masses of a table are not compared if the heaviest is more than this many times the lightest: the animals are then of several kinds.
-const LARGEST_SPREAD: f64 = 5.0;
+const LARGEST_SPREAD_OF_MASSES: f64 = 5.0;
 /// From this number of rows on, the lightest and the heaviest twentieth are left out, because they may be wrong, too.
-const MANY_ROWS: usize = 20;
+const ROWS_WITH_OUTLIERS: usize = 20;
 
 /// The range of the masses that the other rows of a table have in the same column.
 ///
@@ -64,18 +64,18 @@ impl MassesOfOtherRows {
     /// The range of the masses of a column, without the mass of the row itself, `own_kg`. `sorted` has all masses of the column, kg, in
     /// rising order. `None` if there are too few other masses, or masses of several kinds of animals.
     pub fn without(sorted: &[f64], own_kg: f64) -> Option<Self> {
-        let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST_ROWS)?;
+        let count = sorted.len().checked_sub(1).filter(|&count| count >= FEWEST_ROWS_TO_COMPARE)?;
         let own = sorted.partition_point(|&kg| kg < own_kg);
         let other = |at: usize| sorted.get(if at < own { at } else { at + 1 }).copied();
-        let ends = if count < MANY_ROWS { 0 } else { count / MANY_ROWS };
+        let ends = if count < ROWS_WITH_OUTLIERS { 0 } else { count / ROWS_WITH_OUTLIERS };
         let (lightest_kg, heaviest_kg) = (other(ends)?, other(count - 1 - ends)?);
-        (heaviest_kg <= lightest_kg * LARGEST_SPREAD).then_some(Self { lightest_kg, heaviest_kg })
+        (heaviest_kg <= lightest_kg * LARGEST_SPREAD_OF_MASSES).then_some(Self { lightest_kg, heaviest_kg })
     }
 
     /// The mistake that explains `kg`, if this mass is outside the range of the other rows.
     pub fn mistake(&self, kg: f64) -> Option<MassMistake> {
         let usual = self.lightest_kg..=self.heaviest_kg;
-        if (self.lightest_kg / USUAL_MARGIN..=self.heaviest_kg * USUAL_MARGIN).contains(&kg) {
+        if (self.lightest_kg / ODD_MASS_FACTOR..=self.heaviest_kg * ODD_MASS_FACTOR).contains(&kg) {
             return None;
         }
         let mistakes = [
@@ -115,7 +115,7 @@ named! {
 }
 
 impl Question {
-    pub fn answer(self) -> Phrase {
+    pub fn answer_option(self) -> Phrase {
         phrase![Input::Yes.with_value(self.as_str())]
     }
 }
@@ -200,7 +200,7 @@ impl Suspicion {
     pub fn phrase(&self) -> Phrase {
         let mut text = self.doubt();
         text.push("; if it is correct, confirm it with ");
-        text.push(&self.question().answer());
+        text.push(&self.question().answer_option());
         text
     }
 }

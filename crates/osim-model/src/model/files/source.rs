@@ -129,6 +129,7 @@ pub trait Files {
     /// The bytes of a file that another file names, such as a model that includes it. On a system with pipes and devices, only ordinary
     /// files are read: the author of a model should not decide which devices are opened.
     ///
+    /// # Errors
     /// As for [`read`](Self::read), or the file is not an ordinary file.
     fn read_included(&self, path: &Path) -> Result<Vec<u8>, FileError> {
         self.read(path)

@@ -116,12 +116,12 @@ pub struct Source {
 }
 
 impl Step {
-    /// A step with the operation alone.
+    /// A step of a note that has an operation, and neither options nor a source.
     pub fn new(operation: &str) -> Self {
         Self { operation: in_note_letters(operation), ..Self::default() }
     }
 
-    /// The verb that made the change.
+    /// The verb that made the change of this step; `None` if its operation is not a verb's.
     pub fn verb(&self) -> Option<Verb> {
         Verb::find(self.operation.split(' ').next()?)
     }
@@ -251,7 +251,7 @@ impl NotedNames {
 // How words and numbers are spelled in a note.
 
 /// The text for a mass or gravity that was not known.
-pub(super) const UNKNOWN: &str = "unknown";
+pub(super) const UNKNOWN_VALUE: &str = "unknown";
 /// Digits of the digest of all numbers, and of the digest of a reference file.
 pub(super) const DIGEST_DIGITS: usize = 16;
 /// Digits of the digests of radii, places and names.
@@ -259,20 +259,20 @@ pub(super) const PART_DIGITS: usize = 8;
 
 /// Reads `unknown`, or a mass above 0 with its unit. The outer `None` means another text.
 pub(super) fn mass_kg(text: &str) -> Option<Option<f64>> {
-    if text == UNKNOWN {
+    if text == UNKNOWN_VALUE {
         return Some(None);
     }
-    positive(text.strip_suffix(" kg")?).map(Some)
+    number_above_zero(text.strip_suffix(" kg")?).map(Some)
 }
 
 /// Reads `text` as a number above 0.
-pub(super) fn positive(text: &str) -> Option<f64> {
+pub(super) fn number_above_zero(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite() && *number > 0.0)
 }
 
 /// Reads `unknown`, or a gravity of at least 0 with its unit. The outer `None` means another text.
 pub(super) fn gravity_m_s2(text: &str) -> Option<Option<f64>> {
-    if text == UNKNOWN {
+    if text == UNKNOWN_VALUE {
         return Some(None);
     }
     let gravity: f64 = text.strip_suffix(" m/s2")?.parse().ok()?;

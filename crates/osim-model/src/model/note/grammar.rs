@@ -11,15 +11,15 @@ use foldhash::HashSet;
 
 use crate::messages::{readable, shortest};
 use crate::model::note::content::{
-    BodySize, DIGEST_DIGITS, NO_ENTRY, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN, digest,
-    gravity_m_s2, in_note_letters, is_note_letter, mass_kg, positive,
+    BodySize, DIGEST_DIGITS, NO_ENTRY, Note, NotedParts, PART_DIGITS, Scope, Step, UNKNOWN_VALUE, digest,
+    gravity_m_s2, in_note_letters, is_note_letter, mass_kg, number_above_zero,
 };
 
-pub(super) const BEGINS: &str = "[contacts made for ";
-pub(super) const ENDS: &str = ")]";
+pub(super) const NOTE_BEGIN: &str = "[contacts made for ";
+pub(super) const NOTE_END: &str = ")]";
 /// The text after mass and gravity in every note. Text in square brackets without it is not a note.
 pub(super) const PROGRAM_MARK: &str = " (osim-contact-scale ";
-const NO_SIZES: &str = "none";
+const NO_BODY_SIZES: &str = "none";
 /// The text in a note before each step.
 const BEFORE_STEP: &str = "by ";
 const BEFORE_STANCE_LIMBS: &str = "stance limbs ";
@@ -31,7 +31,7 @@ const BEFORE_ADDED_FORCES: &str = "added ";
 impl Note {
     pub fn text(&self) -> String {
         let known = |value: Option<f64>, unit: &str| {
-            value.map_or(UNKNOWN.to_owned(), |value| format!("{} {unit}", shortest(value)))
+            value.map_or(UNKNOWN_VALUE.to_owned(), |value| format!("{} {unit}", shortest(value)))
         };
         let scope = match self.scope {
             Scope::All => "all",
@@ -44,13 +44,13 @@ impl Note {
         };
         let added = (!self.added_forces.is_empty()).then(|| self.added_forces.join(" "));
         format!(
-            "{BEGINS}{} at {}{PROGRAM_MARK}{}; {scope}{steps}{}{}; sizes {}; {BEFORE_RECORD}{} {} {} {}; made {}{}{ENDS}",
+            "{NOTE_BEGIN}{} at {}{PROGRAM_MARK}{}; {scope}{steps}{}{}; sizes {}; {BEFORE_RECORD}{} {} {} {}; made {}{}{NOTE_END}",
             known(self.contacts_mass_kg, "kg"),
             known(self.gravity_m_s2, "m/s2"),
             self.version,
             optional(BEFORE_STANCE_LIMBS, self.stance_limbs.map(shortest)),
             optional(BEFORE_WEIGHT, self.weighed_kg.map(|kg| format!("{} kg", readable(kg)))),
-            if sizes.is_empty() { NO_SIZES.to_owned() } else { sizes.join(" ") },
+            if sizes.is_empty() { NO_BODY_SIZES.to_owned() } else { sizes.join(" ") },
             self.digest,
             self.radii,
             self.places.as_deref().unwrap_or(NO_ENTRY),
@@ -62,7 +62,7 @@ impl Note {
 
     /// Reads a note from `text`, which contains nothing else and has single blanks.
     pub(super) fn parse(text: &str) -> Option<Self> {
-        let text = text.strip_prefix(BEGINS)?.strip_suffix(ENDS)?;
+        let text = text.strip_prefix(NOTE_BEGIN)?.strip_suffix(NOTE_END)?;
         let (made_for, fields) = text.split_once(PROGRAM_MARK)?;
         let (mass, gravity) = made_for.split_once(" at ")?;
         let mut fields = fields.split("; ").peekable();
@@ -74,7 +74,7 @@ impl Note {
         };
         let mut next_if = |name: &str| fields.next_if(|field| field.starts_with(name))?.strip_prefix(name);
         let steps: Vec<Step> = std::iter::from_fn(|| next_if(BEFORE_STEP)).map(Step::parse).collect();
-        let stance_limbs = next_if(BEFORE_STANCE_LIMBS).map(positive);
+        let stance_limbs = next_if(BEFORE_STANCE_LIMBS).map(number_above_zero);
         let weighed_kg = next_if(BEFORE_WEIGHT).map(|text| mass_kg(text).flatten());
         let sizes = read_sizes(next_if("sizes ")?)?;
         let mut record = next_if(BEFORE_RECORD)?.split(' ');
@@ -119,15 +119,15 @@ impl Note {
     }
 
     /// The letter in `made` which says that all spheres were placed by the scaling of their bodies.
-    pub const PLACED: char = 'p';
+    pub const PLACED_MARK: char = 'p';
 
     /// Whether all spheres were placed by the scaling of their bodies when the note was written, or earlier and not moved later.
     pub fn has_placed_spheres(&self) -> bool {
-        self.added_to_file.contains(Self::PLACED)
+        self.added_to_file.contains(Self::PLACED_MARK)
     }
 
     /// The letter in `made` which says that all contacts of the model were added.
-    pub const ALL_ADDED: char = 'n';
+    pub const ALL_ADDED_MARK: char = 'n';
 
     /// Says of the name of a force whether a change added the force.
     pub fn is_added_force(&self) -> impl Fn(&str) -> bool + use<'_> {
@@ -170,7 +170,7 @@ impl BodySize {
 }
 
 fn read_sizes(text: &str) -> Option<Vec<BodySize>> {
-    if text == NO_SIZES {
+    if text == NO_BODY_SIZES {
         return Some(Vec::new());
     }
     text.split(' ').map(BodySize::parse).collect()

@@ -9,7 +9,7 @@ mod grammar;
 use std::ops::Range;
 
 use crate::model::note::content::UnreadableNote;
-use crate::model::note::grammar::{BEGINS, ENDS, PROGRAM_MARK};
+use crate::model::note::grammar::{NOTE_BEGIN, NOTE_END, PROGRAM_MARK};
 use crate::model::{Document, Fault, FaultKind, MassRequest, Model, Property, same_mass};
 use crate::xml::opensim_text::{is_white, words};
 use crate::xml::{ElementId, PieceKind};
@@ -17,8 +17,8 @@ use crate::xml::{ElementId, PieceKind};
 pub use content::{BodySize, Note, NotedNames, NotedParts, Scope, Source, Step};
 
 /// The separator between other text in the credits and the note, and between authors.
-const SEPARATOR: &str = "; ";
-const CDATA: (&str, &str) = ("<![CDATA[", "]]>");
+const CREDITS_SEPARATOR: &str = "; ";
+const CDATA_MARKS: (&str, &str) = ("<![CDATA[", "]]>");
 
 /// The `<credits>` of a model with their text, up to the first comment after it, without white space around it. The note is part of this
 /// text.
@@ -37,6 +37,7 @@ pub struct Credits<'d> {
 impl<'d> Credits<'d> {
     /// The first `<credits>` of a model; `None` if it has none, or the document is not a model. Those in `<defaults>` are ignored.
     ///
+    /// # Errors
     /// Text, CDATA and comments are mixed in a way that OpenSim refuses ([`FaultKind::BrokenText`]).
     pub fn of(document: &'d Document) -> Result<Option<Self>, Fault> {
         let (tree, root) = (document.tree(), document.data_root());
@@ -47,15 +48,16 @@ impl<'d> Credits<'d> {
         let read = tree.raw_text(element);
         let mut span = read.span;
         let mut raw = tree.slice(span.clone());
-        let is_cdata = raw.starts_with(CDATA.0);
-        let broken = !read.in_one_piece || (is_cdata && raw.matches(CDATA.1).count() > 1);
+        let is_cdata = raw.starts_with(CDATA_MARKS.0);
+        let broken = !read.in_one_piece || (is_cdata && raw.matches(CDATA_MARKS.1).count() > 1);
         if broken {
             let property = "credits".to_owned();
             let fault = Fault::at_span(FaultKind::BrokenText { property }, tree.span(element));
             return Err(fault.located(document.bytes()));
         }
-        if let Some(inner) = raw.strip_prefix(CDATA.0).and_then(|rest| rest.strip_suffix(CDATA.1)) {
-            let start = span.start + CDATA.0.len() + (inner.len() - inner.trim_ascii_start().len());
+        if let Some(inner) = raw.strip_prefix(CDATA_MARKS.0).and_then(|rest| rest.strip_suffix(CDATA_MARKS.1))
+        {
+            let start = span.start + CDATA_MARKS.0.len() + (inner.len() - inner.trim_ascii_start().len());
             raw = inner.trim_ascii();
             span = start..start + raw.len();
         }
@@ -70,7 +72,7 @@ impl<'d> Credits<'d> {
 
     /// The note at the end of the text, if the text contains the beginning of a note.
     fn note(&self) -> Option<Result<Note, UnreadableNote>> {
-        let at = self.text.rfind(BEGINS)?;
+        let at = self.text.rfind(NOTE_BEGIN)?;
         let note = self.text.get(at..)?;
         note.contains(PROGRAM_MARK).then(|| Note::parse(note).ok_or(UnreadableNote))
     }
@@ -82,11 +84,11 @@ impl<'d> Credits<'d> {
         let mut end = self.span.start;
         let kept = self.text_around_note();
         for part in &kept {
-            let between = if end == self.span.start { "" } else { SEPARATOR };
+            let between = if end == self.span.start { "" } else { CREDITS_SEPARATOR };
             edits.push((end..part.start, between.to_owned()));
             end = part.end;
         }
-        let and = if kept.is_empty() { "" } else { SEPARATOR };
+        let and = if kept.is_empty() { "" } else { CREDITS_SEPARATOR };
         let last = note.map(|note| format!("{and}{}", note.text()));
         edits.push((end..self.span.end, last.unwrap_or_default()));
         edits.retain(|(span, text)| !(span.is_empty() && text.is_empty()));
@@ -95,7 +97,7 @@ impl<'d> Credits<'d> {
 
     /// The edits after which `note` is after all existing text, including another note.
     pub fn edits_for_another(&self, note: &Note) -> Vec<(Range<usize>, String)> {
-        let and = if self.raw.is_empty() { "" } else { SEPARATOR };
+        let and = if self.raw.is_empty() { "" } else { CREDITS_SEPARATOR };
         vec![(self.span.end..self.span.end, format!("{and}{}", note.text()))]
     }
 
@@ -112,7 +114,8 @@ impl<'d> Credits<'d> {
         let around = found.and_then(|at| {
             let (before, rest) = self.raw.split_at(at);
             // Something else in square brackets is kept.
-            let end = rest.find(ENDS).filter(|_| condensed(rest).contains(PROGRAM_MARK))? + ENDS.len();
+            let end =
+                rest.find(NOTE_END).filter(|_| condensed(rest).contains(PROGRAM_MARK))? + NOTE_END.len();
             let behind = rest.get(end..)?;
             let before = before.trim_ascii_end();
             let behind = behind.trim_ascii_start();
@@ -134,7 +137,7 @@ impl Note {
 
 /// Whether `text` begins like a note, with any white space in place of its blanks. Only the beginning of the text is read.
 fn begins_a_note(text: &str) -> bool {
-    let behind = BEGINS.chars().try_fold(text, |rest, letter| {
+    let behind = NOTE_BEGIN.chars().try_fold(text, |rest, letter| {
         if letter != ' ' {
             return rest.strip_prefix(letter);
         }
@@ -184,7 +187,9 @@ impl Note {
             tree.children(root).next().map_or(tree.close_span(root).start, |child| tree.span(child).start);
         tree.content(root)
             .take_while(move |piece| piece.span.start < end)
-            .filter(|piece| piece.kind == PieceKind::Comment && inner_text(piece.text).starts_with(BEGINS))
+            .filter(|piece| {
+                piece.kind == PieceKind::Comment && inner_text(piece.text).starts_with(NOTE_BEGIN)
+            })
             .filter(|_| !document.is_model())
             .map(|piece| piece.span)
     }
@@ -198,7 +203,7 @@ fn inner_text(comment: &str) -> &str {
 /// The differences between a model and its note.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ChangedSinceNote {
-    /// The differences of the contacts.
+    /// How the contacts differ from those that the note describes.
     pub contacts: ChangedContacts,
     /// Whether the mesh factors of bodies with spheres changed.
     pub sizes: bool,

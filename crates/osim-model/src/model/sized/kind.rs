@@ -150,7 +150,7 @@ impl SizedKind {
 // The defaults are those that `OpenSimObject.newInstanceOfType` of OpenSim 4.6 has.
 
 #[derive(Debug, Clone, Copy)]
-pub(super) enum KindRule {
+pub(super) enum SizedKindRule {
     Always(SizedKind),
     /// A property of a force on a coordinate. The first kind is for a coordinate that is an angle (`None`: the number has no dimension),
     /// the second for a translation.
@@ -161,18 +161,18 @@ pub(super) enum KindRule {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SizedProperty {
     pub(super) tag: &'static str,
-    pub(super) kind: KindRule,
+    pub(super) kind: SizedKindRule,
     /// The value that OpenSim uses if the file has none.
     pub(super) default: f64,
     pub(super) count: usize,
 }
 
 const fn one_number(tag: &'static str, kind: SizedKind, default: f64) -> SizedProperty {
-    SizedProperty { tag, kind: KindRule::Always(kind), default, count: 1 }
+    SizedProperty { tag, kind: SizedKindRule::Always(kind), default, count: 1 }
 }
 
 const fn three_numbers(tag: &'static str, kind: SizedKind) -> SizedProperty {
-    SizedProperty { tag, kind: KindRule::Always(kind), default: 0.0, count: 3 }
+    SizedProperty { tag, kind: SizedKindRule::Always(kind), default: 0.0, count: 3 }
 }
 
 const fn on_coordinate(
@@ -181,14 +181,14 @@ const fn on_coordinate(
     shifts: SizedKind,
     default: f64,
 ) -> SizedProperty {
-    SizedProperty { tag, kind: KindRule::ByCoordinate(turns, shifts), default, count: 1 }
+    SizedProperty { tag, kind: SizedKindRule::ByCoordinate(turns, shifts), default, count: 1 }
 }
 
 const FORCE: SizedProperty = one_number("max_isometric_force", MaxIsometricForce, 1000.0);
 const FIBER: SizedProperty = one_number("optimal_fiber_length", OptimalFiberLength, 0.1);
 const TENDON: SizedProperty = one_number("tendon_slack_length", TendonSlackLength, 0.2);
 const VELOCITY: SizedProperty = one_number("max_contraction_velocity", MaxContractionVelocity, 10.0);
-const SCALE: SizedProperty = one_number("time_scale", TimeScale, 0.1);
+const TIME_SCALE: SizedProperty = one_number("time_scale", TimeScale, 0.1);
 
 const fn activation(default: f64) -> SizedProperty {
     one_number("activation_time_constant", ActivationTime, default)
@@ -210,10 +210,10 @@ const OLD_THELEN: &[SizedProperty] = &[
 ];
 const MILLARD: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.01), deactivation(0.04)];
 const DE_GROOTE: &[SizedProperty] = &[FORCE, FIBER, TENDON, VELOCITY, activation(0.015), deactivation(0.06)];
-const TIME_SCALED: &[SizedProperty] = &[FORCE, FIBER, TENDON, SCALE];
+const TIME_SCALED: &[SizedProperty] = &[FORCE, FIBER, TENDON, TIME_SCALE];
 const LIGAMENT: &[SizedProperty] =
     &[one_number("resting_length", LigamentLength, 0.0), one_number("pcsa_force", LigamentForce, 0.0)];
-const BLANKEVOORT: &[SizedProperty] = &[
+const BLANKEVOORT_LIGAMENT: &[SizedProperty] = &[
     one_number("slack_length", LigamentLength, 0.0),
     one_number("linear_stiffness", LigamentForce, 1.0),
     one_number("damping_coefficient", LigamentDamping, 0.003),
@@ -223,7 +223,7 @@ const PATH_SPRING: &[SizedProperty] = &[
     one_number("stiffness", SpringStiffness, f64::NAN),
     one_number("dissipation", SpringDissipation, f64::NAN),
 ];
-const CLUTCHED: &[SizedProperty] = &[
+const CLUTCHED_SPRING: &[SizedProperty] = &[
     one_number("stiffness", SpringStiffness, f64::NAN),
     one_number("dissipation", SpringDissipation, f64::NAN),
     one_number("relaxation_time_constant", SpringTime, 0.001),
@@ -273,9 +273,9 @@ pub(super) fn sized_properties(class: &str) -> &'static [SizedProperty] {
         "RigidTendonMuscle" | "Millard2012AccelerationMuscle" => RIGID_TENDON,
         "Schutte1993Muscle_Deprecated" | "Delp1990Muscle_Deprecated" => TIME_SCALED,
         "Ligament" => LIGAMENT,
-        "Blankevoort1991Ligament" => BLANKEVOORT,
+        "Blankevoort1991Ligament" => BLANKEVOORT_LIGAMENT,
         "PathSpring" => PATH_SPRING,
-        "ClutchedPathSpring" => CLUTCHED,
+        "ClutchedPathSpring" => CLUTCHED_SPRING,
         "PointToPointSpring" => POINTS_SPRING,
         "ExpressionBasedPathForce" => EXPRESSION_PATH,
         "BushingForce" => BUSHING,

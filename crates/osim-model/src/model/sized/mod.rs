@@ -5,7 +5,7 @@ mod kind;
 
 use std::collections::{BTreeMap, HashMap};
 
-use crate::model::sized::kind::{KindRule, SizedProperty, sized_properties, why_not_read};
+use crate::model::sized::kind::{SizedKindRule, SizedProperty, sized_properties, why_not_read};
 use crate::model::{ComponentId, Document, Model};
 use crate::xml::{ElementId, opensim_text};
 pub use kind::{Dimension, SizedKind};
@@ -104,7 +104,8 @@ impl SizedValueReader<'_> {
             return;
         }
         let (document, element) = (components.doc(id), components.element(id));
-        let acts_on_coordinate = properties.iter().any(|one| matches!(one.kind, KindRule::ByCoordinate(..)));
+        let acts_on_coordinate =
+            properties.iter().any(|one| matches!(one.kind, SizedKindRule::ByCoordinate(..)));
         let is_angle = acts_on_coordinate.then(|| self.is_angle(document, element)).flatten();
         if acts_on_coordinate && is_angle.is_none() {
             *self.not_read.entry((class.to_owned(), UNKNOWN_COORDINATE)).or_default() += 1;
@@ -129,10 +130,10 @@ impl SizedValueReader<'_> {
     }
 }
 
-fn kind_of_property(rule: KindRule, is_angle: Option<bool>) -> Option<SizedKind> {
+fn kind_of_property(rule: SizedKindRule, is_angle: Option<bool>) -> Option<SizedKind> {
     match rule {
-        KindRule::Always(kind) => Some(kind),
-        KindRule::ByCoordinate(turning, shifting) => {
+        SizedKindRule::Always(kind) => Some(kind),
+        SizedKindRule::ByCoordinate(turning, shifting) => {
             if is_angle? {
                 turning
             } else {

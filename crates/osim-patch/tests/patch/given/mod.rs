@@ -209,7 +209,7 @@ impl Given {
         all.restricted(&self.only, &self.keep)
     }
 
-    /// Reads the model.
+    /// Reads the model of the given file.
     pub(crate) fn read(&self) -> Result<Model, Fault> {
         let document = Document::parse(self.bytes.as_slice())?;
         let beside = |bytes: &Vec<u8>| {
@@ -280,7 +280,7 @@ impl Outcome {
         }
     }
 
-    /// The patched main file.
+    /// The bytes of the main file after the plan was applied.
     #[track_caller]
     pub(crate) fn bytes(&self) -> &[u8] {
         self.file(0)
@@ -369,9 +369,12 @@ impl Outcome {
 }
 
 /// Largest relative difference of a computed number from one computed by hand: the rounding of a double.
-pub(crate) const TIGHT: f64 = 1e-14;
+pub(crate) const TIGHT_TOLERANCE: f64 = 1e-14;
 
 #[track_caller]
 pub(crate) fn assert_close(seen: f64, expected: f64, what: &str) {
-    assert!((seen - expected).abs() <= TIGHT * expected.abs(), "{what}: {seen:?}, expected {expected:?}");
+    assert!(
+        (seen - expected).abs() <= TIGHT_TOLERANCE * expected.abs(),
+        "{what}: {seen:?}, expected {expected:?}"
+    );
 }

@@ -10,7 +10,7 @@ use osim_requests::RequestFault;
 use osim_requests::values::typed_numbers::trimmed;
 
 /// The beginning of the paths that OpenSim gives to bodies.
-const BODY_SET: &str = "/bodyset/";
+const BODY_SET_PATH: &str = "/bodyset/";
 /// A name with at most this many wrong letters is probably a misspelled name of a body.
 const MOST_WRONG_LETTERS: usize = 2;
 
@@ -39,7 +39,7 @@ pub(super) fn body_names(texts: &[String]) -> Result<Vec<String>, RequestFault> 
 
 /// The name of a body, without OpenSim's path if there is one.
 pub(super) fn name_without_path(body: &str) -> &str {
-    body.strip_prefix(BODY_SET).unwrap_or(body)
+    body.strip_prefix(BODY_SET_PATH).unwrap_or(body)
 }
 
 /// The hint `: did you mean calcn_r?`, if one of `bodies` has nearly the same name as `body`.

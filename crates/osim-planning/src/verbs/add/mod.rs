@@ -22,7 +22,7 @@ use crate::remarks::{
     remark_on_other_planes, remark_on_standing,
 };
 use bodies::AddFault;
-use places::Places;
+use places::NewSpherePlaces;
 use reference::{ContactNumbers, FromReference, with_contacts};
 
 /// Plans new contacts for models that have none, or in place of the contacts that they have.
@@ -46,7 +46,7 @@ enum ContactSource {
     /// A reference gives the places and the numbers.
     Reference(Box<FromReference>),
     /// The request gives the places. The numbers come from a reference or a design.
-    OwnPlaces(Places, ContactNumbers),
+    OwnPlaces(NewSpherePlaces, ContactNumbers),
 }
 
 impl Planner for AddPlanner {

@@ -22,7 +22,7 @@ use crate::remarks::{JointPositions, question_about_pad, remarks_on_parts_of_fee
 /// front end.
 const UNEQUAL_POSES_RAD: f64 = std::f64::consts::PI / 180.0;
 
-pub(super) enum Places {
+pub(super) enum NewSpherePlaces {
     Table(TablePlaces),
     Feet(FeetPlaces),
 }
@@ -47,7 +47,7 @@ pub(super) struct FeetPlaces {
     pub(super) radius_m: Option<f64>,
 }
 
-impl Places {
+impl NewSpherePlaces {
     /// Whether the table or the request has radii of spheres.
     pub(super) fn has_radii(&self) -> bool {
         match self {
@@ -69,7 +69,7 @@ impl Places {
         let mut remarks = Vec::new();
         match self {
             Self::Table(table) => {
-                layout.contacts = table.contacts(model, numbers, &mut remarks)?;
+                layout.contacts = table.contacts_of_table(model, numbers, &mut remarks)?;
                 answers.require_yes(table.question_about_place(model, &layout)).map_err(Fault::new)?;
             }
             Self::Feet(feet) => {
@@ -77,7 +77,7 @@ impl Places {
                     Some(given_radius) => given_radius,
                     None => numbers.radius(None)? * numbers.radius_ratio(model)?,
                 };
-                let soles = feet.soles((model, path), radius_m, (answers, files), &mut remarks)?;
+                let soles = feet.soles_of_feet((model, path), radius_m, (answers, files), &mut remarks)?;
                 for sole in &soles {
                     answers.require_yes(question_about_pad(sole, feet.pad_m)).map_err(Fault::new)?;
                     answers.require_yes(question_about_tilt(sole, model)).map_err(Fault::new)?;
@@ -107,7 +107,7 @@ fn remark_on_scaled_radii(layout: &ContactLayout) -> Option<Phrase> {
 }
 
 impl TablePlaces {
-    fn contacts(
+    fn contacts_of_table(
         &self,
         model: &Model,
         numbers: &ContactNumbers,
@@ -200,7 +200,7 @@ impl TablePlaces {
 }
 
 impl FeetPlaces {
-    fn soles(
+    fn soles_of_feet(
         &self,
         (model, path): (&Model, &Path),
         radius_m: f64,

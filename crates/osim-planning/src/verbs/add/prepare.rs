@@ -11,7 +11,7 @@ use osim_requests::options::InspectionOptions;
 use osim_requests::{AddRequest, DesignRequest, Metres, NewRadius, RequestError, RequestFault};
 
 use super::bodies::{body_names, table_failure};
-use super::places::{FeetPlaces, Places, TablePlaces};
+use super::places::{FeetPlaces, NewSpherePlaces, TablePlaces};
 use super::reference::{
     ContactNumbers, DesignedNumbers, FromReference, ReferenceNumbers, check_maps, layout, open_reference,
     transfer, wanted_contacts,
@@ -24,7 +24,7 @@ use crate::verbs::reference::{MassOfPublished, reference_of_opened};
 /// The largest accepted distance between the bones and the sole below them, m.
 const LARGEST_PAD: f64 = 1e9;
 /// Advice in messages that ask for the distance between bones and sole: how far published spheres reach below the bones.
-const PAD_HINT: &str = "bones have no skin, so give the distance from their lowest point down to the sole, in metres: 0.033 under a human heel in \
+const PAD_ADVICE: &str = "bones have no skin, so give the distance from their lowest point down to the sole, in metres: 0.033 under a human heel in \
                     the contacts of Falisse et al. (2022), 0 to 0.013 in others";
 
 /// Checks the request and reads the reference or the table once for all models.
@@ -36,7 +36,7 @@ pub(in crate::verbs) fn prepare(
     request: AddRequest,
     files: &dyn Files,
 ) -> Result<PreparedChange, RequestError> {
-    check(&request)?;
+    refuse_useless_options(&request)?;
     let (source, reference, is_file, remarks) = match (places(&request, files)?, request.from.as_deref()) {
         (None, None) => return Err(missing_source().into()),
         (None, Some(from)) => {
@@ -82,7 +82,7 @@ pub(in crate::verbs) fn prepare(
     Ok(PreparedChange { reference, extra_files, ..change })
 }
 
-fn check(request: &AddRequest) -> Result<(), RequestFault> {
+fn refuse_useless_options(request: &AddRequest) -> Result<(), RequestFault> {
     if request.masses.contacts_mass.is_some() {
         let message = match request.from {
             Some(_) => phrase![
@@ -112,19 +112,19 @@ fn check(request: &AddRequest) -> Result<(), RequestFault> {
     if !request.feet.is_empty() && request.pad.is_none() {
         return Err(RequestFault::refused(
             Input::Pad,
-            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PAD_HINT],
+            phrase![Input::Pad.with_placeholder("METRES"), " is missing: ", PAD_ADVICE],
         ));
     }
     if let Some(pad) = request.pad.map(Metres::get).filter(|pad| *pad > LARGEST_PAD) {
         let message =
-            phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PAD_HINT];
+            phrase![Input::Pad.with_value(readable(pad)), ": expected metres, at most 1e9; ", PAD_ADVICE];
         return Err(RequestFault::refused(Input::Pad, message));
     }
     Ok(())
 }
 
 /// The places that the request gives by a table or by bodies of feet; `None` if the places come from the reference.
-fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, RequestError> {
+fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<NewSpherePlaces>, RequestError> {
     let radius_m = match request.radius {
         NewRadius::Metres(metres) => Some(metres),
         _ => None,
@@ -140,7 +140,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
             return Err(RequestFault::refused(Input::Radius, message).into());
         }
         let name = path.display().to_string();
-        return Ok(Some(Places::Table(TablePlaces {
+        return Ok(Some(NewSpherePlaces::Table(TablePlaces {
             name,
             table,
             at_default_pose: request.default_pose,
@@ -152,7 +152,7 @@ fn places(request: &AddRequest, files: &dyn Files) -> Result<Option<Places>, Req
     else {
         return Ok(None);
     };
-    Ok(Some(Places::Feet(FeetPlaces {
+    Ok(Some(NewSpherePlaces::Feet(FeetPlaces {
         bodies: body_names(&request.feet)?,
         count: usize::from(count.get()),
         pad_m: pad,
@@ -175,7 +175,7 @@ fn whole_reference(
         return Err(RequestFault::Missing { field: "from" }.into());
     };
     let model = &opened.model;
-    let selected = selection(request).apply(model).map_err(|fault| opened.failure(fault))?;
+    let selected = reference_selection(request).apply(model).map_err(|fault| opened.failure(fault))?;
     check_maps(request, model, &selected)?;
     let (layout, mut anatomy, remarks) =
         layout(request, model, &selected).map_err(|fault| opened.failure(fault))?;
@@ -196,7 +196,7 @@ fn reference_numbers(
     let transfer = transfer(request, from);
     let (reference, state, generic) =
         reference_of_opened(&transfer, from, &opened, MassOfPublished::AskCaller, files)?;
-    let layout = selection(request)
+    let layout = reference_selection(request)
         .apply(&opened.model)
         .and_then(|selected| wanted_contacts(request, &opened.model, &selected))
         .map_err(|fault| opened.failure(fault))?;
@@ -208,7 +208,7 @@ fn reference_numbers(
     Ok((ReferenceNumbers::new(layout, reference, transfer_planner), state, is_file))
 }
 
-fn selection(request: &AddRequest) -> Selection {
+fn reference_selection(request: &AddRequest) -> Selection {
     Selection { select: request.reference.reference_select.clone(), ..Selection::default() }
 }
 

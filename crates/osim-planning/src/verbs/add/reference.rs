@@ -10,8 +10,8 @@ use osim_model::{
     Anatomy, Fault, FaultKind, FindingCode, Force, ForceKind, Model, Pattern, Property, RadiusRule, Selected,
 };
 use osim_patch::{
-    ContactLayout, NewContact, PLACES_STAY, Plan, RebuiltModel, Reference, add_contacts, presets_with_places,
-    reference_of_model,
+    ContactLayout, NewContact, Plan, REMARK_PLACES_STAY, RebuiltModel, Reference, add_contacts,
+    presets_with_places, reference_of_model,
 };
 use osim_requests::{AddRequest, BodyMap, NewRadius, Radius, RequestError, RequestFault, TransferRequest};
 
@@ -44,7 +44,7 @@ pub(super) struct ReferenceNumbers {
 /// Numbers of new contacts that are computed from what is wanted, without a reference.
 pub(super) struct DesignedNumbers {
     pub(super) kind: ForceKind,
-    /// The friction that the caller gave.
+    /// Properties of friction with the values that the caller gave.
     pub(super) friction: Vec<(Property, f64)>,
     pub(super) design_planner: DesignPlanner,
     /// Remarks on numbers that are OpenSim's defaults.
@@ -126,7 +126,7 @@ impl ContactNumbers {
             }
         };
         // The remark that places stay makes no sense for new spheres.
-        plan.remarks.retain(|remark| remark.to_string() != PLACES_STAY);
+        plan.remarks.retain(|remark| remark.to_string() != REMARK_PLACES_STAY);
         Ok(plan)
     }
 }

@@ -3,9 +3,9 @@
 use osim_model::{Model, Question};
 use serde_json::{Value, json};
 
-pub const TABLE: &str = "places.csv";
+pub const TABLE_OF_PLACES: &str = "places.csv";
 /// The name of the call that leaves the contacts that the model has.
-const BESIDE: &str = "beside others";
+const BESIDE_OTHER_CONTACTS: &str = "beside others";
 
 /// A request that adds contacts, and the table that it reads.
 pub struct AddCall {
@@ -44,7 +44,7 @@ pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
     };
     let by_table = |class: &str| {
         request(json!({
-            "contacts": TABLE, "class": class, "indentation": 0.1, "restitution": 0.3, "load": 30.0, "spheres": 2, "impact_speed": 0.3,
+            "contacts": TABLE_OF_PLACES, "class": class, "indentation": 0.1, "restitution": 0.3, "load": 30.0, "spheres": 2, "impact_speed": 0.3,
         }))
     };
     let mut calls = Vec::new();
@@ -78,7 +78,7 @@ pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
         }
         let mut request = by_table("smooth");
         request["exclude"] = json!(["*"]);
-        return vec![AddCall { name: BESIDE, request, table: table_of(&free) }];
+        return vec![AddCall { name: BESIDE_OTHER_CONTACTS, request, table: table_of(&free) }];
     }
     calls
 }
@@ -88,7 +88,7 @@ pub fn add_calls(name: &str, model: &Model) -> Vec<AddCall> {
 pub fn between(name: &str, call: &AddCall) -> Vec<(&'static str, Vec<Value>)> {
     let one = |mut request: Value| {
         request["models"] = json!([name]);
-        if call.name == BESIDE && request["verb"] != "note" {
+        if call.name == BESIDE_OTHER_CONTACTS && request["verb"] != "note" {
             request["select"] = json!([if request["verb"] == "remove" { "force_s0*" } else { "force_s*" }]);
         }
         request

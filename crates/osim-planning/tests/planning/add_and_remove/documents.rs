@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use osim_model::files::{FileError, Files, InMemory};
 
-/// A model with its name.
+/// The bytes of a model, and its name for messages.
 #[derive(Clone)]
 pub struct Document {
     pub name: String,
@@ -17,7 +17,7 @@ pub fn all_files() -> InMemory {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
     let mut files = InMemory::default();
     let mut take = |folder: &Path, name: &str| {
-        for path in below(folder) {
+        for path in files_below(folder) {
             let own = Path::new(name).join(path.strip_prefix(folder).unwrap());
             files.add(own, std::fs::read(&path).unwrap());
         }
@@ -32,13 +32,13 @@ pub fn all_files() -> InMemory {
 /// The models among `files`, except those that are wrong on purpose.
 pub fn models(files: &InMemory) -> Vec<Document> {
     let fixtures = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fixtures");
-    let mut names: Vec<String> = below(&fixtures)
+    let mut names: Vec<String> = files_below(&fixtures)
         .into_iter()
         .map(|path| path.strip_prefix(&fixtures).unwrap().to_string_lossy().into_owned())
         .collect();
     if let Some(corpus) = std::env::var_os("OSIM_CORPUS") {
         let own = |path: PathBuf| format!("corpus/{}", path.file_name().unwrap().to_string_lossy());
-        names.extend(below(Path::new(&corpus)).into_iter().map(own));
+        names.extend(files_below(Path::new(&corpus)).into_iter().map(own));
     }
     names.retain(|name| name.ends_with(".osim") && !name.starts_with("bad/"));
     names.sort();
@@ -46,12 +46,12 @@ pub fn models(files: &InMemory) -> Vec<Document> {
     names.into_iter().map(read).collect()
 }
 
-fn below(folder: &Path) -> Vec<PathBuf> {
+fn files_below(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).expect("a folder") {
         let path = entry.unwrap().path();
         match path.is_dir() {
-            true => found.extend(below(&path)),
+            true => found.extend(files_below(&path)),
             false => found.push(path),
         }
     }

@@ -7,7 +7,7 @@ pub type Form = fn(&str) -> Option<String>;
 /// Like [`Form`], as a closure that may hold values, such as a text that it inserts.
 pub type Written = Box<dyn Fn(&str) -> Option<String>>;
 
-/// All forms, each with its name.
+/// All ways to write the text of a model that the tests try, each with a name for messages.
 pub fn forms() -> Vec<(String, Written)> {
     let mut all: Vec<(String, Written)> = Vec::new();
     let plain: [(&str, Form); 9] = [
@@ -62,7 +62,7 @@ pub fn forms() -> Vec<(String, Written)> {
         for written in SETS {
             let written = written.replace('S', set);
             let name = format!("{set} as {written:?}");
-            all.push((name, Box::new(move |text: &str| with_set(text, set, &written))));
+            all.push((name, Box::new(move |text: &str| with_set_written_as(text, set, &written))));
         }
     }
     for credits in CREDITS {
@@ -141,7 +141,7 @@ fn one_line(text: &str) -> Option<String> {
 
 /// The model with its first element `tag` replaced by `written`, or with `written` added if it has no such element; `None` if the element
 /// has members.
-fn with_set(text: &str, tag: &str, written: &str) -> Option<String> {
+fn with_set_written_as(text: &str, tag: &str, written: &str) -> Option<String> {
     let Some((span, inner)) = element(text, tag) else {
         let at = text.rfind("</Model>")?;
         return Some(format!("{}\t{written}\n\t{}", &text[..at], &text[at..]));

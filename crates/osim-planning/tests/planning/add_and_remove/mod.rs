@@ -15,7 +15,7 @@ use osim_planning::prepare;
 use osim_requests::Request;
 use serde_json::{Value, json};
 
-use add_calls::{AddCall, TABLE, add_calls, between};
+use add_calls::{AddCall, TABLE_OF_PLACES, add_calls, between};
 use documents::{ChangedFiles, Document, all_files, models};
 use forms::{bytes, forms, letters};
 
@@ -58,7 +58,7 @@ fn try_one(
     steps: &[Value],
     counts: &mut Counts,
 ) {
-    files_with_changes.own.insert(TABLE.into(), call.table.clone().into_bytes());
+    files_with_changes.own.insert(TABLE_OF_PLACES.into(), call.table.clone().into_bytes());
     let name = &first.name;
     let mut now = match step(files_with_changes, name, &first.bytes, &call.request) {
         Ok(added) => added,
@@ -121,8 +121,8 @@ struct FormShare {
 }
 
 /// A small share of the forms, because all forms would take most of an hour.
-const FEW_FORMS: FormShare = FormShare { small: 13, large: 61 };
-const MANY_FORMS: FormShare = FormShare { small: 1, large: 7 };
+const FORMS_TRIED_IN_SHORT: FormShare = FormShare { small: 13, large: 61 };
+const FORMS_TRIED_AT_LENGTH: FormShare = FormShare { small: 1, large: 7 };
 
 fn try_all(files: &InMemory, documents: &[Document], share: FormShare, next: &AtomicUsize) -> Counts {
     let mut counts = Counts::default();
@@ -208,8 +208,8 @@ impl Counts {
 }
 
 #[test]
-fn added_contacts_are_taken_back() {
-    let counts = try_share(FEW_FORMS);
+fn remove_takes_back_added_contacts() {
+    let counts = try_share(FORMS_TRIED_IN_SHORT);
     println!("{}", counts.summary());
     counts.check();
 }
@@ -218,7 +218,7 @@ fn added_contacts_are_taken_back() {
 #[test]
 #[ignore = "slow: dev/thorough runs it"]
 fn added_contacts_are_taken_back_in_every_form() {
-    let counts = try_share(MANY_FORMS);
+    let counts = try_share(FORMS_TRIED_AT_LENGTH);
     println!("{}", counts.summary());
     counts.check();
 }

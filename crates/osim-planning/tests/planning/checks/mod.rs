@@ -49,11 +49,11 @@ pub fn message(result: &CheckResult, code: FindingCode) -> String {
 /// The request that corrects the finding `code`, as a dictionary without the model; null if there is none.
 #[track_caller]
 pub fn remedy(result: &CheckResult, code: FindingCode) -> Value {
-    fields_of_remedy(find(result, code).remedy.as_ref())
+    remedy_without_models(find(result, code).remedy.as_ref())
 }
 
-/// The fields of a remedy, without the model that it changes; null without a remedy.
-pub fn fields_of_remedy(remedy: Option<&Request>) -> Value {
+/// The fields of the request that a remedy is, without `models`; null without a remedy.
+pub fn remedy_without_models(remedy: Option<&Request>) -> Value {
     let Some(remedy) = remedy else { return Value::Null };
     let mut fields = remedy.to_map();
     fields.shift_remove("models");

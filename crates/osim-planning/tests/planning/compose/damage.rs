@@ -16,8 +16,8 @@ pub struct Damaged {
 
 /// The model with each damage that is possible in it, one at a time.
 pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
-    let left = names(model, Side::Left);
-    let right = names(model, Side::Right);
+    let left = names_of_side(model, Side::Left);
+    let right = names_of_side(model, Side::Right);
     let first: Vec<&str> = left.first().copied().into_iter().collect();
     let set = |assignments: Value, select: &[&str]| {
         edited(text, &json!({"verb": "set", "set": assignments, "select": select}))
@@ -58,18 +58,18 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
         ("gravity up", numbers_multiplied(text, "gravity", -1.0)),
         ("gravity in mm/s2", numbers_multiplied(text, "gravity", 1000.0)),
         ("gravity tilted", damage_each(text, model, "Model", &["gravity"], |_| Some("9.81 0 0".to_owned()))),
-        ("floor upside down", floor(text, model, "0 0 1.5707963267948966")),
-        ("floor upright", floor(text, model, "0 0 0")),
-        ("floor sloping", floor(text, model, "0 0 -1.3")),
-        ("floor in degrees", floor(text, model, "0 0 -90")),
+        ("floor upside down", with_turned_floor(text, model, "0 0 1.5707963267948966")),
+        ("floor upright", with_turned_floor(text, model, "0 0 0")),
+        ("floor sloping", with_turned_floor(text, model, "0 0 -1.3")),
+        ("floor in degrees", with_turned_floor(text, model, "0 0 -90")),
         ("floor on a limb", with_floors_on_limb(text, model)),
         (
             "radii in millimetres",
-            damage_each(text, model, "ContactSphere", &["radius"], |radius| scaled(radius, 1000.0)),
+            damage_each(text, model, "ContactSphere", &["radius"], |radius| scaled_numbers(radius, 1000.0)),
         ),
         (
             "places in millimetres",
-            damage_each(text, model, "ContactSphere", PLACE_TAGS, |place| scaled(place, 1000.0)),
+            damage_each(text, model, "ContactSphere", PLACE_TAGS, |place| scaled_numbers(place, 1000.0)),
         ),
         ("one on the other side", with_spheres_on_other_side(text, model)),
         ("masses of a child", numbers_multiplied(text, "mass", 0.2)),
@@ -84,7 +84,7 @@ pub fn damages(text: &str, model: &Model) -> Vec<Damaged> {
     made.into_iter().filter_map(|(what, text)| Some(Damaged { what, text: text? })).collect()
 }
 
-fn names(model: &Model, side: Side) -> Vec<&str> {
+fn names_of_side(model: &Model, side: Side) -> Vec<&str> {
     let plain = |name: &&str| !name.contains(['*', '?', '[', '{', '\\', '!']);
     let forces = model.forces().iter().filter(|force| Side::of_name(&force.name) == Some(side));
     forces.map(|force| force.name.as_str()).filter(plain).collect()
@@ -162,12 +162,12 @@ fn rounded_numbers(numbers: &str) -> Option<String> {
     Some(numbers?.iter().map(|number| format!("{number:.4}")).collect::<Vec<_>>().join(" "))
 }
 
-fn scaled(numbers: &str, factor: f64) -> Option<String> {
+fn scaled_numbers(numbers: &str, factor: f64) -> Option<String> {
     let numbers: Option<Vec<f64>> = numbers.split_whitespace().map(|word| word.parse().ok()).collect();
     Some(numbers?.iter().map(|number| (number * factor).to_string()).collect::<Vec<_>>().join(" "))
 }
 
-fn floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
+fn with_turned_floor(text: &str, model: &Model, orientation: &str) -> Option<String> {
     damage_each(text, model, "ContactHalfSpace", &["orientation"], |_| Some(orientation.to_owned()))
 }
 

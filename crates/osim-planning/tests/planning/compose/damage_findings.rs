@@ -51,7 +51,7 @@ fn is_foot(model: &Model) -> bool {
     sided(osim_model::Side::Left) && sided(osim_model::Side::Right)
 }
 
-fn codes(text: &str) -> BTreeSet<FindingCode> {
+fn codes_found(text: &str) -> BTreeSet<FindingCode> {
     let found = FolderInMemory::of(text, &json!({})).check(Path::new(NAME));
     found
         .into_iter()
@@ -66,10 +66,10 @@ fn every_damage_of_a_model_has_a_finding() {
     let feet = feet();
     for (name, text) in &feet {
         let model = Model::parse(text.as_str()).unwrap();
-        let before = codes(text);
+        let before = codes_found(text);
         for damaged in damages(text, &model) {
             let Some((what, names)) = NAMES.iter().find(|(what, _)| *what == damaged.what) else { continue };
-            let after = codes(&damaged.text);
+            let after = codes_found(&damaged.text);
             let own: Vec<_> =
                 after.iter().map(|code| code.as_str()).filter(|code| names.contains(code)).collect();
             let row = table.entry(what).or_default();

@@ -17,9 +17,9 @@ use super::cases::NAME;
 /// A finding as its code, its severity and its place.
 pub type FindingAndPlace = (FindingCode, Severity, Option<String>);
 
-/// A command that was run.
+/// The outcome of a command on a model of the folder in memory.
 pub struct CommandResult {
-    /// The name of the new file.
+    /// The name of the file that the command wrote.
     pub output: String,
     /// The codes of the warnings and errors.
     pub warned: BTreeSet<&'static str>,

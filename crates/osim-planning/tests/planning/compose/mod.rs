@@ -241,7 +241,7 @@ fn try_commands_in_texts(
             let _ = text.spelled(&calls);
         }
         for call in calls.0.into_inner() {
-            let Some(request) = filled(&call, kg) else { continue };
+            let Some(request) = request_with_mass(&call, kg) else { continue };
             counts.prose.0 += 1;
             let mut folder = folder.clone();
             let ran = folder.run(&request).ok().and_then(|ran| folder.check(Path::new(&ran.output)));
@@ -254,7 +254,7 @@ fn try_commands_in_texts(
     }
 }
 
-fn filled(call: &Call, kg: f64) -> Option<Request> {
+fn request_with_mass(call: &Call, kg: f64) -> Option<Request> {
     let verb = call.verb.name();
     if !["rescale", "transfer", "set", "design", "convert"].contains(&verb) {
         return None;

@@ -1,7 +1,8 @@
 //! The kinds of damage in `kinds.md` for which the right severity is a matter of judgement, and edits that do no harm.
 
 use super::published::{
-    BODY, Edited, FLOOR, FORCES, FRAME, Published, SPHERE, all, is_heel, is_left, text, times, triple,
+    BODY, Edited, FLOOR, FORCES, FRAME, Published, SPHERE, is_any, is_heel, is_left, multiplied_text,
+    numbers_text, three_numbers,
 };
 
 /// A kind of damage: its name in the list, the codes of the findings about it, and the function that makes it.
@@ -17,7 +18,7 @@ pub const DAMAGES: &[DamageKind] = &[
             })
         },
     ),
-    ("all forces name one sphere", "sphere-in-two-forces", with_one_sphere),
+    ("all forces name one sphere", "sphere-in-two-forces", with_one_sphere_in_all_forces),
     (
         "left feet on a second floor 50 mm higher",
         "uneven-bottoms unlevel-foot left-right-places floor-slopes not-on-floor",
@@ -41,7 +42,7 @@ pub const DAMAGES: &[DamageKind] = &[
         m.floor("orientation", "0 0 -90")
     }),
     ("floor turned by 45.5 deg", "floor-upright", |m| m.floor("orientation", "0 0 -0.77667151713747666")),
-    ("all frictions 0 (ice)", "no-friction", |m| friction(m, "0")),
+    ("all frictions 0 (ice)", "no-friction", |m| with_friction(m, "0")),
     ("static friction 1e-5 with dynamic 0.8", "dynamic-above-static", |m| {
         m.forces("static_friction", "1e-5")
     }),
@@ -64,7 +65,7 @@ pub const DAMAGES: &[DamageKind] = &[
         Some(text.replace("d-i-s>", "stiffness>"))
     }),
     ("columns shifted by one", "sunk-in default-stiffness", |m| {
-        Some(with_tags(m, &[&COLUMNS[1..], &COLUMNS[..1]].concat(), &COLUMNS))
+        Some(with_tags(m, &[&COLUMNS_OF_REPORT[1..], &COLUMNS_OF_REPORT[..1]].concat(), &COLUMNS_OF_REPORT))
     }),
     ("stiffness misspelt", "default-stiffness", |m| Some(with_tags(m, &["stiffness"], &["stifness"]))),
     ("thousands with apostrophes", "odd-number", |m| m.forces("stiffness", "1'000'000")),
@@ -76,7 +77,8 @@ pub const DAMAGES: &[DamageKind] = &[
         "beyond-hertz left-right-differ known-contacts",
         |m| {
             m.edit(FORCES, &["stiffness"], |name, old| {
-                is_heel(name.trim_start_matches("SmoothSphereHalfSpaceForce_")).then(|| times(old, 10.0))?
+                is_heel(name.trim_start_matches("SmoothSphereHalfSpaceForce_"))
+                    .then(|| multiplied_text(old, 10.0))?
             })
         },
     ),
@@ -103,14 +105,14 @@ pub const DAMAGES: &[DamageKind] = &[
     (
         "all radii are diameters (x2)",
         "odd-radius known-contacts spheres-misplaced unlevel-foot uneven-bottoms not-on-floor beyond-hertz",
-        |m| m.radii(all, |radius| radius * 2.0),
+        |m| m.radii(is_any, |radius| radius * 2.0),
     ),
-    ("all radii x3", "odd-radius", |m| m.radii(all, |radius| radius * 3.0)),
+    ("all radii x3", "odd-radius", |m| m.radii(is_any, |radius| radius * 3.0)),
     ("heels' radius typed 0.32 (both)", "odd-radius", |m| m.radii(is_heel, |_| 0.32)),
-    ("radii in inches", "odd-radius", |m| m.radii(all, |radius| radius / 0.0254)),
-    ("radii in feet", "odd-radius", |m| m.radii(all, |radius| radius / 0.3048)),
-    ("radius of a ball 0.11 (copied from soccer)", "odd-radius", |m| m.radii(all, |_| 0.11)),
-    ("radius 1e-12 for all", "odd-radius", |m| m.radii(all, |_| 1e-12)),
+    ("radii in inches", "odd-radius", |m| m.radii(is_any, |radius| radius / 0.0254)),
+    ("radii in feet", "odd-radius", |m| m.radii(is_any, |radius| radius / 0.3048)),
+    ("radius of a ball 0.11 (copied from soccer)", "odd-radius", |m| m.radii(is_any, |_| 0.11)),
+    ("radius 1e-12 for all", "odd-radius", |m| m.radii(is_any, |_| 1e-12)),
     ("one heel sphere typed to 5 kg mass body (radius 0)", "out-of-domain", |m| {
         let heel = m.model.spheres().iter().find(|sphere| is_heel(&sphere.name))?.name.clone();
         m.radii(|name| name == heel, |_| 0.0)
@@ -123,16 +125,16 @@ pub const DAMAGES: &[DamageKind] = &[
         |m| m.radii(is_heel, |radius| radius / 2.0),
     ),
     ("y and z of all places swapped", "odd-place uneven-bottoms left-right-places spheres-misplaced", |m| {
-        m.places(all, |[x, y, z]| [x, z, y])
+        m.places(is_any, |[x, y, z]| [x, z, y])
     }),
     ("x of all places with the wrong sign", "odd-place spheres-misplaced left-right-places", |m| {
-        m.places(all, |[x, y, z]| [-x, y, z])
+        m.places(is_any, |[x, y, z]| [-x, y, z])
     }),
     ("heels' place in cm", "odd-place", |m| m.places(is_heel, |place| place.map(|value| value * 100.0))),
     ("heels 0.1 m too high (both)", "uneven-bottoms", |m| m.places(is_heel, |[x, y, z]| [x, y + 0.1, z])),
     ("heels 60 mm too low (both)", "uneven-bottoms", |m| m.places(is_heel, |[x, y, z]| [x, y - 0.06, z])),
     ("heels 80 mm ahead (both)", "spheres-misplaced", |m| m.places(is_heel, |[x, y, z]| [x + 0.08, y, z])),
-    ("places of ground, not of the bodies", "odd-place", |m| m.places(all, |[x, y, z]| [x, y - 0.93, z])),
+    ("places of ground, not of the bodies", "odd-place", |m| m.places(is_any, |[x, y, z]| [x, y - 0.93, z])),
     ("toes' spheres put on calcn", "odd-place spheres-misplaced left-right-places uneven-bottoms", |m| {
         m.carriers(|body| body.contains("toes").then(|| m.body(&["calcn"], body))?)
     }),
@@ -179,10 +181,12 @@ pub const DAMAGES: &[DamageKind] = &[
     ),
     ("feet scaled 1.4, spheres left", "spheres-misplaced spheres-not-compared", |m| {
         let is_foot = |name: &str| is_left_foot(&name.replace("_r", "_l"));
-        m.edit(&["Mesh"], &["scale_factors"], |name, old| is_foot(name).then(|| times(old, 1.4))?)
+        m.edit(&["Mesh"], &["scale_factors"], |name, old| is_foot(name).then(|| multiplied_text(old, 1.4))?)
     }),
     ("left foot scaled 1.4, spheres left", "spheres-misplaced left-right-places", |m| {
-        m.edit(&["Mesh"], &["scale_factors"], |name, old| is_left_foot(name).then(|| times(old, 1.4))?)
+        m.edit(&["Mesh"], &["scale_factors"], |name, old| {
+            is_left_foot(name).then(|| multiplied_text(old, 1.4))?
+        })
     }),
     ("whole model in cm", "odd-radius odd-place too-stiff", |m| Some(in_centimetres(&m.text))),
     ("torso's mass in grams", "contacts-of-another-mass sunk-in", |m| m.masses(is_torso, |kg| kg * 1000.0)),
@@ -191,13 +195,13 @@ pub const DAMAGES: &[DamageKind] = &[
         m.edit(BODY, &["mass"], |name, _| (name == "pelvis").then(String::new))
     }),
     ("torso has mass 0", "massless-body", |m| m.masses(is_torso, |_| 0.0)),
-    ("all masses a tenth", "contacts-of-another-mass", |m| m.masses(all, |kg| kg / 10.0)),
-    ("masses of a child (x0.2)", "contacts-of-another-mass", |m| m.masses(all, |kg| kg * 0.2)),
+    ("all masses a tenth", "contacts-of-another-mass", |m| m.masses(is_any, |kg| kg / 10.0)),
+    ("masses of a child (x0.2)", "contacts-of-another-mass", |m| m.masses(is_any, |kg| kg * 0.2)),
     ("masses of left and right foot mixed up with inertia (calcn 12.5 kg)", "heavy-foot", |m| {
         m.masses(|name| name.contains("calcn"), |_| 12.5)
     }),
     ("calcn_r weighs -1", "mass-unknown out-of-domain", |m| m.masses(|name| name == "calcn_r", |_| -1.0)),
-    ("all masses 0", "massless-body mass-unknown", |m| m.masses(all, |_| 0.0)),
+    ("all masses 0", "massless-body mass-unknown", |m| m.masses(is_any, |_| 0.0)),
     ("left forces commented out", "one-side-only", |m| m.without_forces(is_left)),
     ("pelvis_ty in mm", "default-outside-range", |m| m.default("pelvis_ty", |_| 950.0)),
     ("ankle default 10 (degrees)", "default-outside-range", |m| m.default("ankle_angle", |_| 10.0)),
@@ -224,13 +228,13 @@ pub const HARMLESS: &[HarmlessEdit] = &[
     ("a hopper", super::skeleton::hopper),
     ("a one-legged model", super::skeleton::one_legged),
     ("a prosthetic leg with fewer bodies", super::skeleton::prosthesis),
-    ("friction of another floor", |m| friction(m, "0.9")),
-    ("all masses 1 % more", |m| m.masses(all, |kg| kg * 1.01)),
+    ("friction of another floor", |m| with_friction(m, "0.9")),
+    ("all masses 1 % more", |m| m.masses(is_any, |kg| kg * 1.01)),
     ("a sensor of 10 g", |m| m.masses(is_torso, |kg| kg + 0.01)),
-    ("radii 2 % larger", |m| m.radii(all, |radius| radius * 1.02)),
+    ("radii 2 % larger", |m| m.radii(is_any, |radius| radius * 1.02)),
     ("stiffness 3 % less", |m| m.forces_times("stiffness", 0.97)),
     ("dissipation 10 % less", |m| m.forces_times("dissipation", 0.9)),
-    ("places with 0.1 mm", |m| m.places(all, |place| place.map(|value| (value * 1e4).round() / 1e4))),
+    ("places with 0.1 mm", |m| m.places(is_any, |place| place.map(|value| (value * 1e4).round() / 1e4))),
     ("gravity as OpenSim has it", |m| m.gravity("0 -9.80665 0")),
     ("a pelvis that starts higher", |m| m.default("pelvis_ty", |value| value + 0.3)),
     ("hips that are flexed", |m| m.default("hip_flexion", |value| value + 0.2)),
@@ -258,7 +262,7 @@ pub const HARMLESS: &[HarmlessEdit] = &[
     }),
 ];
 
-const COLUMNS: [&str; 6] = [
+const COLUMNS_OF_REPORT: [&str; 6] = [
     "stiffness",
     "dissipation",
     "static_friction",
@@ -285,8 +289,9 @@ fn in_centimetres(text: &str) -> String {
         let mut parts = text.split(&open);
         let first = parts.next().unwrap_or_default().to_owned();
         parts.fold(first, |made, part| {
-            let scaled =
-                part.split_once('<').and_then(|(numbers, rest)| Some((times(numbers, 100.0)?, rest)));
+            let scaled = part
+                .split_once('<')
+                .and_then(|(numbers, rest)| Some((multiplied_text(numbers, 100.0)?, rest)));
             match scaled {
                 Some((numbers, rest)) => format!("{made}{open}{numbers}<{rest}"),
                 None => format!("{made}{open}{part}"),
@@ -296,7 +301,7 @@ fn in_centimetres(text: &str) -> String {
 }
 
 /// The model whose forces all name its first sphere.
-fn with_one_sphere(m: &Published) -> Edited {
+fn with_one_sphere_in_all_forces(m: &Published) -> Edited {
     let names: Vec<&str> = m.model.spheres().iter().map(|sphere| sphere.name.as_str()).collect();
     m.edit(FORCES, &["socket_sphere", "geometry"], |_, old| {
         let mut words: Vec<String> = Vec::new();
@@ -339,7 +344,7 @@ fn is_left_foot(mesh: &str) -> bool {
         .any(|body| mesh.starts_with(body))
 }
 
-fn friction(m: &Published, both: &str) -> Edited {
+fn with_friction(m: &Published, both: &str) -> Edited {
     m.edit(FORCES, &["static_friction", "dynamic_friction", "viscous_friction"], |_, _| Some(both.to_owned()))
 }
 
@@ -348,7 +353,7 @@ fn first_force(m: &Published) -> String {
 }
 
 fn one_of(name: &str, factor: f64) -> impl Fn(&str, &str) -> Option<String> {
-    move |own, old| (own == name).then(|| times(old, factor))?
+    move |own, old| (own == name).then(|| multiplied_text(old, factor))?
 }
 
 /// The model with a second floor, on which the left spheres press.
@@ -406,5 +411,5 @@ fn with_forces_off(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
 
 #[test]
 fn places_are_written_and_read() {
-    assert_eq!(triple(&text([0.1, -0.2, 3.0])), Some([0.1, -0.2, 3.0]));
+    assert_eq!(three_numbers(&numbers_text([0.1, -0.2, 3.0])), Some([0.1, -0.2, 3.0]));
 }

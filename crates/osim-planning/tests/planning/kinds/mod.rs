@@ -15,8 +15,8 @@ use osim_planning::check_with_remedies;
 
 use damages::{DAMAGES, HARMLESS};
 use published::Published;
-use skeleton::SKELETON;
-use unread::UNREAD;
+use skeleton::SKELETON_DAMAGES;
+use unread::DAMAGES_OF_UNREAD_PARTS;
 
 const MODELS: [&str; 9] = [
     "v40000_falisse_2022_human",
@@ -66,7 +66,7 @@ fn worst_finding_of(before: &Findings, after: Option<&Findings>, codes: &str) ->
     }
 }
 
-fn folder(name: &str, variable: &str, what: &str) -> Option<PathBuf> {
+fn folder_of_models(name: &str, variable: &str, what: &str) -> Option<PathBuf> {
     let folder = std::env::var_os(variable).map(PathBuf::from).filter(|folder| folder.is_dir());
     if folder.is_none() {
         // Straight to the terminal: the test harness does not show what a passing test prints.
@@ -76,7 +76,7 @@ fn folder(name: &str, variable: &str, what: &str) -> Option<PathBuf> {
     folder
 }
 
-fn models(folder: &Path) -> Vec<(Published, Findings)> {
+fn published_models(folder: &Path) -> Vec<(Published, Findings)> {
     let read = |name| {
         let model = Published::read(folder, name);
         let found = findings(&model.text).unwrap();
@@ -102,13 +102,13 @@ fn rows_of_list(list: &str) -> BTreeMap<&str, &str> {
 #[test]
 fn each_kind_of_damage_is_judged() {
     let name = "each_kind_of_damage_is_judged";
-    let Some(cases) = folder(name, "OSIM_CASES", "cases") else { return };
-    let Some(corpus) = folder(name, "OSIM_CORPUS", "real models") else { return };
+    let Some(cases) = folder_of_models(name, "OSIM_CASES", "cases") else { return };
+    let Some(corpus) = folder_of_models(name, "OSIM_CORPUS", "real models") else { return };
     let list = std::fs::read_to_string(cases.join("kinds.md")).unwrap();
     let expected = rows_of_list(&list);
-    let models = models(&corpus);
+    let models = published_models(&corpus);
     let mut wrong = Vec::new();
-    for (damage, codes, make) in DAMAGES.iter().chain(UNREAD) {
+    for (damage, codes, make) in DAMAGES.iter().chain(DAMAGES_OF_UNREAD_PARTS) {
         let Some(expected) = expected.get(damage) else {
             wrong.push(format!("{damage}: not in the list"));
             continue;
@@ -136,18 +136,22 @@ fn each_kind_of_damage_is_judged() {
             wrong.push(format!("{damage}: fits no model"));
         }
     }
-    let others =
-        expected.keys().filter(|damage| DAMAGES.iter().chain(UNREAD).all(|(name, _, _)| name != *damage));
+    let others = expected
+        .keys()
+        .filter(|damage| DAMAGES.iter().chain(DAMAGES_OF_UNREAD_PARTS).all(|(name, _, _)| name != *damage));
     others.for_each(|damage| println!("27: {damage}"));
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
 #[test]
-fn damaged_skeletons_are_accused() {
-    let Some(corpus) = folder("damaged_skeletons_are_accused", "OSIM_CORPUS", "real models") else { return };
+fn damaged_skeletons_have_findings() {
+    let Some(corpus) = folder_of_models("damaged_skeletons_have_findings", "OSIM_CORPUS", "real models")
+    else {
+        return;
+    };
     let mut wrong = Vec::new();
-    for (model, before) in models(&corpus) {
-        for (damage, code, make) in SKELETON {
+    for (model, before) in published_models(&corpus) {
+        for (damage, code, make) in SKELETON_DAMAGES {
             let Some(text) = make(&model) else { continue };
             let after = findings(&text).unwrap_or_else(|| panic!("{}: {damage}", model.name));
             let said = worst_finding_of(&before, Some(&after), code);
@@ -163,15 +167,16 @@ fn damaged_skeletons_are_accused() {
 }
 
 #[test]
-fn published_skeletons_are_not_accused() {
-    let name = "published_skeletons_are_not_accused";
-    let Some(corpus) = folder(name, "OSIM_CORPUS", "real models") else { return };
+fn published_skeletons_have_no_findings() {
+    let name = "published_skeletons_have_no_findings";
+    let Some(corpus) = folder_of_models(name, "OSIM_CORPUS", "real models") else { return };
     let paths = std::fs::read_dir(corpus).unwrap().map(|entry| entry.unwrap().path());
     let mut wrong = Vec::new();
     for path in paths.filter(|path| path.extension().is_some_and(|end| end == "osim")) {
         let found = findings(&String::from_utf8_lossy(&std::fs::read(&path).unwrap())).unwrap_or_default();
-        let about =
-            found.iter().filter(|(_, code, _)| SKELETON.iter().any(|(_, one, _)| *one == code.as_str()));
+        let about = found
+            .iter()
+            .filter(|(_, code, _)| SKELETON_DAMAGES.iter().any(|(_, one, _)| *one == code.as_str()));
         wrong.extend(about.map(|(_, code, message)| format!("{}: {code}: {message}", path.display())));
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -179,11 +184,13 @@ fn published_skeletons_are_not_accused() {
 
 #[test]
 fn edits_that_do_no_harm_raise_no_warning() {
-    let Some(corpus) = folder("edits_that_do_no_harm_raise_no_warning", "OSIM_CORPUS", "real models") else {
+    let Some(corpus) =
+        folder_of_models("edits_that_do_no_harm_raise_no_warning", "OSIM_CORPUS", "real models")
+    else {
         return;
     };
     let mut wrong = Vec::new();
-    for (model, before) in models(&corpus) {
+    for (model, before) in published_models(&corpus) {
         for (edit, make) in HARMLESS {
             let Some(text) = make(&model) else { continue };
             let after = findings(&text).unwrap_or_else(|| panic!("{}: {edit}", model.name));

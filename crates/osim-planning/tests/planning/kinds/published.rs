@@ -80,12 +80,14 @@ impl Published {
 
     /// The text with the numbers of a property of all forces multiplied by `factor`.
     pub fn forces_times(&self, property: &str, factor: f64) -> Edited {
-        self.edit(FORCES, &[property], |_, old| times(old, factor))
+        self.edit(FORCES, &[property], |_, old| multiplied_text(old, factor))
     }
 
     /// The text with new places of spheres, in the frames of their bodies; `of` chooses the spheres.
     pub fn places(&self, of: impl Fn(&str) -> bool, new: impl Fn([f64; 3]) -> [f64; 3]) -> Edited {
-        self.edit(SPHERE, &["location"], |name, old| of(name).then(|| triple(old).map(&new).map(text))?)
+        self.edit(SPHERE, &["location"], |name, old| {
+            of(name).then(|| three_numbers(old).map(&new).map(numbers_text))?
+        })
     }
 
     pub fn radii(&self, of: impl Fn(&str) -> bool, new: impl Fn(f64) -> f64) -> Edited {
@@ -159,20 +161,20 @@ pub fn is_heel(name: &str) -> bool {
     name.starts_with("s1_") || name.contains("heel")
 }
 
-pub fn all(_: &str) -> bool {
+pub fn is_any(_: &str) -> bool {
     true
 }
 
-pub fn triple(old: &str) -> Option<[f64; 3]> {
+pub fn three_numbers(old: &str) -> Option<[f64; 3]> {
     let numbers: Option<Vec<f64>> = old.split_whitespace().map(|word| word.parse().ok()).collect();
     numbers?.try_into().ok()
 }
 
-pub fn text(numbers: [f64; 3]) -> String {
+pub fn numbers_text(numbers: [f64; 3]) -> String {
     numbers.map(|number| number.to_string()).join(" ")
 }
 
-pub fn times(old: &str, factor: f64) -> Option<String> {
+pub fn multiplied_text(old: &str, factor: f64) -> Option<String> {
     let numbers: Option<Vec<f64>> = old.split_whitespace().map(|word| word.parse().ok()).collect();
     Some(numbers?.iter().map(|number| (number * factor).to_string()).collect::<Vec<_>>().join(" "))
 }

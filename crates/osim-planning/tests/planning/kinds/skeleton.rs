@@ -3,11 +3,11 @@
 use osim_model::{ElementId, ModelJoint, Side};
 
 use super::damages::DamageKind;
-use super::published::{Edited, FRAME, Published, SPHERE, all, is_left};
+use super::published::{Edited, FRAME, Published, SPHERE, is_any, is_left};
 use super::unread::{is_calcn_r, moved};
 
 /// Kinds of damage that `kinds.md` does not list: `check` reports each as an error or a warning, the last one as a remark.
-pub const SKELETON: &[DamageKind] = &[
+pub const SKELETON_DAMAGES: &[DamageKind] = &[
     ("left shank on the right thigh", "odd-parent", |m| {
         let thigh = m.body(&["femur", "thigh"], "x_r")?;
         with_parent(m, leg_joint(m, &["tibia", "shank"], Side::Left)?, &thigh)
@@ -33,7 +33,7 @@ pub const SKELETON: &[DamageKind] = &[
     ("all spheres on ground", "foot-sphere-on-ground", |m| {
         m.edit(SPHERE, FRAME, |_, old| Some(if old.contains('/') { "/ground" } else { "ground" }.to_owned()))
     }),
-    ("pelvis locked", "root-held", |m| locked(m, |name| name.ends_with("_ty"))),
+    ("pelvis locked", "root-held", |m| with_locked_joints(m, |name| name.ends_with("_ty"))),
 ];
 
 /// The foot of the right leg on ground.
@@ -44,7 +44,7 @@ pub fn foot_on_ground(m: &Published) -> Edited {
 
 /// The model whose root moves only up and down, as a hopper.
 pub fn hopper(m: &Published) -> Edited {
-    locked(m, |name| name.starts_with("pelvis_") && !name.ends_with("_ty"))
+    with_locked_joints(m, |name| name.starts_with("pelvis_") && !name.ends_with("_ty"))
 }
 
 /// The model without anything of the left side; its other bodies carry the mass of the left ones.
@@ -63,7 +63,7 @@ pub fn one_legged(m: &Published) -> Edited {
     let halved = Published::parse(m.name, halved);
     let mass = |m: &Published| m.model.bodies().iter().filter_map(|body| body.mass_kg().ok()).sum::<f64>();
     let ratio = mass(m) / mass(&halved);
-    halved.masses(all, |kg| kg * ratio)
+    halved.masses(is_any, |kg| kg * ratio)
 }
 
 /// The text without the elements for which `is_gone` is true.
@@ -85,7 +85,7 @@ pub fn prosthesis(m: &Published) -> Edited {
     let (talus_name, shank) = (talus.child.clone()?, talus.parent.as_ref()?);
     let foot = m.model.joints().iter().find(|joint| joint.parent.as_ref() == Some(&talus_name))?;
     let place = (talus.in_parent_m() - talus.in_child.translation_m + foot.in_parent_m()).to_array();
-    let place = super::published::text(place);
+    let place = super::published::numbers_text(place);
     let element = parent_end(m, foot, &["location_in_parent"], &["translation"])?;
     let with_place = Published::parse(m.name, with_text(m, element, &place));
     let is_foot = |joint: &&ModelJoint| joint.name == foot.name;
@@ -99,7 +99,7 @@ pub fn prosthesis(m: &Published) -> Edited {
     })
 }
 
-fn locked(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
+fn with_locked_joints(m: &Published, of: impl Fn(&str) -> bool) -> Edited {
     m.edit(&["Coordinate"], &["locked"], |name, _| of(name).then(|| "true".to_owned()))
 }
 

@@ -3,13 +3,13 @@
 use osim_model::ElementId;
 
 use super::damages::DamageKind;
-use super::published::{BODY, Edited, FLOOR, FORCES, Published, SPHERE, is_left, triple};
+use super::published::{BODY, Edited, FLOOR, FORCES, Published, SPHERE, is_left, three_numbers};
 
-const CONNECTED: &str = "connectee-by-name socket-nowhere body-without-joint";
-const MISREAD: &str = "odd-number not-finite";
-const SETS: &[&str] = &["HuntCrossleyForce::ContactParameters"];
+const CODES_OF_CONNECTIONS: &str = "connectee-by-name socket-nowhere body-without-joint";
+const CODES_OF_MISREAD_NUMBERS: &str = "odd-number not-finite";
+const TAGS_OF_PARAMETER_SETS: &[&str] = &["HuntCrossleyForce::ContactParameters"];
 
-pub const UNREAD: &[DamageKind] = &[
+pub const DAMAGES_OF_UNREAD_PARTS: &[DamageKind] = &[
     ("all forces name one sphere", "sphere-in-two-forces", |m| {
         let spheres = m.model.spheres();
         let first = &spheres.first()?.name;
@@ -23,43 +23,49 @@ pub const UNREAD: &[DamageKind] = &[
             Some(words.collect::<Vec<_>>().join(" "))
         })
     }),
-    ("floor renamed, forces not", CONNECTED, |m| renamed(m, FLOOR, |_| Some("another_floor".to_owned()))),
-    ("one sphere renamed, force not", CONNECTED, |m| {
+    ("floor renamed, forces not", CODES_OF_CONNECTIONS, |m| {
+        renamed(m, FLOOR, |_| Some("another_floor".to_owned()))
+    }),
+    ("one sphere renamed, force not", CODES_OF_CONNECTIONS, |m| {
         let first = m.model.spheres().first()?.name.clone();
         renamed(m, SPHERE, |name| (name == first).then(|| "another_sphere".to_owned()))
     }),
-    ("HC geometry with commas", CONNECTED, |m| {
-        m.edit(SETS, &["geometry"], |_, old| Some(old.split_whitespace().collect::<Vec<_>>().join(",")))
+    ("HC geometry with commas", CODES_OF_CONNECTIONS, |m| {
+        m.edit(TAGS_OF_PARAMETER_SETS, &["geometry"], |_, old| {
+            Some(old.split_whitespace().collect::<Vec<_>>().join(","))
+        })
     }),
-    ("geometry named in HC with another case", CONNECTED, |m| {
-        m.edit(SETS, &["geometry"], |_, old| Some(old.to_uppercase()).filter(|new| new != old))
+    ("geometry named in HC with another case", CODES_OF_CONNECTIONS, |m| {
+        m.edit(TAGS_OF_PARAMETER_SETS, &["geometry"], |_, old| {
+            Some(old.to_uppercase()).filter(|new| new != old)
+        })
     }),
-    ("floor on /bodyset/ground", CONNECTED, |m| {
+    ("floor on /bodyset/ground", CODES_OF_CONNECTIONS, |m| {
         m.edit(FLOOR, &["socket_frame"], |_, _| Some("/bodyset/ground".to_owned()))
     }),
-    ("socket path of another model name", CONNECTED, |m| {
+    ("socket path of another model name", CODES_OF_CONNECTIONS, |m| {
         m.edit(FORCES, &["socket_sphere"], |_, old| Some(format!("/another_model{}", old.trim())))
     }),
-    ("socket path in capitals", CONNECTED, |m| {
+    ("socket path in capitals", CODES_OF_CONNECTIONS, |m| {
         m.edit(FORCES, &["socket_sphere"], |_, old| Some(old.to_uppercase()))
     }),
     ("two spheres of one name at two places", "duplicate-names left-right-missing one-side-only", |m| {
         let [first, second, ..] = m.model.spheres() else { return None };
         renamed(m, SPHERE, |name| (name == second.name).then(|| first.name.clone()))
     }),
-    ("v3 body_name with path (/bodyset/calcn_r)", CONNECTED, |m| {
+    ("v3 body_name with path (/bodyset/calcn_r)", CODES_OF_CONNECTIONS, |m| {
         m.edit(SPHERE, &["body_name"], |_, old| Some(format!("/bodyset/{}", old.trim())))
     }),
-    ("body calcn_r deleted, spheres kept", CONNECTED, |m| without_bodies(m, is_calcn_r)),
-    ("body calcn_r renamed, spheres not", CONNECTED, |m| {
+    ("body calcn_r deleted, spheres kept", CODES_OF_CONNECTIONS, |m| without_bodies(m, is_calcn_r)),
+    ("body calcn_r renamed, spheres not", CODES_OF_CONNECTIONS, |m| {
         renamed(m, BODY, |name| is_calcn_r(name).then(|| "another_body".to_owned()))
     }),
-    ("whole left leg's bodies deleted, spheres kept", CONNECTED, |m| without_bodies(m, is_left)),
+    ("whole left leg's bodies deleted, spheres kept", CODES_OF_CONNECTIONS, |m| without_bodies(m, is_left)),
     ("foot's joint hangs on ground", "odd-parent", super::skeleton::foot_on_ground),
-    ("floor orientation as brackets", MISREAD, |m| m.floor("orientation", "(0 0 -1.5708)")),
-    ("floor orientation as a word pi", MISREAD, |m| m.floor("orientation", "0 0 -pi/2")),
-    ("floor orientation nan", MISREAD, |m| m.floor("orientation", "0 0 nan")),
-    ("floor location with commas (0,-0.5,0)", MISREAD, |m| m.floor("location", "0,-0.5,0")),
+    ("floor orientation as brackets", CODES_OF_MISREAD_NUMBERS, |m| m.floor("orientation", "(0 0 -1.5708)")),
+    ("floor orientation as a word pi", CODES_OF_MISREAD_NUMBERS, |m| m.floor("orientation", "0 0 -pi/2")),
+    ("floor orientation nan", CODES_OF_MISREAD_NUMBERS, |m| m.floor("orientation", "0 0 nan")),
+    ("floor location with commas (0,-0.5,0)", CODES_OF_MISREAD_NUMBERS, |m| m.floor("location", "0,-0.5,0")),
     ("dissipation misspelt (0)", "unknown-name", |m| misspelt(m, "dissipation", "disipation")),
     ("stiffness misspelt", "unknown-name default-stiffness", |m| misspelt(m, "stiffness", "stifness")),
     ("cf misspelt, 1e-3 meant", "unknown-name", |m| {
@@ -67,33 +73,33 @@ pub const UNREAD: &[DamageKind] = &[
         Some(text.replace("constant_contact_force>", "constant_contact_forse>"))
     }),
     ("radius misspelt", "unknown-name out-of-domain", |m| misspelt(m, "radius", "radus")),
-    ("thousands with apostrophes", MISREAD, |m| m.forces("stiffness", "1'000'000")),
+    ("thousands with apostrophes", CODES_OF_MISREAD_NUMBERS, |m| m.forces("stiffness", "1'000'000")),
     ("pelvis mass empty", "odd-number mass-unknown", |m| {
         m.edit(BODY, &["mass"], |name, _| (name == "pelvis").then(String::new))
     }),
-    ("Excel date in a radius (03.Jun)", MISREAD, |m| {
+    ("Excel date in a radius (03.Jun)", CODES_OF_MISREAD_NUMBERS, |m| {
         m.edit(SPHERE, &["radius"], |_, _| Some("03.Jun".to_owned()))
     }),
-    ("Python's [x y z] in a place", MISREAD, |m| {
+    ("Python's [x y z] in a place", CODES_OF_MISREAD_NUMBERS, |m| {
         m.edit(SPHERE, &["location"], |_, old| Some(format!("[{}]", old.trim())))
     }),
-    ("None of a script", MISREAD, |m| m.forces("dissipation", "None")),
-    ("nan of pandas in a place", MISREAD, |m| {
-        m.edit(SPHERE, &["location"], |_, old| triple(old).map(|[x, _, z]| format!("{x} nan {z}")))
+    ("None of a script", CODES_OF_MISREAD_NUMBERS, |m| m.forces("dissipation", "None")),
+    ("nan of pandas in a place", CODES_OF_MISREAD_NUMBERS, |m| {
+        m.edit(SPHERE, &["location"], |_, old| three_numbers(old).map(|[x, _, z]| format!("{x} nan {z}")))
     }),
-    ("MATLAB's '1.0e-03 * 3 2 1' in a place", MISREAD, |m| {
+    ("MATLAB's '1.0e-03 * 3 2 1' in a place", CODES_OF_MISREAD_NUMBERS, |m| {
         m.edit(SPHERE, &["location"], |_, _| Some("1.0e-03 * 3 2 1".to_owned()))
     }),
-    ("curly quotes in a name", CONNECTED, |m| {
+    ("curly quotes in a name", CODES_OF_CONNECTIONS, |m| {
         Some(m.text.replacen("<ContactSphere name=\"", "<ContactSphere name=\u{201d}", 1))
     }),
-    ("offset frame of the ankle unreadable (commas)", MISREAD, |m| {
+    ("offset frame of the ankle unreadable (commas)", CODES_OF_MISREAD_NUMBERS, |m| {
         m.edit(&["PhysicalOffsetFrame"], &["translation"], |name, old| {
             name.contains("tibia_r").then(|| old.split_whitespace().collect::<Vec<_>>().join(","))
         })
     }),
-    ("gravity one number only", MISREAD, |m| m.gravity("-9.81")),
-    ("gravity with commas 0, -9,81, 0", MISREAD, |m| m.gravity("0, -9,81, 0")),
+    ("gravity one number only", CODES_OF_MISREAD_NUMBERS, |m| m.gravity("-9.81")),
+    ("gravity with commas 0, -9,81, 0", CODES_OF_MISREAD_NUMBERS, |m| m.gravity("0, -9,81, 0")),
     ("empty &lt;ForceSet> pasted before the real one", "ignored-contacts", |m| {
         Some(m.text.replacen("<ForceSet", "<ForceSet name=\"empty\"><objects/></ForceSet><ForceSet", 1))
     }),
@@ -101,7 +107,7 @@ pub const UNREAD: &[DamageKind] = &[
         let empty = "<ContactGeometrySet name=\"empty\"><objects/></ContactGeometrySet><ContactGeometrySet";
         Some(m.text.replacen("<ContactGeometrySet", empty, 1))
     }),
-    ("merge conflict markers", CONNECTED, |m| {
+    ("merge conflict markers", CODES_OF_CONNECTIONS, |m| {
         Some(m.text.replacen("<ContactSphere", "<<<<<<< HEAD\n<ContactSphere", 1))
     }),
     (
@@ -109,12 +115,12 @@ pub const UNREAD: &[DamageKind] = &[
         "duplicate-names sphere-in-two-forces doubled-spheres",
         |m| {
             let forces = forces(m);
-            moved(m, &[], |m| span_end(m, forces.last().copied()), &texts(m, &forces))
+            moved(m, &[], |m| span_end(m, forces.last().copied()), &texts_of_elements(m, &forces))
         },
     ),
     ("forces pasted after &lt;/objects>", "ignored-contacts one-side-only", |m| {
         let forces = forces(m);
-        moved(m, &forces, |m| span_end(m, list(m, "ForceSet")), &texts(m, &forces))
+        moved(m, &forces, |m| span_end(m, list(m, "ForceSet")), &texts_of_elements(m, &forces))
     }),
     ("spheres pasted into the force set", "misplaced-object", |m| {
         let tree = m.model.document().tree();
@@ -124,7 +130,7 @@ pub const UNREAD: &[DamageKind] = &[
             m,
             &spheres,
             |m| Some(tree.span(list(m, "ForceSet")?).start + "<objects>".len()),
-            &texts(m, &spheres),
+            &texts_of_elements(m, &spheres),
         )
     }),
     ("Version 30000 written as 40000", "other-version", |m| {
@@ -145,7 +151,7 @@ pub const UNREAD: &[DamageKind] = &[
         let new = m.text.replace("SmoothSphereHalfSpaceForce", "AckermannVanDenBogert2010Force");
         (new != m.text).then_some(new)
     }),
-    ("file ends after the ForceSet (geometry lost), closed by hand", CONNECTED, |m| {
+    ("file ends after the ForceSet (geometry lost), closed by hand", CODES_OF_CONNECTIONS, |m| {
         let tree = m.model.document().tree();
         let set = tree.elements().find(|&id| tree.name(id) == "ContactGeometrySet")?;
         Some(m.text.replacen(&m.text[tree.span(set)], "", 1))
@@ -199,7 +205,7 @@ fn forces(m: &Published) -> Vec<ElementId> {
     m.model.forces().iter().map(osim_model::Force::element).collect()
 }
 
-fn texts(m: &Published, elements: &[ElementId]) -> String {
+fn texts_of_elements(m: &Published, elements: &[ElementId]) -> String {
     elements.iter().map(|&id| &m.text[m.model.document().tree().span(id)]).collect()
 }
 

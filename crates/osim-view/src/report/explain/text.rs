@@ -8,7 +8,7 @@ use osim_model::messages::{Dialect, Phrase};
 use crate::report::explain::equations::sentence_of_use;
 use crate::report::explain::errors::ErrorCode;
 use crate::report::explain::topic::{QuantityTopic, Topic};
-use crate::report::layout::{options, table};
+use crate::report::layout::{table, wrap_options};
 
 /// The whole explanation of one topic as text, in lines of at most `width` columns.
 pub fn text(topic: Topic, dialect: &dyn Dialect, letters: Alphabet, width: usize) -> String {
@@ -112,7 +112,7 @@ fn book_line(label: &str, page: &str) -> String {
 fn paragraph(label: &str, body: &str, width: usize) -> String {
     let body = format!("{}.", body.trim_ascii().trim_end_matches('.'));
     let indent = " ".repeat(label.len());
-    let options = options(width).initial_indent(label).subsequent_indent(&indent);
+    let options = wrap_options(width).initial_indent(label).subsequent_indent(&indent);
     format!("{}\n", textwrap::fill(&body, options))
 }
 

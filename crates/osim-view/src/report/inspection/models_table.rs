@@ -5,9 +5,9 @@ use osim_model::Property;
 use osim_model::messages::{Dialect, Phrase, counted, four_significant, named, shown, three_significant};
 
 use crate::report::layout::{
-    Colour, OUTSIDE, WIDTH, colour_marks, shorten, table, wrapped, wrapped_with_path,
+    Colour, OUTSIDE_MARK, WIDTH, colour_marks, shorten, table, wrapped, wrapped_with_path,
 };
-use crate::report::messages::{NO_CONTACTS, in_a_cell};
+use crate::report::messages::{NO_CONTACTS_CELL, failure_in_cell};
 
 named! {
     /// The columns after the name of the model, in the order of the table, with their headings.
@@ -70,16 +70,19 @@ impl Column {
             Self::Mass => inspected.mass_kg.map_or_else(|| "?".to_owned(), four_significant),
             Self::Spheres if inspected.spheres.is_empty() => MISSING_VALUE.to_owned(),
             Self::Spheres => format!("{} of {}", sharing_spheres(inspected), inspected.spheres.len()),
-            Self::Class => class(inspected).to_owned(),
+            Self::Class => class_of_forces(inspected).to_owned(),
             Self::Stiffness => {
                 let values = chosen(inspected).filter_map(|force| force.parameters.get(Property::Stiffness));
                 range(values, powers_of_ten)
             }
-            Self::Radius => {
-                range(spheres(inspected).filter_map(|sphere| sphere.value(Figure::Radius)), four_significant)
+            Self::Radius => range(
+                sphere_figures(inspected).filter_map(|sphere| sphere.value(Figure::Radius)),
+                four_significant,
+            ),
+            Self::Indentation => {
+                worst_in_words(sphere_figures(inspected).filter_map(indentation_at_rest), f64::max)
             }
-            Self::Indentation => worst_in_words(spheres(inspected).filter_map(indentation_at_rest), f64::max),
-            Self::Restitution => worst_in_words(spheres(inspected).filter_map(restitution), f64::min),
+            Self::Restitution => worst_in_words(sphere_figures(inspected).filter_map(restitution), f64::min),
             Self::Findings => findings_in_words(inspected, counts),
         }
     }
@@ -96,8 +99,8 @@ impl ModelsTable {
 
     /// Adds a model that could not be inspected, because of a failure with this code.
     pub fn add_failed(&mut self, model: &str, code: &str) {
-        let why = in_a_cell(code);
-        *(if why == NO_CONTACTS { &mut self.without_contacts } else { &mut self.failed }) += 1;
+        let why = failure_in_cell(code);
+        *(if why == NO_CONTACTS_CELL { &mut self.without_contacts } else { &mut self.failed }) += 1;
         let cell = |column| if column == Column::Findings { why } else { "" };
         let cells = Column::ALL.iter().map(|&column| cell(column).to_owned()).collect();
         self.rows.push((model.to_owned(), cells));
@@ -137,7 +140,7 @@ impl ModelsTable {
         format!(
             "{folder}{table}\n{}{}",
             legend(&columns, dialect, names_full, width.unwrap_or(WIDTH)),
-            self.counted()
+            self.counted_models()
         )
     }
 
@@ -182,7 +185,7 @@ impl ModelsTable {
         own.max().unwrap_or_default().max(column.as_str().chars().count())
     }
 
-    fn counted(&self) -> String {
+    fn counted_models(&self) -> String {
         let models = self.rows.len();
         let mut text = counted(models, "model");
         for (count, what) in [
@@ -207,7 +210,8 @@ fn folder_of(name: &str) -> &str {
 fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: usize) -> String {
     let meanings = columns.iter().map(|column| column.meaning()).filter(|meaning| !meaning.is_empty());
     let meanings: Vec<&str> = meanings.collect();
-    let mut text = wrapped(&format!("({}; {OUTSIDE}: outside the limit)", meanings.join("; ")), " ", width);
+    let mut text =
+        wrapped(&format!("({}; {OUTSIDE_MARK}: outside the limit)", meanings.join("; ")), " ", width);
     let left_out: Vec<&str> =
         LEFT_OUT.iter().filter(|column| !columns.contains(column)).map(|column| column.as_str()).collect();
     if !left_out.is_empty() {
@@ -226,7 +230,7 @@ fn legend(columns: &[Column], dialect: &dyn Dialect, names_full: bool, width: us
     text
 }
 
-fn spheres(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures> {
+fn sphere_figures(inspected: &Inspection) -> impl Iterator<Item = &SphereFigures> {
     inspected.figures.limbs.iter().flat_map(|limb| &limb.spheres)
 }
 
@@ -244,7 +248,7 @@ fn sharing_spheres(inspected: &Inspection) -> String {
 /// The text in place of a value that is missing.
 const MISSING_VALUE: &str = "-";
 
-fn class(inspected: &Inspection) -> &'static str {
+fn class_of_forces(inspected: &Inspection) -> &'static str {
     let is_smooth = |force: &InspectedForce| force.parameters.get(Property::HertzSmoothing).is_some();
     match (chosen(inspected).any(is_smooth), chosen(inspected).any(|force| !is_smooth(force))) {
         (true, true) => "both",
@@ -300,7 +304,7 @@ fn worst_in_words(values: impl Iterator<Item = JudgedFigure>, worse: fn(f64, f64
         values.reduce(|a, b| JudgedFigure { value: worse(a.value, b.value), within: a.within && b.within });
     match one {
         Some(JudgedFigure { value, within: true }) => three_significant(value),
-        Some(JudgedFigure { value, within: false }) => format!("{} {OUTSIDE}", three_significant(value)),
+        Some(JudgedFigure { value, within: false }) => format!("{} {OUTSIDE_MARK}", three_significant(value)),
         None => MISSING_VALUE.to_owned(),
     }
 }
@@ -309,7 +313,7 @@ fn worst_in_words(values: impl Iterator<Item = JudgedFigure>, worse: fn(f64, f64
 fn findings_in_words(inspected: &Inspection, counts: Counts) -> String {
     // What is found in a model without contacts is that it has none.
     if inspected.forces.is_empty() && counts.error + counts.warning == 0 {
-        return NO_CONTACTS.to_owned();
+        return NO_CONTACTS_CELL.to_owned();
     }
     counts.only_worst().describe(MISSING_VALUE)
 }

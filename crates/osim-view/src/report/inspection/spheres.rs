@@ -9,7 +9,7 @@ use osim_model::messages::{Dialect, Phrase, four_significant, shortest};
 use osim_model::{Class, Property};
 
 use crate::report::extent::{Extent, Layout};
-use crate::report::layout::{OUTSIDE, csv_text, table};
+use crate::report::layout::{OUTSIDE_MARK, csv_text, table};
 
 /// Properties of the spheres in a table, which decide on its rows.
 #[derive(Clone, Copy)]
@@ -100,8 +100,8 @@ pub struct EquallyDeep<'f> {
     pub spheres: Vec<&'f str>,
 }
 
-/// Caption of the table of figures.
-pub(crate) const CAPTION: &str =
+/// The caption of the table of figures of spheres that are at different heights.
+pub(crate) const UNEVEN_CAPTION: &str =
     "The spheres of a limb are not level at the default pose; x/R at 1 BW with each sphere at its own height";
 
 /// The spheres of limbs that stand on all their spheres, if these are at different heights, grouped by depth.
@@ -144,7 +144,7 @@ fn stands_unevenly(limb: &LimbFigures) -> bool {
 // What the spheres do, with a column for each group of spheres that do the same.
 
 /// The largest number of groups of spheres in one table. Further groups go into another table.
-const GROUPS_ABREAST: usize = 4;
+const MOST_GROUPS_IN_TABLE: usize = 4;
 
 /// The largest number of names that are listed. If there are more, the text has their number.
 const MOST_NAMES_LISTED: usize = 6;
@@ -170,21 +170,21 @@ pub(super) fn sphere_sheet(inspected: &Inspection, dialect: &dyn Dialect, layout
     if !groups.is_empty() {
         text.push_str("What the spheres do (BW: body weight, on one limb unless you say otherwise):\n");
     }
-    for (number, chunk) in groups.chunks(GROUPS_ABREAST).enumerate() {
+    for (number, chunk) in groups.chunks(MOST_GROUPS_IN_TABLE).enumerate() {
         for (index, group) in chunk.iter().enumerate() {
-            let label = format!("S{}", number * GROUPS_ABREAST + index + 1);
+            let label = format!("S{}", number * MOST_GROUPS_IN_TABLE + index + 1);
             text.push_str(
                 &layout
                     .wrapped(&format!("{label}  {}", extent.names(&group.names, MOST_NAMES_LISTED)), "    "),
             );
         }
         text.push('\n');
-        text.push_str(&sheet(inspected, chunk, number * GROUPS_ABREAST, layout));
+        text.push_str(&group_table(inspected, chunk, number * MOST_GROUPS_IN_TABLE, layout));
     }
     text.push_str(&own_heights_table(inspected, layout));
-    if text.contains(OUTSIDE) {
+    if text.contains(OUTSIDE_MARK) {
         let more = Phrase::template("outside the limit: `check MODEL` says more").spelled(dialect);
-        text.push_str(&format!("  ({OUTSIDE} {more})\n"));
+        text.push_str(&format!("  ({OUTSIDE_MARK} {more})\n"));
     }
     text
 }
@@ -202,7 +202,7 @@ fn own_heights_table(inspected: &Inspection, layout: Layout) -> String {
         table.add_row([row.limb, hertz, model_law, &extent.names(&row.spheres, MOST_NAMES_LISTED)]);
     }
     table.right_aligned(&[1, 2]);
-    format!("\n{}{}\n", layout.wrapped(&format!("{CAPTION}:"), ""), table.into_lines(layout.columns))
+    format!("\n{}{}\n", layout.wrapped(&format!("{UNEVEN_CAPTION}:"), ""), table.into_lines(layout.columns))
 }
 
 fn alike_spheres(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>> {
@@ -222,7 +222,7 @@ fn alike_spheres(inspected: &Inspection, extent: Extent) -> Vec<AlikeSpheres<'_>
     groups
 }
 
-fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, layout: Layout) -> String {
+fn group_table(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, layout: Layout) -> String {
     let extent = layout.extent;
     let labels = (1..=groups.len()).map(|index| format!("S{}", before + index));
     let header: Vec<String> = ["figure".to_owned(), "limit".to_owned()].into_iter().chain(labels).collect();
@@ -232,7 +232,8 @@ fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, lay
     let figures: Vec<Figure> =
         if extent.is_full() { Figure::ALL.to_vec() } else { spheres.figures().collect() };
     for figure in figures {
-        let values: Vec<String> = groups.iter().map(|group| cell(figure, group.first, extent)).collect();
+        let values: Vec<String> =
+            groups.iter().map(|group| figure_cell(figure, group.first, extent)).collect();
         if values.iter().all(|value| value == UNKNOWN_FIGURE) {
             continue;
         }
@@ -243,11 +244,11 @@ fn sheet(inspected: &Inspection, groups: &[AlikeSpheres<'_>], before: usize, lay
     format!("{}\n", table.into_lines(layout.columns))
 }
 
-fn cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
+fn figure_cell(figure: Figure, sphere: &SphereFigures, extent: Extent) -> String {
     match value(figure, sphere, extent) {
         None => UNKNOWN_FIGURE.to_owned(),
         Some(FigureText { text, outside: false }) => format!("{text}  "),
-        Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE}"),
+        Some(FigureText { text, outside: true }) => format!("{text} {OUTSIDE_MARK}"),
     }
 }
 
@@ -259,7 +260,7 @@ struct SpherePlace<'p> {
     limb: &'p LimbFigures,
     sphere: &'p SphereFigures,
     force: Option<&'p InspectedForce>,
-    /// The codes of the model's findings.
+    /// The codes of all findings about the model, in one cell.
     findings: &'p str,
 }
 
@@ -302,7 +303,7 @@ fn csv_header() -> Vec<String> {
     place.chain(parameters).chain(figures).chain(LAST_COLUMNS.map(str::to_owned)).collect()
 }
 
-fn cells(place: &SpherePlace<'_>) -> Vec<String> {
+fn cells_of_place(place: &SpherePlace<'_>) -> Vec<String> {
     let parameter = |property| number_text(place.force.and_then(|force| force.parameters.get(property)));
     let figures = Figure::ALL.iter().map(|&figure| number_text(place.sphere.value(figure)));
     let is_outside = |figure: &&Figure| place.sphere.is_within(**figure) == Some(false);
@@ -341,7 +342,7 @@ pub fn csv_rows(inspected: &Inspection, header: bool) -> Result<String, csv::Err
         let presses = |force: &String| pressing.get(&(force.as_str(), sphere.sphere.as_str())).copied();
         let first = sphere.forces.iter().filter_map(presses).min();
         let force = first.and_then(|at| inspected.forces.get(at));
-        cells(&SpherePlace { model: inspected, limb, sphere, force, findings: &findings })
+        cells_of_place(&SpherePlace { model: inspected, limb, sphere, force, findings: &findings })
     });
     csv_text(header.into_iter().chain(rows))
 }

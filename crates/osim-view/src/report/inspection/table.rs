@@ -260,11 +260,11 @@ pub(crate) fn alike_forces(inspected: &Inspection, extent: Extent) -> Vec<ForceG
     let (mut places, mut exact) = (HashMap::new(), HashMap::new());
     for force in &inspected.forces {
         let how = (force.kind, force.applies, force.selected);
-        let found = || *places.entry((parameters(force, extent), how)).or_insert(groups.len());
+        let found = || *places.entry((parameter_cells(force, extent), how)).or_insert(groups.len());
         let place = *exact.entry((exact_parameters(force), how)).or_insert_with(found);
         match groups.get_mut(place) {
             Some(group) => group.forces.push(force),
-            None => groups.push(ForceGroup { cells: parameters(force, extent), forces: vec![force] }),
+            None => groups.push(ForceGroup { cells: parameter_cells(force, extent), forces: vec![force] }),
         }
     }
     groups
@@ -298,7 +298,7 @@ pub fn described(members: &[&InspectedForce], extent: Extent) -> String {
     text
 }
 
-fn parameters(force: &InspectedForce, extent: Extent) -> Vec<String> {
+fn parameter_cells(force: &InspectedForce, extent: Extent) -> Vec<String> {
     let one = |property: Property| match force.parameters.get(property) {
         Some(value) => {
             format!(

@@ -67,7 +67,7 @@ impl SphereFloors {
     }
 
     /// The gap between `sphere` and each of its floors, m.
-    pub(super) fn gaps(
+    pub(super) fn heights_over_floors(
         &self,
         model: &Model,
         sphere: SphereId,
